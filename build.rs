@@ -1,6 +1,6 @@
-//! Has the program built anew when a level or a chapter is added: `include_dir!` itself only
-//! notices changes to files that it already knows. And puts the page for browsers into it, if
-//! `CARROM_PAGE` names one.
+//! Rebuilds the program when a level or a chapter is added, because `include_dir!` itself notices
+//! only changes to files that it already knows. Also embeds the page for browsers if `CARROM_PAGE`
+//! names one.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};

@@ -1,4 +1,4 @@
-//! Whether the right misconception is named: `cargo bench --bench diagnosis`.
+//! Measures how often carrom names the right misconception: `cargo bench --bench diagnosis`.
 //!
 //! Simulated students answer rounds of *Find out*, of the mixed course and of the older mixed
 //! course; printed is for how many the misconception that is named first is the one they
@@ -26,15 +26,16 @@ fn play(student: &mut Student, code: Code) -> Vec<Clue> {
         .collect()
 }
 
-/// What became of many students of one kind in one course.
+/// The results of many students of one kind in one course.
 #[derive(Default)]
 struct Outcome {
     students: usize,
-    /// How many had theirs named first; of those who hold none, how many had any named.
+    /// The number of students whose misconception is named first; for students without one, the
+    /// number for whom any is named.
     named: usize,
-    /// The misconceptions that others had named first.
+    /// The wrong misconceptions that were named first.
     others: Vec<Misconception>,
-    /// How many questions each was asked, rising.
+    /// The number of questions that each student was asked, in ascending order.
     asked: Vec<usize>,
 }
 
@@ -61,7 +62,7 @@ fn outcome(belief: Belief, knows: bool, course: &Course, students: u64) -> Outco
     outcome
 }
 
-/// The misconceptions among these, each with how often.
+/// The misconceptions in a list, each with its count.
 fn counted(misconceptions: &[Misconception]) -> String {
     let count = |it: &Misconception| misconceptions.iter().filter(|other| *other == it).count();
     let mut all: Vec<_> = Misconception::ALL
@@ -91,8 +92,8 @@ fn main() {
         ("older mixed, 20", Course::of(CourseKind::Mixed, 20)),
         ("older mixed, 10", Course::of(CourseKind::Mixed, 10)),
     ];
-    println!("{students} students of each kind; the share whose own belief is named first");
-    println!("(of who knows and who guesses: the share of whom anything is named)\n");
+    println!("{students} students of each kind; the share whose own misconception is named first");
+    println!("(for students who know or guess: the share for whom any is named)\n");
     let only = std::env::args().find_map(|arg| arg.strip_prefix("only=").map(str::to_owned));
     for (name, course) in &courses {
         if only

@@ -1,8 +1,8 @@
 //! How fast the engine plays: `cargo bench --bench engine`.
 //!
-//! Each figure is the best of many rounds on one core: what the work itself takes,
-//! with the least disturbance by whatever else the machine does. The median of the
-//! rounds stands beside it.
+//! Each figure is the best of many rounds on one core: the time for the work itself,
+//! with the least disturbance by other programs. The median of the rounds is printed
+//! beside it.
 
 mod scenes;
 
@@ -23,7 +23,7 @@ fn main() {
     }
 }
 
-/// Plays every table once a round.
+/// Plays every table once per round.
 fn many(name: &str, board: &Board, tables: &[Table], rounds: usize) {
     let mut engine = Engine::default();
     let mut shot = Shot::default();

@@ -1,8 +1,8 @@
-//! How long it takes from the start of carrom to its first whole picture, in a
-//! terminal of 80 by 24: `cargo bench --bench first_frame`.
+//! The time from the start of carrom to its first complete frame, in a terminal of 80 by 24:
+//! `cargo bench --bench first_frame`.
 
 #[cfg(unix)]
-#[allow(dead_code, reason = "a start is watched, and no more")]
+#[allow(dead_code, reason = "only the start is timed")]
 #[path = "../tests/common/pty.rs"]
 mod pty;
 
@@ -33,5 +33,5 @@ fn main() {
 
 #[cfg(not(unix))]
 fn main() {
-    println!("the first frame is timed in a pseudo-terminal, which this system has not");
+    println!("the first frame is timed in a pseudo-terminal, which this system does not have");
 }

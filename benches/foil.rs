@@ -1,9 +1,8 @@
-//! How fast a beam is thrown and counted: `cargo bench --bench foil`.
+//! How fast a beam is simulated and counted: `cargo bench --bench foil`.
 //!
-//! Hard spheres in space into 36 bins, on one core: by the table of edges, and beside it
-//! in the same rounds by the plain loop that works out the angle of each. Both count the
-//! same particles, and the counts are compared. The best of many rounds is given, and
-//! the median.
+//! For each law, particles are counted into 36 bins on one core, in the same rounds with the table
+//! of edges and with the plain loop that computes the angle of each particle. Both count the same
+//! particles, and the counts must be equal. The best and the median of many rounds are printed.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -41,7 +40,7 @@ fn main() {
     pictures();
 }
 
-/// The table and the plain loop, turn and turn about.
+/// Times the table and the plain loop alternately.
 fn compare(name: &str, law: &ScatteringLaw) {
     let sampler = Sampler::new(law);
     let mut times = [const { Vec::new() }; 2];
@@ -66,7 +65,7 @@ fn compare(name: &str, law: &ScatteringLaw) {
     }
 }
 
-/// A number, an offset, an angle, a bin, for each particle.
+/// Computes a random number, an offset, an angle and a bin for each particle.
 fn plain(law: &ScatteringLaw) -> Counts {
     let mut numbers = Pcg64::new(u128::from(SEED), 0x0a02_bdbf_7bb3_c0a7);
     let mut counts = Counts::default();
@@ -78,8 +77,8 @@ fn plain(law: &ScatteringLaw) -> Counts {
     counts
 }
 
-/// What the app takes between two pictures while a beam of 10⁸ runs, 120 columns by 40
-/// rows: its slice of the beam, and the picture itself.
+/// Times the app's work for each frame while a beam of 10⁸ runs, in 120 columns and 40 rows: a
+/// batch of the beam, and the drawing.
 fn pictures() {
     let settings = Settings {
         predict: false,
@@ -105,7 +104,7 @@ fn pictures() {
     );
 }
 
-/// The tables, and a whole beam of 10⁸ in one go.
+/// Times the construction of the table, and a whole beam of 10⁸ at once.
 fn whole(law: &ScatteringLaw) {
     let start = Instant::now();
     let sampler = black_box(Sampler::new(law));

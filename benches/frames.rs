@@ -1,8 +1,8 @@
-//! What a picture costs while something moves: bytes in a pseudo-terminal, and the time to
+//! The cost of a frame while something moves: its bytes in a pseudo-terminal, and the time to
 //! draw it: `cargo bench --bench frames`.
 
 #[cfg(unix)]
-#[allow(dead_code, reason = "what is drawn is counted, and no more")]
+#[allow(dead_code, reason = "only the output is counted")]
 #[path = "../tests/common/pty.rs"]
 mod pty;
 
@@ -15,15 +15,15 @@ fn main() {
     use carrom::shells::Headless;
     use pty::{Pty, carrom};
 
-    /// Bytes of the pictures after the first `skipped` bytes.
+    /// The length of each frame after the first `skipped` bytes.
     fn pictures(bytes: &[u8], skipped: usize) -> Vec<usize> {
         let text = String::from_utf8_lossy(bytes.get(skipped..).unwrap_or_default());
         let pictures = text.split("\x1b[?2026h").skip(1);
         pictures.map(str::len).collect()
     }
 
-    // Where, the keys to where something moves there, those keys without a terminal, and for
-    // how many seconds it is watched; 0 for a list that is gone down.
+    // The name, the screen, the keys that start a motion there, the same keys without a terminal,
+    // and how many seconds are recorded; 0 for scrolling down a list.
     let scenes = [
         ("break", "table", "\r ", "<Enter><Space>", 3.0),
         ("lab", "lab", "\r60\r30\r", "<Enter>60<Enter>30<Enter>", 2.0),
@@ -56,7 +56,7 @@ fn main() {
                 let sizes = pictures(&pty.bytes(), before);
                 pty.press("\x03");
                 pty.wait();
-                // The time alone is measured without a terminal.
+                // The time to draw is measured without a terminal.
                 let Ok(app) = open(&arguments) else {
                     continue;
                 };
@@ -81,5 +81,5 @@ fn main() {
 
 #[cfg(not(unix))]
 fn main() {
-    println!("pictures are counted in a pseudo-terminal, which this system has not");
+    println!("frames are counted in a pseudo-terminal, which this system does not have");
 }

@@ -1,10 +1,10 @@
-//! How long a gradebook takes, and whether that grows with the class and no faster:
+//! The time to make a gradebook, and whether this time grows no faster than the class:
 //! `cargo bench --bench gradebook`.
 //!
-//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is
-//! timed as `carrom gather` works, from the bytes of the files to the finished document; the
-//! last column compares the time per pupil with that of the smallest class. One further file
-//! holds 5,000 rounds.
+//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is timed
+//! the way `carrom gather` works, from the bytes of the files to the finished document; the last
+//! column compares the time per pupil with that of the smallest class. Another file contains 5,000
+//! rounds.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -16,12 +16,12 @@ use carrom::quiz::{Answer, Code, Confidence, Round};
 
 const ROUNDS: u64 = 30;
 const CLASSES: [usize; 4] = [10, 20, 40, 60];
-/// The round codes in the one large file.
+/// The number of rounds in the one large file.
 const MANY_ROUNDS: u64 = 5_000;
-/// Each measurement is the best of so many.
+/// The number of runs of each measurement; the best is printed.
 const RUNS: usize = 3;
 
-/// The answers of one pupil to these rounds; who is right differs from pupil to pupil.
+/// The answers of one pupil to these rounds; different pupils are right at different questions.
 fn answers(rounds: &[Round], pupil: usize) -> Vec<Attempt> {
     let mut all = Vec::new();
     for round in rounds {
@@ -41,7 +41,7 @@ fn answers(rounds: &[Round], pupil: usize) -> Vec<Attempt> {
     all
 }
 
-/// The bytes of the file of a pupil.
+/// The bytes of a pupil's file.
 fn file(pupil: usize, answers: Vec<Attempt>) -> Vec<u8> {
     let hand_in = HandIn::new(&format!("Pupil {pupil}"), "10b", answers);
     hand_in.text().expect("a hand-in is text").into_bytes()
@@ -70,7 +70,7 @@ fn best<T>(work: impl Fn() -> T) -> Duration {
         let start = Instant::now();
         black_box(work());
         shortest = shortest.min(start.elapsed());
-        // What takes this long needs no second look.
+        // Work that takes this long need not be repeated.
         if shortest > Duration::from_secs(5) {
             break;
         }

@@ -1,8 +1,8 @@
 //! How strong the computer opponents are: `cargo bench --bench strength`.
 //!
 //! Plays boards between neighbouring strengths, and between the strongest and a
-//! player that shoots at random, then measures how long one stroke takes to think of.
-//! `-- 20` plays 20 boards a pair instead of 200.
+//! player that shoots at random, then measures how long it takes to choose one stroke.
+//! `-- 20` plays 20 boards per pair instead of 200.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
@@ -15,18 +15,18 @@ use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// Strokes after which a board counts for nobody.
+/// The number of strokes after which a board counts as undecided.
 const MOST_STROKES: u64 = 3000;
 
-/// Who plays.
+/// A player in the contest.
 #[derive(Clone, Copy)]
 enum Player {
     Strength(Strength),
-    /// From any legal place, in any direction forward, at any speed.
+    /// Shoots from any legal place, in any forward direction, at any speed.
     Random,
 }
 
-/// What became of a number of boards.
+/// The results of several boards.
 #[derive(Default)]
 struct Tally {
     won: u32,
@@ -40,7 +40,7 @@ struct Tally {
 fn main() {
     let boards = std::env::args().filter_map(|arg| arg.parse().ok()).next();
     let boards = boards.unwrap_or(200);
-    println!("{boards} boards a pair; the two break in turn\n");
+    println!("{boards} boards per pair; the two players break in turn\n");
     let mut pairs: Vec<(Player, Player)> = Strength::ALL
         .windows(2)
         .map(|pair| (Player::Strength(pair[1]), Player::Strength(pair[0])))
@@ -69,7 +69,7 @@ fn main() {
     }
 }
 
-/// Plays boards on all cores; seed for seed the same whatever their number.
+/// Plays boards on all cores; the result of each seed does not depend on the number of cores.
 fn contest(strong: Player, weak: Player, boards: u64) -> Tally {
     let next = AtomicU64::new(0);
     let cores = thread::available_parallelism().map_or(1, usize::from);
@@ -101,7 +101,7 @@ fn contest(strong: Player, weak: Player, boards: u64) -> Tally {
 }
 
 impl Tally {
-    /// Plays one board, the stronger at South.
+    /// Plays one board, with the stronger player at South.
     fn add(&mut self, strong: Player, weak: Player, seed: u64) {
         let mut game = new_game(seed);
         let mut hand = Pcg64::seed_from_u64(seed);
@@ -140,7 +140,7 @@ fn new_game(seed: u64) -> Game {
     })
 }
 
-/// One stroke of `player`, or the turn passes where there is no place for it.
+/// Plays one stroke of `player`, or passes the turn if there is no room for the striker.
 fn stroke(game: &mut Game, player: Player, hand: &mut Pcg64) {
     let board = Board::default();
     let struck = match player {
@@ -172,7 +172,7 @@ fn random(game: &Game, hand: &mut Pcg64) -> Option<Motion> {
     Some(Motion { position, velocity })
 }
 
-/// How long the strokes of a few boards take to think of, on one core.
+/// Times the choice of each stroke of a few boards, on one core.
 fn thinking(strength: Strength) {
     let mut hand = Pcg64::seed_from_u64(0);
     let mut times = Vec::new();
@@ -180,7 +180,7 @@ fn thinking(strength: Strength) {
         let mut game = new_game(seed);
         while game.play().won.is_none() {
             let thought: u64 = hand.random();
-            // The best of three: what the work itself takes.
+            // The best of three is disturbed least.
             let time = (0..3).map(|_| {
                 let start = Instant::now();
                 std::hint::black_box(think(&game, strength, thought));

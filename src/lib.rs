@@ -6,7 +6,7 @@
 //! # Modules
 //!
 //! Higher modules may use lower ones, never the reverse, and modules of one layer do not
-//! know each other: `tests/layers.rs` reads this map and checks every module against it.
+//! use each other: `tests/layers.rs` reads this map and checks every module against it.
 //!
 //! ```text
 //!   main.rs        parse the command line, run, print the error
@@ -27,7 +27,7 @@
 //!                  levels · progress · settings
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   ─────────────────────────────────────────────────────────────
-//!   widgets/       the drawn things: pictures as lists of marks (picture) with two
+//!   widgets/       drawing: pictures as lists of marks (picture) with two
 //!                  renderers (ink, svg), the hit, plots, prompts; theme
 //!   ─────────────────────────────────────────────────────────────
 //!   messages/      the inputs and outputs of the app: keys, effects
@@ -51,7 +51,7 @@
 //!                  own counts  (data: assets/)
 //!   ─────────────────────────────────────────────────────────────
 //!   physics/       discs, one impact, closed forms, frames, scattering, the event-
-//!                  driven engine and the exact record of a shot. Knows no game, no
+//!                  driven engine and the exact record of a shot. Contains no game, no
 //!                  terminal, no clock, no random numbers.
 //!   files/         reading files from outside and reporting their errors; writing whole
 //!                  files, tables and JSON

@@ -1,13 +1,12 @@
-//! Numbers and words as they are printed: decimals, figures that count, units, signs.
+//! How quantities are printed: decimals, significant figures, units, signs.
 //!
-//! What prints a quantity gives a hyphen for a minus, as files and programs want it; what
-//! is set in formulas passes through [`true_minus`], and the Unicode screen makes minus
-//! signs of the rest.
+//! Functions that print a quantity write a hyphen for a minus, as files and programs require.
+//! Text in formulas passes through [`true_minus`], and the Unicode screen replaces all other
+//! hyphens before numbers with minus signs.
 
 use std::fmt;
 
-/// `x` with so many decimals, and without the sign of what rounds to nothing: "63.4",
-/// "0.0".
+/// `x` with this many decimals: "63.4". A value that rounds to zero has no sign: "0.0".
 pub(crate) fn fixed(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     let is_nothing = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
@@ -17,25 +16,25 @@ pub(crate) fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
-/// `x` with at most so many decimals: "3.46", "0.5", "60".
+/// `x` with at most this many decimals: "3.46", "0.5", "60".
 pub(crate) fn short(x: f64, decimals: usize) -> String {
     trimmed(&fixed(x, decimals)).to_owned()
 }
 
-/// `x` to three significant figures, trailing zeros kept: "15.0", "5.50", "0.707".
+/// `x` to three significant figures, with trailing zeros: "15.0", "5.50", "0.707".
 pub(crate) fn significant(x: f64) -> String {
     fixed(x, decimals_for(x, 3))
 }
 
-/// `x` to four significant figures, without trailing zeros, and by a power of ten where
-/// it is very large or small: "3.464", "10", "1.23e-5".
+/// `x` to four significant figures, without trailing zeros, and with a power of ten if it is
+/// very large or small: "3.464", "10", "1.23e-5".
 pub(crate) fn four_figures(x: f64) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
     }
     let scientific = format!("{x:.3e}");
     if (1e-4..1e6).contains(&x.abs()) {
-        // Rounded first, or 99996 would keep all its digits.
+        // Rounding comes first: otherwise 99996 would keep all its digits.
         let rounded = scientific.parse().unwrap_or(x);
         return short(rounded, decimals_for(x, 4));
     }
@@ -45,7 +44,7 @@ pub(crate) fn four_figures(x: f64) -> String {
     }
 }
 
-/// `x` as one would type it: "90", "0.5", "1e12".
+/// `x` as a person would type it: "90", "0.5", "1e12".
 pub(crate) fn typed(x: f64) -> String {
     if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
         format!("{}", x + 0.0)
@@ -54,7 +53,7 @@ pub(crate) fn typed(x: f64) -> String {
     }
 }
 
-/// `x` without what a change of units left of rounding: 30 for 29.999999999999996.
+/// `x` without the rounding error of a change of units: 30 for 29.999999999999996.
 pub(crate) fn tidy(x: f64) -> f64 {
     (x * 1e9).round() / 1e9
 }
@@ -74,8 +73,8 @@ pub(crate) fn bare_degrees(angle: f64) -> String {
     format!("{:.1}", tenths(angle) as f64 / 10.0)
 }
 
-/// A value on the way to a printed result, with the figures it needs: three, or a tenth of a
-/// degree, or as many more as it takes for the result to follow from what is printed.
+/// An intermediate value of a printed result, with the figures it needs: three, or a tenth of a
+/// degree, or as many more as are needed for the printed values to give the printed result.
 #[derive(Debug, Clone)]
 pub(crate) struct Intermediate {
     text: String,
@@ -95,20 +94,20 @@ impl Intermediate {
         self.text.trim_start_matches('-')
     }
 
-    /// How many decimals are printed.
+    /// The number of decimals printed.
     pub(crate) fn decimals(&self) -> usize {
         let decimals = self.text.split_once('.');
         decimals.map_or(0, |(_, decimals)| decimals.len())
     }
 
-    /// A value before this result, which should be printed as it follows from the
-    /// [`value`](Self::value).
+    /// The intermediate value `x`. `result` prints what follows from it, and must print the same
+    /// for the rounded [`value`](Self::value).
     pub(crate) fn new<T: PartialEq>(x: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(x, decimals_for(x, 3) + more);
         Self::leading_to(x, text, |read| read, result)
     }
 
-    /// The same of an angle in radians, printed in degrees without a unit.
+    /// The same for an angle in radians, printed in degrees without a unit.
     pub(crate) fn angle<T: PartialEq>(angle: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(angle.to_degrees(), 1 + more);
         Self::leading_to(angle, text, f64::to_radians, result)
@@ -120,7 +119,7 @@ impl Intermediate {
         value: impl Fn(f64) -> f64,
         result: impl Fn(f64) -> T,
     ) -> Self {
-        /// Beyond so many more figures the result hangs on rounding noise.
+        /// The most additional figures: with more, the result depends on rounding noise.
         const MOST: usize = 6;
         const EDGE: f64 = 1e-9;
         let printed = |more| {
@@ -128,7 +127,7 @@ impl Intermediate {
             let value = value(text.parse().unwrap_or(f64::NAN));
             Self { text, value }
         };
-        // A result on the edge between two last digits may be printed as either.
+        // A result midway between two last digits may be rounded either way.
         let wanted = [1.0, 1.0 - EDGE, 1.0 + EDGE].map(|near| result(near * exact));
         let enough = |it: &Self| wanted.contains(&result(it.value));
         (0..MOST)
@@ -143,8 +142,8 @@ pub(crate) fn points(points: f64) -> String {
     fixed((10.0 * points).round() / 10.0, 1)
 }
 
-/// A length of `length_mm` millimetres to a hundredth, as discs are measured, and with
-/// three figures at least: "8.60", "30.0", "36.55".
+/// A length of `length_mm` millimetres to a hundredth, as discs are measured, but with at
+/// least three figures: "8.60", "30.0", "36.55".
 pub(crate) fn bare_millimetres(length_mm: f64) -> String {
     let exact = format!("{length_mm:.2}");
     match exact.strip_suffix('0') {
@@ -153,7 +152,7 @@ pub(crate) fn bare_millimetres(length_mm: f64) -> String {
     }
 }
 
-/// The same with its unit: "36.55 mm".
+/// The same with the unit: "36.55 mm".
 pub(crate) fn millimetres(length_mm: f64) -> String {
     with_unit(&bare_millimetres(length_mm), "mm")
 }
@@ -164,21 +163,21 @@ pub(crate) fn with_unit(number: &str, unit: &str) -> String {
     format!("{number}{gap}{unit}")
 }
 
-/// So many of them: "1 answer", "7 answers".
+/// A count with its noun: "1 answer", "7 answers".
 pub(crate) fn counted(count: usize, what: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {what}{plural}")
 }
 
-/// The same text with minus signs for its hyphens.
+/// `text` with minus signs instead of hyphens.
 pub(crate) fn true_minus(text: &str) -> String {
     text.replace('-', "−")
 }
 
-/// The digits as they are raised in an exponent.
+/// The digits as superscripts, for exponents.
 pub(crate) const RAISED_DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// The same text with a capital letter first.
+/// `text` with a capital first letter.
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| {
@@ -186,18 +185,18 @@ pub(crate) fn capital(text: &str) -> String {
     })
 }
 
-/// The FNV-1a hash of nothing, to begin with.
+/// The FNV-1a hash of no bytes, the initial value.
 pub(crate) const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 
-/// The 64-bit FNV-1a hash of these bytes after those that gave `hash`.
+/// The 64-bit FNV-1a hash, continued from `hash` with these bytes.
 pub(crate) fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
     })
 }
 
-/// How many decimals `x` needs for so many significant figures. The exponent is taken
-/// after rounding: 9.999 is 10.0, not 10.00.
+/// The number of decimals that `x` needs for this many significant figures. The exponent is
+/// that of the rounded value: 9.999 is 10.0, not 10.00.
 fn decimals_for(x: f64, figures: u8) -> usize {
     let digits = i32::from(figures) - 1;
     let scientific = format!("{x:.*e}", usize::from(figures) - 1);
@@ -214,13 +213,13 @@ fn trimmed(decimal: &str) -> &str {
     }
 }
 
-/// The mean; `None` of nothing.
+/// The mean; `None` if there are no values.
 pub(crate) fn mean(x: &[f64]) -> Option<f64> {
     (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
 }
 
-/// Pearson's correlation; `None` for fewer than three pairs, or where one side does not
-/// vary by more than a thousandth.
+/// Pearson's correlation; `None` for fewer than three pairs, or if one of the variables varies by
+/// no more than a thousandth.
 pub(crate) fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     const VARIES: f64 = 1e-6;
     if x.len() < 3 {
@@ -242,7 +241,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_figures() {
+    fn three_significant_figures_keep_trailing_zeros() {
         for (x, text) in [
             (15.0, "15.0"),
             (5.5, "5.50"),
@@ -260,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn four_digits_and_no_more_than_needed() {
+    fn four_significant_figures_drop_trailing_zeros() {
         for (x, text) in [
             (0.0, "0"),
             (-0.0, "0"),
@@ -280,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn points_to_a_tenth() {
+    fn points_are_printed_to_a_tenth() {
         for (x, text) in [(8.0, "8.0"), (-2.0, "-2.0"), (-0.04, "0.0"), (9.96, "10.0")] {
             assert_eq!(points(x), text);
         }
@@ -306,21 +305,21 @@ mod tests {
     }
 
     #[test]
-    fn lengths_to_a_hundredth() {
+    fn lengths_are_printed_to_a_hundredth() {
         assert_eq!(millimetres(8.6), "8.60 mm");
         assert_eq!(millimetres(30.0), "30.0 mm");
         assert_eq!(millimetres(20.65 + 15.9), "36.55 mm");
     }
 
     #[test]
-    fn angles_to_a_tenth() {
+    fn angles_are_printed_to_a_tenth() {
         assert_eq!(degrees(2_f64.atan()), "63.4°");
         assert_eq!(degrees(-1e-9), "0.0°");
         assert_eq!(bare_degrees(-0.5), "-28.6");
     }
 
     #[test]
-    fn units_stand_off_but_for_degrees() {
+    fn a_space_precedes_every_unit_but_degrees() {
         assert_eq!(with_unit("4", "m/s"), "4 m/s");
         assert_eq!(with_unit("60", "°"), "60°");
         assert_eq!(with_unit("0.5", ""), "0.5");
@@ -328,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn words_and_hashes() {
+    fn capitals_and_hashes_are_correct() {
         assert_eq!(capital("élan vital"), "Élan vital");
         assert_eq!(capital(""), "");
         // Test vectors of the FNV reference.
@@ -349,9 +348,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Half a unit of the last place, and what the reading itself rounds.
+        /// The error is at most half a unit of the last place, plus the rounding error of parsing.
         #[test]
-        fn printed_numbers_read_back(x in any_number(), decimals in 0_usize..5) {
+        fn printed_numbers_are_read_back_rounded(x in any_number(), decimals in 0_usize..5) {
             let half = |decimals: i32| 0.5 * 10.0_f64.powi(-decimals) + 4.0 * f64::EPSILON * x.abs();
             for text in [fixed(x, decimals), short(x, decimals)] {
                 let read: f64 = text.parse().unwrap();
@@ -366,7 +365,7 @@ mod tests {
         }
 
         #[test]
-        fn nothing_has_no_sign(x in -1e-2..1e-2_f64, decimals in 0_usize..3) {
+        fn zero_has_no_sign(x in -1e-2..1e-2_f64, decimals in 0_usize..3) {
             for x in [x, x * 1e-3, x * 1e-9, -0.0, 0.0] {
                 let printed = [
                     fixed(x, decimals),
@@ -388,7 +387,7 @@ mod tests {
     }
 
     #[test]
-    fn correlation_by_hand() {
+    fn correlation_agrees_with_a_calculation_by_hand() {
         // (1,2), (2,4), (3,6) lie on a line; (1,1), (2,3), (3,2): r = 1/2.
         assert_eq!(correlation(&[1.0, 2.0, 3.0], &[2.0, 4.0, 6.0]), Some(1.0));
         let r = correlation(&[1.0, 2.0, 3.0], &[1.0, 3.0, 2.0]).unwrap();

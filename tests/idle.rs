@@ -1,12 +1,12 @@
-//! carrom at rest takes no processor time.
+//! An idle carrom uses no processor time.
 //!
-//! A program of its own, so that no other test runs beside it: what it measures is two
+//! This is a separate test program, so that no other test runs at the same time: it measures
 //! hundredths of a second.
 
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[allow(dead_code, reason = "an idle terminal is asked for little")]
+#[allow(dead_code, reason = "this test uses only part of the module")]
 #[path = "common/pty.rs"]
 mod pty;
 
@@ -16,7 +16,7 @@ use std::time::Duration;
 use pty::{Pty, carrom};
 
 #[test]
-fn idle_it_takes_no_processor_time() {
+fn an_idle_program_uses_no_processor_time() {
     // The clock ticks a hundred times a second.
     let seconds = |pty: &Pty| {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", pty.pid())).unwrap();
@@ -35,7 +35,7 @@ fn idle_it_takes_no_processor_time() {
     thread::sleep(Duration::from_secs(5));
     for (pty, before) in idle.iter_mut().zip(before) {
         let used = seconds(pty) - before;
-        assert!(used < 0.02, "{used} s in 5 s of nothing");
+        assert!(used < 0.02, "{used} s of processor time in 5 idle seconds");
         pty.press("\x03");
         assert_eq!(pty.wait(), 0);
     }

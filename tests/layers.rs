@@ -1,7 +1,7 @@
-//! Holds every room of the crate to its floor: higher rooms may use lower ones, never
-//! the reverse, and rooms of one floor do not know each other. The floors are read from
-//! the maps that the documentation shows: that of the crate in `lib.rs`, and those
-//! inside a room in its `mod.rs`.
+//! Checks the layers of the crate: higher modules may use lower ones, never the reverse, and
+//! modules of one layer do not use each other. The layers (here called floors, and the modules
+//! rooms) are read from the maps in the documentation: that of the crate in `lib.rs`, and those
+//! inside a module in its `mod.rs`.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -10,21 +10,20 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The rooms with a map of their own floors.
+/// The modules with a map of their inner layers.
 const MAPPED: [&str; 2] = ["quiz", "widgets"];
 
-/// The floors of the crate (`room` is empty) or inside one of its rooms.
+/// The layers of the crate (`room` is empty) or inside one of its modules.
 struct Map {
     room: String,
     floors: Vec<Vec<String>>,
-    /// What the `mod.rs` of the room takes from the rooms inside, and from which.
+    /// The names that the `mod.rs` of the module re-exports, and the inner module of each.
     taken: HashMap<String, String>,
 }
 
 impl Map {
-    /// Reads the map in the documentation at the head of `source`: lines of dashes part
-    /// the floors, from the top; each room begins a line, its description is indented
-    /// further.
+    /// Reads the map in the documentation at the start of `source`: lines of dashes separate the
+    /// layers, from the top; each module begins a line, and its description is indented further.
     fn parse(room: &str, source: &str) -> Self {
         let mut floors = vec![Vec::new()];
         let lines = source.lines().map_while(|line| line.strip_prefix("//!"));
@@ -65,13 +64,13 @@ impl Map {
         Self::parse(room, &source)
     }
 
-    /// The floor of a room, counted from the top.
+    /// The layer of a module, counted from the top.
     fn floor(&self, room: &str) -> Option<usize> {
         let rooms = |floor: &Vec<String>| floor.iter().any(|other| other == room);
         self.floors.iter().position(rooms)
     }
 
-    /// The part of a path of modules that this map is about.
+    /// The module in a path that this map can contain.
     fn place<'a>(&self, path: &'a [String]) -> Option<&'a str> {
         let inner = match path {
             [room, inner @ ..] if !self.room.is_empty() && *room == self.room => inner,
@@ -81,7 +80,7 @@ impl Map {
         inner.first().map(String::as_str)
     }
 
-    /// What the map says against code in `from` that uses `to`.
+    /// The error if code in `from` uses `to` and the map does not allow it.
     fn fault(&self, from: &[String], to: &[String]) -> Option<String> {
         let (from, to) = (self.place(from)?, self.place(to)?);
         let to = match self.taken.get(to) {
@@ -90,7 +89,7 @@ impl Map {
         };
         let below = match (self.floor(from), self.floor(to)) {
             (Some(from), Some(to)) => from < to,
-            // What stands in the `mod.rs` itself is above all rooms inside.
+            // The `mod.rs` itself is above all modules inside it.
             (Some(_), None) => self.room.is_empty(),
             (None, _) => true,
         };
@@ -111,8 +110,8 @@ fn code(source: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Adds every path from the root of the crate that is written in `code`, which stands
-/// in the module `here`: those that begin with `crate::` or with `super::`.
+/// Adds every path in `code` that begins with `crate::` or `super::`, resolved from the root of the
+/// crate; `here` is the module of the code.
 fn paths(code: &str, here: &[String], found: &mut Vec<Vec<String>>) {
     let of_name = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
     let mut rest = code;
@@ -137,7 +136,7 @@ fn paths(code: &str, here: &[String], found: &mut Vec<Vec<String>>) {
     }
 }
 
-/// Adds the paths that `tree`, a path or a list in braces, leads to from `trunk`.
+/// Adds the paths of `tree`, a path or a list in braces, relative to `trunk`.
 fn branches(tree: &str, trunk: &[String], found: &mut Vec<Vec<String>>) {
     let tree = tree.trim_start();
     if let Some(list) = tree.strip_prefix('{') {
@@ -170,7 +169,7 @@ fn branches(tree: &str, trunk: &[String], found: &mut Vec<Vec<String>>) {
     }
 }
 
-/// The uses in `source` that a map does not allow; `path` is its place in `src`.
+/// The uses in `source` that a map does not allow; `path` is its path in `src`.
 fn trespasses(maps: &[Map], path: &str, source: &str) -> Vec<String> {
     let module = path.trim_end_matches(".rs").trim_end_matches("/mod");
     let module: Vec<_> = module.split('/').map(str::to_owned).collect();
@@ -188,7 +187,7 @@ fn trespasses(maps: &[Map], path: &str, source: &str) -> Vec<String> {
     told.collect()
 }
 
-/// Calls `look` on every source file below `folder`.
+/// Calls `look` for every source file in `folder` and its subfolders.
 fn each_source(folder: &Path, look: &mut impl FnMut(&Path)) {
     for entry in folder.read_dir().unwrap() {
         let path = entry.unwrap().path();
@@ -200,11 +199,10 @@ fn each_source(folder: &Path, look: &mut impl FnMut(&Path)) {
     }
 }
 
-/// The files of the crate by their modules, and which other files each of them uses outside
-/// its tests.
+/// The files of the crate by module, and the other files that each of them uses outside its tests.
 struct Files {
     code: BTreeMap<Vec<String>, String>,
-    /// What a file takes from another one by name, and from which module.
+    /// The names that a file imports, and the module of each.
     taken: BTreeMap<(Vec<String>, String), Vec<String>>,
 }
 
@@ -244,7 +242,7 @@ impl Files {
         files
     }
 
-    /// The file in which the thing at a path stands, wherever it is passed on from.
+    /// The file that defines the item at a path, even if other files re-export it.
     fn home(&self, path: &[String]) -> Option<&Vec<String>> {
         let lengths = (1..=path.len()).rev();
         let mut known = lengths.filter_map(|it| self.code.get_key_value(&path[..it]));
@@ -262,7 +260,7 @@ impl Files {
         let code = &self.code[module];
         let mut used = Vec::new();
         paths(code, module, &mut used);
-        // What stands below it needs neither `crate` nor `super`.
+        // Modules inside this one need neither `crate` nor `super`.
         for below in self.code.keys().filter(|it| it.starts_with(module)) {
             if let [name] = &below[module.len()..] {
                 let name = format!("{name}::");
@@ -275,11 +273,11 @@ impl Files {
             }
         }
         let homes = used.iter().filter_map(|path| self.home(path));
-        // A file and what stands below it make one module, which shares what the file defines.
+        // A file and the modules inside it count as one module, which shares what the file defines.
         homes.filter(|home| !module.starts_with(home)).collect()
     }
 
-    /// The circles: the files that can be reached from each other, the largest first.
+    /// The dependency cycles: sets of files that can be reached from each other, the largest first.
     fn circles(&self) -> Vec<BTreeSet<String>> {
         let uses: BTreeMap<_, _> = self.code.keys().map(|it| (it, self.used(it))).collect();
         let reached = |from| {
@@ -302,11 +300,11 @@ impl Files {
     }
 }
 
-/// Most files that may use each other in a circle.
+/// The largest allowed number of files in a dependency cycle.
 const LARGEST_CIRCLE: usize = 3;
 
 #[test]
-fn files_that_use_each_other_in_a_circle_are_few() {
+fn dependency_cycles_are_small() {
     let mut sources = Vec::new();
     each_source(&src(), &mut |path| {
         let place = path.strip_prefix(src()).unwrap().to_str().unwrap();
@@ -319,13 +317,13 @@ fn files_that_use_each_other_in_a_circle_are_few() {
     let circles = files.circles().into_iter();
     let large = circles.filter(|circle| circle.len() > LARGEST_CIRCLE);
     let told: Vec<_> = large
-        .map(|circle| format!("{} files in a circle: {circle:?}", circle.len()))
+        .map(|circle| format!("{} files in a cycle: {circle:?}", circle.len()))
         .collect();
     assert!(told.is_empty(), "{}", told.join("\n"));
 }
 
 #[test]
-fn a_circle_is_found_however_its_uses_are_written() {
+fn a_cycle_is_found_in_every_notation() {
     let sources = |shared: &str| {
         [
             (
@@ -345,21 +343,21 @@ fn a_circle_is_found_however_its_uses_are_written() {
         ]
     };
     let circles = |shared: &str| Files::new(sources(shared)).circles();
-    // Through the `mod.rs` that passes it on.
+    // The cycle goes through the `mod.rs` that re-exports `A`.
     let circle = ["lab/a", "lab/b", "lab/c"].map(str::to_owned);
     assert_eq!(circles("super::A"), [BTreeSet::from(circle)]);
-    // What stands in the `mod.rs` itself is shared by all below it.
+    // Items of the `mod.rs` itself are shared by all modules inside it.
     assert_eq!(circles("super::f"), []);
     assert_eq!(circles("crate::physics::Disc"), []);
 }
 
-/// The map of the crate and those inside its rooms.
+/// The map of the crate and those inside its modules.
 fn maps() -> Vec<Map> {
     let rooms = [""].into_iter().chain(MAPPED);
     rooms.map(Map::read).collect()
 }
 
-/// One place makes cells of tables safe, so one place writes tables.
+/// Cells are made safe in one file, so only that file writes tables.
 #[test]
 fn only_one_file_writes_comma_separated_values() {
     let mut found = Vec::new();
@@ -401,14 +399,14 @@ fn the_maps_show_every_module_and_no_other() {
         let shown: Vec<_> = map.floors.concat();
         let once: BTreeSet<_> = shown.iter().cloned().collect();
         assert_eq!(once, rooms, "the map of src/{}", map.room);
-        assert_eq!(once.len(), shown.len(), "a room is shown twice");
-        assert!(map.floors.len() > 1, "src/{} has one floor", map.room);
+        assert_eq!(once.len(), shown.len(), "a module is shown twice");
+        assert!(map.floors.len() > 1, "src/{} has only one layer", map.room);
     }
 }
 
-/// Two maps to try the reading of code by: of a crate and of its room `quiz`.
+/// Two example maps: of a crate and of its module `quiz`.
 fn example() -> [Map; 2] {
-    let crate_map = "//! # Rooms\n//!\n//! ```text\n\
+    let crate_map = "//! # Modules\n//!\n//! ```text\n\
         //!   main.rs    runs\n//!   cli/       commands\n//!   ────\n\
         //!   shells/    what drives the app: a terminal,\n//!              a tape\n//!   ────\n\
         //!   app/\n//!   ────\n//!   screens/\n//!   ────\n//!   widgets/\n//!   ────\n\
@@ -421,7 +419,7 @@ fn example() -> [Map; 2] {
 }
 
 #[test]
-fn a_map_is_read_as_it_is_drawn() {
+fn a_map_is_read_from_its_drawing() {
     let [whole, quiz] = example();
     assert_eq!(whole.floors[0], ["main", "cli"]);
     assert_eq!(whole.floors[1], ["shells"]);
@@ -432,7 +430,7 @@ fn a_map_is_read_as_it_is_drawn() {
 }
 
 #[test]
-fn a_trespass_is_found_however_it_is_written() {
+fn a_forbidden_use_is_found_in_every_notation() {
     for (path, source, expected) in [
         (
             "physics/disc.rs",
@@ -475,7 +473,7 @@ fn a_trespass_is_found_however_it_is_written() {
             "#[cfg(test)]\nmod tests {\n    use super::super::super::quiz;\n}",
             "levels uses quiz",
         ),
-        // Inside a room.
+        // Inside a module.
         (
             "quiz/question/mod.rs",
             "use super::rounds::Round;",
@@ -503,7 +501,7 @@ fn a_trespass_is_found_however_it_is_written() {
 }
 
 #[test]
-fn allowed_settings_are_accepted() {
+fn allowed_uses_are_accepted() {
     for (path, source) in [
         ("cli/tape.rs", "use crate::shells::tape;"),
         (

@@ -1,4 +1,4 @@
-//! What SQLite asks of its host (the time, random numbers) the page gives it.
+//! Leaves some symbols undefined: the page provides the time and random numbers for SQLite.
 
 fn main() {
     let is_page = std::env::var("CARGO_CFG_TARGET_FAMILY").is_ok_and(|family| family == "wasm");

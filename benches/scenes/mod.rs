@@ -1,4 +1,4 @@
-//! The tables that are timed. Not every bench plays them all.
+//! The tables for the benchmarks. Not every benchmark uses all of them.
 
 #![allow(dead_code)]
 
@@ -10,7 +10,7 @@ use rand_pcg::Pcg64;
 pub(crate) const COIN: Disc = Disc::from_g_mm(5.5, 15.9);
 pub(crate) const STRIKER: Disc = Disc::from_g_mm(15.0, 20.65);
 
-/// Discs and how they start.
+/// Discs and their initial motions.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Table {
     pub(crate) discs: Vec<Disc>,
@@ -61,8 +61,8 @@ pub(crate) fn closed_board() -> Board {
     }
 }
 
-/// 64 breaks: the striker at 4 m/s into the pack of 19 coins with gaps of 0.1 mm,
-/// from places along the base line and aimed at places across the pack.
+/// 64 breaks: the striker hits the pack of 19 coins with gaps of 0.1 mm at 4 m/s, from
+/// different places on the base line and aimed at different points of the pack.
 pub(crate) fn breaks() -> Vec<Table> {
     let mut rng = Pcg64::seed_from_u64(1);
     (0..64).map(|_| one_break(&mut rng)).collect()
@@ -85,8 +85,8 @@ fn one_break(rng: &mut Pcg64) -> Table {
     table
 }
 
-/// 64 strokes of the middle of a board: 19 coins scattered, the striker on the base
-/// line, 2.5 m/s at one of the coins.
+/// 64 strokes from the middle of a game: 19 scattered coins, and the striker on the base line,
+/// aimed at one of them at 2.5 m/s.
 pub(crate) fn mid_game() -> Vec<Table> {
     let mut rng = Pcg64::seed_from_u64(2);
     (0..64)
@@ -104,7 +104,7 @@ pub(crate) fn mid_game() -> Vec<Table> {
         .collect()
 }
 
-/// `count` coins scattered as densely as 20 on a board, every one moving at 1 m/s.
+/// `count` coins scattered as densely as 20 on a board, each moving at 1 m/s.
 pub(crate) fn crowd(count: u32) -> (Board, Table) {
     let mut rng = Pcg64::seed_from_u64(u64::from(count));
     let side = 0.740 * f64::from(count / 20).sqrt();

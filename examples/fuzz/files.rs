@@ -1,4 +1,4 @@
-//! Files of each kind that carrom reads, damaged.
+//! Damaged files of each kind that carrom reads.
 
 use std::error::Error;
 use std::fs;
@@ -25,7 +25,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::damage::change;
 use crate::{Fault, watched};
 
-/// A kind of files.
+/// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Level,
@@ -38,21 +38,21 @@ enum Kind {
     Keys,
 }
 
-/// What a player may have set.
+/// A file of settings.
 const SETTINGS: &str =
     "format = 1\nplayer = \"Ada\"\ncolours = \"256\"\nmotion = \"reduced\"\nforetold = \"2\"\n";
-/// Keys of a player's own.
+/// A file of rebound keys.
 const KEYS: &str =
     "format = 1\n[keys]\n\"lab.next-set\" = [\"z\"]\n\"everywhere.help\" = [\"F9\"]\n";
 
-/// A sound file.
+/// An undamaged file.
 #[derive(Debug)]
 pub(crate) struct Model {
     kind: Kind,
     bytes: Vec<u8>,
 }
 
-/// A sound file of each kind and more.
+/// One or more undamaged files of each kind.
 pub(crate) fn models(home: &Path) -> Result<Vec<Vec<Model>>, Box<dyn Error>> {
     let folders = [
         (Kind::Level, "levels", "toml"),
@@ -84,7 +84,7 @@ pub(crate) fn models(home: &Path) -> Result<Vec<Vec<Model>>, Box<dyn Error>> {
     Ok(models)
 }
 
-/// Answers to a round of ten, noted as those of this one.
+/// Answers to a round of ten questions, recorded under this code.
 fn attempts(code: &str) -> Vec<Attempt> {
     let noted = Code::parse(code).unwrap_or_else(|| Code::hits(7));
     let round = Round::hits(7);
@@ -112,7 +112,7 @@ fn add(models: &mut Vec<Model>, kind: Kind, folder: &Path, ending: &str) -> std:
     Ok(())
 }
 
-/// Damages the file of this number and has it read; told, it is printed.
+/// Damages the file with this number and reads it; if `told`, prints it.
 pub(crate) fn damage(
     number: u64,
     models: &[Vec<Model>],
@@ -140,7 +140,7 @@ pub(crate) fn damage(
     })
 }
 
-/// Reads a file, and does with it what is done with a sound one.
+/// Reads a file and uses it like an undamaged one.
 fn read(kind: Kind, bytes: &[u8], folder: &Path) {
     match kind {
         Kind::Level => {
@@ -180,7 +180,7 @@ fn read(kind: Kind, bytes: &[u8], folder: &Path) {
     }
 }
 
-/// Opens the game with this file in its folder for data.
+/// Opens the game with this file in its data folder.
 fn open_with(name: &str, bytes: &[u8], folder: &Path) {
     let folder = folder.join("data");
     let path = folder.join(name);
@@ -190,7 +190,7 @@ fn open_with(name: &str, bytes: &[u8], folder: &Path) {
     }
 }
 
-/// Damages a database, has it opened for play and asks for what is in it.
+/// Damages a database, opens it as the game does, and reads its contents.
 fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
     let folder = folder.join("database");
     let path = folder.join("progress.db");

@@ -1,4 +1,4 @@
-//! Throws random input at carrom and looks whether anything gives way.
+//! Sends random input to carrom and checks that nothing fails.
 //!
 //! ```text
 //! cargo run --release --example fuzz -- SECONDS [FOLDER]
@@ -6,14 +6,14 @@
 //! cargo run --release --example fuzz -- --file NUMBER
 //! ```
 //!
-//! It plays sessions: from a random moment of the tour of all phases, with random settings,
-//! it presses keys, moves the mouse, pastes, resizes and lets time pass, and draws after each
-//! hundredth input and wherever it comes to another screen. Between them it damages files of
-//! each kind that carrom reads. Nothing may panic, take longer than a second, show "NaN", or put a
-//! strange character on an ASCII screen.
+//! It plays sessions: from a random moment of the tour of all phases, with random settings, it
+//! presses keys, moves the mouse, pastes, resizes and lets time pass, and draws after every
+//! hundredth input and at every new screen. Between the sessions it damages files of each kind
+//! that carrom reads. Nothing may panic, take longer than a second, show "NaN", or put a
+//! character that is not ASCII on an ASCII screen.
 //!
-//! How far it has come is kept in FOLDER (`target/fuzz` unless another is given), so that
-//! runs add up; a fault is noted there with the number that plays it again.
+//! The counts are saved in FOLDER (`target/fuzz` by default), so that results accumulate; a fault
+//! is recorded there with the number that reproduces it.
 
 #[path = "../../tests/common/damage.rs"]
 mod damage;
@@ -31,12 +31,12 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{env, process};
 
-/// Longest time that one input or one file may take.
+/// The longest time that one input or one file may take.
 const LONGEST: Duration = Duration::from_secs(1);
-/// Files that are damaged after each session.
+/// The number of files damaged after each session.
 const FILES_A_SESSION: u64 = 25;
 
-/// How far it has come in all runs.
+/// The counts of all runs.
 #[derive(Debug, Clone, Copy, Default)]
 struct Count {
     sessions: u64,
@@ -55,7 +55,7 @@ impl Count {
         ]
     }
 
-    /// What stands in the file of this name; nothing where there is none.
+    /// Reads the counts from a file; all are zero if there is none.
     fn read(path: &Path) -> Self {
         let mut count = Self::default();
         let text = fs::read_to_string(path).unwrap_or_default();
@@ -79,7 +79,7 @@ impl Count {
 /// What went wrong.
 type Fault = String;
 
-/// How long this thread has worked: what else runs on the computer does not count.
+/// The processor time of this thread, which other programs do not affect.
 #[cfg(unix)]
 fn worked() -> Duration {
     use rustix::time::{ClockId, clock_gettime};
@@ -87,14 +87,14 @@ fn worked() -> Duration {
     Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
 }
 
-/// How long this program has run.
+/// The time since the program started.
 #[cfg(not(unix))]
 fn worked() -> Duration {
     static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
     START.elapsed()
 }
 
-/// Does something, and says what went wrong with it.
+/// Runs `act`; it is a fault if this panics or takes too long.
 fn watched<T>(act: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
     let start = worked();
     let said = |cause: Box<dyn Any + Send>| {
@@ -175,7 +175,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         [seconds, rest @ ..] if rest.len() < 2 => {
             let seconds = seconds.parse()?;
-            // A fault is told once, by whoever catches it.
+            // A fault is reported once, by the code that catches it.
             panic::set_hook(Box::new(|_| {}));
             run(seconds, &place(rest.first()))?;
         }

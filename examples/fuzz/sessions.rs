@@ -17,15 +17,15 @@ use ratatui::buffer::Cell;
 use crate::tour::TOUR;
 use crate::{Fault, watched};
 
-/// The most inputs of a session.
+/// The largest number of inputs in a session.
 const LONGEST: u64 = 2000;
-/// Inputs from one picture to the next.
+/// The number of inputs between two frames.
 const DRAWN: u64 = 100;
-/// Inputs after which it is asked again which keys mean something, whatever they were.
+/// The number of inputs after which the keys with a meaning are looked up again in any case.
 const CAUGHT_UP: u64 = 10;
 
-/// Plays the session of this number; says how many inputs it had, and what went wrong. Told,
-/// each is printed, and the screen that shows what it must not.
+/// Plays the session with this number; returns the number of inputs, and the fault if there was
+/// one. If `told`, prints each input, and a screen with forbidden text.
 pub(crate) fn play(number: u64, told: bool) -> (u64, Option<Fault>) {
     let mut inputs = 0;
     let played = watched_steps(number, told, &mut inputs);
@@ -63,7 +63,7 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
         if told {
             println!("{step}: {act:?}");
         }
-        // Only what means something leads elsewhere; the rest is caught up with.
+        // Only a key with a meaning opens another screen; other changes are noticed after a few inputs.
         let is_meant = matches!(&act, Act::Tell(Input::Key(key)) if moment.means(key));
         let has_changed = watched(|| {
             match &act {
@@ -88,13 +88,13 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
     }
 }
 
-/// What the game is at.
+/// The current state of the game.
 struct Moment {
-    /// What the names of its keys begin with.
+    /// The prefix of the names of its keys.
     screen: String,
-    /// The keys that mean something there.
+    /// The keys with a meaning on this screen.
     own: Vec<Key>,
-    /// Those that mean the same on every screen.
+    /// The keys with the same meaning on every screen.
     shared: Vec<Key>,
 }
 
@@ -113,26 +113,26 @@ impl Moment {
         }
     }
 
-    /// Whether a key means something.
+    /// Whether a key has a meaning.
     fn means(&self, key: &Key) -> bool {
         self.own.contains(key) || self.shared.contains(key)
     }
 
-    /// A key that means something, mostly one of the screen's own.
+    /// A random key with a meaning, usually one of the screen's own.
     fn meant(&self, chance: &mut Pcg64Mcg) -> Key {
         let keys = match chance.random_bool(0.1) {
             true => &self.shared,
             false => &self.own,
         };
         match keys.choose(chance).copied() {
-            // It ends the session, and most are to go on.
+            // This key ends the session, and most sessions should continue.
             Some(Key::Ctrl('c')) if chance.random_bool(0.8) => Key::Escape,
             key => key.unwrap_or(Key::Enter),
         }
     }
 }
 
-/// Looks at the screen, and whether it shows what it must not.
+/// Draws the screen and checks it for forbidden text.
 fn look(game: &mut Headless, told: bool) -> Result<(), Fault> {
     let is_ascii = game.app().settings().charset == Charset::Ascii;
     let is_strange = |c: &char| c.is_control() || (is_ascii && !c.is_ascii());
@@ -150,7 +150,7 @@ fn look(game: &mut Headless, told: bool) -> Result<(), Fault> {
     Err(format!("the screen shows {shown}"))
 }
 
-/// One thing that may happen.
+/// An event in a session.
 #[derive(Debug, Clone)]
 enum Act {
     Tell(Input),
@@ -196,13 +196,13 @@ fn act(moment: &Moment, chance: &mut Pcg64Mcg) -> Act {
     }
 }
 
-/// Any text of fewer letters than so many.
+/// A random text of fewer than `most` letters.
 fn any_text(chance: &mut Pcg64Mcg, most: usize) -> String {
     let letters = chance.random_range(0..most);
     (0..letters).map(|_| chance.random::<char>()).collect()
 }
 
-/// What a host may hear of pupils, whatever it has asked them.
+/// News that a host may receive from pupils, whatever it has asked them.
 fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
     let line = chance.random_range(0..12);
     match chance.random_range(0..8) {
@@ -234,7 +234,7 @@ fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
     }
 }
 
-/// What a pupil's device may hear of its host.
+/// News that a pupil's device may receive from its host.
 fn join_news(chance: &mut Pcg64Mcg) -> JoinNews {
     match chance.random_range(0..5) {
         0 => JoinNews::Reached,

@@ -94,7 +94,7 @@ fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, l
     buf.set_stringn(start, 0, status, room, look.theme.style(Role::Dim));
 }
 
-/// Shows as many keys as fit completely; the last is always shown.
+/// Shows as many keys as fit completely; the last key is always shown.
 fn key_line(
     keys: impl Iterator<Item = (String, &'static str)>,
     area: Rect,
@@ -146,7 +146,7 @@ fn help(app: &App) -> Panel<LayerAction> {
     panel
 }
 
-/// How a layer is written.
+/// The style in which a layer is drawn.
 fn writing(app: &App) -> Writing {
     Writing {
         look: app.settings().look(),
@@ -154,15 +154,15 @@ fn writing(app: &App) -> Writing {
     }
 }
 
-/// How far the help page can be scrolled.
+/// The number of lines by which the help page can be scrolled.
 pub(super) fn help_overflow(app: &App) -> u16 {
     let inside = centred(app.context.body).inner(Margin::new(1, 1));
     let writing = writing(app);
     help(app).placed(inside, &writing, &|_| None).overflow()
 }
 
-/// Draws a layer: a help page over the whole body, because only truncated words would be visible
-/// beside it; anything else at its foot, where part of the screen stays visible.
+/// Draws a layer. A help page covers the whole body, because only truncated words would be visible
+/// beside it; any other layer is at the foot of the body, so that part of the screen stays visible.
 fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     let writing = writing(app);
     let panel = panel_of(app, layer);
@@ -211,7 +211,7 @@ fn clear(area: Rect, buf: &mut Buffer, look: Look) {
     buf.set_style(area, look.theme.base());
 }
 
-/// Ensures that an ASCII screen contains only ASCII: names and texts from outside may contain other
+/// Ensures that an ASCII screen contains only ASCII: names and text from outside may contain other
 /// characters.
 fn keep_ascii(area: Rect, buf: &mut Buffer) {
     for position in area.positions() {

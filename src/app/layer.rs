@@ -12,18 +12,18 @@ use crate::widgets::input::{KeyTable, Rebound};
 pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
-        /// Lines it is scrolled by.
+        /// The number of lines by which the page is scrolled.
         scrolled: u16,
     },
     /// A notice, until a key is pressed.
     Notice(String),
     /// A question to the player.
     Confirm(Confirmation),
-    /// Whether to leave although something is not saved yet.
+    /// Asks whether to leave although something is not saved yet.
     Leave(Confirmation),
 }
 
-/// What keys do to a layer.
+/// How a layer responds to keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum LayerAction {
@@ -40,7 +40,7 @@ pub(super) enum LayerAction {
 /// How a layer was closed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LayerDone {
-    /// Without an answer, or with a no.
+    /// The player gave no answer, or declined.
     Closed,
     /// The player agreed.
     Agreed,
@@ -49,7 +49,7 @@ pub(super) enum LayerDone {
 }
 
 impl AppLayer {
-    /// Its keys. Unless it asks something, any other key closes it.
+    /// The keys of the layer. Any other key closes the layer, unless the layer is a question.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
         use LayerAction::{Agree, Decline, Glossary, Scroll};
         let table = KeyTable::new("layer");
@@ -68,12 +68,13 @@ impl AppLayer {
         table.rebound(rebound)
     }
 
-    /// Whether a key scrolls it.
+    /// Whether a key scrolls the layer.
     pub(super) fn scrolls(&self, key: Key, rebound: &Rebound) -> bool {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }
 
-    /// Handles a key; done when the layer is closed. `most` is how far a help page can be scrolled.
+    /// Handles a key; returns [`Outcome::Done`] when the layer is closed. `most` is the number of
+    /// lines by which a help page can be scrolled.
     pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {

@@ -1,8 +1,8 @@
 //! The app: a stack of screens, and what they have in common.
 //!
-//! It is pure: [`App::update`] and [`App::advance`] return effects for a shell to carry out,
-//! [`App::wake`] returns when it next needs time, and [`App::draw`] changes nothing. Nothing here
-//! knows a clock, a file, a thread or a global.
+//! The app is pure: [`App::update`] and [`App::advance`] return effects for a shell to carry out,
+//! [`App::wake`] returns the time until the next change, and [`App::draw`] changes nothing. Nothing
+//! here uses a clock, a file, a thread or a global.
 
 mod chrome;
 mod layer;
@@ -26,7 +26,7 @@ use crate::screens::{
     SharedAction,
     class::Class,
     foil::FoilScreen,
-    glossary::Glossary,
+    glossary::GlossaryScreen,
     home::Home,
     join::Join,
     lab::Lab,
@@ -52,9 +52,9 @@ pub struct Data {
     pub shelf: Shelf,
     /// The chapters.
     pub book: Book,
-    /// Questions in words besides those of the program.
+    /// Questions in words, in addition to the built-in ones.
     pub own: Arc<Library>,
-    /// The folder where data is kept, in words.
+    /// The path of the folder in which data is saved.
     pub folder: Option<String>,
 }
 
@@ -66,16 +66,16 @@ const LONGEST_RETRY: Duration = Duration::from_secs(8);
 /// The state of retries of failed saves.
 #[derive(Debug, Clone, Copy, Default)]
 struct Retry {
-    /// The time since the last try.
+    /// The time since the last attempt.
     waited: Duration,
-    /// The ticket of a try that is under way.
+    /// The ticket of the attempt in progress.
     ticket: Option<u64>,
-    /// Failed tries since the last success.
+    /// The number of failed attempts since the last success.
     failures: u32,
 }
 
 impl Retry {
-    /// The pause before the next try.
+    /// The pause before the next attempt.
     fn pause(self) -> Duration {
         let pause = RETRY.saturating_mul(1 << self.failures.min(8));
         pause.min(LONGEST_RETRY)
@@ -91,7 +91,7 @@ pub struct App {
     layers: Vec<AppLayer>,
     /// The tickets of slow saves in progress.
     saving: BTreeSet<u64>,
-    /// How many things could not be saved so far.
+    /// The number of items that could not be saved so far.
     unsaved: usize,
     /// The time since the last retry, and whether one is in progress.
     retry: Retry,
@@ -106,7 +106,7 @@ impl App {
         Self::with_data(Data::default(), route, settings, seed)
     }
 
-    /// An app with more contents than those of the program.
+    /// An app with contents in addition to the built-in ones.
     pub fn with_data(data: Data, route: Route, settings: Settings, seed: u64) -> Self {
         let mut context = Context::new(settings, seed);
         context.shelf = data.shelf;
@@ -150,7 +150,7 @@ impl App {
         &self.context.shelf
     }
 
-    /// An app on a screen of the caller's own, with Home below it.
+    /// An app that starts on a screen supplied by the caller, with Home below it.
     pub fn on(screen: Box<dyn AnyScreen>, settings: Settings, seed: u64) -> Self {
         let mut app = Self::new(Route::Home, settings, seed);
         app.stack.push(screen);
@@ -171,7 +171,7 @@ impl App {
         &self.context.settings
     }
 
-    /// The player's settings, for changing.
+    /// Mutable access to the player's settings.
     pub fn settings_mut(&mut self) -> &mut Settings {
         &mut self.context.settings
     }
@@ -189,13 +189,14 @@ impl App {
         };
     }
 
-    /// Gives pictures their own sizes, whatever the size of the screen: for a page that lays out
+    /// Sets the sizes of pictures independently of the size of the screen, for a page that lays out
     /// the recorded blocks itself.
     pub fn set_pictures(&mut self, sizes: Option<PictureSizes>) {
         self.context.pictures = sizes;
     }
 
-    /// The settings stored when the app began; `None` leaves the stored ones alone.
+    /// Sets the settings that were stored when the app began; with `None`, the stored ones are not
+    /// changed.
     pub fn set_kept(&mut self, kept: Option<KeptSettings>) {
         self.context.kept = kept;
     }
@@ -218,7 +219,7 @@ impl App {
                 return self.context.take_asked();
             }
             Input::Key(Key::Ctrl('c')) => return self.leave(),
-            // The screen that asked waits for it, even under a layer.
+            // The screen that made the request waits for the result, even under a layer.
             Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
                 return self.pass_down(input);
             }
@@ -229,11 +230,11 @@ impl App {
                 self.note(answer);
                 return self.pass_down(input);
             }
-            // Too small to see what a key would do.
+            // On a screen this small nobody can see what a key would do.
             _ if self.too_small() => {}
             Input::Key(key) => return self.press(*key),
             Input::Mouse(mouse) => {
-                // A drag may move anywhere and end there.
+                // A drag may leave the body and end outside it.
                 let held = matches!(mouse.kind, MouseKind::Drag | MouseKind::Up);
                 if self.layers.is_empty() && (held || self.in_body(mouse)) {
                     return self.pass_on(input);
@@ -245,7 +246,7 @@ impl App {
         vec![]
     }
 
-    /// Handles the parts of an answer that concern no single screen.
+    /// Handles the parts of an answer that do not concern a particular screen.
     fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
         if let Some(notice) = &answer.notice {
@@ -276,22 +277,22 @@ impl App {
             StoreReply::Noted(Err(reason)) if was_unsaved == 0 && answer.unsaved > 0 => {
                 self.retry.waited = Duration::ZERO;
                 self.notify(format!(
-                    "What you do cannot be saved for now: {reason}. You can still go on: carrom \
-                     saves it as soon as possible."
+                    "Your progress cannot be saved at the moment: {reason}. You can continue: carrom \
+                     will save it as soon as possible."
                 ));
             }
             StoreReply::Noted(Err(reason))
                 if answer.unsaved == 0 && !std::mem::replace(&mut self.reported_store, true) =>
             {
                 self.notify(format!(
-                    "Your settings cannot be saved: {reason}. You can still go on."
+                    "Your settings cannot be saved: {reason}. You can continue."
                 ));
             }
             StoreReply::Stars(Err(reason)) | StoreReply::Marks(Err(reason))
                 if !std::mem::replace(&mut self.reported_store, true) =>
             {
                 self.notify(format!(
-                    "Your earlier answers cannot be loaded: {reason}. You can still go on."
+                    "Your earlier answers cannot be loaded: {reason}. You can continue."
                 ));
             }
             _ => {}
@@ -299,29 +300,29 @@ impl App {
     }
 
     /// Leaves the program, or asks first if something is not saved yet; a second request to leave
-    /// is not questioned.
+    /// is carried out without asking.
     fn leave(&mut self) -> Vec<Effect> {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
         if self.unsaved == 0 || self.layers.iter().any(is_asked) {
             return vec![Effect::Quit];
         }
         let things = match self.unsaved {
-            1 => "One thing that you did is not saved yet and will be".to_owned(),
-            unsaved => format!("{unsaved} things that you did are not saved yet and will be"),
+            1 => "One change is not saved yet and will be".to_owned(),
+            unsaved => format!("{unsaved} changes are not saved yet and will be"),
         };
-        let question = format!("{things} lost if carrom cannot save at the last moment. Leave?");
+        let question = format!("{things} lost if carrom cannot save before it closes. Leave?");
         let question = Confirmation::new(question, "leave", "stay");
         self.layers.push(AppLayer::Leave(question));
         vec![]
     }
 
-    /// When the next retry of a failed save is due.
+    /// The time until the next retry of a failed save.
     fn retry_in(&self) -> Option<Duration> {
         let waits = self.unsaved > 0 && self.retry.ticket.is_none();
         waits.then(|| self.retry.pause().saturating_sub(self.retry.waited))
     }
 
-    /// Advances the time until the next retry by `passed`.
+    /// Counts down the time until the next retry by `passed`.
     fn retry(&mut self, passed: Duration) -> Option<Effect> {
         self.retry_in()?;
         self.retry.waited += passed;
@@ -338,7 +339,7 @@ impl App {
         Some(Effect::Keep(StoreCall { ticket, request }))
     }
 
-    /// The status of saving while it fails; empty otherwise.
+    /// The status of a slow or failing save; empty otherwise.
     fn keeping(&self) -> String {
         match self.unsaved {
             _ if !self.saving.is_empty() => "saving ..".into(),
@@ -360,21 +361,21 @@ impl App {
         effects
     }
 
-    /// When the app next needs time; `None` while nothing moves.
+    /// The time until the app must next be advanced; `None` while nothing moves.
     pub fn wake(&self) -> Option<Duration> {
         let times = [self.screen_wake(), self.retry_in()];
         times.into_iter().flatten().min()
     }
 
-    /// When the screen's next motion is, for shells that can skip it: the time can pass at once.
-    /// `None` also for a countdown that others see.
+    /// The time until the screen's next motion, for shells that can skip the wait by advancing the
+    /// time at once. It is also `None` during a countdown that other people see.
     pub(crate) fn motion(&self) -> Option<Duration> {
         let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
         let wake = self.screen_wake();
         wake.filter(|wake| !shares_time || *wake <= crate::widgets::hit::FRAME)
     }
 
-    /// When the screen next needs time.
+    /// The time until the screen must next be advanced.
     fn screen_wake(&self) -> Option<Duration> {
         let stands = |layer: &AppLayer| !matches!(layer, AppLayer::Notice(_));
         if self.layers.iter().any(stands) || self.too_small() {
@@ -401,7 +402,7 @@ impl App {
         }
     }
 
-    /// Carries out the target of this number, as a click on it would.
+    /// Activates the target with this number, as a click on it would.
     pub fn choose(&mut self, target: usize) -> Vec<Effect> {
         let before = self.context.settings.clone();
         let mut effects = match self.layers.is_empty() && !self.too_small() {
@@ -438,7 +439,7 @@ impl App {
 
     /// Passes a key to the layer or screen on top.
     fn press(&mut self, key: Key) -> Vec<Effect> {
-        // The text is measured only if it is scrolled.
+        // The text is measured only if a key scrolls it.
         let scrolls = |layer: &AppLayer| layer.scrolls(key, &self.context.settings.keys);
         let most = match self.layers.last().is_some_and(scrolls) {
             true => chrome::help_overflow(self),
@@ -470,8 +471,9 @@ impl App {
         self.with_screen(|screen, cx| screen.input(input, cx))
     }
 
-    /// Passes an input to the screen on top, or else to a class that it covers, which goes on for
-    /// the others. If something follows from that, what covers the class is closed first.
+    /// Passes an input to the screen on top or, if that screen ignores it, to a class below,
+    /// because the class continues for its other members. If the class then opens or closes a
+    /// screen, the screens above it are closed first.
     fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
         let top = self.stack.len().saturating_sub(1);
         let mut screens = self.stack.iter_mut().enumerate().rev();
@@ -491,7 +493,7 @@ impl App {
         self.with_screen(|_, _| next)
     }
 
-    /// Lets the screen on top act, and carries out the consequences.
+    /// Lets the screen on top act, then carries out what it requests.
     fn with_screen(
         &mut self,
         act: impl FnOnce(&mut dyn AnyScreen, &mut Context) -> Next,
@@ -518,7 +520,7 @@ impl App {
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
             SharedAction::Back => return self.follow(Next::Back),
             SharedAction::Quit => return self.leave(),
-            // The screen has done that.
+            // The screen has already scrolled.
             SharedAction::Scroll(_) => {}
         }
         vec![]
@@ -547,7 +549,7 @@ impl App {
         vec![]
     }
 
-    /// The screen on top becomes visible again.
+    /// Notifies the screen on top that it is visible again.
     fn resume(&mut self) {
         if let Some(screen) = self.stack.last_mut() {
             screen.resumed(&mut self.context);
@@ -561,7 +563,7 @@ impl App {
             Route::Lab => hosted(Lab::resume(cx)),
             Route::LabOf { setup } => hosted(Lab::of(setup)),
             Route::Learn => hosted(Contents::new(cx)),
-            Route::Glossary => hosted(Glossary::default()),
+            Route::Glossary => hosted(GlossaryScreen::default()),
             Route::Chapter { number } => match Reading::new(number, cx) {
                 Some(reading) => hosted(reading),
                 None => return,

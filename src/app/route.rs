@@ -10,7 +10,7 @@ impl Data {
     /// empty.
     ///
     /// # Errors
-    /// What was expected instead, in words.
+    /// A description of what was expected instead.
     pub fn route(&self, name: &str, value: &str) -> Result<Route, String> {
         Ok(match name {
             "home" => Route::Home,
@@ -72,8 +72,8 @@ impl Data {
         })
     }
 
-    /// The round of a code, with the teacher's own questions if it asks for them; none if the code
-    /// is empty.
+    /// The round that a code describes, with the teacher's own questions if the code refers to
+    /// them; `None` if the code is empty.
     fn round(&self, code: &str) -> Result<Option<Code>, String> {
         if code.is_empty() {
             return Ok(None);
@@ -86,7 +86,7 @@ impl Data {
 /// Separates the address of a round from the answers given in it.
 const ANSWERS: &str = "&said=";
 
-/// The address of a route, which [`Data::route`] reads. Answers given in a round follow after
+/// The address of a route, in the form that [`Data::route`] reads. Answers given in a round follow
 /// [`ANSWERS`].
 pub(super) fn address(route: &Route, cx: &Context) -> String {
     let named = |name: &str, value: &str| match value {
@@ -156,10 +156,10 @@ impl Route {
     /// A round with the answers in its address.
     ///
     /// # Errors
-    /// What was expected instead.
+    /// A description of what was expected instead.
     pub fn with_answers(self, said: &str) -> Result<Self, String> {
         let Self::Quiz { code: Some(code) } = self else {
-            return Err("answers only behind the code of a round".into());
+            return Err("answers only after the code of a round".into());
         };
         let is_explained = said.ends_with(';');
         let said = said.split(';').filter(|said| !said.is_empty());
@@ -183,7 +183,7 @@ mod tests {
         App::new(route, Settings::default(), 1)
     }
 
-    /// What a link of this address opens.
+    /// The app that a link with this address opens.
     fn linked(address: &str) -> App {
         let (address, said) = address.split_once(ANSWERS).unwrap_or((address, ""));
         let (name, value) = address.split_once('=').unwrap_or((address, ""));
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn every_screen_is_found_again_by_its_address() {
+    fn every_screen_can_be_reopened_by_its_address() {
         for address in [
             "home",
             "lab",
@@ -223,10 +223,10 @@ mod tests {
         }
     }
 
-    /// A round goes on at the same question with the answers that were given, also where the next
-    /// question follows from them.
+    /// A round continues at the same question with the answers that were given, even if the next
+    /// question depends on them.
     #[test]
-    fn a_round_goes_on_where_it_was_left() {
+    fn a_round_continues_where_the_player_left_off() {
         for code in ["mixed-7", "find-out-3", "exam-4", "hits-2"] {
             let mut app = linked(&format!("quiz={code}"));
             app.update(&Input::Resize(120, 40));
@@ -243,7 +243,7 @@ mod tests {
                     let (address, _) = app.address();
                     let again = linked(&address);
                     assert_eq!(again.address().0, address);
-                    // The points of an answer are shown once its hit has been watched.
+                    // The points for an answer are shown after the replay of its collision.
                     let status = |app: &App| {
                         let top = app.stack.last().expect("a screen");
                         let status = top.status(&app.context);
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn answers_that_do_not_fit_are_left_out() {
+    fn answers_that_do_not_fit_are_ignored() {
         let address = "quiz=mixed-7&said=choice+99+sure;choice+1+sure";
         assert_eq!(linked(address).address().0, "quiz=mixed-7");
         let round = || Data::default().route("quiz", "mixed-7").expect("a round");

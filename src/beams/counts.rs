@@ -1,4 +1,4 @@
-//! Counts by angle.
+//! The counts of a beam by scattering angle.
 
 use std::f64::consts::PI;
 
@@ -10,10 +10,10 @@ pub const BINS: usize = 36;
 /// Width of a bin in radians: 5°.
 pub const BIN_WIDTH: f64 = PI / BINS as f64;
 
-/// What a count refers to.
+/// The unit of a count: particles per steradian or per ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CountedFor {
-    /// A steradian of solid angle: the count of a small screen that is moved around the target, as
+    /// A steradian of solid angle: the count on a small screen that is moved around the target, as
     /// Geiger and Marsden did.
     #[default]
     Steradian,
@@ -22,7 +22,7 @@ pub enum CountedFor {
 }
 
 impl CountedFor {
-    /// The other one.
+    /// The other unit.
     #[must_use]
     pub fn other(self) -> Self {
         match self {
@@ -61,12 +61,12 @@ impl Counts {
         self.bins.iter().sum()
     }
 
-    /// The particles from the lower edge of bin `first` on.
+    /// The number of particles in bin `first` and all later bins.
     pub(crate) fn beyond_bin(&self, first: usize) -> u64 {
         self.bins.iter().skip(first).sum()
     }
 
-    /// The counts that a law predicts for `particles`, bin by bin.
+    /// The counts that a law predicts for this number of `particles`, bin by bin.
     pub fn expected(law: &ScatteringLaw, particles: u64) -> [f64; BINS] {
         std::array::from_fn(|bin| {
             let beyond = |edge: usize| law.share_beyond(edge as f64 * BIN_WIDTH);

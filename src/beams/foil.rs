@@ -5,21 +5,21 @@ use std::f64::consts::PI;
 use super::BeamTarget;
 use crate::physics::rutherford::{ALPHA_CHARGE, GOLD_CHARGE, GOLD_DENSITY, Rutherford};
 
-/// A metal.
+/// A metal for foils.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Metal {
-    /// Its name.
+    /// The name of the metal.
     pub name: &'static str,
     /// Charge number Z.
     pub charge: f64,
-    /// Mass number A, that of the standard atomic mass, rounded.
+    /// Mass number A: the standard atomic mass rounded to a whole number.
     pub(crate) mass_number: f64,
-    /// Atoms in a cubic metre.
+    /// Number of atoms per cubic metre.
     pub(crate) density: f64,
 }
 
-/// Metals from heavy to light. Atoms in a cubic metre from mass density and atomic mass
-/// (CRC Handbook of Chemistry and Physics): gold 19.3 g/cm³ and 196.97 u, and so on.
+/// The metals, heaviest first. The numbers of atoms per cubic metre follow from mass densities and
+/// atomic masses, such as 19.3 g/cm³ and 196.97 u for gold (CRC Handbook of Chemistry and Physics).
 pub const METALS: [Metal; 5] = [
     metal("gold", GOLD_CHARGE, 197.0, GOLD_DENSITY),
     metal("platinum", 78.0, 195.0, 6.62e28),
@@ -40,9 +40,9 @@ const fn metal(name: &'static str, charge: f64, mass_number: f64, density: f64) 
 /// A foil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foil {
-    /// What it is made of.
+    /// The metal of the foil.
     pub metal: Metal,
-    /// Its thickness in metres, above 0.
+    /// The thickness of the foil in metres, above 0.
     pub thickness: f64,
 }
 
@@ -52,9 +52,9 @@ impl Foil {
         self.metal.density * self.thickness
     }
 
-    /// The scattering of α-particles of `energy` joules in it, each by at most one nucleus: the
-    /// part of the beam that belongs to one nucleus has the area 1/(n t), so b goes up to 1/√(π n
-    /// t).
+    /// The scattering of α-particles of `energy` joules in the foil, each by at most one nucleus:
+    /// the part of the beam that belongs to one nucleus has the area 1/(n t), so b goes up to 1/√(π
+    /// n t).
     pub fn target(&self, energy: f64) -> BeamTarget {
         BeamTarget::Coulomb {
             scatterer: Rutherford::new(ALPHA_CHARGE, self.metal.charge, energy),

@@ -1,11 +1,11 @@
-//! How a beam's offsets become angles.
+//! The scattering angles that follow from a beam's offsets.
 
 use std::f64::consts::PI;
 
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::Rutherford;
 
-/// The target of a beam. It is taken as fixed: so heavy that it does not move.
+/// The target of a beam. It is treated as fixed: so heavy that it does not move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BeamTarget {
     /// Hard discs or spheres, e = 1. The beam is as wide as the target: b goes up to r₁ + r₂.
@@ -20,22 +20,22 @@ pub enum BeamTarget {
     },
 }
 
-/// A target and how the offsets are spread over the beam.
+/// A target and the distribution of the offsets over the beam.
 ///
-/// Offsets are counted in *nearness*: b as a share of the beam's half-width, 0 for
-/// straight on, 1 at the rim.
+/// An offset is expressed as *nearness*: b as a fraction of the beam's half-width, 0 at the centre
+/// of the beam, 1 at its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScatteringLaw {
     /// The target.
     pub target: BeamTarget,
-    /// Plane or space.
+    /// Whether the beam is in a plane or in space.
     pub beam: Beam,
 }
 
 impl ScatteringLaw {
     /// The scattering angle Θ of a particle, 0 to π radians, for a nearness from 0 to 1: Θ = 2
-    /// arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is that of incidence), Θ = 2
-    /// atan(d/2b) for a charge.
+    /// arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is equal to the angle of
+    /// incidence), Θ = 2 atan(d/2b) for a charge.
     pub fn angle(&self, nearness: f64) -> f64 {
         match self.target {
             BeamTarget::Hard => 2.0 * nearness.clamp(-1.0, 1.0).acos(),
@@ -63,9 +63,9 @@ impl ScatteringLaw {
         }
     }
 
-    /// The share of the beam that leaves at `angle` radians into a small solid angle, per
-    /// steradian: 1/4π for hard spheres, dσ/dΩ over the area of the beam for a charge. `None`
-    /// on a board, where there is no solid angle, and where the beam has no particle.
+    /// The fraction of the beam that leaves at `angle` radians into a small solid angle, per
+    /// steradian: 1/4π for hard spheres, dσ/dΩ over the area of the beam for a charge. `None` on a
+    /// board, where there is no solid angle, and at angles that no particle of the beam reaches.
     pub fn share_per_steradian(&self, angle: f64) -> Option<f64> {
         if self.beam == Beam::Board {
             return None;
@@ -83,7 +83,7 @@ impl ScatteringLaw {
         }
     }
 
-    /// The share of the beam that is scattered by more than `angle` radians.
+    /// The fraction of the beam that is scattered by more than `angle` radians.
     pub fn share_beyond(&self, angle: f64) -> f64 {
         self.beam.share_within(self.nearness(angle))
     }

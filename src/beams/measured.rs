@@ -1,4 +1,4 @@
-//! What Geiger and Marsden counted.
+//! The counts of Geiger and Marsden.
 
 use thiserror::Error;
 
@@ -15,7 +15,7 @@ const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
 /// The range of a count.
 const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
 
-/// Counts at one angle. Counts are relative: only those of one metal can be compared with
+/// Counts at one angle. Counts are relative: only those for the same metal can be compared with
 /// each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Angle {
@@ -34,30 +34,30 @@ impl Angle {
     }
 }
 
-/// A fault in a table of counts.
+/// An error in a table of counts.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{line}: {what}")]
 pub struct Fault {
-    /// Number of the line, from 1; one after the last if something is missing.
+    /// The line number, from 1; one more than the last if something is missing.
     pub line: usize,
-    /// The fault.
+    /// The error.
     pub what: String,
 }
 
 /// The counts of 1913, from the largest angle to the smallest.
 ///
 /// # Errors
-/// Only if the program's own table is damaged.
+/// Only if the built-in table is damaged.
 pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
     read(TABLE)
 }
 
 /// Reads a table of counts: comma-separated values under the heading
 /// `angle_deg,silver_count,gold_count`, with comments after `#`. Angles are from 0.1 to
-/// 180, each smaller than the one before; counts are from 0.1 to 10¹².
+/// 180, each smaller than the previous one; counts are from 0.1 to 10¹².
 ///
 /// # Errors
-/// The first line with a fault.
+/// The first line with an error.
 pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
     let mut lines = table
         .lines()
@@ -94,7 +94,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
         if angles.last().is_some_and(|last| last.angle <= next.angle) {
             return fault(
                 line,
-                "angle_deg: expected less than in the line before".into(),
+                "angle_deg: expected less than on the previous line".into(),
             );
         }
         angles.push(next);
@@ -105,7 +105,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
     Ok(angles)
 }
 
-/// The counts of one metal beside the law, which determines their ratios but not the scale.
+/// The counts of one metal compared with the law, which determines their ratios but not the scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Mean of the counts times sin⁴(φ/2): the scale that fits them best.
@@ -115,7 +115,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series of the metal that `of` selects; `None` without any angle.
+    /// The series of the metal that `of` selects; `None` if there are no angles.
     pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
         let points: Vec<_> = angles
             .iter()

@@ -2,7 +2,7 @@
 //! Marsden.
 //!
 //! [`ScatteringLaw`] gives the angle of a particle, [`Sampler`] draws the particles, [`Counts`]
-//! holds the counts by angle. Everything follows from a seed: the generator and the mapping from
+//! contains the counts by angle. Everything follows from a seed: the generator and the mapping from
 //! its numbers to offsets are part of the meaning of a seed.
 
 mod counts;

@@ -10,29 +10,30 @@ use super::{BIN_WIDTH, BINS, Counts, ScatteringLaw};
 /// Stream of the generator; part of the meaning of a seed.
 const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Cells of the index table, a power of two. 4096 bytes stay in the fastest cache.
+/// The number of cells of the index table, a power of two. 4096 bytes fit in the fastest cache.
 const CELLS: usize = 4096;
 
 /// Length of the tables of bins: a power of two, so that no index is out of range.
 const PLACES: usize = 64;
 
-/// Particles that are computed side by side, so that no generator waits for itself.
+/// The number of particles that are computed in parallel, so that no step waits for the result of
+/// the previous step.
 const LANES: usize = 4;
 
 /// Draws the particles of a beam and counts them by angle.
 ///
-/// Particle i takes the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is its state,
-/// the stream is fixed). In plane, w/2⁶⁴ is the nearness b/b_max, in space it is its square, so
-/// that offsets are uniform over a line or over a disc. Because each particle has its own number, a
-/// beam can be computed in any batches and in any order.
+/// Particle i uses the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is its state,
+/// the stream is fixed). In a plane, w/2⁶⁴ is the nearness b/b_max; in space it is the square of
+/// the nearness, so that offsets are uniform over a line or over a disc. Because each particle has
+/// its own number, a beam can be computed in batches of any size and in any order.
 ///
-/// No angle is ever computed for a particle. The w at which the angle passes from bin to bin are
-/// known beforehand, so comparisons give the bin: an index table gives it for the upper 12 bits,
-/// and if an edge lies within a cell of the table, the edge itself decides. The counts are exactly
-/// those of computing each angle.
+/// No angle is ever computed for a particle. The values of w that separate the bins are calculated
+/// in advance, so comparisons give the bin: an index table gives it for the upper 12 bits, and if
+/// an edge is within a cell of the table, the edge itself decides. The counts are exactly the same
+/// as if each angle were computed.
 #[derive(Debug, Clone)]
 pub struct Sampler {
-    /// `edges[k]`: every w below it is scattered beyond the lower edge of bin k.
+    /// A particle with w below `edges[k]` is scattered beyond the lower edge of bin k.
     edges: [u64; PLACES],
     /// The lowest bin in a cell of w.
     lowest: [u8; CELLS],
@@ -43,7 +44,8 @@ impl Sampler {
     pub fn new(law: &ScatteringLaw) -> Self {
         let mut edges = [0; PLACES];
         for (bin, edge) in edges.iter_mut().enumerate().take(BINS) {
-            // To the nearest whole number; 2⁶⁴, for the whole beam, is clamped to what fits.
+            // Rounded to the nearest whole number; 2⁶⁴, for the whole beam, is clamped to
+            // `u64::MAX`.
             let share = law.share_beyond(bin as f64 * BIN_WIDTH);
             *edge = (share * 2_f64.powi(64)) as u64;
         }
@@ -59,10 +61,10 @@ impl Sampler {
         sampler
     }
 
-    /// The bin of `w`, which is `from` or above it.
+    /// The bin of `w`, which is at least `from`.
     fn search(&self, from: usize, w: u64) -> usize {
         let mut bin = from;
-        // The edges end with zeros, and nothing is below 0.
+        // The edges end with zeros, and no `w` is below 0.
         while w < self.edges[(bin + 1) % PLACES] {
             bin += 1;
         }
@@ -74,7 +76,7 @@ impl Sampler {
         self.search(usize::from(self.lowest[cell]), w) % PLACES
     }
 
-    /// Computes the particles of these numbers in the beam of a seed, and adds them to `counts`.
+    /// Computes the particles with these numbers in a seed's beam and adds them to `counts`.
     pub fn throw(&self, seed: u64, particles: Range<u64>, counts: &mut Counts) {
         let mut tallies = [[0_u64; PLACES]; LANES];
         let length = particles.end.saturating_sub(particles.start);
@@ -98,7 +100,7 @@ impl Sampler {
     }
 }
 
-/// The generator of a seed, before the number of this particle.
+/// The generator of a seed, advanced so that its next number is that of this particle.
 pub(super) fn generator(seed: u64, particle: u64) -> Pcg64 {
     let mut generator = Pcg64::new(u128::from(seed), STREAM);
     generator.advance(u128::from(particle));

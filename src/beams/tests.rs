@@ -1,4 +1,4 @@
-//! Tests of the sampler against the closed forms, and against computing particle by particle.
+//! Tests of the sampler against the closed forms, and against computing each particle's angle.
 
 use std::f64::consts::PI;
 
@@ -19,8 +19,8 @@ const SPHERE: ScatteringLaw = ScatteringLaw {
     beam: Beam::Space,
 };
 
-/// Radium C on gold in a beam so narrow that every bin gets its share: the outermost particles are
-/// scattered by 2.5°.
+/// Radium C on gold in a beam so narrow that every bin gets enough particles: the outermost
+/// particles are scattered by 2.5°.
 fn coulomb(beam: Beam) -> ScatteringLaw {
     let scatterer = Rutherford::radium_c_on_gold();
     let half_width = scatterer.impact_parameter(2.5_f64.to_radians());
@@ -50,7 +50,7 @@ fn thrown(law: &ScatteringLaw, seed: u64, particles: u64) -> Counts {
     counts
 }
 
-/// Share of the beam beyond an edge, from the closed forms of physics alone.
+/// Fraction of the beam beyond an edge, from the closed forms of physics alone.
 type Beyond<'a> = &'a dyn Fn(f64) -> f64;
 
 fn chi_squared(counts: &Counts, beyond: Beyond) -> f64 {
@@ -93,7 +93,7 @@ fn chance_beyond(x: f64) -> f64 {
 }
 
 #[test]
-fn the_chance_is_that_of_the_tables() {
+fn chance_beyond_agrees_with_published_tables() {
     // Upper points of χ² with 35 degrees of freedom.
     for (x, chance) in [
         (34.336, 0.5),
@@ -131,9 +131,9 @@ fn ten_million_particles_agree_with_the_closed_forms() {
     }
 }
 
-/// The table of edges gives exactly the counts of computing each angle.
+/// The table of edges gives exactly the same counts as computing each angle.
 #[test]
-fn no_particle_is_put_into_another_bin_than_its_angle() {
+fn every_particle_is_in_the_bin_of_its_angle() {
     for law in [
         DISC,
         SPHERE,
@@ -158,7 +158,7 @@ fn no_particle_is_put_into_another_bin_than_its_angle() {
 }
 
 #[test]
-fn a_beam_may_be_thrown_in_any_number_of_goes() {
+fn a_beam_can_be_computed_in_any_number_of_batches() {
     let law = coulomb(Beam::Space);
     let whole = thrown(&law, 5, 100_003);
     let sampler = Sampler::new(&law);
@@ -170,9 +170,9 @@ fn a_beam_may_be_thrown_in_any_number_of_goes() {
     assert_ne!(thrown(&law, 6, 100_003), whole);
 }
 
-/// Seeds never change their meaning: O'Neill's PCG64 (XSL-RR 128/64) by its definition.
+/// The meaning of a seed never changes: the generator must be O'Neill's PCG64 (XSL-RR 128/64).
 #[test]
-fn the_generator_is_pcg64_by_its_definition() {
+fn the_generator_is_pcg64_as_defined() {
     const A: u128 = 0x2360_ed05_1fc6_5da4_4385_df64_9fcc_f645;
     let c = (0x0a02_bdbf_7bb3_c0a7_u128 << 1) | 1;
     let mut state = u128::wrapping_add(42, c).wrapping_mul(A).wrapping_add(c);
@@ -189,7 +189,7 @@ fn the_generator_is_pcg64_by_its_definition() {
 }
 
 #[test]
-fn shares_and_angles_are_two_sides_of_one_law() {
+fn shares_and_angles_are_inverse_functions() {
     for law in [DISC, SPHERE, coulomb(Beam::Space), foil(2e-6)] {
         for deg in 10..180 {
             let angle = f64::from(deg).to_radians();
@@ -202,7 +202,7 @@ fn shares_and_angles_are_two_sides_of_one_law() {
 
 /// The count per steradian, integrated over a band of directions, is the count in the band.
 #[test]
-fn the_share_per_steradian_is_the_share_of_a_thin_ring() {
+fn the_share_per_steradian_integrates_to_the_share_of_a_ring() {
     for law in [SPHERE, coulomb(Beam::Space), foil(2e-6)] {
         for deg in [5.0_f64, 15.0, 60.0, 90.0, 150.0, 179.0] {
             let (angle, half) = (deg.to_radians(), 1e-5);
@@ -223,19 +223,19 @@ fn the_share_per_steradian_is_the_share_of_a_thin_ring() {
     assert!((sphere - 4.0 * PI).abs() < 1e-12);
 }
 
-/// The share scattered by more than an angle in a foil is n t σ, so it is proportional to the
+/// The fraction scattered by more than an angle in a foil is n t σ, so it is proportional to the
 /// thickness.
 #[test]
-fn a_foil_turns_back_few() {
+fn a_foil_scatters_few_particles_backwards() {
     let back = foil(2.1e-7).share_beyond(PI / 2.0);
     let sigma = Rutherford::radium_c_on_gold()
         .cross_section_beyond(PI / 2.0)
         .unwrap();
     assert!((back / (5.9e28 * 2.1e-7 * sigma) - 1.0).abs() < 1e-12);
-    // d = 29.6 fm makes that 1 in 117,000.
+    // d = 29.6 fm gives 1 in 117,000.
     assert!((1.0 / back / 117_000.0 - 1.0).abs() < 0.01, "{back}");
     assert!((foil(4.2e-7).share_beyond(PI / 2.0) / back - 2.0).abs() < 1e-12);
-    // Half the energy: twice the distance d, four times the count.
+    // Half the energy doubles the distance d and gives four times the count.
     let slow = ScatteringLaw {
         target: Foil {
             metal: METALS[0],
@@ -257,9 +257,10 @@ fn the_counts_of_1913_are_read() {
     assert!((sum - 134_294.9).abs() < 1e-6, "{sum}");
 }
 
-/// Gold: −15 % to +23 %, above the law at all small angles and below it at all others.
+/// The counts for gold deviate by −15 % to +23 %, above the law at all small angles and below it at
+/// all others.
 #[test]
-fn gold_follows_the_law_within_its_band() {
+fn the_counts_for_gold_follow_the_law_within_a_band() {
     let angles = geiger_marsden().unwrap();
     let gold = Series::new(&angles, |angle| angle.gold).unwrap();
     let (low, high) = gold.band();
@@ -273,7 +274,7 @@ fn gold_follows_the_law_within_its_band() {
 }
 
 #[test]
-fn a_bad_table_is_refused_with_its_line() {
+fn a_bad_table_is_refused_with_the_line_number() {
     let head = "angle_deg,silver_count,gold_count\n";
     for (table, message) in [
         (
@@ -303,7 +304,7 @@ fn a_bad_table_is_refused_with_its_line() {
         ),
         (
             &format!("{head}10,1,1\n20,1,1\n"),
-            "3: angle_deg: expected less than in the line before",
+            "3: angle_deg: expected less than on the previous line",
         ),
     ] {
         let fault = read(table).unwrap_err();

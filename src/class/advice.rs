@@ -4,16 +4,16 @@ use super::ballot::Vote;
 use super::round::ClassRound;
 use crate::progress::Tally;
 
-/// What to do after a first vote, by the share that is right (C. H. Crouch and E. Mazur, *Peer
-/// Instruction: Ten years of experience and results*, 2001): talking helps where some have
-/// understood and some have not.
+/// What to do after the first vote, depending on the share of right votes (C. H. Crouch and E.
+/// Mazur, *Peer Instruction: Ten years of experience and results*, 2001): discussion helps when
+/// some have understood and others have not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Advice {
-    /// Fewer than three of ten are right: nobody could convince the others.
+    /// Fewer than three in ten are right: too few to convince the others.
     ExplainAgain,
-    /// In between: discussion helps most.
+    /// Between these: discussion helps most.
     Talk,
-    /// More than eight of ten are right.
+    /// More than eight in ten are right.
     GoOn,
 }
 
@@ -31,12 +31,12 @@ impl Advice {
         }
     }
 
-    /// The words for the teacher, which do not reveal the right answer.
+    /// The text for the teacher, which does not reveal the right answer.
     pub const fn words(self) -> &'static str {
         match self {
-            Self::ExplainAgain => "Under 30 % are right: explain once more, vote again.",
-            Self::Talk => "30 to 80 % are right: talking helps most now.",
-            Self::GoOn => "More than 80 % are right: go on to the shot.",
+            Self::ExplainAgain => "Under 30 % are right: explain again, then vote again.",
+            Self::Talk => "30 to 80 % are right: discussion helps most now.",
+            Self::GoOn => "More than 80 % are right: continue to the shot.",
         }
     }
 }
@@ -47,7 +47,7 @@ mod tests {
     use crate::quiz::Code;
 
     #[test]
-    fn the_share_that_is_right_advises() {
+    fn the_advice_depends_on_the_share_of_right_votes() {
         let mut round = ClassRound::with_tally(Code::parse("concept-1").unwrap());
         assert_eq!(Advice::of(&round, 0), None);
         let truth = round.questions()[0].form.truth();

@@ -14,16 +14,16 @@ use crate::quiz::{
     Rays, Response,
 };
 
-/// A question as it is asked: only what can be read and seen.
+/// A question as a pupil's device receives it, without the answer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct AskedQuestion {
-    /// The id of its family.
+    /// The id of the question's family.
     family: String,
-    /// The question in words.
+    /// The text of the question.
     text: String,
     /// How it is answered.
     form: AskedForm,
-    /// The picture beside it.
+    /// The picture beside the question.
     picture: AskedPicture,
 }
 
@@ -31,11 +31,11 @@ pub struct AskedQuestion {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum AskedForm {
-    /// By two rays: the side of the target, and what it is called.
+    /// By two rays; `side` is the target's side, and `target` its name.
     Rays { side: f64, target: String },
-    /// By a number that measures this, by its name in files.
+    /// By a number; `measure` is the name of its quantity in files.
     Number { measure: String },
-    /// By choosing.
+    /// By choosing an option.
     Choice { options: Vec<String> },
     /// By a shot that sends the striker, or else its target, in this direction, in radians.
     Shot {
@@ -52,24 +52,24 @@ enum AskedPicture {
     Nothing,
     Before {
         hit: AskedHit,
-        /// Whether the offset, the angle and numbers are marked.
+        /// Whether the offset, the angle and the numbers are marked.
         shown: [bool; 3],
     },
-    /// Both angles in radians, both radii, and the striker's initial path: many masses and losses
-    /// fit these.
+    /// Both angles in radians, both radii, and the striker's initial path: many masses and energy
+    /// losses are consistent with them.
     After {
         angles: [f64; 2],
         radii: [f64; 2],
         along: [f64; 2],
     },
-    /// Two angles, and the closest approach head-on.
+    /// Two angles, and the closest approach in a head-on collision.
     Tracks {
         angles: [f64; 2],
         nearest: f64,
     },
 }
 
-/// The visible properties of two discs about to meet, without e and the kind of contact.
+/// The visible properties of two discs about to collide, without e and the kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct AskedHit {
     masses: [f64; 2],
@@ -91,7 +91,7 @@ impl AskedHit {
         }
     }
 
-    /// The collision, if a device accepts it.
+    /// The collision; `None` if the numbers are invalid.
     fn collision(&self) -> Option<Collision> {
         let all = self.masses.iter().chain(&self.radii);
         let numbers = self
@@ -161,8 +161,8 @@ impl AskedQuestion {
         }
     }
 
-    /// A question that can be drawn and answered, from what was sent alone: its right answer is
-    /// meaningless. `None` if the message makes no sense.
+    /// A question that can be drawn and answered, built only from what was sent: its right answer
+    /// is meaningless. `None` if the message is invalid.
     pub fn question(&self) -> Option<Question> {
         Some(Question {
             family: Family::with_id(&self.family)?,
@@ -250,12 +250,12 @@ fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2], along: DVec2) -> O
     Some(Collision::at_angle(striker, target, along, theta2))
 }
 
-/// The right answer, once it is revealed, and its explanation in words for this pupil.
+/// The right answer, once it is revealed, and its explanation for this pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RevealedTruth {
     /// The right answer, as [`Said::to_text`] writes it.
     truth: String,
-    /// The explanation, and the feedback on their answer.
+    /// The explanation, and the feedback on the pupil's answer.
     pub why: String,
     /// Points of this pupil for the question, if they have voted.
     pub points: Option<f64>,
@@ -286,8 +286,8 @@ impl RevealedTruth {
         }
     }
 
-    /// The question with its right answer and its real collision; `None` if this belongs to another
-    /// question.
+    /// The question with its right answer and its real collision; `None` if the right answer
+    /// belongs to another question.
     pub fn revealed(&self, mut asked: Question) -> Option<Question> {
         let true_answer = Said::parse(&self.truth)?.response;
         if !asked.form.accepts(&true_answer) {

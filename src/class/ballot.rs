@@ -1,11 +1,11 @@
-//! The answers of one voter to a question, at each of its two votes.
+//! The answers of one voter to a question, in each of its two votes.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};
 
 use crate::quiz::{Answer, Confidence, Response};
 
-/// Which of the two votes on a question; its name in files is "first".
+/// Which of the two votes on a question; in files, "first" or "second".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumString, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -17,11 +17,11 @@ pub enum Vote {
 }
 
 impl Vote {
-    /// Both, in order.
+    /// Both votes, in order.
     pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 
-/// A vote: an answer, and how sure the voter is, if that is asked.
+/// A vote: an answer, and how sure the voter is, if the voter was asked.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Said {
@@ -39,7 +39,7 @@ impl From<Response> for Said {
 }
 
 impl Said {
-    /// The text that stores and sends it: "rays 60 still", "sure number 2.1".
+    /// The vote in the form in which it is stored and sent: "rays 60 still", "sure number 2.1".
     pub fn to_text(self) -> String {
         match self.sure {
             Some(sure) => format!("{} {}", sure.id(), self.response.to_text()),
@@ -47,7 +47,7 @@ impl Said {
         }
     }
 
-    /// Reads such a text; `None` if it is not one.
+    /// Reads a vote from its text; `None` if the text is invalid.
     pub fn parse(text: &str) -> Option<Self> {
         let sure = text
             .split_once(' ')
@@ -75,8 +75,8 @@ impl TryFrom<String> for Said {
     }
 }
 
-/// The votes of a team, or of a pupil on a device, on a question: the first and the second, if they
-/// were given.
+/// The votes that a team, or a pupil on a device, gave on a question: the first and the second, if
+/// any.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ballot([Option<Said>; 2]);
 
@@ -86,7 +86,7 @@ impl Ballot {
         self.given(vote).map(|said| said.response)
     }
 
-    /// Replaces an earlier vote; `None` takes it back.
+    /// Replaces an earlier vote; `None` withdraws it.
     pub(super) fn put(&mut self, vote: Vote, said: Option<Said>) {
         self.0[vote as usize] = said;
     }
@@ -96,7 +96,8 @@ impl Ballot {
         self.0[vote as usize]
     }
 
-    /// The team's answer at a vote: at the second vote that of the first, unless it has changed it.
+    /// The team's answer in a vote. In the second vote, that is the first answer unless the team
+    /// has changed it.
     pub fn said(&self, vote: Vote) -> Option<Response> {
         self.standing(vote).map(|said| said.response)
     }
@@ -109,19 +110,19 @@ impl Ballot {
         }
     }
 
-    /// The same as an [`Answer`].
+    /// Like [`Self::said`], but as an [`Answer`].
     pub(super) fn answer(&self, vote: Vote) -> Option<Answer> {
         let said = self.standing(vote)?;
         Some(Answer::new(said.response, said.sure.unwrap_or(UNSURE)))
     }
 
-    /// The vote that scores: the second, or the first if there is no second.
+    /// The vote that is scored: the second, or the first if there is no second.
     pub fn counts(&self) -> Option<Response> {
         self.said(Vote::Second)
     }
 }
 
-/// The confidence of voters who were not asked; it does not affect the credit of a vote.
+/// The confidence of voters who were not asked for it; it does not affect the credit of a vote.
 const UNSURE: Confidence = Confidence::ThinkSo;
 
 /// A vote as an answer without a stated confidence.

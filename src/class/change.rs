@@ -1,4 +1,4 @@
-//! The changes of a round: the lines of its journal.
+//! The changes to a round: the lines of its journal.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,16 +8,16 @@ use super::round::ClassRound;
 
 /// A change in a round. Questions, people and choices are counted from 0.
 ///
-/// A file of a round begins with its state when it was last written as a whole; later changes are
-/// appended, so that each of 250 votes writes a line and not the whole file.
+/// The file of a round begins with the state at the time of the last complete write. Later changes
+/// are appended, so each of 250 votes adds one line instead of rewriting the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ClassChange {
-    /// A vote was given, or taken back.
+    /// A vote was given or withdrawn.
     Vote {
         /// The question.
         question: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
         /// The voter.
         person: usize,
@@ -25,17 +25,17 @@ pub enum ClassChange {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         said: Option<Said>,
     },
-    /// Hands were counted, or the count was taken back.
+    /// Hands were counted, or the count was withdrawn.
     Count {
         /// The question.
         question: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
         /// The number of votes for each choice.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         counts: Option<Vec<u32>>,
     },
-    /// A participant joined, at the end of the list.
+    /// A participant joined and was added at the end of the list.
     Join {
         /// Their seat token, if they have a device.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -45,14 +45,14 @@ pub enum ClassChange {
     },
     /// A participant was renamed.
     Rename {
-        /// Who.
+        /// The participant.
         person: usize,
         /// Their new name.
         name: String,
     },
-    /// A participant was removed with all votes and stays out; later ones move up.
+    /// A participant was removed with all their votes and stays out; later participants move up.
     Remove {
-        /// Who.
+        /// The participant.
         person: usize,
     },
     /// A removed participant may join again.
@@ -60,9 +60,9 @@ pub enum ClassChange {
         /// The index among those who were removed.
         removed: usize,
     },
-    /// A participant's seat was freed, and they may join again; later ones move up.
+    /// A participant's seat was freed, and they may join again; later participants move up.
     Vacate {
-        /// Who.
+        /// The participant.
         person: usize,
     },
     /// A participant had joined twice.
@@ -75,21 +75,21 @@ pub enum ClassChange {
 }
 
 impl ClassChange {
-    /// The line of JSON that stores it.
+    /// The line of JSON that stores the change.
     pub fn line(&self) -> String {
-        // There is nothing in it that could not be written.
+        // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// Reads such a line.
+    /// Reads a change from its line.
     ///
     /// # Errors
-    /// If it is none, in words.
+    /// The reason, if the line is not a change.
     pub fn read(line: &str) -> Result<Self, String> {
         serde_json::from_str(line).map_err(|error| format!("expected a change: {error}"))
     }
 
-    /// Whether a line is a vote, whatever its contents.
+    /// Whether a line is a vote, valid or not.
     pub(super) fn is_vote(line: &str) -> bool {
         line.starts_with("{\"vote\":")
     }
@@ -108,7 +108,7 @@ impl From<&ClassChange> for Then {
     }
 }
 
-/// The text that is appended to the file of a round when this has changed.
+/// The text that is appended to the file of a round for these changes.
 ///
 /// # Errors
 /// None in practice; the reason if it cannot be written.
@@ -125,7 +125,7 @@ impl ClassRound {
     /// Applies a change.
     ///
     /// # Errors
-    /// If it does not fit the round, in words; then nothing has changed.
+    /// The reason, if the change does not fit the round; the round then stays unchanged.
     pub fn change(&mut self, change: &ClassChange) -> Result<(), String> {
         let taken = |taken: bool, expected: &str| match taken {
             true => Ok(()),
@@ -164,7 +164,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_change_is_read_as_it_is_written() {
+    fn changes_read_back_as_written() {
         let seat = SeatToken::of(7);
         for line in [
             r#"{"vote":{"question":2,"vote":"first","person":16,"said":"rays -0.5 still"}}"#,

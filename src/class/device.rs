@@ -8,28 +8,29 @@ use super::protocol::HandedIn;
 /// The unique number of a connection.
 pub type ConnectionId = u64;
 
-/// The device of a participant, while this carrom serves the class.
+/// The device of a participant, while this program serves the class.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Device {
-    /// Its connection; `None` while it is disconnected.
+    /// The device's connection; `None` while the device is disconnected.
     pub(super) line: Option<ConnectionId>,
-    /// Where its connection comes from, or came from.
+    /// The address of its current or last connection.
     pub(super) address: Option<IpAddr>,
     /// The number of the last vote that was handled.
     pub(super) n: u64,
     /// The number of the last state sent on this connection.
     pub(super) rev: u64,
-    /// The question and vote of the last vote, if it did not fit.
+    /// The question that the last vote was for, and which vote it was, if it did not fit that
+    /// question.
     pub(super) misfit: Option<(usize, Vote)>,
     /// The result of the last hand-in.
     pub(super) handed: Option<HandedIn>,
-    /// How often something was handed in, and whether anything of it is stored.
+    /// The number of hand-ins, and whether any of them is stored.
     pub(super) times: usize,
     pub(super) has_handed_in: bool,
 }
 
 impl Device {
-    /// This device instead of another, if it is connected.
+    /// This device if it is connected, otherwise the earlier one.
     pub(super) fn or_earlier(self, earlier: &Self) -> Self {
         match self.line {
             None => *earlier,

@@ -17,14 +17,14 @@ pub enum HostCall {
     Open {
         /// The code to use; `None` for a new one.
         code: Option<JoinCode>,
-        /// The address where their devices look for it, if they joined before.
+        /// The address at which devices that joined earlier look for the class.
         address: Option<SocketAddrV4>,
     },
     /// Send pupils their states.
     Tell(Vec<(ConnectionId, PupilState)>),
     /// Tell a pupil why they are refused or removed, and disconnect.
     Refuse(ConnectionId, Refusal),
-    /// Let nobody join any more, and disconnect everyone.
+    /// Stop pupils from joining, and disconnect everyone.
     Close,
 }
 
@@ -39,13 +39,13 @@ pub enum HostNews {
         line: ConnectionId,
         /// The name as it was typed.
         name: String,
-        /// Their seat token, if they were here before.
+        /// Their seat token, if they joined before.
         seat: Option<SeatToken>,
         /// Their new seat token, if they are new.
         fresh: SeatToken,
-        /// Where from.
+        /// The address of the device.
         address: IpAddr,
-        /// The time, from a fixed moment.
+        /// The time since a fixed moment.
         at: Duration,
     },
     /// A pupil votes.
@@ -54,14 +54,14 @@ pub enum HostNews {
         line: ConnectionId,
         /// The question, counted from 0.
         question: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
-        /// The vote as text; an empty text takes it back.
+        /// The vote as text; an empty text withdraws it.
         said: String,
         /// The number of the vote.
         n: u64,
     },
-    /// A pupil hands in answers given alone.
+    /// A pupil hands in the answers that they gave on their own.
     HandedIn {
         /// The connection.
         line: ConnectionId,
@@ -75,7 +75,7 @@ pub enum HostNews {
 }
 
 impl HostNews {
-    /// A message of a pupil who has joined; `None` for a second request to join.
+    /// The news in a message from a pupil who has joined; `None` for a second request to join.
     pub(crate) fn said(line: ConnectionId, saying: ClientMessage) -> Option<Self> {
         Some(match saying {
             ClientMessage::Vote { q, vote, said, n } => Self::Voted {
@@ -92,13 +92,14 @@ impl HostNews {
     }
 }
 
-/// Where pupils join.
+/// How pupils can join.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JoinDetails {
     /// The code for joining.
     pub code: JoinCode,
-    /// The addresses where it listens, the best first.
+    /// The addresses at which the server listens, the best first.
     pub addresses: Vec<SocketAddrV4>,
-    /// Whether the page is served there, or the reason why not: then only other carroms can join.
+    /// Whether the page is served at these addresses. If it is not, the reason; then only pupils
+    /// with an installed carrom can join.
     pub page: Result<(), String>,
 }

@@ -13,10 +13,10 @@ use crate::quiz::{Form, Misconception, Response, evidence};
 pub struct ItemAnalysis {
     /// The question, counted from 0.
     pub question: usize,
-    /// The votes of the teams at first, and after talking; a team that did not change its vote
-    /// counts in both.
+    /// The votes of the teams before and after the discussion; a team that did not change its vote
+    /// is counted in both.
     pub votes: [Tally; 2],
-    /// How well it separates the better teams from the others.
+    /// How well the question separates the better teams from the others.
     pub discrimination: Option<f64>,
     /// The misconception that the first votes support most, and how many votes fit it.
     pub commonest: Option<(Misconception, usize)>,
@@ -24,10 +24,10 @@ pub struct ItemAnalysis {
     /// frequent first.
     pub counts: Vec<(Response, [usize; 2])>,
     /// The normalized gain of the discussion: (second − first) / (1 − first) of the shares of right
-    /// votes (R. R. Hake, 1998); `None` if all were right at first, or nobody voted.
+    /// votes (R. R. Hake, 1998); `None` if all first votes were right, or nobody voted.
     pub gain: Option<f64>,
     /// How many votes changed from wrong to right, and from right to wrong; `None` if hands were
-    /// counted, which have no names.
+    /// counted, because those votes have no names.
     pub changed: Option<[usize; 2]>,
 }
 
@@ -103,7 +103,7 @@ fn changed(round: &ClassRound, question: usize) -> Option<[usize; 2]> {
     Some(changed)
 }
 
-/// The points of each team for a question, and for all others that were asked.
+/// The points of each team for a question, and for all other questions that were asked.
 fn points(round: &ClassRound, question: usize, asked: usize) -> Vec<(f64, f64)> {
     let of_team = |team| {
         let others = (0..asked).filter(|other| *other != question);

@@ -16,10 +16,10 @@ const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
 pub struct JoinCode([u8; Self::LENGTH]);
 
 impl JoinCode {
-    /// How many letters it has.
+    /// The number of letters.
     pub const LENGTH: usize = 6;
 
-    /// The code of a random number; there are 20⁶, 64 million.
+    /// The code for a random number. There are 20⁶ codes, 64 million.
     pub fn of(mut random: u64) -> Self {
         Self(std::array::from_fn(|_| {
             let letter = LETTERS[(random % LETTERS.len() as u64) as usize];
@@ -37,7 +37,7 @@ impl fmt::Display for JoinCode {
     }
 }
 
-/// The message for a text that is not a [`JoinCode`].
+/// The message for a string that is not a [`JoinCode`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("expected the six letters of a class, such as BCDFGH")]
 pub struct NoJoinCode;
@@ -45,7 +45,7 @@ pub struct NoJoinCode;
 impl FromStr for JoinCode {
     type Err = NoJoinCode;
 
-    /// Reads any case, with blanks or hyphens between the letters.
+    /// Accepts upper and lower case, and blanks or hyphens between the letters.
     fn from_str(text: &str) -> Result<Self, NoJoinCode> {
         let mut code = [0; Self::LENGTH];
         let mut letters = text.chars().filter(|it| !matches!(it, ' ' | '-'));
@@ -82,13 +82,13 @@ impl From<JoinCode> for String {
 pub struct SeatToken(u128);
 
 impl SeatToken {
-    /// The token of a random number.
+    /// The token for a random number.
     pub const fn of(random: u128) -> Self {
         Self(random)
     }
 }
 
-/// It is a secret, so it must not appear in crash reports.
+/// The token is a secret, so it must not appear in crash reports.
 impl fmt::Debug for SeatToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("SeatToken")
@@ -133,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_code_is_read_as_people_write_it() {
+    fn a_code_is_read_with_blanks_hyphens_and_in_any_case() {
         let code = JoinCode::of(0);
         assert_eq!(code.to_string(), "BBBBBB");
         assert_eq!(" b-b bbBb ".parse(), Ok(code));
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn a_token_is_read_as_it_is_written_and_nothing_else() {
+    fn tokens_read_back_as_written_and_other_strings_are_refused() {
         let token = SeatToken::of(u128::MAX / 7);
         assert_eq!(token.to_string().parse(), Ok(token));
         assert_eq!(format!("{token:?}"), "SeatToken");

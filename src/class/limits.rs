@@ -8,13 +8,12 @@ use std::time::Duration;
 
 use super::join_code::JoinCode;
 
-/// New seats for one address: a class of 40 behind one router joins at once, and some of them twice.
+/// New seats for one address: a class of 40 behind one router may join at once, some of them twice.
 const NEW_SEATS: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.5,
 };
-/// Wrong codes from one address: enough for pupils who mistype, and after that one every ten
-/// seconds.
+/// Wrong codes from one address: enough for pupils who mistype, then one every ten seconds.
 const WRONG_CODES: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.1,
@@ -30,11 +29,11 @@ const FIRST_WRONG_CODES: Allowance = Allowance {
     at_once: 2.0,
     per_s: 1.0 / 1800.0,
 };
-/// How long the answer to the first wrong code from an address takes; as long again for every ten
-/// wrong codes before it.
+/// The delay of the reply to the first wrong code from an address. The delay increases by the same
+/// amount for every ten wrong codes.
 const WRONG_CODE_DELAY: Duration = Duration::from_secs(1);
 const DELAY_STEP: f64 = 10.0;
-/// How many addresses are remembered before the first search for some that can be forgotten.
+/// The number of remembered addresses above which carrom looks for some that it can forget.
 const MANY: usize = 256;
 
 /// A burst, and then a rate per second.
@@ -51,12 +50,12 @@ pub struct Allowance {
 pub struct Bucket {
     allowance: Allowance,
     left: f64,
-    /// When that was left.
+    /// The time at which this much was left.
     since: Duration,
 }
 
 impl Bucket {
-    /// All of an allowance.
+    /// A full allowance.
     pub const fn full(allowance: Allowance) -> Self {
         Self {
             allowance,
@@ -65,13 +64,13 @@ impl Bucket {
         }
     }
 
-    /// What is left at a time.
+    /// What is left at time `now`.
     fn left(&self, now: Duration) -> f64 {
         let back = self.allowance.per_s * now.saturating_sub(self.since).as_secs_f64();
         (self.left + back).min(self.allowance.at_once)
     }
 
-    /// Whether there is one left.
+    /// Whether at least one is left.
     fn has_one(&self, now: Duration) -> bool {
         self.left(now) >= 1.0
     }
@@ -88,7 +87,7 @@ impl Bucket {
 #[derive(Debug, Clone)]
 struct Addresses {
     allowance: Allowance,
-    /// The allowances of the addresses that have used some.
+    /// The allowances of the addresses that have used part of theirs.
     known: BTreeMap<IpAddr, Bucket>,
     /// At this many addresses, those with a full allowance are forgotten.
     most: usize,
@@ -131,7 +130,7 @@ impl NewSeats {
         self.0.of(address, now).has_one(now)
     }
 
-    /// A newcomer from there has joined.
+    /// Records that a newcomer from an address has joined.
     pub fn take(&mut self, address: IpAddr, now: Duration) {
         self.0.of(address, now).take(1.0, now);
     }
@@ -148,17 +147,17 @@ pub struct GuardedCode {
 
 /// The reply to a code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// It is the code of the class.
+pub enum CodeVerdict {
+    /// The code is right.
     Right,
-    /// It is not; the reply is delayed by this time.
+    /// The code is wrong; the reply is delayed by this time.
     Wrong(Duration),
-    /// It was not checked: there were too many wrong codes.
+    /// The code was not checked: there were too many wrong codes.
     Unseen,
 }
 
 impl GuardedCode {
-    /// A code that nobody has tried to guess.
+    /// A code that nobody has tried to guess yet.
     pub const fn new(code: JoinCode) -> Self {
         Self {
             code,
@@ -168,13 +167,13 @@ impl GuardedCode {
         }
     }
 
-    /// Whether it is this code, without counting.
+    /// Whether the text is this code. A wrong code is not counted.
     pub fn is(&self, typed: &str) -> bool {
         typed.parse() == Ok(self.code)
     }
 
     /// Checks a code from an address, and counts it if it is wrong.
-    pub fn judge(&mut self, typed: &str, address: IpAddr, now: Duration) -> Verdict {
+    pub fn judge(&mut self, typed: &str, address: IpAddr, now: Duration) -> CodeVerdict {
         let own = self.addresses.of(address, now);
         let first = self.firsts.of(address, now);
         let shared = match first.has_one(now) {
@@ -182,15 +181,15 @@ impl GuardedCode {
             false => &mut self.all,
         };
         if !own.has_one(now) || !shared.has_one(now) {
-            return Verdict::Unseen;
+            return CodeVerdict::Unseen;
         }
         if typed.parse() == Ok(self.code) {
-            return Verdict::Right;
+            return CodeVerdict::Right;
         }
         let wrong = WRONG_CODES.at_once - own.left(now);
         own.take(1.0, now);
         shared.take(1.0, now);
-        Verdict::Wrong(WRONG_CODE_DELAY.mul_f64(1.0 + wrong / DELAY_STEP))
+        CodeVerdict::Wrong(WRONG_CODE_DELAY.mul_f64(1.0 + wrong / DELAY_STEP))
     }
 }
 
@@ -201,17 +200,17 @@ mod tests {
     use super::*;
 
     const LESSON: Duration = Duration::from_secs(45 * 60);
-    /// How many codes there are.
+    /// The number of possible codes.
     const CODES: f64 = 64e6;
-    /// As many as one device has said a second.
+    /// The number of codes per second that one device sent in a measurement.
     const GUESSES_PER_S: u32 = 1277;
 
     fn address(host: u8) -> IpAddr {
         Ipv4Addr::new(192, 168, 43, host).into()
     }
 
-    /// How many codes were looked at in a lesson in which each of these addresses says as many as it
-    /// can; connections do not count, so that neither many at once nor new ones help.
+    /// The number of codes checked in a lesson in which each of these addresses sends as many as it
+    /// can. The limit is per address, so parallel or new connections do not help.
     fn looked_at(addresses: u8) -> u32 {
         let mut code = GuardedCode::new(JoinCode::of(63_999_999));
         let mut looked_at = 0;
@@ -220,22 +219,23 @@ mod tests {
             let typed = JoinCode::of(u64::from(guess)).to_string();
             let from = address((guess % u32::from(addresses)) as u8);
             match code.judge(&typed, from, now) {
-                Verdict::Wrong(_) => looked_at += 1,
-                Verdict::Unseen => {}
-                Verdict::Right => panic!("the code is another one"),
+                CodeVerdict::Wrong(_) => looked_at += 1,
+                CodeVerdict::Unseen => {}
+                CodeVerdict::Right => panic!("a wrong code was accepted"),
             }
         }
         looked_at
     }
 
-    /// 1,277 a second tried 3.4 million codes in a lesson, a twentieth of all.
+    /// Without a limit, 1,277 codes per second would be 3.4 million in a lesson, a twentieth of all
+    /// codes.
     #[test]
     fn guessing_for_a_lesson_finds_less_than_a_ten_thousandth_of_the_codes() {
         let alone = looked_at(1);
-        // 60 at once, and one every ten seconds.
+        // 60 at once, then one every ten seconds.
         assert!((300..=331).contains(&alone), "{alone}");
-        // All addresses that a network of 254 has: 400 at once, 1.5 a second, and of each address
-        // the first two and one for every half hour.
+        // All 254 addresses of a network: 400 at once, then 1.5 per second; in addition, the first
+        // two from each address and one more every half hour.
         let most = looked_at(254);
         assert!((4000..=400 + 4050 + 254 * 4).contains(&most), "{most}");
         for guesses in [alone, most] {
@@ -243,51 +243,55 @@ mod tests {
         }
     }
 
-    /// Forty behind one router come within a minute, and every one of them mistypes the code first.
+    /// Forty pupils behind one router join within a minute, and each of them first mistypes the
+    /// code.
     #[test]
-    fn a_class_behind_one_router_mistypes_and_still_gets_in() {
+    fn pupils_behind_one_router_can_mistype_the_code_and_still_join() {
         let mut code = GuardedCode::new(JoinCode::of(7));
         let mut seats = NewSeats::default();
         let right = JoinCode::of(7).to_string().to_lowercase();
         for pupil in 0..40 {
             let now = Duration::from_millis(1500) * pupil;
             let wrong = code.judge("BBBBBB", address(1), now);
-            let Verdict::Wrong(delay) = wrong else {
+            let CodeVerdict::Wrong(delay) = wrong else {
                 panic!("{pupil}: {wrong:?}");
             };
             assert!(delay < Duration::from_secs(6), "{pupil}: {delay:?}");
-            assert_eq!(code.judge(&right, address(1), now + delay), Verdict::Right);
+            assert_eq!(
+                code.judge(&right, address(1), now + delay),
+                CodeVerdict::Right
+            );
             assert!(seats.has_one(address(1), now + delay));
             seats.take(address(1), now + delay);
         }
     }
 
-    /// While somebody guesses by all the addresses they can have, somebody else who has just come
-    /// mistypes and gets in all the same.
+    /// While somebody guesses codes from every available address, a newcomer who first mistypes the
+    /// code can still join.
     #[test]
-    fn guessing_by_many_addresses_keeps_nobody_else_out() {
+    fn guessing_from_many_addresses_does_not_keep_others_out() {
         let mut code = GuardedCode::new(JoinCode::of(7));
         let mut said = 0;
         for second in 0..=600 {
             let now = Duration::from_secs(second);
             for host in 0..200 {
                 let verdict = code.judge("BBBBBB", address(host), now);
-                said += u32::from(matches!(verdict, Verdict::Wrong(_)));
+                said += u32::from(matches!(verdict, CodeVerdict::Wrong(_)));
             }
         }
         assert!(said > 1000, "{said}");
         let now = Duration::from_secs(600);
         assert!(matches!(
             code.judge("BBBBBC", address(250), now),
-            Verdict::Wrong(_)
+            CodeVerdict::Wrong(_)
         ));
         let right = JoinCode::of(7).to_string();
-        assert_eq!(code.judge(&right, address(250), now), Verdict::Right);
-        assert_eq!(code.judge(&right, address(0), now), Verdict::Unseen);
+        assert_eq!(code.judge(&right, address(250), now), CodeVerdict::Right);
+        assert_eq!(code.judge(&right, address(0), now), CodeVerdict::Unseen);
     }
 
     #[test]
-    fn seats_come_back_with_time_and_addresses_are_forgotten() {
+    fn seats_become_available_again_and_addresses_are_forgotten() {
         let mut seats = NewSeats::default();
         let mut now = Duration::ZERO;
         let mut taken = 0;
@@ -301,7 +305,7 @@ mod tests {
         assert!(seats.has_one(address(1), now));
         seats.take(address(1), now);
         assert!(!seats.has_one(address(1), now));
-        // An earlier time gives nothing back.
+        // A time before the last one restores nothing.
         assert!(!seats.has_one(address(1), Duration::ZERO));
         now += Duration::from_secs(3600);
         for host in 0..=u32::from(u16::MAX) {
@@ -311,9 +315,9 @@ mod tests {
         assert!(seats.0.known.len() <= MANY + 60, "{}", seats.0.known.len());
     }
 
-    /// The time until so many are left again, as a connection waits it.
+    /// A connection waits until the balance is 0 again.
     #[test]
-    fn a_used_up_allowance_returns_with_time() {
+    fn an_exhausted_allowance_is_restored_over_time() {
         let mut bucket = Bucket::full(Allowance {
             at_once: 2.0,
             per_s: 4.0,

@@ -1,21 +1,21 @@
 //! A round for a class: the participants, two votes per question, scores, the results of each
 //! question, and tables for the teacher.
 //!
-//! Each question is asked twice: everyone predicts in silence and votes, the class talks, and may
-//! change its votes (E. Mazur, *Peer Instruction*, 1997). Both votes are kept; the second one
-//! scores, by how close it is and never by speed.
+//! Each question is asked twice: everyone predicts in silence and votes; then the class discusses
+//! the question and may change its votes (E. Mazur, *Peer Instruction*, 1997). Both votes are
+//! saved; the second one is scored, by how close it is and never by speed.
 //!
 //! A class votes in one of three ways ([`WayOfVoting`]): up to eight teams at one keyboard; hands
 //! or cards that are counted (a tally: counts for the choices of [`ClassRound::choices`], taken by
 //! [`ClassRound::count`]); or up to 250 people on devices of their own. The methods on votes
 //! ([`ClassRound::said`], [`ClassRound::results`], [`ClassRound::clues`], [`ClassRound::voted`])
-//! are the same for all three: a counted hand is a vote like any other. Only what needs a name
-//! (ballots, points, standings) is missing in a tally.
+//! are the same for all three: a counted hand is a vote like any other. A tally lacks only what
+//! requires a name (ballots, points, standings).
 //!
 //! Every change is a [`ClassChange`] ([`ClassRound::change`]). A file of a round contains an
 //! earlier state and the changes since then, so a vote is saved by appending a line.
 //!
-//! This module knows no network: people on devices join and leave through changes.
+//! This module does not use the network: people on devices join and leave through changes.
 
 mod advice;
 mod asked;
@@ -47,7 +47,7 @@ pub use device::ConnectionId;
 pub use host::{HostCall, HostNews, JoinDetails};
 pub use items::{ItemAnalysis, items};
 pub use join_code::{JoinCode, NoJoinCode, SeatToken};
-pub use limits::{Allowance, Bucket, GuardedCode, NewSeats, Verdict};
+pub use limits::{Allowance, Bucket, CodeVerdict, GuardedCode, NewSeats};
 pub use names::{LONGEST_NAME, MOST_PEOPLE, MOST_TEAMS, NameTrouble, team_names};
 pub use round::{ClassRound, Participant};
 pub use scores::{Standing, standings};

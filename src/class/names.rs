@@ -8,25 +8,25 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::way::WayOfVoting;
 use crate::files::{NO_NAME, is_blank_name, short_name};
 
-/// The most teams at one keyboard.
+/// The largest number of teams at one keyboard.
 pub const MOST_TEAMS: usize = 8;
 
-/// The most people on devices of their own.
+/// The largest number of people on devices of their own.
 pub const MOST_PEOPLE: usize = 250;
 
-/// Most letters of a name.
+/// The largest number of letters in a name.
 pub const LONGEST_NAME: usize = 24;
 
-/// Why these are not valid names of teams.
+/// Why a list of team names is invalid.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum NameTrouble {
-    /// There is none.
+    /// The list has no name.
     #[error("expected the names of 1 to {MOST_TEAMS} teams, found none")]
     None,
-    /// There are more than this many.
-    #[error("expected {1} names at most, found {0}")]
+    /// The list has too many names: the number found, and the limit.
+    #[error("expected at most {1} names, found {0}")]
     TooMany(usize, usize),
-    /// Two are the same.
+    /// Two names differ only in case.
     #[error("expected names that differ, found \"{0}\" twice")]
     Twice(String),
 }
@@ -44,7 +44,7 @@ pub fn team_names<'a>(
     }
 }
 
-/// The same for another way of voting; there may be none.
+/// Names as they are shown and stored, for this way of voting; the list may be empty.
 ///
 /// # Errors
 /// If there are too many, or if two differ only in case.
@@ -67,7 +67,7 @@ pub(super) fn names_for<'a>(
     }
 }
 
-/// A name for comparison: without case.
+/// A name, case-folded for comparison.
 pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
@@ -79,7 +79,7 @@ pub(super) fn tidy(name: &str) -> String {
 }
 
 /// A name from a file. A name without a visible letter, which earlier versions accepted, is
-/// replaced by one that none of these has.
+/// replaced by one that is not `taken`.
 pub(super) fn kept_name(name: &str, taken: &[&str]) -> String {
     match is_blank_name(name) {
         true => free_name(NO_NAME, taken),
@@ -87,7 +87,7 @@ pub(super) fn kept_name(name: &str, taken: &[&str]) -> String {
     }
 }
 
-/// A similar name that none of these has: "Ada 2".
+/// A similar name that is not `taken`: "Ada 2".
 pub(super) fn free_name(name: &str, taken: &[&str]) -> String {
     let taken: BTreeSet<String> = taken.iter().map(|it| folded(it)).collect();
     let numbered = |number: usize| {
@@ -106,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_tidied_and_told_apart() {
+    fn names_are_tidied_and_duplicates_are_refused() {
         let names = team_names(["  Ada\n\x1b[31m ", "", "Bó\u{202e}b", "蟻"]);
         assert_eq!(names.unwrap(), ["Ada [31m", "Bób", "蟻"]);
         let long = "x".repeat(10_000);
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_of_any_signs_is_short() {
+    fn names_with_unusual_characters_are_shortened() {
         let family = "👩‍👩‍👧‍👦".repeat(100);
         let zalgo = "Z\u{300}\u{301}\u{302}\u{303}".repeat(100);
         for name in [family, zalgo, "ﷺ".repeat(500)] {

@@ -1,5 +1,5 @@
-//! Files of the formats 1 to 5, as earlier versions wrote them: names in a list, votes in one table
-//! per question, and changes in a syntax of their own. They must always open, so this never
+//! Files of formats 1 to 5, as earlier versions wrote them: names in a list, votes in one table per
+//! question, and changes in a syntax of their own. They must always open, so this module never
 //! changes.
 
 use super::ballot::{Said, Vote};
@@ -16,7 +16,7 @@ pub(super) const FIELDS: [&str; 14] = [
     "format", "code", "class", "way", "teams", "number", "step", "asked", "door", "address",
     "seats", "removed", "question", "then",
 ];
-/// The fields of a question in it.
+/// The fields of a question in a file.
 const OF_QUESTION: [&str; 4] = ["first", "second", "first_counts", "second_counts"];
 
 /// Reads people, votes and changes into an empty round.
@@ -38,7 +38,7 @@ pub(super) fn read(fields: &Fields, round: &mut ClassRound) -> Option<()> {
                     votes.refuse_item::<()>(said, person, message);
                 }
             }
-            let expected = "how many were for each choice";
+            let expected = "the number of votes for each choice";
             let given: Option<Vec<u32>> = votes.or(counts, None, |name| {
                 votes.all_parsed(name, expected).map(Some)
             })?;
@@ -62,7 +62,7 @@ pub(super) fn read(fields: &Fields, round: &mut ClassRound) -> Option<()> {
     Some(())
 }
 
-/// Who plays, and who was removed.
+/// Reads the participants, and those who were removed.
 fn read_people(fields: &Fields, round: &mut ClassRound) -> Option<()> {
     let texts = fields.any_texts("teams")?;
     let mut names: Vec<String> = texts.iter().map(|it| (*it).to_owned()).collect();
@@ -141,7 +141,7 @@ fn take_vote(
     round.take_from_file(Ok(change), true)
 }
 
-/// A change with a name that can be seen.
+/// The change, with a name that has a visible letter.
 fn with_kept_name(round: &ClassRound, mut change: ClassChange) -> ClassChange {
     if let ClassChange::Join { name, .. } | ClassChange::Rename { name, .. } = &mut change {
         *name = kept_name(name, &round.teams());
@@ -150,7 +150,7 @@ fn with_kept_name(round: &ClassRound, mut change: ClassChange) -> ClassChange {
 }
 
 /// Reads the text of a change, such as "vote 3 first 17 rays 60 still", which counts from 1; `None`
-/// if it is not one.
+/// if the text is not a change.
 fn change(text: &str) -> Option<ClassChange> {
     let from_one = |text: &str| text.parse::<usize>().ok()?.checked_sub(1);
     let (what, rest) = text.split_once(' ')?;
@@ -211,7 +211,7 @@ mod tests {
     use super::change;
 
     #[test]
-    fn only_texts_of_changes_are_read() {
+    fn only_valid_changes_are_read() {
         for text in [
             "vote 3 first 17 rays -0.5 still",
             "vote 3 second 17 sure choice 2",

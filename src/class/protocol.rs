@@ -1,16 +1,17 @@
 //! The messages between a pupil's device and the host, in JSON.
 //!
-//! Every message of the host is the pupil's whole state, so that voting, joining late, reconnecting
-//! and going back a question all work the same way; a device shows the latest state. `n` is a
-//! number that a device increments with each vote and receives back with its state: a state whose
-//! `n` is not smaller confirms that the vote is on the host's disk or, with `misfit`, that it does
-//! not fit the question and was not counted. `rev` counts the states of one connection. Answers
-//! given alone can be handed in: a file with an `n` of its own, which comes back in `handed` once
-//! the file is on the host's disk, or with the reason why it is not.
+//! Every message from the host is the pupil's whole state, so that voting, joining late,
+//! reconnecting and going back a question all work the same way; a device shows the latest state.
+//! `n` is a number that a device increments with each vote and receives back with its state: a
+//! state whose `n` is not smaller confirms that the vote is on the host's disk or, with `misfit`,
+//! that it does not fit the question and was not counted. `rev` counts the states of one
+//! connection. A pupil can also hand in the answers that they gave on their own: a file with an `n`
+//! of its own, which comes back in `handed` once the file is on the host's disk, or with the reason
+//! why it is not.
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
-//! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" takes it back
+//! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" withdraws it
 //! > {"t":"hand-in","n":1,"file":{…}}
 //! > {"t":"leave"}
 //! < {"t":"state","v":1,"rev":4,"seat":TOKEN,"name":"Ada","q":3,"of":10,"step":"first-vote","n":17,…}
@@ -29,25 +30,25 @@ use super::step::ClassStep;
 /// The version of the protocol.
 pub const VERSION: u32 = 1;
 
-/// The most bytes of one message of a device.
+/// The largest message from a device, in bytes.
 pub const LARGEST_SAYING: usize = 1024;
 
-/// The most bytes of a hand-in, some two thousand answers.
+/// The largest hand-in, in bytes: about two thousand answers.
 pub const LARGEST_HAND_IN: usize = 1 << 20;
 
-/// A message of a pupil's device.
+/// A message from a pupil's device.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum ClientMessage {
-    /// A request to join, which comes first.
+    /// A request to join, which must be the first message.
     Join {
-        /// The version it speaks.
+        /// The device's version of the protocol.
         v: u32,
         /// The code of the class, as typed.
         code: String,
         /// The pupil's name, as typed.
         name: String,
-        /// The pupil's seat token, if they were here before.
+        /// The pupil's seat token, if they joined before.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         seat: Option<SeatToken>,
     },
@@ -55,17 +56,17 @@ pub enum ClientMessage {
     Vote {
         /// The question, counted from 0.
         q: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
-        /// The vote, as [`Said::to_text`](super::Said::to_text) writes it; an empty text takes it
-        /// back.
+        /// The vote, as [`Said::to_text`](super::Said::to_text) writes it; an empty text withdraws
+        /// it.
         said: String,
-        /// Larger than that of each vote before.
+        /// The number of the vote, larger than that of every earlier vote.
         n: u64,
     },
-    /// Answers given alone, for the teacher.
+    /// The answers that the pupil gave on their own, for the teacher.
     HandIn {
-        /// Larger than that of each before.
+        /// The number of the hand-in, larger than that of every earlier one.
         n: u64,
         /// The file, as the gradebook reads it.
         file: Value,
@@ -92,9 +93,9 @@ impl ClientMessage {
         }
     }
 
-    /// The message.
+    /// The text of the message.
     pub fn to_text(&self) -> String {
-        // There is nothing in it that could not be written.
+        // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
     }
 }
@@ -110,11 +111,11 @@ pub enum Refusal {
     Full,
     /// The name has no visible letter.
     Name,
-    /// They speak another version.
+    /// The device uses another version of the protocol.
     Version,
     /// The message is not valid.
     Format,
-    /// Another message came before joining, or none for too long.
+    /// The device sent another message first, or did not ask to join in time.
     Join,
     /// The pupil has joined on another device or in another tab.
     Elsewhere,
@@ -127,7 +128,7 @@ pub enum Refusal {
 }
 
 impl Refusal {
-    /// What the pupil is told.
+    /// The message for the pupil.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Code => "This is not the code of the class. Look at the board again.",
@@ -151,18 +152,18 @@ impl Refusal {
             }
             Self::Later => {
                 "Too many devices on your network are joining at once or typing wrong codes. \
-                 carrom tries again by itself."
+                 carrom tries again automatically."
             }
         }
     }
 
-    /// Whether another try may succeed without any action by the user.
+    /// Whether another attempt may succeed without any action by the user.
     pub const fn is_passing(self) -> bool {
         matches!(self, Self::Join | Self::Later)
     }
 }
 
-/// A message of the host.
+/// A message from the host.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum HostMessage {
@@ -170,20 +171,20 @@ pub enum HostMessage {
     State(Box<PupilState>),
     /// The pupil is refused or removed.
     No {
-        /// Why.
+        /// The reason.
         why: Refusal,
     },
 }
 
 impl HostMessage {
-    /// Reads a message; `None` if it is not one.
+    /// Reads a message; `None` if the text is invalid.
     pub fn read(text: &str) -> Option<Self> {
         serde_json::from_str(text).ok()
     }
 
-    /// The message.
+    /// The text of the message.
     pub fn to_text(&self) -> String {
-        // There is nothing in it that could not be written.
+        // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
     }
 }
@@ -191,9 +192,9 @@ impl HostMessage {
 /// The state of one pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PupilState {
-    /// The version.
+    /// The version of the protocol.
     pub v: u32,
-    /// Counts the states of this connection.
+    /// The number of this state on its connection.
     pub rev: u64,
     /// The pupil's seat token.
     pub seat: SeatToken,
@@ -201,9 +202,9 @@ pub struct PupilState {
     pub name: String,
     /// The question, counted from 0.
     pub q: usize,
-    /// How many questions there are.
+    /// The number of questions.
     pub of: usize,
-    /// The step at which the class is.
+    /// The current step of the class.
     pub step: PupilStep,
     /// The number of the pupil's last vote that was handled.
     pub n: u64,
@@ -225,7 +226,7 @@ pub struct PupilState {
     /// The right answer, once it is revealed.
     #[serde(rename = "told", default, skip_serializing_if = "Option::is_none")]
     pub revealed: Option<RevealedTruth>,
-    /// The pupil's points so far and rank, once there are any.
+    /// The pupil's points so far and their rank, once there are any points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<(f64, usize)>,
     /// The result of the last hand-in.
@@ -236,7 +237,7 @@ pub struct PupilState {
 /// The result of a pupil's last hand-in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct HandedIn {
-    /// Its number.
+    /// The number of the hand-in.
     pub n: u64,
     /// The number of answers on the host's disk, or the reason why there are none.
     pub kept: Result<usize, NotTaken>,
@@ -246,23 +247,23 @@ pub struct HandedIn {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NotTaken {
-    /// It is not a hand-in, or has another version.
+    /// The file is not a hand-in, or has another version.
     Format,
-    /// This pupil has handed in too often, or the class too much.
+    /// This pupil has handed in too often, or the class has handed in too much.
     TooMany,
-    /// It could not be written.
+    /// The hand-in could not be written.
     NotWritten,
 }
 
 impl NotTaken {
-    /// What the pupil is told.
+    /// The message for the pupil.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Format => {
-                "The teacher's carrom could not read what yours has sent. Open the page from the \
+                "The teacher's carrom could not read what yours sent. Open the page from the \
                  address on the board."
             }
-            Self::TooMany => "The teacher's carrom accepts no more today.",
+            Self::TooMany => "The teacher's carrom accepts no more hand-ins today.",
             Self::NotWritten => "The teacher's carrom could not save it. Tell your teacher.",
         }
     }
@@ -272,11 +273,11 @@ impl NotTaken {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PupilStep {
-    /// The class gathers, or has paused.
+    /// The class is gathering, or has paused.
     Lobby,
     /// The round is over.
     End,
-    /// At a step of a question.
+    /// The class is at a step of a question.
     #[serde(untagged)]
     Asked(ClassStep),
 }
@@ -311,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_is_handed_in_may_be_long() {
+    fn only_hand_ins_may_be_long() {
         let hand_in = |bytes: usize| {
             let text = r#"{"t":"hand-in","n":1,"file":""}"#;
             let filling = "x".repeat(bytes - text.len());
@@ -325,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn anything_else_is_refused() {
+    fn invalid_messages_are_refused() {
         for text in [
             "",
             "{}",

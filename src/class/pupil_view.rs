@@ -15,12 +15,12 @@ pub(super) struct PupilView<'r> {
     question: Option<&'r Question>,
     asked: Option<AskedQuestion>,
     spread: Vec<u32>,
-    /// Points and rank of each, once there are any.
+    /// The points and the rank of each participant, once there are any points.
     scores: Vec<Option<(f64, usize)>>,
 }
 
 impl<'r> PupilView<'r> {
-    /// The common state at a step, when this many questions have points.
+    /// The common state at a step, once this many questions have points.
     pub(super) fn new(round: &'r ClassRound, step: PupilStep, with_points: usize) -> Self {
         let number = round.place().question;
         let question = round.questions().get(number);

@@ -16,9 +16,9 @@ use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question,
 #[derive(Debug, Clone, PartialEq)]
 pub struct Participant {
     name: String,
-    /// The seat token; none for a team, or if no device was seen.
+    /// The seat token; `None` for a team, or if no device has connected.
     pub(super) seat: Option<SeatToken>,
-    /// One a question.
+    /// One ballot per question.
     ballots: Vec<Ballot>,
     /// The device, which is not stored.
     pub(super) device: Device,
@@ -35,7 +35,7 @@ impl Participant {
         self.device.line.is_some()
     }
 
-    /// Whether a hand-in of theirs is stored.
+    /// Whether a hand-in from them is stored.
     pub fn has_handed_in(&self) -> bool {
         self.device.has_handed_in
     }
@@ -54,13 +54,13 @@ impl Participant {
 /// A round that a class plays, with all its votes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClassRound {
-    /// Its questions never change.
+    /// The questions, which never change.
     round: Arc<Round>,
     way: WayOfVoting,
     pub(super) participants: Vec<Participant>,
-    /// For each question the counts of both votes, one per choice; empty if nothing was counted.
+    /// For each question, the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
-    /// How pupils join on devices of their own, as long as they may return.
+    /// How pupils join on devices of their own; `None` once they can no longer return.
     pub(super) joining: Option<Joining>,
     place: ClassPlace,
     /// The name of the class; may be empty.
@@ -74,13 +74,13 @@ pub struct ClassRound {
 pub(super) struct Joining {
     /// The code for joining.
     pub(super) code: JoinCode,
-    /// The address where their devices last found it.
+    /// The address at which pupils' devices last found the round.
     pub(super) address: Option<SocketAddrV4>,
     /// The participants who were removed and have not been let in again.
     pub(super) removed: Vec<Removed>,
 }
 
-/// A removed participant: the device, if it was seen, and the name.
+/// A removed participant: the seat token, if a device had connected, and the name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Removed {
     pub(super) seat: Option<SeatToken>,
@@ -89,7 +89,7 @@ pub(super) struct Removed {
 
 impl ClassRound {
     /// A round of these teams in which nobody has voted yet. The names are those that
-    /// [`team_names`](super::team_names) gave.
+    /// [`team_names`](super::team_names) returned.
     pub fn new(code: Code, teams: Vec<String>) -> Self {
         let mut round = Self::voting(WayOfVoting::Teams, code);
         teams
@@ -133,7 +133,7 @@ impl ClassRound {
         });
     }
 
-    /// The same round of a class of this name, tidied; perhaps nothing.
+    /// The same round for a class of this name, which is tidied and may be empty.
     #[must_use]
     pub fn of_class(self, name: &str) -> Self {
         let class = tidy(name);
@@ -145,7 +145,7 @@ impl ClassRound {
         &self.class
     }
 
-    /// Whether the class has this name, tidied.
+    /// Whether this is the name of the class, once tidied.
     pub fn is_of_class(&self, name: &str) -> bool {
         self.class == tidy(name)
     }
@@ -165,12 +165,12 @@ impl ClassRound {
         self.joining.as_ref().map(|joining| joining.code)
     }
 
-    /// The address where pupils' devices last found the round and will look for it again.
+    /// The address at which pupils' devices last found the round and will look for it again.
     pub fn address(&self) -> Option<SocketAddrV4> {
         self.joining.as_ref()?.address
     }
 
-    /// Makes joining possible, with this code and at this address. An existing code stays.
+    /// Makes joining possible, with this code and at this address. An existing code is kept.
     pub fn open(&mut self, code: JoinCode, address: Option<SocketAddrV4>) {
         let joining = self.joining.get_or_insert(Joining {
             code,
@@ -180,13 +180,13 @@ impl ClassRound {
         joining.address = address;
     }
 
-    /// Ends joining and forgets all seat tokens; names and votes stay.
+    /// Ends joining and forgets all seat tokens; names and votes are kept.
     pub fn close(&mut self) {
         self.joining = None;
         self.participants.iter_mut().for_each(|it| it.seat = None);
     }
 
-    /// Who has this token, counted from 0.
+    /// The index of the participant with this token, counted from 0.
     pub fn seat(&self, token: SeatToken) -> Option<usize> {
         let mut all = self.participants.iter();
         all.position(|it| it.seat == Some(token))
@@ -208,7 +208,8 @@ impl ClassRound {
         })
     }
 
-    /// A new name for a participant, tidied; `None` if nothing of it is left, or it is taken.
+    /// A new name for a participant, tidied; `None` if no visible letter is left, or if the name is
+    /// taken.
     pub fn renamed(&self, person: usize, name: &str) -> Option<String> {
         let name = tidy(name);
         let mut others = self.participants.iter().enumerate();
@@ -217,7 +218,7 @@ impl ClassRound {
     }
 
     /// The name that a newcomer with this name would get: tidied, and with a number if it is taken;
-    /// `None` if nothing of it is left.
+    /// `None` if no visible letter is left.
     pub fn name_for(&self, name: &str) -> Option<String> {
         let name = tidy(name);
         (!name.is_empty()).then(|| free_name(&name, &self.teams()))
@@ -233,13 +234,13 @@ impl ClassRound {
     /// Adds a participant with a unique name. A seat token requires that joining is possible.
     pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
         if self.participants.len() >= self.way.most() {
-            return Err(format!("expected {} people at most", self.way.most()));
+            return Err(format!("expected at most {} people", self.way.most()));
         }
         if self.name_for(name).as_deref() != Some(name) {
             return Err(format!("expected a name that nobody has, found {name:?}"));
         }
         if self.joining.is_none() && seat.is_some() {
-            return Err("expected somebody to join where there is a door".into());
+            return Err("expected a round that pupils can join".into());
         }
         self.seat_new(name.to_owned(), seat);
         Ok(())
@@ -254,7 +255,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Removes a participant with all votes; they stay out until they are let in again.
+    /// Removes a participant with all their votes; they stay out until they are let in again.
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
         let Participant { seat, name, .. } = self.participant(person)?.clone();
         self.vacate(person)?;
@@ -278,15 +279,15 @@ impl ClassRound {
         }
     }
 
-    /// Frees a participant's seat, with all votes; they may join again.
+    /// Frees a participant's seat and deletes their votes; they may join again.
     pub(super) fn vacate(&mut self, person: usize) -> Result<(), String> {
         self.participant(person)?;
         self.participants.remove(person);
         Ok(())
     }
 
-    /// Merges two participants: one joined twice. The votes of the duplicate replace earlier ones,
-    /// and its device keeps the seat.
+    /// Merges two entries of a participant who joined twice. The votes of the duplicate replace
+    /// earlier ones, and its device keeps the seat.
     pub(super) fn merge(&mut self, from: usize, into: usize) -> Result<(), String> {
         let people = self.participants.len();
         if from == into || from.max(into) >= people {
@@ -304,12 +305,12 @@ impl ClassRound {
         self.vacate(from)
     }
 
-    /// The code that fixes its questions.
+    /// The code that determines the questions.
     pub fn code(&self) -> &Code {
         self.round.code()
     }
 
-    /// Its questions in order.
+    /// The questions in order.
     pub fn questions(&self) -> &[Question] {
         self.round.questions()
     }
@@ -348,13 +349,13 @@ impl ClassRound {
         team.map(|it| it.ballot(question)).unwrap_or_default()
     }
 
-    /// Sets a team's vote on a question, replacing an earlier one; `None` takes it back. A vote
-    /// that the question's form does not [accept](crate::quiz::Form::accepts) is ignored.
+    /// Sets a team's vote on a question, replacing an earlier one; `None` withdraws it. A vote that
+    /// the question's form does not [accept](crate::quiz::Form::accepts) is ignored.
     pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Response>) {
         self.put(question, team, vote, said.map(Said::from));
     }
 
-    /// The same with the confidence; returns whether the vote was accepted.
+    /// Like [`Self::vote`], with the confidence; returns whether the vote was accepted.
     pub(super) fn put(
         &mut self,
         question: usize,
@@ -380,7 +381,7 @@ impl ClassRound {
         all.filter_map(move |it| it.ballots.get(question))
     }
 
-    /// How many gave this vote on a question.
+    /// The number of voters who gave this vote on a question.
     pub fn voted(&self, question: usize, vote: Vote) -> usize {
         if self.way == WayOfVoting::Tally {
             let counts = self.tally(question, vote).unwrap_or_default();
@@ -390,13 +391,13 @@ impl ClassRound {
         given.count()
     }
 
-    /// The answers to a question at a vote, as [`Ballot::said`]: one per team, or one per counted
+    /// The answers to a question in a vote, as [`Ballot::said`]: one per team, or one per counted
     /// hand.
     pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         self.answers(question, vote).into_iter().map(|it| it.said)
     }
 
-    /// The same as [`Answer`]s: with the confidence, if that was asked.
+    /// Like [`Self::said`], but as [`Answer`]s, with the confidence if it was asked.
     fn answers(&self, question: usize, vote: Vote) -> Vec<Answer> {
         match self.way {
             WayOfVoting::Tally => self.counted(question, vote).map(unsure).collect(),
@@ -425,7 +426,8 @@ impl ClassRound {
         })
     }
 
-    /// The evidence of the votes on a question for misconceptions, one per team that has voted.
+    /// The evidence for misconceptions in the votes on a question, one item per team that has
+    /// voted.
     pub fn clues(&self, question: usize, vote: Vote) -> Vec<Clue> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
@@ -434,7 +436,8 @@ impl ClassRound {
         answers.iter().map(|it| Clue::new(asked, it)).collect()
     }
 
-    /// The evidence of a team's votes for misconceptions, one per question on which it has voted.
+    /// The evidence for misconceptions in a team's votes, one item per question on which it has
+    /// voted.
     pub fn clues_of(&self, team: usize, vote: Vote) -> Vec<Clue> {
         let asked = self.questions().iter().enumerate();
         let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).answer(vote)?)));
@@ -446,7 +449,7 @@ impl ClassRound {
         (0..self.questions().len()).any(|question| self.has_votes(question))
     }
 
-    /// The number of questions with votes, from the first on without a gap.
+    /// The number of questions before the first one without votes.
     pub fn begun(&self) -> usize {
         let empty = (0..self.questions().len()).find(|question| !self.has_votes(*question));
         empty.unwrap_or(self.questions().len())
@@ -460,7 +463,7 @@ impl ClassRound {
                 .any(|vote| self.tally(question, *vote).is_some())
     }
 
-    /// How good a vote was; `None` where none was given.
+    /// The grade of a vote; `None` if there is no vote.
     pub fn grade(&self, question: usize, said: Option<Response>) -> Option<Grade> {
         let question = self.questions().get(question)?;
         Some(Grade::new(question, &unsure(said?)))

@@ -17,24 +17,24 @@ use crate::files::{Fields, FileErrors, Source, is_blank_name};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question};
 
-/// The format of new files: since the sixth, people and votes are changes in JSON. [`old_formats`]
+/// The format of new files: since format 6, people and votes are changes in JSON. [`old_formats`]
 /// reads earlier ones.
 const FORMAT: u32 = 6;
 
-/// The largest file that is read, in bytes; the fullest round takes some 600 kB, and its changes
+/// The largest file that is read, in bytes; the largest round takes about 600 kB, and its changes
 /// are merged into the state at each step.
 const LARGEST: usize = 1 << 22;
 
-/// What stands in a file.
+/// The contents of a file.
 #[derive(Serialize)]
 struct Written<'a> {
     format: u32,
     code: String,
-    /// What the class is called.
+    /// The name of the class.
     #[serde(skip_serializing_if = "str::is_empty")]
     class: &'a str,
     way: &'a str,
-    /// The question the class is at, counted from 1.
+    /// The current question, counted from 1.
     number: usize,
     step: &'a str,
     /// The ids of the teacher's own questions, whose files may change.
@@ -43,7 +43,7 @@ struct Written<'a> {
     /// The code for joining.
     #[serde(skip_serializing_if = "Option::is_none")]
     door: Option<String>,
-    /// The address where their devices last found it: "192.168.43.117:8090".
+    /// The address at which pupils' devices last found the round: "192.168.43.117:8090".
     #[serde(skip_serializing_if = "Option::is_none")]
     address: Option<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -89,7 +89,7 @@ impl ClassRound {
         toml::to_string(&written).map_err(|error| error.to_string())
     }
 
-    /// The fewest changes that lead to it as it stands.
+    /// The shortest list of changes that leads to the current state.
     fn changes(&self) -> Vec<ClassChange> {
         let join = |name: &str, seat| {
             let name = name.to_owned();
@@ -131,14 +131,14 @@ impl ClassRound {
         ids.filter_map(|id| id?.as_str()).collect()
     }
 
-    /// Reads such a file; `name` stands for it in messages, and `own` are the teacher's own
-    /// questions.
+    /// Reads a round from its file; `name` is the file's name in messages, and `own` are the
+    /// teacher's own questions.
     ///
     /// # Errors
-    /// All faults: it is not such a file, or a newer one; its code or its teams are invalid; it
-    /// asks teacher's questions that are missing or have changed. A vote that does not fit its
-    /// question is not a fault: it is dropped, and [`dropped_votes`](Self::dropped_votes) counts
-    /// it.
+    /// All faults: it is not the file of a round, or its format is newer; its code or its teams are
+    /// invalid; it uses a teacher's questions that are missing or have changed. A vote that does
+    /// not fit its question is not a fault: it is dropped, and
+    /// [`dropped_votes`](Self::dropped_votes) counts it.
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, whole(bytes), LARGEST)?;
         let formats = old_formats::OLDEST..=FORMAT;
@@ -163,7 +163,7 @@ impl ClassRound {
         })
     }
 
-    /// The round of a file before anybody has joined.
+    /// The round in a file, before anybody has joined.
     fn begun_in(fields: &Fields, own: &Arc<Library>) -> Option<Self> {
         let code = fields.text_as("code", |code| match Code::parse(code) {
             Some(code) => code.with_own(own)?.same_for_all(),
@@ -191,8 +191,7 @@ impl ClassRound {
         });
         let mut round = Self::voting(way?, code?).of_class(&class?);
         if asked?.is_some_and(|asked| round.own_ids() != asked) {
-            let message =
-                "expected the questions of your own as they were; their files have changed";
+            let message = "expected your own questions as they were; their files have changed";
             return fields.refuse("asked", message);
         }
         let (door, address) = (door?, address?);
@@ -236,7 +235,7 @@ impl ClassRound {
         }
     }
 
-    /// Goes to the stored place, or without one to the first question without votes.
+    /// Goes to the stored place or, if there is none, to the first question without votes.
     fn goes_where_it_was(&mut self, fields: &Fields) -> Option<()> {
         let last = self.questions().len().saturating_sub(1);
         let question = fields.or("number", self.begun().min(last), |name| {

@@ -7,7 +7,7 @@ use super::round::ClassRound;
 pub struct Standing {
     /// The team, counted from 0.
     pub team: usize,
-    /// Its rank, from 1; teams with equal points share one.
+    /// The team's rank, from 1; teams with equal points share a rank.
     pub place: usize,
     /// Points so far.
     pub points: f64,

@@ -24,20 +24,20 @@ use super::step::{ClassPlace, ClassStep};
 use super::way::WayOfVoting;
 use crate::gradebook::HandIn;
 
-/// How long the screen waits for the first pupil before it shows what may be wrong.
+/// How long the screen waits for the first pupil before it shows possible causes.
 const PATIENCE: Duration = Duration::from_secs(60);
-/// How often a pupil may hand in during a session.
+/// How many times a pupil may hand in during a session.
 const MOST_HAND_INS: usize = 20;
-/// The most bytes of all hand-ins of a session.
+/// The largest total size of the hand-ins of a session, in bytes.
 const MOST_BYTES: usize = 1 << 26;
 
-/// A round as it is played.
+/// A round that is being played.
 #[derive(Debug, Clone)]
 pub struct Session {
     round: Arc<ClassRound>,
     /// Whether the last question is over.
     over: bool,
-    /// Whether the class still gathers.
+    /// Whether the class is still gathering.
     gathers: bool,
     hosting: HostingState,
     /// Whether the round is closed to newcomers.
@@ -45,7 +45,7 @@ pub struct Session {
     /// Whether the round has a file: a round that nobody has joined needs none.
     has_file: bool,
     keeping: Keeping,
-    /// The bytes handed in so far, and their folder.
+    /// The total size of the hand-ins so far, in bytes, and their folder.
     handed_bytes: usize,
     handed_in_where: Option<String>,
     new_seats: NewSeats,
@@ -54,21 +54,21 @@ pub struct Session {
     effects: Vec<SessionEffect>,
 }
 
-/// Whether pupils can come in.
+/// Whether pupils can join.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum HostingState {
     /// The server is starting, if one is needed.
     Opening,
-    /// They can.
+    /// Pupils can join.
     Open(JoinDetails),
-    /// They cannot: why.
+    /// Pupils cannot join, for this reason.
     Failed(String),
 }
 
 /// The changes that are being saved, and the connections that wait for them.
 #[derive(Debug, Clone, Default)]
 struct Keeping {
-    /// Changes without a request to save them yet, and the connections they came from.
+    /// Changes that no request to save includes yet, and the connections they came from.
     changes: Vec<ClassChange>,
     later: BTreeSet<ConnectionId>,
     /// The number of requests in progress, and the connections to notify when they are done.
@@ -76,14 +76,14 @@ struct Keeping {
     waiting: BTreeSet<ConnectionId>,
 }
 
-/// A request of a session.
+/// A request from a session.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SessionEffect {
     /// A request to the server of the class.
     Host(HostCall),
-    /// Save the round as it is.
+    /// Save the current state of the round.
     Save(Arc<ClassRound>),
-    /// Save these changes, which lead to this round.
+    /// Save these changes; the round is the state after them.
     Note(Vec<ClassChange>, Arc<ClassRound>),
     /// Save a hand-in.
     KeepHandIn(HandInOnItsWay, Box<HandIn>),
@@ -162,12 +162,12 @@ impl Session {
         self.over
     }
 
-    /// Whether the class still gathers.
+    /// Whether the class is still gathering.
     pub fn gathers(&self) -> bool {
         self.gathers
     }
 
-    /// Whether pupils can come in.
+    /// Whether pupils can join.
     pub fn hosting(&self) -> &HostingState {
         &self.hosting
     }
@@ -182,31 +182,32 @@ impl Session {
         self.shut = !self.shut;
     }
 
-    /// The folder with what was handed in, once there is something.
+    /// The folder of the hand-ins, once there are any.
     pub fn handed_in_where(&self) -> Option<&str> {
         self.handed_in_where.as_deref()
     }
 
-    /// How many are connected now.
+    /// The number of participants who are connected now.
     pub fn present(&self) -> usize {
         let all = self.round.participants().iter();
         all.filter(|it| it.is_present()).count()
     }
 
-    /// How many have a stored hand-in.
+    /// The number of participants with a stored hand-in.
     pub fn handed_in(&self) -> usize {
         let all = self.round.participants().iter();
         all.filter(|it| it.has_handed_in()).count()
     }
 
-    /// Those who are away and have never voted or handed anything in.
+    /// The participants who are away and have never voted or handed anything in.
     pub fn away(&self) -> Vec<usize> {
         let all = self.round.participants().iter().enumerate();
         let away = all.filter(|(_, it)| !it.is_present() && it.is_idle());
         away.map(|(person, _)| person).collect()
     }
 
-    /// "27 of 32 have voted": of those who are connected, and those who have voted and are away.
+    /// "27 of 32 have voted". The total includes those who are connected, and those who have voted
+    /// and are away.
     pub fn turnout(&self, vote: Vote) -> String {
         let question = self.round.place().question;
         let voted = |it: &Participant| it.ballot(question).said(vote).is_some();
@@ -224,8 +225,8 @@ impl Session {
         }
     }
 
-    /// How many questions have points: those before this one, this one once the answer is revealed,
-    /// and at the end all.
+    /// The number of questions with points: the earlier ones, the current one once its answer is
+    /// revealed, and at the end all of them.
     pub fn with_points(&self) -> usize {
         let ClassPlace { question, step } = self.round.place();
         match step {
@@ -235,7 +236,7 @@ impl Session {
         }
     }
 
-    /// The phase for pupils.
+    /// The phase, as pupils see it.
     fn step(&self) -> PupilStep {
         match () {
             () if self.gathers => PupilStep::Lobby,
@@ -249,7 +250,7 @@ impl Session {
         self.step().vote()
     }
 
-    /// Goes to a place of the round, and notifies all.
+    /// Goes to a place in the round, and notifies everybody.
     pub fn go(&mut self, place: ClassPlace) {
         self.over = false;
         self.round_mut().go(place);
@@ -257,13 +258,13 @@ impl Session {
         self.moved();
     }
 
-    /// Goes to the end, and notifies all.
+    /// Goes to the end, and notifies everybody.
     pub fn end(&mut self) {
         self.over = true;
         self.moved();
     }
 
-    /// The class has gathered.
+    /// Begins the round once the class has gathered.
     pub fn begin(&mut self) {
         if std::mem::take(&mut self.gathers) {
             self.moved();
@@ -282,7 +283,7 @@ impl Session {
         }
     }
 
-    /// Sets or takes back a vote of a team or a count that the teacher enters; returns whether it
+    /// Sets or withdraws a team's vote or a count, as the teacher enters it; returns whether it
     /// fits.
     pub fn enter(&mut self, change: &ClassChange) -> bool {
         let fits = self.round_mut().change(change).is_ok();
@@ -332,7 +333,7 @@ impl Session {
         let before = self.round.address().filter(|it| Some(*it) != address);
         if let (Some(before), Some(now)) = (before, address) {
             self.effects.push(SessionEffect::Tell(format!(
-                "This round was at {before} and is now at {now}. Devices cannot come back by \
+                "This round was at {before} and is now at {now}. Devices cannot reconnect by \
                  themselves: ask your pupils to open the new address."
             )));
         }
@@ -383,7 +384,7 @@ impl Session {
         Ok((self.round.participants().len() - 1, true))
     }
 
-    /// Connects a device to a seat and disconnects the one that was there.
+    /// Connects a device to a seat and disconnects the previous one.
     fn seat(&mut self, person: usize, line: ConnectionId, address: IpAddr, is_new: bool) {
         let device = &mut self.participant(person).device;
         device.rev = 0;
@@ -399,7 +400,7 @@ impl Session {
     /// In a full class, the person whose seat goes to a newcomer from this address. Only a
     /// participant who has never voted or handed anything in loses a seat: if they are away, or if
     /// more than half of all seats belong to their address, which may be one device. The address
-    /// with the most seats loses one first, and of its seats the last.
+    /// with the most seats loses its last one first.
     fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
         let people = self.round.participants();
         let held = |by: &Participant| {
@@ -416,7 +417,7 @@ impl Session {
         last.map(|(person, _)| person)
     }
 
-    /// Handles a vote. One that does not fit the question changes nothing and is not saved.
+    /// Handles a vote. A vote that does not fit the question changes nothing and is not saved.
     fn voted(&mut self, line: ConnectionId, (question, vote): (usize, Vote), text: &str, n: u64) {
         let Some(person) = self.person(line) else {
             return;
@@ -473,7 +474,7 @@ impl Session {
         self.keeping.wait(line);
     }
 
-    /// The contents of an untrusted file, unless there were too many.
+    /// The contents of an untrusted file, unless there have been too many hand-ins.
     fn read_hand_in(&mut self, times: usize, file: &Value) -> Result<HandIn, NotTaken> {
         let bytes = self.handed_bytes + file.to_string().len();
         if times > MOST_HAND_INS || bytes > MOST_BYTES {
@@ -487,7 +488,7 @@ impl Session {
         }
     }
 
-    /// A hand-in was saved in this folder, or could not be; the pupil is notified.
+    /// Notifies the pupil that a hand-in was saved in this folder, or could not be saved.
     pub fn keeps_hand_in(&mut self, it: HandInOnItsWay, folder: &Result<String, String>) {
         let kept = match folder {
             Ok(folder) => {
@@ -496,12 +497,12 @@ impl Session {
             }
             Err(reason) => {
                 self.effects.push(SessionEffect::Tell(format!(
-                    "What a pupil handed in cannot be saved: {reason}."
+                    "A pupil's hand-in cannot be saved: {reason}."
                 )));
                 Err(NotTaken::NotWritten)
             }
         };
-        // A pupil who has lost the connection meanwhile hands in again.
+        // A pupil who has lost the connection in the meantime will hand in again.
         if let Some(person) = self.person(it.line) {
             let device = &mut self.participant(person).device;
             device.handed = Some(HandedIn { n: it.n, kept });
@@ -525,7 +526,7 @@ impl Session {
             WayOfVoting::Teams | WayOfVoting::Tally => self.round.is_begun(),
         };
         if is_needed {
-            // It includes all changes.
+            // The saved round includes all changes.
             self.keeping.changes.clear();
             self.has_file = true;
             self.keeping.ask();
@@ -533,13 +534,14 @@ impl Session {
         }
     }
 
-    /// The round was saved, or could not be: the teacher has been notified, and the class goes on.
+    /// Continues after the round was saved. If it could not be saved, the teacher has been notified
+    /// and the class continues anyway.
     pub fn saved(&mut self) {
         self.keeping.asked = self.keeping.asked.saturating_sub(1);
         self.go_on();
     }
 
-    /// The step has changed: everybody is notified once everything is saved.
+    /// Notifies everybody of a new step once everything is saved.
     fn moved(&mut self) {
         let lines = self
             .round
@@ -586,7 +588,7 @@ impl Session {
         self.host(HostCall::Tell(states));
     }
 
-    /// Applies a change of the list of people; a pupil who loses the seat is told why.
+    /// Applies a change to the list of people; a pupil who loses the seat receives the reason.
     pub fn change_people(&mut self, change: &ClassChange) {
         let line = |person: usize| self.round.participants().get(person)?.device.line;
         let (lost, renewed) = match change {
@@ -610,13 +612,13 @@ impl Session {
         }
     }
 
-    /// Carries out the teacher's changes to the list of people.
+    /// Carries out the teacher's change to the list of people.
     pub fn edit_people(&mut self, change: &ClassChange) {
         self.change_people(change);
         self.go_on();
     }
 
-    /// Removes all who are away and have never voted.
+    /// Removes all participants who are away and have never voted.
     pub fn remove_away(&mut self) {
         // From the last to the first, so that the remaining indices stay valid.
         for person in self.away().into_iter().rev() {
@@ -632,7 +634,8 @@ impl Session {
         }
     }
 
-    /// When it next needs time: to show what may prevent pupils from joining.
+    /// The time until the session must next be advanced, to show what may prevent pupils from
+    /// joining.
     pub fn wake(&self) -> Option<Duration> {
         let left = PATIENCE.checked_sub(self.waited)?;
         (self.waits() && !left.is_zero()).then_some(left)
@@ -643,27 +646,27 @@ impl Session {
         matches!(self.hosting, HostingState::Open(_)) && self.round.participants().is_empty()
     }
 
-    /// Whether nobody has joined for so long that something may be wrong.
+    /// Whether nobody has joined for so long that something may be wrong with the connection.
     pub fn waits_long(&self) -> bool {
         self.waits() && self.waited >= PATIENCE
     }
 }
 
 impl Keeping {
-    /// A connection to notify once everything requested so far is saved.
+    /// Adds a connection to notify once everything requested so far is saved.
     fn wait(&mut self, line: ConnectionId) {
         if !self.later.contains(&line) {
             self.waiting.insert(line);
         }
     }
 
-    /// A connection to notify once the latest change is saved.
+    /// Adds a connection to notify once the latest change is saved.
     fn wait_for_changes(&mut self, line: ConnectionId) {
         self.waiting.remove(&line);
         self.later.insert(line);
     }
 
-    /// One more request is in progress, with all changes.
+    /// Records that one more request, with all changes, is in progress.
     fn ask(&mut self) {
         self.asked += 1;
         self.waiting.append(&mut self.later);

@@ -5,7 +5,8 @@ use strum::{FromRepr, IntoStaticStr, VariantArray};
 
 use super::ballot::Vote;
 
-/// A step of a question, in their order; its name in files is "first-vote".
+/// A step of a question; the variants are in order. In files, a step has a name such as
+/// "first-vote".
 #[derive(
     Debug,
     Clone,
@@ -33,19 +34,19 @@ pub enum ClassStep {
     Talk,
     /// The teams may change their vote.
     SecondVote,
-    /// What really happens, and why.
+    /// The real outcome, and its explanation.
     Shot,
     /// The scoreboard.
     Scores,
 }
 
 impl ClassStep {
-    /// The step after it; `None` after the last.
+    /// The next step; `None` after the last.
     pub fn next(self) -> Option<Self> {
         Self::from_repr(self as usize + 1)
     }
 
-    /// The vote that is open at it.
+    /// The vote that is open at this step.
     pub const fn vote(self) -> Option<Vote> {
         match self {
             Self::FirstVote => Some(Vote::First),
@@ -54,7 +55,7 @@ impl ClassStep {
         }
     }
 
-    /// The step before it; `None` before the first.
+    /// The previous step; `None` before the first.
     pub fn before(self) -> Option<Self> {
         (self as usize).checked_sub(1).and_then(Self::from_repr)
     }

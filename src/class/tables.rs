@@ -7,7 +7,7 @@ use crate::files::csv_table;
 use crate::numbers::{self, bare_degrees};
 use crate::quiz::{Form, Grade, Question, Response, letter};
 
-/// The columns that both tables begin with: the question.
+/// The first columns of both tables, which describe the question.
 const ASKED: [&str; 6] = [
     "code",
     "number",
@@ -29,8 +29,8 @@ fn asked(round: &ClassRound, number: usize, question: &Question) -> Vec<String> 
     ]
 }
 
-/// One row per team and question: both votes, the right answer, the grades; `date` is that of the
-/// lesson, as 2026-11-22.
+/// One row per team and question: both votes, the right answer, the grades; `date` is the date of
+/// the lesson, such as 2026-11-22.
 ///
 /// # Errors
 /// None in practice; the reason if a row cannot be written.
@@ -78,7 +78,7 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
 }
 
 /// A vote, whether it was right, its credit, its error, the misconception; five empty cells if
-/// there is none.
+/// there is no vote.
 fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [String; 5] {
     let words = said.and_then(|said| Some(round.questions().get(question)?.form.words(&said)));
     let grade = round.grade(question, said);
@@ -97,7 +97,7 @@ fn cell<T>(of: Option<T>, text: impl Fn(T) -> String) -> String {
     of.map(text).unwrap_or_default()
 }
 
-/// One row per question with its results; `date` is that of the lesson.
+/// One row per question with its results; `date` is the date of the lesson.
 ///
 /// # Errors
 /// None in practice; the reason if a row cannot be written.
@@ -154,7 +154,7 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     csv_table(&[&ASKED[..], &heads].concat(), &rows)
 }
 
-/// The answers at a vote with their numbers: "A 4, B 17, C 9, D 2".
+/// The answers in a vote, with their counts: "A 4, B 17, C 9, D 2".
 fn counted(question: &Question, item: &ItemAnalysis, vote: Vote) -> String {
     let is_choice = matches!(question.form, Form::Choice { .. });
     let each = item.counts.iter().enumerate().map(|(i, (said, counts))| {

@@ -6,14 +6,15 @@ use super::round::ClassRound;
 use super::way::WayOfVoting;
 use crate::quiz::{Form, Response};
 
-/// The most choices for a question that has none of its own: as many as a sheet of cards has.
+/// The largest number of choices for a question without choices of its own: the number of cards on
+/// a sheet.
 const MOST_CHOICES: usize = 4;
 
 impl ClassRound {
     /// The choices for a class without devices: those of the question if it has any; otherwise the
-    /// right answer and those of misconceptions, so that each choice *is* a belief. Their order
-    /// does not reveal the right one: rays, numbers and offsets are sorted. None if there is no
-    /// such question.
+    /// right answer and the answers that misconceptions lead to, so that each choice *is* a belief.
+    /// Their order does not reveal the right one: rays, numbers and offsets are sorted. None if
+    /// there is no such question.
     pub fn choices(&self, question: usize) -> Vec<Response> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
@@ -38,7 +39,7 @@ impl ClassRound {
         (!counts.is_empty()).then_some(counts)
     }
 
-    /// Sets the counts at a vote, replacing earlier ones; `None` takes them back. Returns whether
+    /// Sets the counts for a vote, replacing earlier ones; `None` withdraws them. Returns whether
     /// they were accepted: there must be one count per choice, and at most [`MOST_PEOPLE`] votes in
     /// all.
     pub fn count(&mut self, question: usize, vote: Vote, counts: Option<&[u32]>) -> bool {
@@ -53,7 +54,7 @@ impl ClassRound {
             .is_some()
     }
 
-    /// The counted votes, one per hand; at the second vote, if nothing was counted again, those of
+    /// The counted votes, one per hand; for the second vote, if nothing was counted again, those of
     /// the first.
     pub(super) fn counted(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         let counts = match (vote, self.tally(question, vote)) {
@@ -87,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn every_question_has_choices_with_the_truth_among_them() {
+    fn the_choices_of_every_question_include_the_right_answer() {
         for code in ["mixed-1", "mixed-2", "concept-1", "quick-3"] {
             let round = round(code);
             for (i, question) in round.questions().iter().enumerate() {
@@ -101,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn the_truth_is_not_always_the_same_card() {
+    fn the_right_answer_is_not_always_the_same_choice() {
         let mut places = [0; 5];
         for seed in 0..12 {
             let round = round(&format!("mixed-{seed}"));

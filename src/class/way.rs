@@ -2,15 +2,15 @@
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
-/// A way in which a class votes; its name in files is "devices".
+/// A way in which a class votes. In files, it has a name such as "devices".
 ///
 /// - **Teams** type their votes one after the other at the teacher's keyboard. Each has a
 ///   name and a [`Ballot`](super::Ballot) of its own.
 /// - A **tally** is for a class without devices: hands or printed cards are counted, and the
-///   teacher types how many were for each choice. There are no names; the counts are those
-///   of [`ClassRound::tally`](super::ClassRound::tally), for the choices of
+///   teacher types the number of votes for each choice. There are no names; the counts are those of
+///   [`ClassRound::tally`](super::ClassRound::tally), for the choices of
 ///   [`ClassRound::choices`](super::ClassRound::choices).
-/// - With **devices** everyone votes alone on their own; people come by
+/// - With **devices** everyone votes on a device of their own; people join by
 ///   [`ClassChange::Join`](super::ClassChange::Join), each with a name and a ballot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
@@ -35,7 +35,7 @@ impl WayOfVoting {
         }
     }
 
-    /// The most teams or people with a ballot of their own.
+    /// The largest number of teams or people with a ballot of their own.
     pub const fn most(self) -> usize {
         match self {
             Self::Teams => super::MOST_TEAMS,

@@ -1,4 +1,4 @@
-//! `carrom completions`: what a shell needs to complete carrom's arguments.
+//! `carrom completions`: a script that lets a shell complete carrom's arguments.
 
 use clap::Command;
 use clap_complete::Shell;

@@ -1,4 +1,4 @@
-//! `carrom examples`: files to start from, built into the program.
+//! `carrom examples`: the built-in example files for new levels, chapters and questions.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use include_dir::{Dir, include_dir};
 use super::{Failure, written};
 use crate::files::Document;
 
-/// The tests check each of them as carrom checks it for a user.
+/// The example files. The tests check each one in the same way as carrom does for a user.
 static EXAMPLES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/examples");
 
 /// Write examples of a level, a chapter, questions in words and a scene
@@ -37,7 +37,8 @@ fn gather(folder: &Dir, args: &Args, documents: &mut Vec<Document>) {
     }
 }
 
-/// The text of the example at `path`; empty if there is none, which a test excludes.
+/// The text of the example at `path`; empty if there is none, but a test makes sure that there is
+/// one.
 pub(super) fn text(path: &str) -> &'static str {
     let file = EXAMPLES.get_file(path);
     file.and_then(|file| file.contents_utf8())

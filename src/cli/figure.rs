@@ -1,4 +1,4 @@
-//! `carrom figure`: a figure of the lessons as a picture, without a terminal.
+//! `carrom figure`: draws a figure from the lessons as a picture, without a terminal.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use crate::screens::KeptSettings;
 use crate::screens::learn::draw_figure;
 use crate::widgets::{Charset, Depth, Palette};
 
-/// Draw a figure of the lessons as an SVG picture
+/// Draw a figure from the lessons as an SVG picture
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Figures: lab, split, triangle, frames, curves, angles, energy, worked, solve, foil,\n\
@@ -34,7 +34,7 @@ pub(super) struct Args {
     light: bool,
 }
 
-/// Draws in Unicode and full colour unless the options say otherwise.
+/// Figures are drawn in Unicode and full colour by default.
 const AUTO: Auto = Auto {
     charset: Charset::Unicode,
     depth: Depth::True,

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use super::{Failure, GlobalOptions, print_text};
 use crate::files::{self, FileError, FileErrors, FileLibrary};
 
-/// Reads a file with `read`, which gets its name for messages and its bytes, up to one more
-/// than the `most` that may be read; `-` is standard input.
+/// Reads a file; `-` is standard input. `read` is given the file's name, for messages, and its
+/// bytes: at most one more than `most`.
 pub(super) fn read<T>(
     path: &Path,
     most: usize,
@@ -26,7 +26,7 @@ pub(super) fn read<T>(
     read(&name, &bytes.map_err(Failure::input)?).map_err(Failure::input)
 }
 
-/// A library of the files and folders given, or of what comes with the program if there are none.
+/// A library of the given files and folders, or the built-in library if none are given.
 pub(super) fn library<L: FileLibrary>(paths: &[PathBuf]) -> L {
     match paths {
         [] => L::embedded(),
@@ -34,8 +34,7 @@ pub(super) fn library<L: FileLibrary>(paths: &[PathBuf]) -> L {
     }
 }
 
-/// Prints the report of a check. Fails with all errors of the files, or if no `what` were
-/// found among them.
+/// Prints the report of a check. Fails with all errors in the files, or if they contain no `what`.
 pub(super) fn conclude(
     report: &str,
     errors: &[FileError],

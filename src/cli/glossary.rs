@@ -24,9 +24,9 @@ pub(super) struct Args {
     json: bool,
 }
 
-/// The printed object.
+/// The JSON object that is printed.
 #[derive(Serialize)]
-struct Report {
+struct GlossaryReport {
     entries: Vec<&'static GlossaryEntry>,
 }
 
@@ -40,7 +40,10 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         return Err(Failure::input(message));
     }
     if args.json {
-        return Ok(print_report(Some(&Report { entries }), String::new)?);
+        return Ok(print_report(
+            Some(&GlossaryReport { entries }),
+            String::new,
+        )?);
     }
     let book = options.book();
     let mut text = String::new();
@@ -67,7 +70,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     Ok(print_text(text.trim_end(), options)?)
 }
 
-/// The entry of this term or symbol alone, or else those whose term contains the words.
+/// The entry with exactly this term or symbol, or else all entries whose term contains the words.
 fn matching(wanted: &str) -> Vec<&'static GlossaryEntry> {
     let words = wanted.to_lowercase();
     let all = GlossaryEntry::all().iter();

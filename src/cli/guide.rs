@@ -1,4 +1,4 @@
-//! `carrom guide`: the guides for teachers, built into the program.
+//! `carrom guide`: the built-in guides for teachers.
 
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,7 @@ pub(super) struct Args {
     force: bool,
 }
 
-/// A guide with its name on the command line.
+/// A guide, with its name on the command line.
 #[derive(Debug)]
 struct Guide {
     name: &'static str,
@@ -29,7 +29,7 @@ struct Guide {
     markdown: &'static str,
 }
 
-/// In the order in which a teacher needs them.
+/// All guides, in the order in which a teacher needs them.
 static GUIDES: [Guide; 11] = [
     Guide {
         name: "start",
@@ -103,17 +103,17 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
 fn list() -> String {
     let line = |guide: &Guide| format!("  carrom guide {:<14}{}\n", guide.name, guide.about);
     let lines: String = GUIDES.iter().map(line).collect();
-    format!("{lines}\nAll of them for a browser: carrom guide --out DIR")
+    format!("{lines}\nAll guides for a browser: carrom guide --out DIR")
 }
 
-/// The pages, and an index that links to them.
+/// The guides as HTML pages, and an index that links to them.
 fn documents(folder: &Path) -> Vec<Document> {
     let link = |guide: &Guide| format!("- [{}]({}.md)\n", capital(guide.about), guide.name);
     let links: String = GUIDES.iter().map(link).collect();
     let contents = format!("# Guides to carrom\n\n{links}");
     let page = |name: &str, text: &str| (folder.join(format!("{name}.html")), guide_page(text));
     let guides = GUIDES.iter().map(|guide| {
-        // In the sources this link leads out of the folder.
+        // In the Markdown source, this link points outside the folder of the guides.
         let text = guide.markdown.replace("../levels/README.md", "levels.md");
         page(guide.name, &text)
     });

@@ -21,7 +21,7 @@ const ENDING: &str = "json";
 #[command(after_help = "\
 Examples:
   carrom hand-in --player Ada --class 10b
-                                writes hand-in-ada.json, with every answer of Ada
+                                writes hand-in-ada.json, with all of Ada's answers
   carrom hand-in --code mixed-7 --out ada.json
                                 the answers of one round
 
@@ -42,7 +42,7 @@ pub(super) struct HandInArgs {
     force: bool,
 }
 
-/// Combine the files of a class in a gradebook
+/// Combine the files of a class into a gradebook
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -75,7 +75,7 @@ pub(super) struct GatherArgs {
     force: bool,
 }
 
-/// A file to write; whether it is a table.
+/// Reads the name of the file to write.
 fn gathered(path: &str) -> Result<NamedFile, String> {
     written::named_file(path, ["html", "csv"])
 }
@@ -123,7 +123,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
     paths.sort();
     let mut book = Gradebook::default();
     for path in &paths {
-        // A pipe or a device may never end.
+        // Reading a pipe or a device may never end.
         let bytes = match path.is_file() {
             true => files::read(path, HandIn::LARGEST_FILE),
             false => Err(files::not_a_file(path)),

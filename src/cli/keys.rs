@@ -1,4 +1,4 @@
-//! `carrom keys`: all keys, as a file the player can edit.
+//! `carrom keys`: prints all keys as a file that the player can edit.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,14 +8,14 @@ use crate::files::{self, Fields, FileErrors, Source};
 use crate::messages::Key;
 use crate::widgets::input::Rebound;
 
-/// Name of the file in the data folder.
+/// The name of the file in the data folder.
 pub(super) const FILE: &str = "keys.toml";
-/// Format of the file.
+/// The version of the file's format.
 const FORMAT: u32 = 1;
-/// The default keys and what they do. The tests of the screens compare it with the tables of
-/// all screens, and write it when snapshots are accepted.
+/// The default keys and what they do. The tests of the screens compare this file with the key
+/// tables of all screens, and rewrite it when snapshots are accepted.
 const USUAL: &str = include_str!("../../assets/keys.toml");
-/// Largest file that is read, in bytes.
+/// The largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
 
 pub(super) fn run(options: &GlobalOptions) -> Result<(), Failure> {
@@ -54,7 +54,7 @@ pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
     })
 }
 
-/// The present name of an action that once had this one.
+/// The current name of an action, given a current or an earlier name.
 fn present(id: &str) -> &str {
     match id {
         "lab.scroll" | "table.scroll" => "everywhere.scroll",
@@ -62,7 +62,7 @@ fn present(id: &str) -> &str {
     }
 }
 
-/// The keys in a line of the file.
+/// The keys of an action in a line of the file.
 fn row(table: &Fields, id: &str, all: &BTreeMap<String, Vec<String>>) -> Option<Vec<Key>> {
     let Some(usual) = all.get(present(id)) else {
         return table.refuse(id, "unknown action; carrom keys lists all of them");

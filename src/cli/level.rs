@@ -8,7 +8,7 @@ use anyhow::anyhow;
 use super::{Failure, GlobalOptions, given};
 use crate::levels::{Finding, Level, LevelLibrary, Trial, winning_share};
 
-/// How many aims the measure of difficulty tries.
+/// How many aims are tried to measure the difficulty.
 const TRIES: u32 = 4000;
 
 /// Check level files and prove that their levels can be won
@@ -52,7 +52,7 @@ pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Fail
     }
 }
 
-/// Reports the trial of a level and returns whether it can be won.
+/// Plays a level's solution, reports the result and returns whether the level can be won.
 fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<bool, fmt::Error> {
     let name = if pack.is_empty() {
         level.id.clone()
@@ -85,7 +85,7 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<b
     Ok(won)
 }
 
-/// What happened, unmet goals first.
+/// The results of the goals, unmet goals first.
 fn summary(findings: &[Finding]) -> String {
     let text = |met| {
         let findings = findings.iter().filter(move |finding| finding.met == met);

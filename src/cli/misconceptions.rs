@@ -1,4 +1,4 @@
-//! `carrom misconceptions`: all that the program knows.
+//! `carrom misconceptions`: prints all known misconceptions.
 
 use std::fmt::Write;
 

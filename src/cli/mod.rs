@@ -1,4 +1,4 @@
-//! The command line: one file a subcommand.
+//! The command line, with one file per subcommand.
 
 mod completions;
 mod concept;
@@ -78,7 +78,7 @@ Examples:
                                a round for a class, on a projector
   carrom class --host --class 10b
                                the same, with everyone on their own phone or laptop
-  carrom join 192.168.43.117   join such a class
+  carrom join 192.168.43.117   join that class
   carrom levels --levels mine  the levels, with your own from the folder mine
   carrom worksheet --seed 7 --count 12 --out sheets
                                a round on paper, with an answer key for the teacher
@@ -98,7 +98,7 @@ Examples:
   carrom concept check mine    check your own questions in words
   carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
-                               a figure of the lessons as a picture
+                               a figure from the lessons as a picture
   carrom new level our-level   start your own level (or chapter, or questions)
   carrom guide                 the guides for teachers, to read here or in a browser
   carrom page --levels mine --out our-class.html
@@ -159,7 +159,7 @@ enum OpenCommand {
     },
     /// Open a round for a class: teams at one keyboard, or everyone on their own device
     Class {
-        /// Let everyone vote on their own phone or laptop, in the local network
+        /// Let everyone vote on their own phone or laptop, on the local network
         #[arg(long)]
         host: bool,
         /// The port for their devices (default: the port of the round you continue, or the first
@@ -202,7 +202,7 @@ enum OpenCommand {
     },
 }
 
-/// An address of a class, as it was typed.
+/// Reads a typed address of a class.
 fn read_host(address: &str) -> Result<String, String> {
     match host_of(address) {
         Some(_) => Ok(address.to_owned()),
@@ -219,7 +219,7 @@ impl OpenCommand {
         }
     }
 
-    /// Whether it opens a screen rather than printing.
+    /// Whether the command opens a screen rather than printing.
     fn opens(&self) -> bool {
         match self {
             Self::Progress(args) => !args.prints(),
@@ -227,10 +227,10 @@ impl OpenCommand {
         }
     }
 
-    /// The screen to open, with these levels, chapters, questions and options.
+    /// The screen to open, given these levels, chapters, questions and options.
     ///
     /// # Errors
-    /// If there is no level or chapter of that name, or no question for a code.
+    /// If there is no level or chapter with that name, or no question for a code.
     fn route(&self, data: &Data, options: &GlobalOptions) -> Result<Route, String> {
         Ok(match self {
             Self::Learn { chapter } => named(data, "learn", chapter.as_deref())?,
@@ -274,7 +274,7 @@ type Teams = Vec<String>;
 /// The requested round: by its code, or ten hits by a seed alone.
 ///
 /// # Errors
-/// If it asks a teacher's own questions and there are none.
+/// If the round requires a teacher's own questions and there are none.
 fn round(
     code: Option<&Code>,
     options: &GlobalOptions,
@@ -283,15 +283,15 @@ fn round(
     Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
 }
 
-/// A code, with the teacher's own questions if it needs them.
+/// A code, completed with the teacher's own questions if it requires them.
 fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Code>, String> {
     code.cloned().map(|code| code.with_own(own)).transpose()
 }
 
-/// The place of this name that shows `value`, or the whole place without one.
+/// The route with this name that shows `value`, or its start if there is no value.
 ///
 /// # Errors
-/// If there is no such value.
+/// If no page of that route shows the value.
 fn named(data: &Data, name: &str, value: Option<&str>) -> Result<Route, String> {
     let value = value.unwrap_or_default();
     let route = data.route(name, value);
@@ -420,8 +420,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Prints an error in the arguments, or help. It is coloured unless it quotes characters
-/// that would control the terminal.
+/// Prints an error in the arguments, or help. An error is coloured unless it quotes characters that
+/// would control the terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
     let odd: Vec<_> = words.filter(is_odd).collect();
@@ -432,15 +432,15 @@ fn say(message: &clap::Error) -> io::Result<()> {
     writeln!(io::stderr(), "{}", escape_control_lines(&plain))
 }
 
-/// Whether a word is too long to be quoted whole, or would control a terminal.
+/// Whether a word is too long to quote in full, or contains characters that control a terminal.
 fn is_odd(word: &String) -> bool {
     escape_control(word, LONGEST_QUOTE) != *word
 }
 
-/// The message with odd arguments shortened.
+/// The message with such arguments shortened or escaped.
 fn quoting_briefly(mut message: String, odd: &[String]) -> String {
     for word in odd {
-        // clap quotes the value after a `=` alone.
+        // clap quotes only the value after a `=`.
         let value = word
             .split_once('=')
             .map_or(word.as_str(), |(_, value)| value);
@@ -453,18 +453,17 @@ fn quoting_briefly(mut message: String, odd: &[String]) -> String {
     message
 }
 
-/// The app that `carrom` with these arguments opens (in one string, split into
-/// words as a shell would), for use without a terminal: in ASCII, without colour
-/// and with a fixed seed unless the arguments say otherwise.
+/// The app that `carrom` opens with these arguments (in one string, which is split into words as in
+/// a shell), for use without a terminal. By default it uses ASCII, no colour and a fixed seed.
 ///
 /// # Errors
-/// What is wrong with the arguments, in words.
+/// What is wrong with the arguments.
 pub fn open(arguments: &str) -> Result<App, String> {
     open_within(arguments, &GlobalOptions::default()).map(|(app, _)| app)
 }
 
-/// As [`open`], with `outer` for options that the arguments leave open; returns the
-/// options too.
+/// Like [`open`], with `outer` for options that the arguments do not give; also returns the
+/// options.
 fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOptions), String> {
     let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
     let odd: Vec<_> = words.iter().filter(|it| is_odd(it)).cloned().collect();
@@ -493,7 +492,8 @@ fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOpt
     Ok((app, options))
 }
 
-/// Writes a text, which may quote anything, to standard output in the charset of the options.
+/// Writes a string, which may contain any characters, to standard output in the charset of the
+/// options.
 fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     let mut text = escape_control_lines(&options.printed().text(text));
     if !text.is_empty() {
@@ -502,13 +502,13 @@ fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     print(text.as_bytes())
 }
 
-/// Writes one JSON object on a line of its own.
+/// Writes one JSON object on its own line.
 fn write_json_line(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
     write_json(out, object)?;
     out.write_all(b"\n")
 }
 
-/// Prints a report, or with --json one JSON object on a line of its own.
+/// Prints a report, or with --json one JSON object on its own line.
 fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -> io::Result<()> {
     let mut report = Vec::new();
     match json {
@@ -556,7 +556,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_of_arguments_are_reported() {
+    fn errors_in_arguments_are_reported() {
         let wrong = |arguments| open(arguments).err().unwrap_or_default();
         assert_eq!(wrong("lab 'x"), "expected a closing quote in the arguments");
         assert_eq!(wrong("man"), "expected a command that opens a screen");

@@ -1,4 +1,4 @@
-//! `carrom new`: a new file that passes its check unchanged.
+//! `carrom new`: creates a file that passes its check unchanged.
 
 use std::path::PathBuf;
 
@@ -44,7 +44,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// The example to copy, and the name in it.
+    /// The path of the example to copy, and the name that it contains.
     fn example(self) -> (&'static str, &'static str) {
         match self {
             Self::Level => ("levels/our-pack/a-glance.toml", "a-glance"),
@@ -53,7 +53,7 @@ impl Kind {
         }
     }
 
-    /// The file's name. A chapter's begins with its number in the book.
+    /// The file's name. The name of a chapter's file begins with its number in the book.
     fn file(self, name: &str) -> String {
         match self {
             Self::Chapter => format!("01-{name}.md"),
@@ -89,7 +89,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     )?)
 }
 
-/// The longest name: a chapter's title has no more room.
+/// The most characters in a name; a chapter's title has no room for more.
 const LONGEST: usize = 32;
 
 fn name(text: &str) -> Result<String, String> {
@@ -102,7 +102,7 @@ fn name(text: &str) -> Result<String, String> {
     }
 }
 
-/// "Long way round" of "long-way-round".
+/// Converts "long-way-round" to "Long way round".
 fn title(name: &str) -> String {
     capital(&name.replace('-', " "))
 }

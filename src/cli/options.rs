@@ -58,7 +58,7 @@ pub(crate) struct GlobalOptions {
     data_dir: Option<PathBuf>,
 }
 
-/// One of several names, or `None` for `auto`.
+/// The value of an option that has a fixed list of names; `None` for `auto`.
 type Choice<T> = Option<T>;
 
 /// Reads a [`Choice`].
@@ -84,7 +84,7 @@ pub(super) struct Auto {
 }
 
 impl Auto {
-    /// The look that works everywhere.
+    /// ASCII without colour, which works everywhere.
     pub(super) const PLAINEST: Self = Self {
         charset: Charset::Ascii,
         depth: Depth::None,
@@ -92,7 +92,7 @@ impl Auto {
 }
 
 impl GlobalOptions {
-    /// These options, with the other's for those left open.
+    /// These options; those that are not given are taken from `other`.
     pub(super) fn or(self, other: &Self) -> Self {
         let other = other.clone();
         let any = |own: Vec<PathBuf>, outer| if own.is_empty() { outer } else { own };
@@ -114,7 +114,7 @@ impl GlobalOptions {
         self.charset.unwrap_or(auto)
     }
 
-    /// The charset to print with.
+    /// The charset for printed text.
     pub(super) fn printed(&self) -> Charset {
         self.charset(terminal::charset(|name| env::var(name).ok()))
     }
@@ -132,7 +132,7 @@ impl GlobalOptions {
         folders.map(quoted).collect()
     }
 
-    /// The name of the player: the one given, or else the last player.
+    /// The player's name: the given one, or else that of the last player.
     pub(super) fn player_name(&self) -> String {
         let kept = || {
             let file = self.data_dir()?.join(KeptSettings::FILE);
@@ -142,8 +142,8 @@ impl GlobalOptions {
         name.unwrap_or_else(|| Settings::default().player)
     }
 
-    /// The settings of these options, with `auto` replaced by the given look. Options left
-    /// open keep the settings from earlier runs.
+    /// The settings that these options give, with `auto` replaced by the given charset and colours.
+    /// Options that are not given keep the settings from earlier runs.
     pub(super) fn settings(&self, auto: Auto, kept: &KeptSettings) -> Settings {
         let found = kept.over(Settings {
             charset: auto.charset,
@@ -203,7 +203,7 @@ impl GlobalOptions {
         self.data_dir.as_deref()
     }
 
-    /// The data folder; `None` if none is given and the system knows no home folder.
+    /// The data folder; `None` if none is given and the system has no home folder.
     pub(super) fn data_dir(&self) -> Option<PathBuf> {
         self.data_dir.clone().or_else(|| {
             let system = etcetera::choose_base_strategy().ok()?;

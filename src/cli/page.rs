@@ -1,5 +1,5 @@
-//! `carrom page`: all of carrom in one HTML file, with a teacher's own levels, chapters and
-//! questions in it.
+//! `carrom page`: carrom as one HTML file, including a teacher's own levels, chapters and
+//! questions.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -9,9 +9,9 @@ use anyhow::{Context, anyhow};
 use super::{Failure, GlobalOptions, written};
 use crate::files::{self, FileError, FileErrors};
 
-/// The page that this program was built with, if it was.
+/// The page that was built into this program, if there is one.
 const EMBEDDED: Option<&str> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
-/// The name of the page as a file.
+/// The file name of the page.
 const NAME: &str = "carrom.html";
 /// The element of a page that holds added files.
 const OWN: [&str; 2] = ["<script type=\"application/json\" id=\"own\">", "</script>"];
@@ -55,7 +55,7 @@ pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
         (None, Some(page)) => return Ok(page.to_owned()),
         (None, None) => beside().ok_or_else(|| {
             anyhow!(
-                "this carrom contains no page. Put {NAME} beside it, or give its path with --page; \
+                "this program contains no page. Put {NAME} beside it, or give its path with --page; \
                  .ci/page in carrom's sources builds it"
             )
         })?,
@@ -63,10 +63,10 @@ pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
     fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// A file for a page: its path there, and its text.
+/// A file for a page: its path in the page, and its text.
 type OwnFile = (String, String);
 
-/// The page with these files in it.
+/// Adds these files to a page.
 fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
     let [begin, end] = OWN;
     let parts = page.split_once(begin).and_then(|(before, rest)| {
@@ -74,7 +74,7 @@ fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
         Some((before, after))
     });
     let (before, after) = parts.ok_or_else(|| anyhow!("this is not a page of carrom"))?;
-    // No text may close the element that holds it.
+    // No file may close the element that holds it.
     let json = serde_json::to_string(own)?.replace('<', "\\u003c");
     Ok(format!("{before}{begin}{json}{end}{after}"))
 }
@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_stand_in_the_page_and_cannot_leave_their_place() {
+    fn files_stay_inside_their_element_in_the_page() {
         let page = format!("a{}[]{}b", OWN[0], OWN[1]);
         let own = [("lessons/x.md".to_owned(), "</script><b>".to_owned())];
         let with = with_files(&page, &own).unwrap();
@@ -139,7 +139,7 @@ mod tests {
                 OWN[0], OWN[1]
             )
         );
-        // Written again into a page that already has files.
+        // Adding the files again replaces them.
         assert_eq!(with_files(&with, &own).unwrap(), with);
         assert!(with_files("<html>", &own).is_err());
     }

@@ -47,7 +47,7 @@ pub(super) fn run(
     }
     Ok(match terminal::run(app, store, host)? {
         Ending::Quit => ExitCode::SUCCESS,
-        // As a shell reports a process that a signal ended.
+        // A shell reports the same status for a process that was ended by a signal.
         Ending::Signal(signal) => ExitCode::from(128 + signal as u8),
     })
 }
@@ -66,7 +66,7 @@ pub(super) fn host_options(port: Option<u16>, page: Option<&Path>) -> anyhow::Re
     Ok(HostOptions { port, page })
 }
 
-/// A random seed, short enough to tell a friend.
+/// A random seed, short enough to pass on to a friend.
 pub(super) fn any_seed() -> u64 {
     RandomState::new().hash_one(()) % 1_000_000
 }

@@ -47,7 +47,7 @@ fn report_file(path: &str) -> Result<NamedFile, String> {
 }
 
 impl Args {
-    /// Whether it prints or writes something rather than opening a screen.
+    /// Whether the command prints or writes something rather than opening a screen.
     pub(super) fn prints(&self) -> bool {
         self.json || self.csv || self.report.is_some()
     }

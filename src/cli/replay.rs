@@ -64,7 +64,7 @@ struct ReplayReport {
     r#final: ReplayEnd,
 }
 
-/// The state of the game after its last move.
+/// The state of the game after the last move.
 #[derive(Debug, Serialize)]
 struct ReplayEnd {
     stage: &'static str,
@@ -139,7 +139,7 @@ impl ReplayReport {
         }
     }
 
-    /// The report in words, for a game of this many strokes.
+    /// The report as text, for a game with this many strokes.
     fn text(&self, strokes: usize) -> String {
         let mut text = String::new();
         for made in &self.moves {

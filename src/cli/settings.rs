@@ -1,11 +1,11 @@
-//! The settings of former runs.
+//! The settings from earlier runs.
 
 use std::path::Path;
 
 use crate::files::{self, FileErrors};
 use crate::screens::KeptSettings;
 
-/// The settings kept in a file; none if there is no such file.
+/// The settings in a file; the defaults if there is no such file.
 ///
 /// # Errors
 /// All errors in the file.

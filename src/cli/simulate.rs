@@ -100,7 +100,7 @@ fn table(scene: &Scene, shot: &Shot) -> String {
     for event in shot.events() {
         let discs = discs_of(&event.kind);
         let names: Vec<_> = discs.iter().map(|&disc| scene.name(disc)).collect();
-        // An impact is where the first of the two discs is.
+        // The position of an impact is that of the first disc.
         let at = shot.at(event.kind.discs().0, event.time).position;
         let time = seconds(event.time);
         table += &row(&time, event.kind.into(), at, &names.join(" on "));

@@ -33,15 +33,15 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Set Size 100x30          columns x rows (default 80x24)
   Set Charset ascii        or unicode
   Set Color none           or 16, 256, truecolor
-  Set Day 2026-01-05       fixes the clock at noon of this day (default: no clock)
+  Set Day 2026-01-05       fixes the clock at noon on this day (default: no clock)
   Type "60"                one key per character
-  Right 5                  a key by its name, and how often: Up Down Left Right Enter
+  Right 5                  a key by its name, and a count: Up Down Left Right Enter
                            Escape Tab Shift+Tab Backspace Delete Space PageUp PageDown
                            Home End F1 Ctrl+C
   Click 40,12              column,row from the top left, which is 0,0
   Drag 40,12 44,12         from, to
-  Hold 40,12 44,12         the same without letting go
-  Release 44,12            lets go there
+  Hold 40,12 44,12         the same without releasing the button
+  Release 44,12            releases the button over this cell
   Scroll down 3            or up; over a cell: Scroll up 1 40,12
   Sleep 1.5s               or 200ms; simulated, so it takes no time
   At "Ada"                 switches to the device of a pupil; At "teacher" switches back
@@ -85,7 +85,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     Ok(super::print_names(&documents)?)
 }
 
-/// The tape in a file.
+/// Reads the tape in a file.
 fn read(path: &Path) -> anyhow::Result<Tape> {
     let bytes = files::read(path, files::LARGEST)?;
     let name = path.display().to_string();

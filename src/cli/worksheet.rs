@@ -30,7 +30,7 @@ Writes worksheet.html, the questions with space for the answers, and key.html, t
 solutions with the wrong answers to listen for: two files, so that you can print and hand out
 the sheet without the key. worksheet.md and key.md contain the same in Markdown, with their
 pictures in the folder pictures. Open an HTML file in a browser and print it; nothing else is
-needed. With several versions each question is of the same kind and difficulty, with different
+needed. With several versions, each question is of the same kind and difficulty, with different
 numbers: worksheet-a.html, key-a.html, worksheet-b.html and so on.
 
 The code on the sheet opens the same round on a screen: carrom quiz --code mixed12-7")]
@@ -68,7 +68,7 @@ pub(super) struct Args {
     force: bool,
 }
 
-/// The folder of the pictures for Markdown.
+/// The folder with the pictures of the Markdown files.
 const PICTURES: &str = "pictures";
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {

@@ -1,4 +1,4 @@
-//! Writing the files of a command.
+//! Writes the files of a command.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -24,8 +24,8 @@ pub(super) fn write_named(documents: &[Document], force: bool) -> Result<(), Fai
     Ok(print_names(documents)?)
 }
 
-/// Writes documents in or beside a file that the user has named. Its folder has to
-/// exist, so that a typing error does not create one.
+/// Writes documents in or beside a file that the user has named. Its folder has to exist, so that a
+/// typo does not create one.
 pub(super) fn write_beside(
     named: &Path,
     documents: &[Document],
@@ -41,7 +41,7 @@ pub(super) fn write_beside(
     }
 }
 
-/// The same, and prints their names.
+/// Like [`write_beside`], and prints the names of the files.
 pub(super) fn write_named_beside(
     named: &Path,
     documents: &[Document],
@@ -51,14 +51,14 @@ pub(super) fn write_named_beside(
     Ok(print_names(documents)?)
 }
 
-/// A file to be written in the one or the other of two formats, by how its name ends.
+/// A file to write in one of two formats, which its extension determines.
 #[derive(Debug, Clone)]
 pub(super) struct NamedFile {
     pub(super) path: PathBuf,
     pub(super) is_second: bool,
 }
 
-/// The file of a name that has one of two endings.
+/// Reads a file name that ends in one of two extensions.
 pub(super) fn named_file(path: &str, endings: [&str; 2]) -> Result<NamedFile, String> {
     let path = PathBuf::from(path);
     let ending = lower_ending(&path);
@@ -75,7 +75,7 @@ pub(super) fn named_file(path: &str, endings: [&str; 2]) -> Result<NamedFile, St
     }
 }
 
-/// How a name ends, in lower case.
+/// The extension of a file name, in lower case.
 pub(super) fn lower_ending(path: &Path) -> Option<String> {
     let ending = path.extension().and_then(OsStr::to_str);
     ending.map(str::to_lowercase)

@@ -1,19 +1,19 @@
-//! Tables of comma-separated values. Every table that carrom writes is written here, so that no
-//! text from a pupil, a player or a file can act as code in the program that opens it.
+//! Tables of comma-separated values. Every table that carrom writes is made here, so that no text
+//! from a pupil, a player or a file can act as code in the program that opens the table.
 
 use unicode_width::UnicodeWidthChar;
 
 use super::is_invisible;
 
-/// A table of comma-separated values, as RFC 4180 describes them: the heads, then the rows.
+/// A table of comma-separated values as in RFC 4180: the headings, then the rows.
 ///
-/// Heads and cells are made safe alike. Control characters and marks that turn the direction of
-/// text are left out, except for line breaks and tabs. A text that a spreadsheet would take for a
-/// formula gets an apostrophe before it, which makes it plain text there; negative numbers stay as
-/// they are.
+/// Headings and cells are made safe in the same way. Control characters, except line breaks and
+/// tabs, and marks that change the direction of text are left out. Text that a spreadsheet would
+/// read as a formula is preceded by an apostrophe, which makes it plain text; negative numbers stay
+/// unchanged.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let in_words = |error: csv::Error| error.to_string();
@@ -29,10 +29,10 @@ pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String>
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 
-/// A text that no spreadsheet takes for a formula and that cannot control a terminal.
+/// Text that no spreadsheet reads as a formula and that cannot control a terminal.
 ///
-/// A text that begins like a formula gets an apostrophe before it. So does the text after a line
-/// break, a tab or a semicolon: in many languages spreadsheets expect semicolons between cells, and
+/// Text that begins like a formula gets an apostrophe before it. So does text after a line break, a
+/// tab or a semicolon, because spreadsheets in many languages expect semicolons between cells and
 /// begin a new cell there.
 fn safe_cell(text: &str) -> String {
     let visible: String = { text.chars() }
@@ -47,7 +47,7 @@ fn safe_cell(text: &str) -> String {
         if begins && is_formula_sign(letter) {
             safe.push('\'');
         }
-        // Spreadsheets skip blanks and zero-width characters.
+        // Spreadsheets skip spaces and zero-width characters.
         begins = breaks_line(letter)
             || letter == ';'
             || (begins && (letter.is_whitespace() || letter.width().unwrap_or(0) == 0));
@@ -60,16 +60,16 @@ fn breaks_line(letter: char) -> bool {
     matches!(letter, '\n' | '\r' | '\t')
 }
 
-/// Whether a spreadsheet reads this as a number and computes nothing: "-6.1", "1e-5". Rust's
-/// reader alone would also take "+1" and "-inf".
+/// Whether a spreadsheet reads this as a plain number: "-6.1", "1e-5". Rust's parser alone would
+/// also accept "+1" and "-inf".
 fn is_number(text: &str) -> bool {
     let is_digit =
         |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | 'e' | 'E' | '-');
     text.chars().all(is_digit) && text.parse::<f64>().is_ok()
 }
 
-/// Whether a cell that begins with this may be taken for a formula. Spreadsheets in East Asian
-/// languages also take the wide forms.
+/// Whether a spreadsheet may read a cell that begins with this as a formula. Spreadsheets in East
+/// Asian languages also accept the wide forms.
 fn is_formula_sign(letter: char) -> bool {
     matches!(
         letter,
@@ -82,14 +82,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_head_and_no_cell_gives_orders_to_the_program_that_shows_the_table() {
+    fn headings_and_cells_cannot_control_the_program_that_shows_the_table() {
         let hostile = "\u{1b}=cmd|A1\0\u{9b}\u{202e}";
         let written = csv_table(&[hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]);
         assert_eq!(written.unwrap(), "'=cmd|A1,b\n'=cmd|A1,\"x\ny\"\n");
     }
 
     #[test]
-    fn no_part_of_a_cell_becomes_a_formula_where_other_signs_separate_cells() {
+    fn no_part_of_a_cell_becomes_a_formula_with_other_separators() {
         for (text, written) in [
             ("a;=1+1", "a;'=1+1"),
             ("a\n=1+1;b; @c", "a\n'=1+1;b; '@c"),
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_stay_numbers_and_what_only_looks_like_one_does_not() {
+    fn numbers_stay_numbers_and_similar_text_is_escaped() {
         for number in ["-6.1", "0", "12", "1e-5", "-1.5e3"] {
             assert_eq!(safe_cell(number), number);
         }

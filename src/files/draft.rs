@@ -1,4 +1,4 @@
-//! Writes files atomically: a name has the old file or the new one, never a part.
+//! Writes files atomically: a name always refers to the whole old file or the whole new one.
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -8,25 +8,26 @@ use std::path::Path;
 
 use tempfile::{Builder, TempPath};
 
-/// The prefix of the names of unfinished files.
+/// The prefix for the names of unfinished files.
 pub(crate) const UNFINISHED: &str = ".new-";
 
-/// A complete file under a temporary name: it was synced to the disk in the folder of its final
-/// name, and is removed if it is never renamed.
+/// A complete file under a temporary name, in the folder of its final name. It has been synced to
+/// the disk, and is removed if it is never renamed.
 #[derive(Debug)]
 pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
-    /// Writes a text to a new file in `folder`, and syncs it to the disk. The umask decides who may
+    /// Writes text to a new file in `folder`, and syncs it to the disk. The umask decides who may
     /// read it.
     ///
     /// # Errors
-    /// If it cannot be written completely; then nothing of it is left.
+    /// If the file cannot be written completely; it is then removed.
     pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o666)
     }
 
-    /// The same, readable only by this user from the start, if the system has such permissions.
+    /// Like [`Self::write`], but only this user can ever read the file, if the system has such
+    /// permissions.
     ///
     /// # Errors
     /// As for [`Self::write`].
@@ -46,10 +47,11 @@ impl UnplacedFile {
         Ok(Self(file.into_temp_path()))
     }
 
-    /// Renames it over an existing file, whose permissions it keeps.
+    /// Moves the file to `path`; if a file exists there, replaces that file and keeps its
+    /// permissions.
     ///
     /// # Errors
-    /// If that fails, for example because a folder has the name.
+    /// If that fails, for example because a folder has that name.
     pub(crate) fn replace(self, path: &Path) -> io::Result<()> {
         if let Ok(old) = fs::metadata(path) {
             fs::set_permissions(&self.0, old.permissions())?;
@@ -58,17 +60,18 @@ impl UnplacedFile {
         Ok(())
     }
 
-    /// Renames it to an unused name; returns `false` if anything has that name, even a broken link.
+    /// Renames the file to an unused name; returns `false` if anything has that name, even a broken
+    /// link.
     ///
     /// # Errors
     /// If that cannot be done.
     pub(crate) fn place(&self, path: &Path) -> io::Result<bool> {
         // A hard link fails if the name exists; a rename would replace it.
         match fs::hard_link(&self.0, path) {
-            // The other name goes when this is dropped.
+            // The temporary name is removed when this is dropped.
             Ok(()) => Ok(true),
             Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(false),
-            // Not every file system has links.
+            // Not every file system supports hard links.
             Err(_) if is_there(path) => Ok(false),
             Err(_) => fs::rename(&self.0, path).map(|()| true),
         }

@@ -1,4 +1,4 @@
-//! Errors of files, in words.
+//! Error messages about files.
 
 use std::fmt;
 
@@ -7,15 +7,16 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::is_invisible;
 use super::letters::{hides, is_picture};
 
-/// The most errors of a file that are reported; a file of another kind could have any number.
+/// The most errors that are reported for one file. A file of another kind could cause any number of
+/// them.
 const MOST_TOLD: usize = 20;
 
-/// The most characters of one message.
+/// The most characters in one message.
 const LONGEST_MESSAGE: usize = 400;
 /// The words before the quoted part of a message.
 const FOUND: &str = ", found ";
 
-/// The most characters of a text from outside that a message quotes.
+/// The most characters that a message quotes from outside text.
 pub const LONGEST_QUOTE: usize = 200;
 
 /// An error in a file.
@@ -34,7 +35,7 @@ pub struct FileError {
 }
 
 impl FileError {
-    /// An error of a whole file.
+    /// An error that concerns a whole file.
     pub(crate) fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self {
             file: file.into(),
@@ -52,7 +53,7 @@ impl FileError {
         }
     }
 
-    /// The error and its place, without the name of the file.
+    /// The error and its position, without the name of the file.
     pub(crate) fn without_file(&self) -> String {
         match self.line {
             Some(line) => format!("line {line}: {}", self.what()),
@@ -93,7 +94,7 @@ impl FileErrors {
         (!errors.is_empty()).then_some(Self(errors))
     }
 
-    /// The error and its place, without the name of the file.
+    /// The errors and their positions, without the name of the file.
     pub(crate) fn without_file(&self) -> String {
         let errors: Vec<_> = self.0.iter().map(FileError::without_file).collect();
         errors.join("; ")
@@ -123,15 +124,15 @@ impl fmt::Display for FileErrors {
 }
 
 /// A message of one or more lines that may quote anything, without control characters: everything
-/// printed outside the game's screen passes through this.
+/// printed outside the game's screen passes through this function.
 pub fn escape_control_lines(text: &str) -> String {
     let lines = text.lines().map(|line| escape_control(line, usize::MAX));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// A message with what was expected, in carrom's words, and what was found, which is quoted from
-/// outside: on one line, without control characters, and with no more than [`LONGEST_QUOTE`] of
-/// what was found.
+/// A message with carrom's text about what was expected, and a quotation of what was found. The
+/// result is one line without control characters, and the quotation has at most [`LONGEST_QUOTE`]
+/// characters.
 pub(crate) fn brief(message: &str) -> String {
     let message = match message.split_once(FOUND) {
         Some((expected, found)) => {
@@ -142,8 +143,8 @@ pub(crate) fn brief(message: &str) -> String {
     escape_control(&message, LONGEST_MESSAGE)
 }
 
-/// A text from outside in quotation marks, as a message shows it: without control characters, and
-/// no more than [`LONGEST_QUOTE`] of it.
+/// Text from outside in quotation marks, for a message: without control characters, and with at
+/// most [`LONGEST_QUOTE`] characters.
 pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTE) {
         Some((end, _)) => format!("{:?}...", text.get(..end).unwrap_or_default()),

@@ -1,7 +1,7 @@
-//! Serde's messages about invalid values, in the words of people who write files.
+//! Rewrites serde's messages about invalid values for people who write files.
 
-/// A message of serde's, with what was expected first and in plain words: "expected a whole
-/// number, found NaN" for "invalid type: floating point `NaN`, expected usize".
+/// A message from serde in plain words, with what was expected first: "expected a whole number,
+/// found NaN" for "invalid type: floating point `NaN`, expected usize".
 pub(super) fn expectation(message: &str) -> String {
     let said = ["invalid type: ", "invalid value: "];
     let rest = said.iter().find_map(|start| message.strip_prefix(start));
@@ -19,7 +19,7 @@ fn wanted(expected: &str) -> &str {
         "a boolean" => "true or false",
         "a sequence" => "a list",
         "a map" => "a table",
-        "a string" => "a text in quotes",
+        "a string" => "text in quotes",
         other => other,
     }
 }

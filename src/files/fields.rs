@@ -1,8 +1,9 @@
-//! Reading TOML from outside field by field, so that every error names file, line and field, what
-//! was expected and what was found.
+//! Reads TOML from outside field by field, so that every error names the file, the line and the
+//! field, what was expected and what was found.
 //!
-//! Errors are noted and reading continues: the caller gets `None` for an invalid value, reads the
-//! others too, and stops only when it needs the value. So one run reports all errors of a file.
+//! Errors are noted and reading continues: the caller gets `None` for an invalid value, still reads
+//! the other fields, and stops only when it needs the value. So one run reports all errors in a
+//! file.
 
 use std::ops::RangeInclusive;
 
@@ -25,19 +26,19 @@ type Value<'a> = &'a Spanned<DeValue<'a>>;
 pub(crate) struct Fields<'a> {
     source: &'a Source<'a>,
     path: String,
-    /// Where the table begins in the text.
+    /// The position in the text at which the table begins.
     at: usize,
     table: &'a DeTable<'a>,
-    /// The fields it may have; `[]` if any names are allowed.
+    /// The fields that the table may have; `[]` if any names are allowed.
     known: Vec<&'static str>,
 }
 
 impl Source<'_> {
-    /// Reads TOML with `format = FORMAT`, or one of the older `formats` that still open. `what`
-    /// names it in messages, such as "a saved game"; `known` are its fields.
+    /// Reads TOML with `format` set to one of the `formats` that can still be read. `what` names
+    /// the document in messages, such as "a saved game"; `known` are its fields.
     ///
     /// # Errors
-    /// All errors; for a file of a newer format only that.
+    /// All errors; for a file in a newer format, only that error.
     pub(crate) fn document<T>(
         self,
         what: &str,
@@ -62,7 +63,7 @@ impl Source<'_> {
         let mut broken = None;
         for error in errors {
             let at = error.span().map_or(0, |span| span.start);
-            // Further errors on the same line are mostly consequences of the first.
+            // Most further errors on the same line are caused by the first one.
             let line = self.line_near(at).as_ptr();
             if broken.replace(line) == Some(line) {
                 continue;
@@ -74,7 +75,7 @@ impl Source<'_> {
         fields.known = known.into();
         let expected = format!("{what} with `format = {format}`");
         if !fields.has("format") && !fields.is_misspelt("format") {
-            // Then it is a different kind of file, with different fields.
+            // A file without a format is of another kind, with other fields.
             return fields.refuse("format", format!("expected {expected}, found nothing"));
         }
         let fields = fields.only(known);
@@ -96,7 +97,7 @@ impl Source<'_> {
         let first_words = values.iter().filter_map(|it| it.split_whitespace().next());
         let mut words = first_words.map(|word| word.trim_end_matches([',', '}']));
         if let Some((word, number)) = words.find_map(|word| Some((word, with_a_point(word)?))) {
-            return format!("expected a number, found {word}; write {number} with a point");
+            return format!("expected a number, found {word}; write {number} with a decimal point");
         }
         if let Some(number) = values.iter().find_map(|value| without_a_unit(value)) {
             return format!("expected a number, found one with a unit; write {number} alone");
@@ -118,14 +119,14 @@ fn values(line: &str) -> Vec<&str> {
     }
 }
 
-/// A number that was written with a comma, as it should be.
+/// A number that was written with a decimal comma, with a decimal point instead.
 fn with_a_point(text: &str) -> Option<String> {
     let number = text.replacen(',', ".", 1);
     let is_one = text.contains(',') && number.parse::<f64>().is_ok();
     is_one.then_some(number)
 }
 
-/// The number of a value with a unit, which is part of the field's name: "40 g".
+/// The number in a value with a unit, such as "40 g"; the unit is already in the field's name.
 fn without_a_unit(value: &str) -> Option<&str> {
     let unit = value.find(|c: char| !c.is_ascii_digit() && !matches!(c, '.' | '-' | '+'))?;
     let (number, unit) = value.split_at(unit);
@@ -135,10 +136,10 @@ fn without_a_unit(value: &str) -> Option<&str> {
     (is_unit && number.parse::<f64>().is_ok()).then_some(number)
 }
 
-/// The message for a file of a newer format.
+/// The message about a file in a newer format.
 pub fn newer(found: impl std::fmt::Display, format: u32) -> String {
     format!(
-        "{found} is newer than the {format} this carrom reads; a newer carrom may open the file"
+        "{found} is newer than {format}, the latest this version reads; a newer version may open it"
     )
 }
 
@@ -153,7 +154,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// The table with the fields it may have; notes those that are not among them.
+    /// The table with its known fields; notes an error for each unknown field.
     pub(crate) fn only(mut self, known: &[&'static str]) -> Self {
         self.known = known.into();
         for key in self.table.keys() {
@@ -176,7 +177,7 @@ impl<'a> Fields<'a> {
         self.known.is_empty() || self.known.contains(&name)
     }
 
-    /// The missing field that an unknown one looks like.
+    /// The missing field whose name is similar to an unknown one.
     fn meant_by(&self, name: &str) -> Option<&'static str> {
         let missing = self.known.iter().copied().filter(|it| !self.has(it));
         missing
@@ -186,20 +187,20 @@ impl<'a> Fields<'a> {
             .map(|(_, it)| it)
     }
 
-    /// Notes an error of a field, at its value, or at the table if it is missing; always `None`,
-    /// for the caller.
+    /// Notes an error in a field, at its value, or at the table if the field is missing; always
+    /// returns `None`, for the caller to return.
     pub(crate) fn refuse<T>(&self, name: &str, message: impl Into<String>) -> Option<T> {
         let at = self.table.get(name).map_or(self.at, |v| v.span().start);
         self.refuse_at(at, name, message)
     }
 
-    /// Notes an error of the table itself; always `None`.
+    /// Notes an error in the table itself; always returns `None`.
     pub(crate) fn refuse_table<T>(&self, message: impl Into<String>) -> Option<T> {
         self.source.note(Rank::Value, self.at, &self.path, message);
         None
     }
 
-    /// Notes an error of an item of a list, counted from 0; always `None`.
+    /// Notes an error in an item of a list, counted from 0; always returns `None`.
     pub(crate) fn refuse_item<T>(
         &self,
         name: &str,
@@ -235,7 +236,7 @@ impl<'a> Fields<'a> {
         self.table.contains_key(name)
     }
 
-    /// The result of `read` for a field, or `usual` if it is left out.
+    /// The result of `read` for a field, or `usual` if the field is missing.
     pub(crate) fn or<T>(
         &self,
         name: &'static str,
@@ -259,7 +260,7 @@ impl<'a> Fields<'a> {
         debug_assert!(self.is_known(name), "{name} is not among the known fields");
         match self.table.get(name) {
             Some(value) => read(value).or_else(|| self.unlike(name, expected, value)),
-            // The message about the unknown field already suggests it.
+            // The message about the unknown field already suggests this field.
             None if self.is_misspelt(name) => None,
             None => self.refuse(name, format!("expected {expected}, found nothing")),
         }
@@ -276,7 +277,7 @@ impl<'a> Fields<'a> {
         let mut message = format!("expected {expected}, found {}", shown(value));
         let number = match value {
             DeValue::String(text) => with_a_point(text.trim()),
-            // Two numbers with decimal commas became three or four.
+            // Two numbers with decimal commas are read as three or four.
             DeValue::Array(list) if list.len() > 2 => {
                 let written = self.source.text().get(found.span()).unwrap_or_default();
                 let mut words = written.trim_matches(['[', ']']).split_whitespace();
@@ -285,12 +286,12 @@ impl<'a> Fields<'a> {
             _ => None,
         };
         if let Some(number) = number {
-            message += &format!("; write {number} with a point");
+            message += &format!("; write {number} with a decimal point");
         }
         self.refuse_at(at, name, message)
     }
 
-    /// A required table, with the fields it may have.
+    /// A required table with these known fields.
     pub(crate) fn table(&self, name: &str, known: &[&'static str]) -> Option<Self> {
         let table = self.value(name, &format!("a table [{name}]"), |value| {
             self.inner(name, value)
@@ -298,7 +299,7 @@ impl<'a> Fields<'a> {
         Some(table.only(known))
     }
 
-    /// This many tables of the same name, with the fields they may have.
+    /// This many tables with the same name and these known fields.
     pub(crate) fn tables(
         &self,
         name: &str,
@@ -310,12 +311,12 @@ impl<'a> Fields<'a> {
         Some(tables.into_iter().map(|it| it.only(known)).collect())
     }
 
-    /// The names of all fields that are there.
+    /// The names of all fields that the table has.
     pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
         self.table.keys().map(|key| key.get_ref().as_ref())
     }
 
-    /// The tables in this one, whose names are free, each with its name.
+    /// The tables in this one, with their names; any names are allowed.
     pub(crate) fn named_tables(&self, known: &[&'static str]) -> Option<Vec<(&'a str, Self)>> {
         let table = |name| Some((name, self.table(name, known)?));
         all(self.names().map(table).collect())
@@ -352,7 +353,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Two numbers in a list, each within the bounds of its kind; `names` are theirs, as
+    /// Two numbers in a list, both within the bounds of their kind; `names` describes them, such as
     /// "[x, y]".
     pub(crate) fn pair(&self, name: &str, names: &str, spec: &NumberSpec) -> Option<[f64; 2]> {
         self.value(name, &format!("{names}, {spec}"), |value| {
@@ -369,7 +370,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// A whole number within bounds; `expected` says what it stands for.
+    /// A whole number within bounds; `expected` describes it.
     pub(crate) fn whole(
         &self,
         name: &str,
@@ -397,14 +398,13 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Printable text of 1 to `most` characters, as it is written; line breaks count as
-    /// spaces do.
+    /// Printable text of 1 to `most` characters, unchanged; a line break counts as a space.
     pub(crate) fn text(&self, name: &str, most: usize) -> Option<&'a str> {
         let expected = format!("text of 1 to {most} printable characters");
         self.value(name, &expected, |value| text(value.get_ref(), most))
     }
 
-    /// A list of this many texts, without surrounding blanks.
+    /// A list of this many strings, without surrounding spaces.
     pub(crate) fn texts(
         &self,
         name: &str,
@@ -413,13 +413,13 @@ impl<'a> Fields<'a> {
     ) -> Option<Vec<String>> {
         let (least, items) = (count.start(), count.end());
         let expected =
-            format!("a list of {least} to {items} texts of 1 to {most} printable characters");
+            format!("a list of {least} to {items} strings of 1 to {most} printable characters");
         self.list(name, &expected, count, |value| {
             Some(text(value.get_ref(), most)?.trim().to_owned())
         })
     }
 
-    /// The result of `read` for a text, or its message as an error.
+    /// The result of `read` for a string, or its message as an error.
     pub(crate) fn text_as<T>(
         &self,
         name: &str,
@@ -432,9 +432,9 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A list of any texts.
+    /// A list of any strings.
     pub(crate) fn any_texts(&self, name: &str) -> Option<Vec<&'a str>> {
-        self.list(name, "a list of texts", 0..=usize::MAX, |value| {
+        self.list(name, "a list of strings", 0..=usize::MAX, |value| {
             value.get_ref().as_str()
         })
     }
@@ -447,7 +447,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// One of some words, with what it stands for.
+    /// The value of a field that must be one of these words.
     pub(crate) fn word<T: Clone>(&self, name: &str, words: &[(&str, T)]) -> Option<T> {
         let names: Vec<_> = words.iter().map(|(word, _)| *word).collect();
         let expected = format!("one of {}", names.join(", "));
@@ -458,8 +458,8 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Passes every field to `set` as it is written, a number in decimals; errors it returns are
-    /// noted.
+    /// Passes the name and the value of every field to `set`, with numbers in decimal form, and
+    /// notes the errors that `set` returns.
     pub(crate) fn each(&self, mut set: impl FnMut(&str, &str) -> Result<(), String>) -> Option<()> {
         let fields = self
             .table
@@ -483,13 +483,13 @@ impl<'a> Fields<'a> {
         all(set.collect()).map(|_: Vec<()>| ())
     }
 
-    /// Whatever serde makes of a field.
+    /// A field, read by serde.
     pub(crate) fn parsed<T: DeserializeOwned>(&self, name: &str, expected: &str) -> Option<T> {
         let value = self.value(name, expected, Some)?;
         self.parse(name, value)
     }
 
-    /// Whatever serde makes of the items of a list.
+    /// The items of a list, read by serde.
     pub(crate) fn all_parsed<T: DeserializeOwned>(
         &self,
         name: &str,
@@ -509,7 +509,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// All items, if there are no gaps: collected first, so that every item is read.
+/// All items, if none is `None`. They are collected first, so that every item is read.
 pub(crate) fn all<T>(items: Vec<Option<T>>) -> Option<Vec<T>> {
     items.into_iter().collect()
 }
@@ -543,7 +543,7 @@ fn pair(value: &DeValue) -> Option<[f64; 2]> {
 }
 
 fn text<'a>(value: &'a DeValue, most: usize) -> Option<&'a str> {
-    // Line breaks are laid out anew.
+    // Line breaks are allowed, because the text is wrapped again.
     let printable = |c: char| !c.is_control() || c == '\n' || c == '\r';
     let text = value.as_str()?;
     let good =
@@ -551,7 +551,7 @@ fn text<'a>(value: &'a DeValue, most: usize) -> Option<&'a str> {
     good.then_some(text)
 }
 
-/// A value as a message shows it.
+/// A value as shown in a message.
 fn shown(value: &DeValue) -> String {
     match value {
         DeValue::String(text) => format!("the text \"{}\"", escape_control(text, 40)),
@@ -579,7 +579,7 @@ fn shown(value: &DeValue) -> String {
 mod tests {
     use super::*;
 
-    /// What is wrong with a document of this line.
+    /// The error message for a document with this line.
     fn shown(line: &str) -> String {
         let text = format!("format = 1\n{line}\n");
         let source = Source::of_bytes("a.toml", text.as_bytes(), 1000).unwrap();
@@ -590,8 +590,11 @@ mod tests {
     #[test]
     fn common_mistakes_get_a_hint_in_inline_tables_too() {
         for (line, hint) in [
-            ("hit = 35,0", "write 35.0 with a point"),
-            ("hit = { m = 5.5, a = 35,0 }", "write 35.0 with a point"),
+            ("hit = 35,0", "write 35.0 with a decimal point"),
+            (
+                "hit = { m = 5.5, a = 35,0 }",
+                "write 35.0 with a decimal point",
+            ),
             ("hit = 40 g", "write 40 alone"),
             ("hit = { m = 15 g, a = 35 }", "write 15 alone"),
             ("ask = “How far?”", "use straight quotes"),

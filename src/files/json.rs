@@ -1,4 +1,4 @@
-//! JSON that carrom prints.
+//! Writes JSON.
 
 use std::io::{self, Write};
 
@@ -8,11 +8,11 @@ use serde_json::ser::Formatter;
 
 use super::is_invisible;
 
-/// Writes one JSON object. Texts in it may come from anybody, and a terminal may show them:
-/// invisible and control characters are written as escapes, which read back the same.
+/// Writes one JSON object. Its strings may come from anyone and may be shown in a terminal, so
+/// invisible and control characters are written as escapes, which any JSON parser decodes.
 ///
 /// # Errors
-/// If it cannot be written.
+/// If the object cannot be written.
 pub(crate) fn write_json(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
     let mut serializer = Serializer::with_formatter(out, SafeFormatter);
     Ok(object.serialize(&mut serializer)?)
@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn json_gives_no_orders_to_a_terminal_and_reads_back_the_same() {
+    fn json_cannot_control_a_terminal_and_is_read_back_unchanged() {
         let text = "a\u{1b}[2J\u{9b}31m \u{202e}\u{0}\u{1fffe}\"\\ 球";
         let mut written = Vec::new();
         write_json(&mut written, &text).unwrap();

@@ -1,4 +1,4 @@
-//! Which characters of a text from outside are visible letters, and which are not safe.
+//! Decides which characters in text from outside are visible and which are unsafe.
 
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;
@@ -6,8 +6,8 @@ use unicode_width::UnicodeWidthChar;
 /// The largest number of zero-width marks, such as accents, on one letter of a name.
 const MOST_UPON: usize = 2;
 
-/// Whether a character is not a letter but a control or nothing at all: control characters, marks
-/// that change the direction of the following text, zero-width blanks, and unassigned code points.
+/// Whether a character is invisible: control characters, marks that change the direction of the
+/// following text, zero-width spaces, and unassigned code points.
 pub fn is_invisible(letter: char) -> bool {
     letter.is_control()
         || matches!(letter,
@@ -22,8 +22,8 @@ pub(super) fn hides(letter: char) -> bool {
     matches!(letter, '\u{200d}' | '\u{e0000}'..='\u{e007f}')
 }
 
-/// Whether a letter with all that belongs to it is one picture of several: people joined to
-/// a family, or the flag of a part of a country, which is spelt in tags.
+/// Whether a cluster is one emoji made of several characters: a family, or the flag of a region,
+/// which is encoded in tag characters.
 pub(super) fn is_picture(letter: &str) -> bool {
     const FLAG: char = '\u{1f3f4}';
     const LAST_TAG: char = '\u{e007f}';
@@ -42,12 +42,12 @@ pub(super) fn is_picture(letter: &str) -> bool {
     }
 }
 
-/// A text as one line, with one blank between two words.
+/// Text on one line, with a single space between words.
 pub(crate) fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A path as a part of an address: what is not plain in it is written as bytes in percent.
+/// A path for use in a URI: special characters are percent-encoded.
 pub(crate) fn percent_encoded(path: &[u8]) -> String {
     let plain = |byte: &u8| byte.is_ascii_alphanumeric() || b"-._/".contains(byte);
     let written = path.iter().map(|byte| match plain(byte) {
@@ -60,8 +60,8 @@ pub(crate) fn percent_encoded(path: &[u8]) -> String {
 /// The name shown for a stored name without a visible letter.
 pub(crate) const NO_NAME: &str = "No name";
 
-/// Whether a character is invisible like a blank although Unicode counts it among letters, signs or
-/// accents: fillers, empty patterns, unwritten vowels.
+/// Whether a character is blank although Unicode classifies it as a letter, a symbol or an accent:
+/// fillers, empty patterns, unwritten vowels.
 fn is_blank(letter: char) -> bool {
     matches!(letter,
         '\u{034f}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}'
@@ -75,8 +75,8 @@ pub(crate) fn is_blank_name(name: &str) -> bool {
     name.chars().any(is_blank) && tidy_name(name).is_empty()
 }
 
-/// A person's name as it is shown and stored: its letters, with one blank between words. Accents
-/// stay, but only a few per letter. Empty if no letter of it is visible.
+/// A person's name as it is shown and stored: its letters, with one space between words and at most
+/// a few accents per letter. Empty if no letter is visible.
 pub fn tidy_name(name: &str) -> String {
     let mut tidy = String::new();
     let mut upon = 0;
@@ -105,8 +105,8 @@ pub fn tidy_name(name: &str) -> String {
     tidy
 }
 
-/// The same with at most this many letters; a letter may consist of several characters, but not of
-/// many.
+/// Like [`tidy_name`], but with at most this many letters. A letter may consist of several
+/// characters.
 pub(crate) fn short_name(name: &str, letters: usize) -> String {
     const BYTES: usize = 8;
     let name = tidy_name(name);
@@ -118,7 +118,7 @@ pub(crate) fn short_name(name: &str, letters: usize) -> String {
     letters.collect::<String>().trim_end().to_owned()
 }
 
-/// Whether a character only says how those beside it look together.
+/// Whether a character only determines how its neighbours are joined.
 fn joins(letter: char) -> bool {
     matches!(letter, '\u{200c}' | '\u{200d}' | '\u{fe00}'..='\u{fe0f}'
         | '\u{e0000}'..='\u{e01ef}')
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_of_several_letters_are_pictures_and_nothing_else_is() {
+    fn only_emoji_of_several_characters_are_pictures() {
         let wales = "\u{1f3f4}\u{e0067}\u{e0062}\u{e0077}\u{e006c}\u{e0073}\u{e007f}";
         for picture in ["👩‍👩‍👧", "❤️‍🔥", wales] {
             assert!(is_picture(picture), "{picture}");
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn names_stay_and_what_is_no_letter_goes() {
+    fn names_are_kept_and_invisible_characters_are_removed() {
         for name in [
             "Ada",
             "Zoë Müller-Łukasiewicz",
@@ -180,7 +180,7 @@ mod tests {
         ] {
             assert_eq!(tidy_name(nobody), "", "{nobody:?}");
         }
-        // What has one visible letter is a name, with what else is in it.
+        // A name with one visible letter is kept unchanged.
         for name in ["\u{2800}a", "한\u{3164}", "\u{1112}\u{1161}", "❤", "٣"] {
             assert_eq!(tidy_name(name), name);
             assert!(!is_blank_name(name));

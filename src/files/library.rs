@@ -4,17 +4,17 @@ use std::path::{Path, PathBuf};
 
 use super::{FileError, LARGEST, List, list, read};
 
-/// A collection that is read from files. An invalid file is left out and reported.
+/// A collection that is read from files. Invalid files are left out and reported.
 pub trait FileLibrary: Default {
-    /// How the names of its files end.
+    /// The extension of the collection's files.
     const ENDING: &'static str;
     /// The most files that are read from one folder.
     const MOST_FILES: usize;
 
-    /// What comes with the program.
+    /// The built-in collection.
     fn embedded() -> Self;
 
-    /// Where errors of files are reported.
+    /// The errors found in the files so far.
     fn problems_mut(&mut self) -> &mut Vec<FileError>;
 
     /// Adds the contents of a file.
@@ -28,7 +28,7 @@ pub trait FileLibrary: Default {
         }
     }
 
-    /// Adds the files of a folder, and gives the folders in it.
+    /// Adds the files of a folder, and returns its subfolders.
     fn add_files_of(&mut self, folder: &Path) -> Vec<PathBuf> {
         let list = list(folder, Self::ENDING, Self::MOST_FILES).unwrap_or_else(|fault| {
             self.problems_mut().push(fault);
@@ -39,12 +39,12 @@ pub trait FileLibrary: Default {
         list.folders
     }
 
-    /// Adds a folder.
+    /// Adds the files of a folder; an implementation may include its subfolders.
     fn add_dir(&mut self, folder: &Path) {
         self.add_files_of(folder);
     }
 
-    /// The same with these folders and files.
+    /// The same collection with these folders and files added.
     #[must_use]
     fn with(mut self, paths: &[PathBuf]) -> Self {
         for path in paths {

@@ -1,9 +1,9 @@
-//! Lines of any length from a stream, in bounded memory.
+//! Reads lines of any length from a stream, with limited memory.
 
 use std::io::{self, BufRead, Read};
 
-/// Reads the next line into `line`, without its break, and at most `most` bytes of it: the rest is
-/// skipped. `None` at the end, otherwise whether the line is complete.
+/// Reads the next line into `line`, without its line break and at most `most` bytes; the rest is
+/// skipped. Returns whether the line is complete, or `None` at the end of the stream.
 pub fn read_line(
     input: &mut (impl BufRead + ?Sized),
     most: usize,

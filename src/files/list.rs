@@ -1,4 +1,4 @@
-//! Which files there are: in a folder, or in the program.
+//! Lists the files in a folder, or those built into the program.
 
 use std::fs;
 use std::io;
@@ -8,22 +8,23 @@ use include_dir::{Dir, File};
 
 use super::FileError;
 
-/// What is in a folder, in the order of the names.
+/// The contents of a folder, sorted by name.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct List {
-    /// The folders in it.
+    /// The subfolders.
     pub folders: Vec<PathBuf>,
-    /// The plain files whose names have the requested ending: opening a pipe would wait for its
-    /// writer.
+    /// The plain files with the requested extension. Pipes are not among them, because opening one
+    /// would wait for a writer.
     pub files: Vec<PathBuf>,
-    /// Other things with such names: pipes, devices, broken links.
+    /// Errors about anything else with this extension: pipes, devices, broken links.
     pub odd: Vec<FileError>,
 }
 
-/// The folders in a folder, and at most this many files there with this ending (without its dot).
+/// The subfolders of a folder, and at most this many files with this extension (given without its
+/// dot).
 ///
 /// # Errors
-/// If the folder cannot be read, or there are more files.
+/// If the folder cannot be read, or contains more files.
 pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError> {
     let fault = |message| FileError::of_file(&folder.display().to_string(), message);
     let paths = fs::read_dir(folder).and_then(|entries| {
@@ -50,7 +51,7 @@ pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError>
     })
 }
 
-/// The files with this ending in a folder of the program, in the order of their names.
+/// The files with this extension in a built-in folder, sorted by name.
 pub fn embedded<'a>(folder: &'a Dir<'a>, ending: &str) -> Vec<&'a File<'a>> {
     let files = folder.files();
     let mut files: Vec<_> = files
@@ -65,7 +66,7 @@ pub(crate) fn not_a_file(path: &Path) -> FileError {
     let found = match fs::metadata(path) {
         Ok(about) if about.is_dir() => "a folder",
         Ok(_) => "something else",
-        Err(_) => "a link that leads nowhere",
+        Err(_) => "a broken link",
     };
     let message = format!("expected a file, found {found}");
     FileError::of_file(&path.display().to_string(), message)

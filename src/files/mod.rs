@@ -1,5 +1,4 @@
-//! What all files have in common: reading files from outside, reporting their errors, and writing
-//! files atomically.
+//! Reads files from outside, reports their errors, and writes files atomically.
 
 mod csv_table;
 mod draft;

@@ -1,4 +1,4 @@
-//! Numbers of a file: their meaning and range.
+//! The meaning and range of numbers in files.
 
 use std::fmt;
 
@@ -11,14 +11,14 @@ pub(crate) struct NumberSpec {
 }
 
 impl NumberSpec {
-    /// A number that is `what`, as "a mass", with its unit after it, as " g", and its
-    /// bounds, both allowed.
+    /// A kind of number: `what` it is, such as "a mass", the text after it, such as " g", and its
+    /// bounds, both of which are allowed.
     pub(crate) const fn new(what: &'static str, unit: &'static str, from: f64, to: f64) -> Self {
         let bounds = Range { from, to };
         Self { what, unit, bounds }
     }
 
-    /// Whether a number lies within the bounds; one that is not finite never does.
+    /// Whether a number is within the bounds; a number that is not finite never is.
     pub(crate) fn allows(&self, number: f64) -> bool {
         self.bounds.holds(number)
     }
@@ -41,22 +41,22 @@ pub struct Range {
 }
 
 impl Range {
-    /// Whether a number lies between the bounds.
+    /// Whether a number is within the bounds.
     pub(crate) fn holds(&self, number: f64) -> bool {
         (self.from..=self.to).contains(&number)
     }
 
-    /// The number between the bounds that is nearest.
+    /// The nearest number within the bounds.
     pub(crate) fn nearest(&self, number: f64) -> f64 {
         number.max(self.from).min(self.to)
     }
 
-    /// The number at the `share`, 0 to 1, of the range.
+    /// The number at the fraction `share` of the range, from 0 to 1.
     pub(crate) fn at(&self, share: f64) -> f64 {
         self.from + share * (self.to - self.from)
     }
 
-    /// Both bounds times a factor above 0: the change of a unit.
+    /// Both bounds times a positive factor, for another unit.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {
             from: self.from * factor,

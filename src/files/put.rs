@@ -1,4 +1,4 @@
-//! Writes documents to the given places, all of them or none.
+//! Writes documents to the given paths, all of them or none.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -8,36 +8,36 @@ use thiserror::Error;
 
 use super::draft::{UnplacedFile, is_there};
 
-/// A text, and the file that is to hold it.
+/// The path of a file and its text.
 pub type Document = (PathBuf, String);
 
 /// What to do with existing files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
-    /// They stay, and nothing is written.
+    /// Keep them and write nothing.
     Stay,
-    /// They are replaced.
+    /// Replace them.
     Go,
 }
 
 /// Why documents were not written.
 #[derive(Debug, Error)]
 pub enum Unwritten {
-    /// The name already exists.
+    /// A file with this name already exists.
     #[error("{} already exists", .0.display())]
     There(PathBuf),
-    /// It cannot be written, or its folder cannot be made.
+    /// The file cannot be written, or its folder cannot be created.
     #[error("cannot write {}", .0.display())]
     Failed(PathBuf, #[source] io::Error),
 }
 
-/// Writes documents; folders that are not there are made.
+/// Writes documents, and creates missing folders.
 ///
-/// All of them are written completely before any gets its final name, so that a full disk leaves
-/// the previous files, and nothing else. Pipes and the like are written to; links are followed.
+/// All of them are written completely before any gets its final name, so a full disk leaves only
+/// the previous files. Pipes and devices are written to directly; links are followed.
 ///
 /// # Errors
-/// The first that is there and stays, or that cannot be written.
+/// The first file that exists and must be kept, or that cannot be written.
 pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> {
     let mut made = Folders::default();
     let mut drafts = Vec::new();
@@ -50,7 +50,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
                 return Err(Unwritten::There(path.clone()));
             }
             PathState::There | PathState::Free => {
-                // The file that a link leads to is the one that is meant.
+                // A user who names a link means its target.
                 let place = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
                 let folder = folder(&place);
                 made.make(folder)?;
@@ -77,13 +77,13 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
     Ok(())
 }
 
-/// What exists at the place of a document.
+/// What exists at the path of a document.
 enum PathState {
-    /// Nothing.
+    /// Nothing exists there.
     Free,
-    /// Something that would have to go.
+    /// A file that would have to be replaced.
     There,
-    /// Something that takes what is written to it.
+    /// A pipe or a device, which is written to directly.
     Stream,
 }
 
@@ -126,7 +126,7 @@ impl Folders {
         Ok(())
     }
 
-    /// What was made stays.
+    /// Keeps the new folders.
     fn keep(&mut self) {
         self.0.clear();
     }
@@ -135,7 +135,7 @@ impl Folders {
 impl Drop for Folders {
     fn drop(&mut self) {
         for folder in self.0.iter().rev() {
-            // A folder that another program has filled stays.
+            // A folder is kept if another program has put files in it.
             let _ = fs::remove_dir(folder);
         }
     }

@@ -1,10 +1,10 @@
-//! The text of a file, and its errors with their places.
+//! The text of a file, and its errors with their positions.
 
 use std::cell::RefCell;
 
 use super::{FileError, FileErrors};
 
-/// U+FEFF in UTF-8.
+/// The byte order mark U+FEFF in UTF-8.
 pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// The maximum number of errors collected per file, because finding the line of each takes time.
@@ -15,16 +15,16 @@ const MOST_NOTED: usize = 200;
 pub(crate) struct Source<'a> {
     name: &'a str,
     text: &'a str,
-    /// The line of the file that the text begins with, from 1.
+    /// The number of the text's first line in the file, from 1.
     first_line: usize,
-    /// Each with its rank for reporting.
+    /// Each error has a rank for the order of reporting.
     errors: RefCell<Vec<(Rank, FileError)>>,
 }
 
 /// The order in which the errors of a file are reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Rank {
-    /// An unknown field: often a required one misspelt.
+    /// An unknown field, which is often a misspelt required one.
     UnknownField,
     /// Text that is not TOML. Further errors that it causes on the same line are not reported.
     Syntax,
@@ -42,10 +42,10 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The bytes of a file of this name, as text.
+    /// The text of a file with this name and these bytes.
     ///
     /// # Errors
-    /// If there are more than `most` of them, or they are no UTF-8.
+    /// If there are more than `most` bytes, or they are not UTF-8.
     pub(crate) fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
         if bytes.len() > most {
             let message = format!("expected a file of at most {}, found more", size(most));
@@ -71,12 +71,12 @@ impl<'a> Source<'a> {
         self.text
     }
 
-    /// Its lines with their numbers.
+    /// The lines of the text with their numbers.
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'a str)> + use<'a> {
         (self.first_line..).zip(self.text.lines())
     }
 
-    /// A part of it as a separate source, whose errors belong to the same file.
+    /// A part of the text as a separate source, whose errors belong to the same file.
     pub(crate) fn part(&self, bytes: std::ops::Range<usize>) -> Self {
         let first_line = self.line_of(bytes.start);
         Self::new(
@@ -107,14 +107,14 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Notes an error at a line; always `None`, for the caller.
+    /// Notes an error at a line; always returns `None`, for the caller to return.
     pub(crate) fn refuse<T>(&self, line: usize, message: impl Into<String>) -> Option<T> {
         let error = self.error_on(line, message);
         self.errors.borrow_mut().push((Rank::Value, error));
         None
     }
 
-    /// Forgets the errors so far.
+    /// Discards the errors found so far.
     pub(super) fn forget(&self) {
         self.errors.borrow_mut().clear();
     }
@@ -133,10 +133,10 @@ impl<'a> Source<'a> {
         errors.extend(part.errors.into_inner());
     }
 
-    /// The result for the text, unless it has errors.
+    /// The result, unless the text has errors.
     ///
     /// # Errors
-    /// All that was found.
+    /// All errors that were found.
     pub(crate) fn finish<T>(self, made: Option<T>) -> Result<T, FileErrors> {
         let mut errors = self.errors.into_inner();
         let broken: Vec<_> = errors
@@ -151,7 +151,7 @@ impl<'a> Source<'a> {
         match (FileErrors::of(self.name, errors), made) {
             (None, Some(made)) => Ok(made),
             (Some(errors), _) => Err(errors),
-            // A refusal always has a message; without one this would still be true.
+            // This cannot happen: if there is no result, an error has been noted.
             (None, None) => Err(FileError::of_file(self.name, "cannot be understood").into()),
         }
     }
@@ -161,7 +161,7 @@ impl<'a> Source<'a> {
         self.first_line + before.filter(|&&byte| byte == b'\n').count()
     }
 
-    /// The line around a byte.
+    /// The line that contains a byte.
     pub(super) fn line_near(&self, at: usize) -> &'a str {
         let before = self.text.get(..at).unwrap_or_default();
         let start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -169,7 +169,7 @@ impl<'a> Source<'a> {
         line.lines().next().unwrap_or_default()
     }
 
-    /// The key that the line around a byte sets, if it sets one.
+    /// The key that is set on the line that contains a byte; empty if there is none.
     pub(super) fn key_near(&self, at: usize) -> &'a str {
         let key = self.line_near(at).split_once('=');
         let key = key.map_or("", |(key, _)| key.trim());

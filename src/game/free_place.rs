@@ -1,27 +1,28 @@
-//! Where a coin that is put back is placed.
+//! The position at which a coin is put back.
 //!
-//! The place is the free one nearest to the required point, found exactly: the point itself, or the
-//! nearest point of a circle that blocks it, or a crossing of two such circles.
+//! This is the free position nearest to the required point, found exactly: the point itself, the
+//! nearest point of a circle that blocks it, or an intersection of two such circles.
 
 use glam::DVec2;
 
 use super::pieces::{CENTRE_CIRCLE_RADIUS, Coin, GAP, OUTER_CIRCLE_RADIUS, PieceSet};
 use super::seat::Seat;
 
-/// Rounding allowed when a place is checked, in metres: far less than the gap between coins.
+/// The tolerance for rounding when a position is checked, in metres: far less than the gap between
+/// coins.
 const SLACK: f64 = 1e-9;
 
-/// A circle that a centre may touch but not cross.
+/// A circle that a coin's centre may touch but not cross.
 struct Circle {
     centre: DVec2,
     radius: f64,
 }
 
-/// The place for a coin that the player at `seat` gives back: inside the outer circle, off the
+/// The position of a coin that the player at `seat` gives back: inside the outer circle, off the
 /// centre circle (62b), as far from that player as possible, where an opponent would put it.
 ///
-/// If the outer circle is full, the coin goes to the nearest free place instead of waiting for room
-/// (52a).
+/// If the outer circle is full, the coin goes to the nearest free position instead of waiting for
+/// room (52a).
 pub(crate) fn for_a_due(set: PieceSet, coins: &[Coin], seat: Seat) -> DVec2 {
     let radius = set.coin_radius();
     let rim = OUTER_CIRCLE_RADIUS - radius;
@@ -32,14 +33,14 @@ pub(crate) fn for_a_due(set: PieceSet, coins: &[Coin], seat: Seat) -> DVec2 {
         .unwrap_or(wanted)
 }
 
-/// The place for the queen when she goes back: the centre (66), or the free
-/// place nearest to it (67).
+/// The position of the queen when she is put back: the centre (66), or the free position nearest to
+/// it (67).
 pub(crate) fn for_the_queen(set: PieceSet, coins: &[Coin]) -> DVec2 {
     nearest(set, coins, DVec2::ZERO, 0.0, f64::INFINITY).unwrap_or(DVec2::ZERO)
 }
 
-/// The free place nearest to `wanted` at a distance between `hole` and `rim`
-/// from the centre of the board; `None` if there is none.
+/// The free position nearest to `wanted` at a distance between `hole` and `rim` from the centre of
+/// the board; `None` if there is none.
 fn nearest(set: PieceSet, coins: &[Coin], wanted: DVec2, hole: f64, rim: f64) -> Option<DVec2> {
     let spacing = 2.0 * set.coin_radius() + GAP;
     let circle = |centre, radius| Circle { centre, radius };
@@ -75,14 +76,14 @@ fn closest_on(circle: &Circle, to: DVec2) -> DVec2 {
     circle.centre + way * circle.radius
 }
 
-/// The two points in which two circles cross, if they do.
+/// The two points at which two circles intersect, if they do.
 fn crossings(a: &Circle, b: &Circle) -> Option<[DVec2; 2]> {
     let between = b.centre - a.centre;
     let distance_squared = between.length_squared();
     if distance_squared <= 0.0 {
         return None;
     }
-    // The chord through the crossings meets the line of centres at this share.
+    // The fraction of the line of centres at which the common chord crosses it.
     let share = 0.5 * (1.0 + (a.radius * a.radius - b.radius * b.radius) / distance_squared);
     let half_chord_squared = a.radius * a.radius / distance_squared - share * share;
     if half_chord_squared < 0.0 {
@@ -138,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_due_lies_at_the_far_rim_of_the_outer_circle() {
+    fn a_due_is_placed_at_the_far_edge_of_the_outer_circle() {
         let rim = OUTER_CIRCLE_RADIUS - SET.coin_radius();
         assert_eq!(for_a_due(SET, &[], Seat::South), DVec2::new(0.0, rim));
         assert_eq!(for_a_due(SET, &[], Seat::East), DVec2::new(-rim, 0.0));
@@ -163,7 +164,8 @@ mod tests {
             let at = for_the_queen(SET, &coins);
             prop_assert!(least_distance(&coins, at) >= spacing - SLACK);
             let reach = (at.length() - 1e-6).max(0.0);
-            // A sunflower of points over all that is nearer to the centre.
+            // Points in a sunflower pattern over the whole area that is nearer to the required
+            // point.
             for step in 1..2000_i32 {
                 let turn = f64::from(step) * 2.399_963;
                 let out = reach * (f64::from(step) / 2000.0).sqrt();

@@ -1,24 +1,24 @@
 //! Carrom itself: pieces, the pack, placing the striker, the laws, the score.
 //!
 //! A pure module: no screen and no clock. A [`Stroke`] is data, [`Game::apply`] returns
-//! [`Ruling`]s, and a game is a plain value: keep the old one to undo. Two parts use the engine: a
-//! [`Record`], to replay its moves, and the opponent, to simulate shots.
+//! [`Ruling`]s, and a game is a plain value: to undo a stroke, keep a copy from before it. Two
+//! parts use the engine: a [`Record`], to replay its moves, and the opponent, to simulate shots.
 //!
-//! | file | holds |
+//! | file | contents |
 //! |---|---|
 //! | `pieces` | pieces, sets, the lines on the board |
 //! | `pack` | the opening pack |
 //! | `seat` | seats, teams, the order of turns |
-//! | `placing` | where the striker may stand |
+//! | `placing` | where the striker may be placed |
 //! | `steps` | the steps in which a stroke is set |
-//! | `free_place` | where a coin that comes back is laid |
-//! | `stroke` | what the laws need to know of a stroke |
+//! | `free_place` | where a coin is put back |
+//! | `stroke` | the facts about a stroke that the laws use |
 //! | `laws` | the referee's decisions |
 //! | `score` | points, boards, games, the match |
 //! | `play` | one board, from the break to its end |
 //! | `table` | a whole game at the table |
-//! | `validity` | what a game refuses |
-//! | `record` | a game move by move, to be played again bit for bit |
+//! | `validity` | the requests that a game refuses |
+//! | `record` | a game move by move, for a bit-for-bit replay |
 //! | `saved` | a record as a file, with who plays |
 //! | `opponent` | the computer opponent, and hints for the player |
 

@@ -1,10 +1,10 @@
-//! The opening pack (14): nineteen pieces in a hexagon round the centre.
+//! The opening pack (14): nineteen pieces in a hexagon around the centre.
 //!
-//! The queen lies in the centre, six coins of alternating colour round her, and
-//! twelve round those. The second row has six corners, straight behind the coins
-//! of the first, and six places between them. Three white corners make a Y with
-//! the whites of the first row; alternating the rest makes every corner white
-//! and every place between black: 3 + 6 = 9 white and 3 + 6 = 9 black.
+//! The queen is in the centre, with six coins of alternating colour around her and twelve around
+//! those. The second row has six corners, straight behind the coins of the first, and six positions
+//! between them. Three white corners make a Y with the whites of the first row; alternating the
+//! rest makes every corner white and every position between corners black: 3 + 6 = 9 white and 3 +
+//! 6 = 9 black.
 
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
@@ -13,8 +13,8 @@ use rand_pcg::Pcg64;
 use super::pieces::{Coin, GAP, Piece, PieceSet};
 use super::seat::Seat;
 
-/// The pack as the player at `breaker` sees it, the stem of the Y towards them,
-/// mirror-symmetric about their line of sight, with [`GAP`] between neighbours.
+/// The pack with the stem of the Y towards the player at `breaker`, mirror-symmetric about that
+/// player's line of sight, with [`GAP`] between neighbours.
 ///
 /// The queen comes first, then the first row, then the second.
 pub(crate) fn pack(set: PieceSet, breaker: Seat) -> Vec<Coin> {
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn law_14_nine_white_nine_black_and_the_queen_within_the_outer_circle() {
+    fn law_14_nine_white_coins_nine_black_coins_and_the_queen_lie_within_the_outer_circle() {
         let coins = pack(PieceSet::Tournament, Seat::South);
         assert_eq!(count(&coins, Piece::White), 9);
         assert_eq!(count(&coins, Piece::Black), 9);
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn the_pack_turns_with_the_breaker() {
+    fn the_pack_is_turned_towards_the_breaker() {
         let south = pack(PieceSet::Tournament, Seat::South);
         for (a, b) in south.iter().zip(pack(PieceSet::Tournament, Seat::West)) {
             assert_eq!(Seat::West.turn(a.at), b.at);

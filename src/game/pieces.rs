@@ -1,4 +1,4 @@
-//! The pieces, the sets they come in, and the lines drawn on the board.
+//! The pieces, the sets of pieces, and the lines drawn on the board.
 //!
 //! Dimensions are metres and kilograms. Where the Laws of Carrom give a range for a piece, the
 //! upper end is used. Base circles, centre circle and outer circle have their customary sizes.
@@ -12,7 +12,7 @@ use strum::{Display, IntoStaticStr};
 
 use crate::physics::Disc;
 
-/// Coins of each colour on a full board.
+/// The number of coins of each colour on a full board.
 pub(crate) const COINS_EACH: u8 = 9;
 
 /// Distance from the frame to the outer base line: 10.15 cm.
@@ -21,18 +21,17 @@ pub(crate) const BASE_LINE_FROM_FRAME: f64 = 0.1015;
 pub(crate) const BASE_LINE_GAP: f64 = 0.0318;
 /// Length of a pair of base lines with the circles that close it: 47 cm.
 pub(crate) const BASE_LINE_LENGTH: f64 = 0.470;
-/// Radius of a base circle, 1.59 cm: as wide as the lines are apart.
+/// Radius of a base circle, 1.59 cm: its diameter is the distance between the lines.
 pub(crate) const BASE_CIRCLE_RADIUS: f64 = 0.0159;
-/// Radius of the centre circle, 1.59 cm: it holds the queen.
+/// Radius of the centre circle, 1.59 cm: the queen fits into it.
 pub(crate) const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
-/// Radius of the outer circle, 8.5 cm: it holds the pack (14) and receives the
-/// coins that are put back.
+/// Radius of the outer circle, 8.5 cm: it encloses the pack (14), and coins are put back inside it.
 pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
-/// The gap between coins that are laid out, 0.1 mm. An impact of discs that touch exactly has no
+/// The gap between coins in the opening pack, 0.1 mm. An impact of discs that touch exactly has no
 /// unique result.
 pub(crate) const GAP: f64 = 0.0001;
 
-/// One of the four kinds of piece; "white" is its short name.
+/// One of the four kinds of piece; as text, a short name such as "white".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
@@ -58,12 +57,12 @@ impl fmt::Display for Piece {
     }
 }
 
-/// The colour a team plays in a board; as a name for those who play it, "White".
+/// The colour a team plays in a board; it also names the players, as in "White wins".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Display)]
 pub enum Colour {
-    /// Breaks, and so has the white coins (16).
+    /// The side that breaks has the white coins (16).
     White,
-    /// Has the black coins.
+    /// The other side has the black coins.
     Black,
 }
 
@@ -90,23 +89,23 @@ impl Colour {
     }
 }
 
-/// A coin or the queen, lying on the board.
+/// A coin or the queen on the board.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Coin {
-    /// What it is; never the striker.
+    /// The kind of piece; never the striker.
     pub piece: Piece,
-    /// Its centre in metres from the centre of the board.
+    /// The centre of the piece, in metres from the centre of the board.
     #[serde(rename = "at_m", with = "metres")]
     pub at: DVec2,
 }
 
-/// How many of `piece` lie among `coins`.
+/// How many of `coins` are of the kind `piece`.
 pub(crate) fn count(coins: &[Coin], piece: Piece) -> u8 {
     let found = coins.iter().filter(|coin| coin.piece == piece).count();
     u8::try_from(found).unwrap_or(u8::MAX)
 }
 
-/// The piece that a disc of a shot is: disc 0 the striker, disc i + 1 the coin `coins[i]`.
+/// The piece of a disc in a shot: disc 0 is the striker, disc i + 1 the coin `coins[i]`.
 pub(crate) fn piece_of(coins: &[Coin], disc: usize) -> Option<Piece> {
     match disc.checked_sub(1) {
         None => Some(Piece::Striker),
@@ -114,8 +113,7 @@ pub(crate) fn piece_of(coins: &[Coin], disc: usize) -> Option<Piece> {
     }
 }
 
-/// A point or a velocity as a pair of numbers in SI units, so that it reads back to
-/// the same bits.
+/// Stores a point or a velocity as a pair of numbers in SI units, which are read back bit for bit.
 pub(super) mod metres {
     use glam::DVec2;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -131,21 +129,20 @@ pub(super) mod metres {
     }
 }
 
-/// Which discs a game is played with.
+/// The set of discs used in a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PieceSet {
-    /// Full weight, as in a tournament: striker 15 g and 41.3 mm across, coins
-    /// 5.5 g and 31.8 mm across.
+    /// Tournament weights: striker 15 g and 41.3 mm across, coins 5.5 g and 31.8 mm across.
     #[default]
     Tournament,
-    /// Tournament sizes with every piece 15 g, so that the paths of striker and coin are at a right
-    /// angle.
+    /// Tournament sizes with a mass of 15 g for every piece, so that the paths of striker and coin
+    /// are at a right angle.
     EqualMass,
 }
 
 impl PieceSet {
-    /// The disc a piece is in this set.
+    /// The disc of a piece in this set.
     pub(crate) const fn disc(self, piece: Piece) -> Disc {
         match (piece, self) {
             (Piece::Striker, _) => Disc::from_g_mm(15.0, 20.65),
@@ -159,7 +156,7 @@ impl PieceSet {
         self.disc(Piece::Striker).radius
     }
 
-    /// Radius of a coin in metres; the queen has it too.
+    /// Radius of a coin or the queen in metres.
     pub(crate) const fn coin_radius(self) -> f64 {
         self.disc(Piece::White).radius
     }

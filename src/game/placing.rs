@@ -1,9 +1,8 @@
-//! Where the striker may stand.
+//! Where the striker may be placed.
 //!
-//! Seen from its own side, the striker stands between the two base lines and
-//! touches both, clear of the base circles; or it covers a base circle fully. To
-//! stand partly on a base circle ("cutting the moon") is not allowed, nor is
-//! touching a coin.
+//! The striker is placed between the two base lines of its side and touches both, clear of the base
+//! circles; or it covers a base circle fully. It must not cover part of a base circle ("cutting the
+//! moon") or touch a coin.
 
 use glam::DVec2;
 use thiserror::Error;
@@ -15,27 +14,27 @@ use super::pieces::{
 use super::seat::Seat;
 use crate::physics::Board;
 
-/// Rounding allowed when a place is checked, in metres: as much as the engine
-/// allows discs to overlap.
+/// The tolerance for rounding when a position is checked, in metres: the overlap of discs that the
+/// engine allows.
 pub(super) const SLACK: f64 = 1e-10;
 
 /// Why a position of the striker is not legal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Misplaced {
-    /// It misses one of the base lines.
+    /// The striker misses one of the base lines.
     #[error("the striker must touch both of your base lines")]
     OffTheBaseLines,
-    /// It covers part of a base circle.
-    #[error("the striker may cover a base circle fully or keep off it, not cut it")]
+    /// The striker covers part of a base circle.
+    #[error("the striker must cover a base circle fully or not touch it")]
     CutsBaseCircle,
-    /// It would lie on a coin.
-    #[error("the striker may not touch the {0}")]
+    /// The striker would touch a coin.
+    #[error("the striker must not touch the {0}")]
     OnACoin(Piece),
-    /// It would stand in the frame or beyond it.
-    #[error("the striker must stand inside the frame")]
+    /// The striker would be in the frame or beyond it.
+    #[error("the striker must be inside the frame")]
     OutsideTheFrame,
-    /// It would fall straight into a pocket.
-    #[error("the striker may not stand over a pocket")]
+    /// The striker would fall straight into a pocket.
+    #[error("the striker must not be over a pocket")]
     OverAPocket,
 }
 
@@ -88,19 +87,18 @@ impl<'a> BaseLines<'a> {
     }
 
     /// The position `along` metres to the player's right of the middle, halfway between the base
-    /// lines. It may be illegal.
+    /// lines. The position may be illegal.
     pub fn at(&self, along: f64) -> DVec2 {
         self.seat.turn(DVec2::new(along, self.middle()))
     }
 
-    /// How far above the middle of the board the player sees the middle between the base
-    /// lines, in metres.
+    /// The y coordinate, as seen by the player, of the middle between the base lines, in metres.
     pub(super) fn middle(&self) -> f64 {
         let from_frame = BASE_LINE_FROM_FRAME + BASE_LINE_GAP / 2.0;
         -Board::default().side / 2.0 + from_frame
     }
 
-    /// How far to the player's right of the middle `at` lies, in metres.
+    /// How far to the player's right of the middle `at` is, in metres.
     pub fn along(&self, at: DVec2) -> f64 {
         self.seat.turn_back(at).x
     }
@@ -131,7 +129,7 @@ impl<'a> BaseLines<'a> {
         }
     }
 
-    /// Whether the striker may stand at `at`.
+    /// Whether the striker may be placed at `at`.
     ///
     /// # Errors
     /// The first reason why not.
@@ -149,17 +147,17 @@ impl<'a> BaseLines<'a> {
         let off_middle = (here.y - middle).abs();
         let touches_both = off_middle <= striker - BASE_LINE_GAP / 2.0 + SLACK;
         let between = touches_both && here.x.abs() < Self::base_circle_along();
-        // Written so that a place that is not a number is refused too.
+        // Written so that a position of NaN is refused too.
         if !(covers || between) {
             return Err(Misplaced::OffTheBaseLines);
         }
         clear_of_coins(self.set, self.coins, at)
     }
 
-    /// The legal place nearest to `at`, measured along the base lines and
-    /// halfway between them.
+    /// The legal position nearest to `at`, halfway between the base lines; distances are measured
+    /// along them.
     ///
-    /// `None` if coins block the whole length, which requires at least seven of them on the base
+    /// `None` if coins block the whole length, which requires at least seven coins on the base
     /// lines.
     pub fn nearest(&self, at: DVec2) -> Option<DVec2> {
         let (end, circle) = (self.end_of_the_lines(), Self::base_circle_along());
@@ -167,7 +165,7 @@ impl<'a> BaseLines<'a> {
         self.nearest_of(ends.into_iter().chain(self.barred().flatten()), at)
     }
 
-    /// The legal position among these that is nearest to `at`, in metres along.
+    /// The legal position among these that is nearest to `at`, in metres along the lines.
     pub(super) fn nearest_of(&self, places: impl Iterator<Item = f64>, at: DVec2) -> Option<DVec2> {
         let wanted = self.along(at);
         let apart = |along: &f64| (along - wanted).abs();
@@ -176,8 +174,8 @@ impl<'a> BaseLines<'a> {
         nearest.map(|along| self.at(along))
     }
 
-    /// Legal places from left to right: `steps` of them spread evenly between the base circles and
-    /// the two that cover a circle, without those that coins block.
+    /// Legal positions from left to right: `steps` of them spread evenly between the base circles
+    /// and the two that cover a circle, without those that coins block.
     pub(crate) fn candidates(&self, steps: u16) -> Vec<DVec2> {
         let end = self.end_of_the_lines();
         let spread = (0..steps).map(|i| {
@@ -192,12 +190,12 @@ impl<'a> BaseLines<'a> {
             .collect()
     }
 
-    /// How far from the middle the striker may stand without touching a circle.
+    /// How far from the middle the striker may be placed without touching a circle.
     fn end_of_the_lines(&self) -> f64 {
         Self::base_circle_along() - BASE_CIRCLE_RADIUS - self.set.striker_radius()
     }
 
-    /// The intervals of the middle line that coins block, as distances along.
+    /// The intervals of the middle line that coins block, as distances along it.
     fn barred(&self) -> impl Iterator<Item = [f64; 2]> {
         let reach = self.set.striker_radius() + self.set.coin_radius() + GAP;
         let middle = self.middle();
@@ -210,7 +208,7 @@ impl<'a> BaseLines<'a> {
     }
 }
 
-/// Whether the striker may stand at `at` when it may be placed anywhere.
+/// Whether the striker may be placed at `at` if it need not be on the base lines.
 ///
 /// # Errors
 /// The first reason why not.
@@ -248,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn every_seat_has_the_same_places() {
+    fn every_seat_has_the_same_positions() {
         for seat in Seat::ALL {
             let lines = BaseLines::new(SET, seat, &[]);
             assert_eq!(lines.check(lines.at(0.0)), Ok(()));
@@ -300,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn a_coin_bars_its_place_and_the_nearest_free_one_touches_nothing() {
+    fn a_coin_blocks_its_position_and_the_nearest_free_one_touches_nothing() {
         let coins = [black(DVec2::new(0.01, -0.26))];
         let lines = BaseLines::new(SET, Seat::South, &coins);
         let wanted = lines.at(0.0);
@@ -313,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn the_nearest_place_to_a_cut_circle_is_on_it_or_beside_it() {
+    fn the_nearest_position_to_a_cut_circle_is_on_it_or_beside_it() {
         let lines = BaseLines::new(SET, Seat::East, &[]);
         let circle = BaseLines::base_circle_along();
         let beside = circle - SET.striker_radius() - BASE_CIRCLE_RADIUS;
@@ -325,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_offered_when_coins_bar_the_whole_length() {
+    fn there_is_no_position_if_coins_block_the_whole_length() {
         let empty = BaseLines::new(SET, Seat::South, &[]);
         let coins: Vec<Coin> = (-4..=4)
             .map(|i| black(empty.at(f64::from(i) * 0.055)))
@@ -336,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn every_candidate_is_legal_and_they_go_from_left_to_right() {
+    fn the_candidates_are_legal_and_ordered_from_left_to_right() {
         let coins = [black(DVec2::new(0.26, 0.05)), black(DVec2::new(0.25, -0.1))];
         let lines = BaseLines::new(SET, Seat::East, &coins);
         let places = lines.candidates(30);
@@ -350,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn free_placing_keeps_to_the_board() {
+    fn free_placing_is_restricted_to_the_board() {
         let coins = [black(DVec2::ZERO)];
         let check = |x, y| check_anywhere(SET, &coins, DVec2::new(x, y));
         assert_eq!(check(0.1, 0.1), Ok(()));
@@ -361,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_is_not_a_number_is_refused() {
+    fn a_position_that_is_not_a_number_is_refused() {
         let lines = BaseLines::new(SET, Seat::South, &[]);
         assert!(lines.check(DVec2::new(f64::NAN, -0.25)).is_err());
         assert!(

@@ -11,7 +11,7 @@ use super::score::Score;
 use super::seat::{ByTeam, Hands, Seat, Team};
 use super::stroke::Stroke;
 
-/// A board in play: the positions, whose turn it is, what is owed.
+/// A board in play: the positions, whose turn it is and the dues.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoardInPlay {
     /// The coins on the board; the striker is never among them.
@@ -20,22 +20,22 @@ pub struct BoardInPlay {
     pub seat: Seat,
     /// Strokes made at the unbroken pack in this turn; `None` after the break.
     pub(super) break_tries: Option<u8>,
-    /// Coins each team owes, because it has no pocketed one to give (45b).
+    /// The number of coins that each team owes because it has no pocketed coin to give back (45b).
     pub owed: ByTeam<u8>,
-    /// The teams with a coin pocketed in this board, even if it was put back.
+    /// Whether each team has had a coin pocketed in this board, even if it was put back.
     pub(super) pocketed_before: ByTeam<bool>,
-    /// Who has pocketed and covered the queen.
+    /// The team that has pocketed and covered the queen.
     pub queen_covered_by: Option<Team>,
     /// How the board ended, once it has.
     pub won: Option<BoardWon>,
 }
 
-/// What stays the same while a board is played.
+/// The facts that do not change while a board is played.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Terms {
     pub(super) hands: Hands,
     pub(super) set: PieceSet,
-    /// The team that broke, and so plays white (16).
+    /// The team that broke and therefore plays white (16).
     pub(super) white: Team,
     /// The score before this board.
     pub(super) score: Score,
@@ -87,7 +87,7 @@ impl BoardInPlay {
         COINS_EACH.saturating_sub(self.on_board(colour))
     }
 
-    /// Whether the queen lies on the board.
+    /// Whether the queen is on the board.
     pub fn queen_on_board(&self) -> bool {
         count(&self.coins, Piece::Queen) > 0
     }
@@ -97,7 +97,7 @@ impl BoardInPlay {
         self.won.is_none() && !self.queen_on_board() && self.queen_covered_by.is_none()
     }
 
-    /// The facts that the rules use.
+    /// The facts about a stroke that the rules use.
     pub(super) fn case(&self, terms: &Terms, stroke: &Stroke) -> Case {
         let team = terms.hands.team(self.seat);
         let colour = terms.colour(team);
@@ -124,7 +124,7 @@ impl BoardInPlay {
         }
     }
 
-    /// Sets the positions after a stroke, before the verdict.
+    /// Sets the positions after a stroke; the verdict is carried out afterwards.
     pub(super) fn take_in(&mut self, terms: &Terms, stroke: &Stroke) {
         self.coins.clone_from(&stroke.left);
         self.break_tries = self
@@ -197,7 +197,7 @@ impl BoardInPlay {
         rulings
     }
 
-    /// Pays earlier dues, as far as there are coins (51a).
+    /// Pays earlier dues, as far as the pocketed coins suffice (51a).
     fn pay_old_dues(&mut self, terms: &Terms) -> Vec<Ruling> {
         let mut rulings = Vec::new();
         for team in Team::BOTH {
@@ -235,8 +235,8 @@ impl BoardInPlay {
         can
     }
 
-    /// The seat from which a coin of `team` is laid as far as possible: the player who struck, or
-    /// for the other team the one opposite or to the right.
+    /// The seat from which a coin of `team` is put back as far away as possible: that of the player
+    /// who struck, or for the other team the seat opposite or to the right.
     fn owner_seat(&self, terms: &Terms, team: Team) -> Seat {
         if terms.hands.team(self.seat) == team {
             self.seat

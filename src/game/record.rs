@@ -1,5 +1,4 @@
-//! A game move by move: enough to play it again, bit for bit, through engine and
-//! laws.
+//! A game move by move, from which the engine and the laws can replay it bit for bit.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -12,7 +11,7 @@ use super::placing::Misplaced;
 use super::stroke::{Stroke, StrokeError};
 use super::table::{Game, GameSetup};
 use super::validity::GameError;
-use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
+use crate::physics::{self, EngineError, Limits, Motion, Shot};
 
 /// The agreed rules and every move since. Everything else follows from them.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,18 +20,18 @@ pub struct Record {
     moves: Vec<Move>,
 }
 
-/// A move of a player.
+/// A move by a player.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
 pub enum Move {
-    /// Strikes.
+    /// Plays a stroke.
     Strike(Strike),
-    /// Passes, because coins block every position of the striker.
+    /// Passes the turn, because coins block every position of the striker.
     NoPlace,
     /// Lays the pack for the next board.
     NextBoard,
-    /// Lays the coins out anew, in practice.
+    /// Places the coins as given, in a practice game.
     LayOut(Vec<Coin>),
 }
 
@@ -40,10 +39,10 @@ pub enum Move {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Strike {
-    /// Where it stood, in metres from the centre of the board.
+    /// The striker's position, in metres from the centre of the board.
     #[serde(rename = "place_m", with = "metres")]
     pub place: DVec2,
-    /// Its velocity in m/s.
+    /// The striker's velocity in m/s.
     #[serde(rename = "velocity_m_s", with = "metres")]
     pub velocity: DVec2,
     /// The player's call of the first impact.
@@ -52,8 +51,8 @@ pub struct Strike {
 }
 
 /// The predicted directions after the first impact, in degrees from the striker's direction, with
-/// the signs of physics: the striker's positive anticlockwise, the coin's positive clockwise.
-/// `None` is a disc that stays still.
+/// the sign convention of physics: the striker's positive anticlockwise, the coin's positive
+/// clockwise. `None` means that the disc stays at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Call {
@@ -68,30 +67,30 @@ pub struct Call {
 /// Why a move cannot be made.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum MoveError {
-    /// The striker may not stand there.
+    /// The striker must not be placed there.
     #[error(transparent)]
     Place(#[from] Misplaced),
-    /// The engine cannot play it.
+    /// The engine cannot play the stroke.
     #[error("this stroke cannot be played: {0}")]
     Engine(#[from] EngineError),
-    /// The laws do not allow such a stroke.
+    /// The laws do not allow the stroke.
     #[error(transparent)]
     Stroke(#[from] StrokeError),
-    /// The game does not allow it.
+    /// The game does not allow the move.
     #[error(transparent)]
     Game(#[from] GameError),
     /// There is a legal position for the striker.
-    #[error("there is a place for the striker on the base lines")]
+    #[error("there is a legal position for the striker on the base lines")]
     RoomLeft,
 }
 
-/// Why a record cannot be played: one of its moves cannot be made.
+/// Why a record cannot be played: a move is impossible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("move {number}: {error}")]
 pub struct RecordError {
-    /// Which, from 1.
+    /// The number of the move, from 1.
     pub number: usize,
-    /// Why not.
+    /// The reason.
     #[source]
     pub error: MoveError,
 }
@@ -107,7 +106,7 @@ impl Record {
         Self { setup, moves }
     }
 
-    /// What was agreed before the first break.
+    /// The settings that were agreed before the first break.
     pub const fn setup(&self) -> &GameSetup {
         &self.setup
     }
@@ -117,7 +116,7 @@ impl Record {
         &self.moves
     }
 
-    /// How many of them are strokes.
+    /// The number of moves that are strokes.
     pub fn strokes(&self) -> usize {
         let strokes = self.moves.iter();
         strokes
@@ -125,29 +124,29 @@ impl Record {
             .count()
     }
 
-    /// Adds a move. Whether it is possible shows when it is [made](Move::make).
+    /// Adds a move, which is checked when it is [made](Move::make).
     pub fn push(&mut self, made: Move) {
         self.moves.push(made);
     }
 
-    /// Takes the last move back.
+    /// Takes back the last move.
     pub fn pop(&mut self) -> Option<Move> {
         self.moves.pop()
     }
 
-    /// Plays the whole record and gives the game it leads to.
+    /// Plays the whole record and returns the resulting game.
     ///
     /// # Errors
-    /// Its first fault.
+    /// The first fault in the record.
     pub fn replay(&self) -> Result<Game, RecordError> {
         self.play_through(|_, _, _, _| {})
     }
 
-    /// Plays the whole record and reports each move on the way: the game before it, the move, its
-    /// shot if it was a stroke, what the referee announced.
+    /// Plays the whole record and reports each move: the game before it, the move, its shot if it
+    /// was a stroke, and the referee's rulings.
     ///
     /// # Errors
-    /// Its first fault.
+    /// The first fault in the record.
     pub fn play_through(
         &self,
         mut each: impl FnMut(Game, &Move, Option<Shot>, Vec<Ruling>),
@@ -166,11 +165,10 @@ impl Record {
 }
 
 impl Move {
-    /// Makes the move: gives the shot, if it was a stroke, and what the referee
-    /// announces.
+    /// Makes the move and returns the shot, if it was a stroke, and the referee's rulings.
     ///
     /// # Errors
-    /// Why it cannot be made; the game is then unchanged.
+    /// The reason why the move cannot be made; the game is then unchanged.
     pub fn make(&self, game: &mut Game) -> Result<(Option<Shot>, Vec<Ruling>), MoveError> {
         match self {
             Self::Strike(strike) => {
@@ -193,15 +191,15 @@ impl Move {
 }
 
 impl Strike {
-    /// The shot of this stroke on the present board.
+    /// The shot of this stroke on the current board.
     ///
     /// # Errors
-    /// If the striker may not stand there or the engine cannot play it.
+    /// If the striker must not be placed there or the engine cannot play the stroke.
     pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
         game.check_place(self.place)?;
         let (discs, motions) = game.discs(Motion::new(self.place, self.velocity));
         Ok(physics::play(
-            &Board::default(),
+            &game.board(),
             &discs,
             &motions,
             Limits::default(),
@@ -217,7 +215,7 @@ mod tests {
     use super::super::{Fingerprint, Hands, Rules};
     use super::*;
 
-    /// Hard random strokes from legal places, next boards included.
+    /// A record of hard random strokes from legal positions, continued on the next boards.
     fn played(setup: GameSetup, strokes: usize, seed: u64) -> (Record, Game) {
         let mut hand = Pcg64::seed_from_u64(seed);
         let mut record = Record::new(setup);
@@ -264,7 +262,7 @@ mod tests {
             let (record, game) = played(setup, 60, seed);
             assert!(record.moves().len() > 20);
             assert_eq!(record.replay().unwrap(), game);
-            // Equal may hide a negative zero; the fingerprint shows every bit.
+            // Equality ignores the sign of zero; the fingerprint includes every bit.
             let again = record.replay().unwrap();
             assert_eq!(Fingerprint::of(&again), Fingerprint::of(&game));
         }

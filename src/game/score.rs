@@ -10,20 +10,20 @@ const GAME_BOARDS: u8 = 8;
 /// Games that win a match: the best of three (30).
 const MATCH_GAMES: u8 = 2;
 
-/// The score, worked out from the boards played.
+/// The score, calculated from the boards played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Score {
-    /// Points in the present game.
+    /// Points in the current game.
     pub points: ByTeam<u8>,
-    /// Boards finished in the present game.
+    /// Boards finished in the current game.
     pub boards: u8,
     /// Earlier games won.
     pub games: ByTeam<u8>,
 }
 
 impl Score {
-    /// The score after `boards`, the last of them just finished: a game that it decided still shows
-    /// its points.
+    /// The score after `boards`, the last of which has just finished: if it decided a game, the
+    /// points of that game are still included.
     pub(crate) fn after<'a>(rules: Rules, boards: impl IntoIterator<Item = &'a BoardWon>) -> Self {
         boards.into_iter().fold(Self::default(), |score, board| {
             let mut score = score.before_next_board(rules);
@@ -45,11 +45,11 @@ impl Score {
         self
     }
 
-    /// Who has won the present game, if anybody has.
+    /// The winner of the current game, if there is one.
     ///
-    /// In a tournament that is who reaches 25 points or leads after the eighth
-    /// board; at a tie one more board is played, and another (29). Friendly, it is
-    /// who won the board. Practice has no winner.
+    /// In a tournament it is the team that reaches 25 points or leads after the eighth board; extra
+    /// boards are played until a tie is broken (29). In a friendly game it is the winner of the
+    /// board. Practice has no winner.
     pub(crate) fn game_winner(&self, rules: Rules) -> Option<Team> {
         let [first, second] = Team::BOTH.map(|team| self.points[team]);
         let decided = match rules {
@@ -65,16 +65,15 @@ impl Score {
         }
     }
 
-    /// Whether the present game is tied with its last board played, so that one
-    /// more is needed (29b).
+    /// Whether the current game is tied after its last board, so that one more is needed (29b).
     pub(crate) fn is_tied(&self, rules: Rules) -> bool {
         rules == Rules::Tournament
             && self.boards >= GAME_BOARDS
             && self.game_winner(rules).is_none()
     }
 
-    /// Who has won the match, if anybody has: the first to win two games of a
-    /// tournament (30). A friendly evening has no end.
+    /// The winner of the match, if there is one: the first team to win two games of a tournament
+    /// (30). Friendly games do not form a match.
     pub(crate) fn match_winner(&self, rules: Rules) -> Option<Team> {
         let winner = self.game_winner(rules)?;
         (rules == Rules::Tournament && self.games[winner] + 1 >= MATCH_GAMES).then_some(winner)
@@ -145,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_friendly_board_is_a_game_and_the_evening_goes_on() {
+    fn a_friendly_board_is_a_game_and_there_is_no_match() {
         let list = boards(&[(First, 4), (Second, 1), (First, 2)]);
         let score = Score::after(Rules::Friendly, &list);
         assert_eq!(score.game_winner(Rules::Friendly), Some(First));

@@ -1,4 +1,4 @@
-//! Who sits where, who plays with whom, and whose turn follows.
+//! The seats, the teams and the order of turns.
 
 use std::ops::{Index, IndexMut};
 
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 )]
 #[serde(rename_all = "snake_case")]
 pub enum Seat {
-    /// Below the board, looking up it.
+    /// Below the board, facing up.
     #[default]
     South,
     /// On the right.
@@ -23,10 +23,10 @@ pub enum Seat {
 }
 
 impl Seat {
-    /// The four seats, each the right-hand neighbour of the one before.
+    /// The four seats, each the right-hand neighbour of the previous one.
     pub const ALL: [Self; 4] = [Self::South, Self::East, Self::North, Self::West];
 
-    /// The neighbour on the right hand.
+    /// The neighbour to the right.
     pub const fn right(self) -> Self {
         Self::ALL[(self as usize + 1) % 4]
     }
@@ -36,7 +36,7 @@ impl Seat {
         self.right().right()
     }
 
-    /// By how many degrees, anticlockwise, [`Seat::turn`] turns.
+    /// The anticlockwise angle of [`Seat::turn`] in degrees.
     pub const fn turned_by_deg(self) -> f64 {
         match self {
             Self::South => 0.0,
@@ -46,8 +46,8 @@ impl Seat {
         }
     }
 
-    /// Turns a point as seen from South into the same point as seen from here:
-    /// quarter turns, without rounding.
+    /// Turns a position relative to South into the corresponding position relative to this seat, by
+    /// quarter turns without rounding.
     pub fn turn(self, from_south: DVec2) -> DVec2 {
         match self {
             Self::South => from_south,
@@ -107,20 +107,20 @@ impl<T> IndexMut<Team> for ByTeam<T> {
     }
 }
 
-/// How many play.
+/// The number of players.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Hands {
     /// Singles: South against North.
     #[default]
     Two,
-    /// Doubles: partners sit opposite, South and North against East and West.
+    /// Doubles: partners sit opposite each other, South and North against East and West.
     Four,
 }
 
 impl Hands {
-    /// Who plays after `seat`: the player across the board in singles, the
-    /// right-hand neighbour in doubles (22b).
+    /// The seat that plays after `seat`: the player across the board in singles, the right-hand
+    /// neighbour in doubles (22b).
     pub const fn next(self, seat: Seat) -> Seat {
         match self {
             Self::Two => seat.opposite(),
@@ -136,7 +136,7 @@ impl Hands {
         }
     }
 
-    /// Whether anybody plays from `seat`.
+    /// Whether there is a player at `seat`.
     pub const fn plays(self, seat: Seat) -> bool {
         matches!(
             (self, seat),
@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn turning_there_and_back_is_exact() {
+    fn turning_and_turning_back_is_exact() {
         let at = DVec2::new(0.1, -0.3);
         for seat in Seat::ALL {
             assert_eq!(seat.turn_back(seat.turn(at)), at);
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn law_22b_in_doubles_the_turn_goes_to_the_right_and_partners_sit_opposite() {
+    fn law_22b_in_doubles_the_turn_passes_to_the_right_and_partners_sit_opposite() {
         let mut seat = Seat::South;
         for next in [Seat::East, Seat::North, Seat::West, Seat::South] {
             seat = Hands::Four.next(seat);

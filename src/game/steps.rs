@@ -14,13 +14,13 @@ use crate::physics::units::deg_from_rad;
 pub(crate) const PLACE_STEP: f64 = 0.002;
 /// Rounding error of a step, in metres.
 const SLACK: f64 = 1e-9;
-/// Steps of the direction in a degree.
+/// Steps of direction per degree.
 pub(crate) const STEPS_PER_DEGREE: f64 = 10.0;
-/// Steps of the speed in 1 m/s.
+/// Steps of speed per m/s.
 pub(crate) const STEPS_PER_SPEED: f64 = 10.0;
 
-/// The same stroke with direction and speed on the nearest steps, as seen from `seat`; at least one
-/// step of speed. `None` for a stroke without motion.
+/// The stroke with direction and speed rounded to the nearest steps, as seen from `seat`, with a
+/// speed of at least one step. `None` for a stroke without motion.
 pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
     let way = seat.turn_back(stroke.velocity.try_normalize()?);
     let degrees = deg_from_rad(way.to_angle());
@@ -36,15 +36,15 @@ pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
 }
 
 impl BaseLines<'_> {
-    /// The legal place nearest to `at` that steps from the middle lead to: a whole
-    /// number of steps away from it, or on a base circle. `None` if there is none.
+    /// The legal position nearest to `at` that is a whole number of steps from the middle or on a
+    /// base circle. `None` if there is none.
     pub(crate) fn nearest_on_steps(&self, at: DVec2) -> Option<DVec2> {
         self.nearest_of(Self::steps(), at)
     }
 
-    /// The next legal place on the steps at least `metres` to the player's right of `from`
-    /// (negative: to the left), skipping illegal ones; if there is none that far, the last one.
-    /// `None` if there is none at all.
+    /// The next legal position on the steps that is at least `metres` to the player's right of
+    /// `from` (negative: to the left); if there is none that far, the last legal one. `None` if no
+    /// position is legal.
     pub(crate) fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
         let (here, sense) = (self.along(from), metres.signum());
         // A distance between two steps is rounded to the nearer one.
@@ -84,10 +84,10 @@ mod tests {
         }
     }
 
-    /// Between the lines and on a base circle there is the stretch where the striker
-    /// would cut it: 182.55 mm to 214.35 mm from the middle.
+    /// From 182.55 mm to 214.35 mm from the middle the striker would cut a base circle, except
+    /// exactly on it.
     #[test]
-    fn a_step_passes_over_what_is_not_legal() {
+    fn a_step_skips_illegal_positions() {
         for seat in Seat::ALL {
             let lines = BaseLines::new(SET, seat, &[]);
             let mut at = lines.at(0.0);
@@ -99,7 +99,7 @@ mod tests {
             }
             assert_eq!(passed.len(), 91 + 3);
             assert_eq!(passed[89..], [180.0, 182.0, 216.0, 218.0, 219.1]);
-            // And all the way back, through the middle again.
+            // The steps lead all the way back through the middle.
             let mut places = vec![at];
             while let Some(next) = lines.next_on_steps(at, -PLACE_STEP) {
                 at = next;
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_passes_over_a_coin_and_finds_back_to_the_steps() {
+    fn a_step_skips_a_coin_and_returns_to_the_steps() {
         let coins = [coin(0.0)];
         let lines = BaseLines::new(SET, Seat::South, &coins);
         let beside = lines.nearest(lines.at(0.01)).unwrap();

@@ -1,4 +1,4 @@
-//! What the laws need to know of a stroke.
+//! The facts about a stroke that the laws use.
 
 use thiserror::Error;
 
@@ -28,22 +28,22 @@ pub enum StrokeError {
     Miscounted {
         /// The kind of piece.
         piece: Piece,
-        /// How many lay on the board.
+        /// How many were on the board before the stroke.
         before: u8,
-        /// How many lie there now or were pocketed.
+        /// How many are on the board after the stroke or were pocketed.
         after: u8,
     },
     /// The striker was pocketed more than once, or is on the board as a coin.
     #[error("there is only one striker, and it is lifted after the stroke")]
     Striker,
     /// A coin was pocketed although the striker touched no coin.
-    #[error("a coin cannot fall when the striker touched none")]
+    #[error("a coin cannot fall if the striker touched none")]
     Untouched,
     /// A coin is off the board.
     #[error("a coin cannot come to rest off the board")]
     OffTheBoard,
     /// The shot was not played with the discs of this board.
-    #[error("the shot has {found} discs, and this board {expected}")]
+    #[error("the shot has {found} discs, but this board has {expected}")]
     OtherDiscs {
         /// The coins on the board and the striker.
         expected: usize,
@@ -56,8 +56,8 @@ pub enum StrokeError {
 }
 
 impl Stroke {
-    /// The stroke that `shot` was: its disc 0 the striker, its disc i + 1 the
-    /// coin `coins[i]`, as [`Game::discs`](super::Game::discs) lays them.
+    /// The stroke of `shot`, whose disc 0 is the striker and whose disc i + 1 is the coin
+    /// `coins[i]`, as in [`Game::discs`](super::Game::discs).
     ///
     /// # Errors
     /// `StrokeError::OtherDiscs` if the shot has more or fewer discs.
@@ -96,7 +96,7 @@ impl Stroke {
     /// Whether this stroke could have been played on `before`.
     ///
     /// # Errors
-    /// What does not fit.
+    /// The first contradiction.
     pub fn check(&self, before: &[Coin]) -> Result<(), StrokeError> {
         if self.fallen(Piece::Striker) > 1 || count(&self.left, Piece::Striker) > 0 {
             return Err(StrokeError::Striker);
@@ -135,7 +135,7 @@ mod tests {
     use glam::DVec2;
 
     #[test]
-    fn a_shot_becomes_what_fell_and_what_lies_where() {
+    fn a_shot_gives_the_pieces_that_fell_and_the_positions_of_the_others() {
         let coin = |piece, x: f64, y: f64| Coin {
             piece,
             at: DVec2::new(x, y),
@@ -144,7 +144,7 @@ mod tests {
             rules: Rules::Practice,
             ..GameSetup::default()
         });
-        // The black coin stands before the right upper pocket, in line with it.
+        // The black coin is in front of the upper right pocket, in line with it.
         let coins = vec![
             coin(Piece::Queen, -0.2, 0.0),
             coin(Piece::Black, 0.25, 0.25),
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stroke_that_cannot_be_is_refused_with_the_reason() {
+    fn an_impossible_stroke_is_refused_with_the_reason() {
         let coins = pack(PieceSet::Tournament, Seat::South);
         let missed = Stroke {
             touched: false,

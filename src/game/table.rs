@@ -1,7 +1,7 @@
 //! A whole game at the table: boards one after another, and the score.
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
+use serde::{Serialize, Serializer};
 use strum::IntoStaticStr;
 
 use super::laws::{self, BoardWon, Law, Rules, Ruling, RulingEffect, Verdict};
@@ -13,11 +13,10 @@ use super::score::Score;
 use super::seat::{Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
-use crate::physics::{Disc, Motion};
+use crate::physics::{Board, Disc, Motion};
 
-/// The agreement before the first break.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// The settings that are agreed before the first break.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GameSetup {
     /// The rules.
     pub rules: Rules,
@@ -25,25 +24,32 @@ pub struct GameSetup {
     pub hands: Hands,
     /// The pieces.
     pub set: PieceSet,
-    /// Who won the toss and breaks first (13, 15).
+    /// Coefficient of restitution of two discs, 0 to 1.
+    pub restitution: f64,
+    /// The player who won the toss and breaks first (13, 15).
     pub first_breaker: Seat,
     /// Seed of the small irregularities of each pack; `None` for a pack that is
     /// exact and the same every time.
-    #[serde(default, with = "seed_bits", skip_serializing_if = "Option::is_none")]
+    #[serde(serialize_with = "signed", skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
 }
 
-/// A seed as the signed number with the same bits, because TOML has no unsigned numbers.
-mod seed_bits {
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    pub(super) fn serialize<S: Serializer>(seed: &Option<u64>, to: S) -> Result<S::Ok, S::Error> {
-        seed.map(u64::cast_signed).serialize(to)
+impl Default for GameSetup {
+    fn default() -> Self {
+        Self {
+            rules: Rules::default(),
+            hands: Hands::default(),
+            set: PieceSet::default(),
+            restitution: Board::default().restitution,
+            first_breaker: Seat::default(),
+            seed: None,
+        }
     }
+}
 
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<u64>, D::Error> {
-        Ok(Option::<i64>::deserialize(from)?.map(i64::cast_unsigned))
-    }
+/// Writes a seed as the signed number with the same bits, because TOML has no unsigned numbers.
+fn signed<S: Serializer>(seed: &Option<u64>, to: S) -> Result<S::Ok, S::Error> {
+    seed.map(u64::cast_signed).serialize(to)
 }
 
 /// The state of a game.
@@ -52,7 +58,7 @@ mod seed_bits {
 pub enum GameStage {
     /// A board is being played.
     Playing,
-    /// A board has ended, and the game goes on with the next.
+    /// A board has ended, and the game continues with the next.
     BoardOver(BoardWon),
     /// The game has been won, and another may follow.
     GameOver(Team),
@@ -60,10 +66,9 @@ pub enum GameStage {
     MatchOver(Team),
 }
 
-/// A game of carrom: what was agreed, the boards finished and the one in play.
+/// A game of carrom: its settings, the finished boards and the board in play.
 ///
-/// Everything else is worked out from these. Cloning a game and keeping the
-/// clone is all there is to undo.
+/// Everything else is calculated from these. To undo, keep a clone of the game.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Game {
     pub(super) setup: GameSetup,
@@ -72,8 +77,8 @@ pub struct Game {
 }
 
 impl Game {
-    /// A new game with the pack laid out. In singles South breaks first unless it
-    /// is North: nobody sits at the other sides.
+    /// A new game with the pack laid out. In singles South breaks first unless North does: nobody
+    /// sits at the other sides.
     pub fn new(setup: GameSetup) -> Self {
         let first_breaker = match setup.hands {
             Hands::Two if !setup.hands.plays(setup.first_breaker) => Seat::South,
@@ -90,9 +95,17 @@ impl Game {
         }
     }
 
-    /// The agreement before the first break.
+    /// The settings that are agreed before the first break.
     pub fn setup(&self) -> &GameSetup {
         &self.setup
+    }
+
+    /// The surface that the discs slide on.
+    pub(crate) fn board(&self) -> Board {
+        Board {
+            restitution: self.setup.restitution,
+            ..Board::default()
+        }
     }
 
     /// The board in play.
@@ -125,7 +138,7 @@ impl Game {
         self.score_before().boards.saturating_add(1)
     }
 
-    /// The score, this board included once it has ended.
+    /// The score, including this board once it has ended.
     pub fn score(&self) -> Score {
         match &self.play.won {
             Some(won) => Score::after(self.setup.rules, self.finished.iter().chain([won])),
@@ -133,7 +146,7 @@ impl Game {
         }
     }
 
-    /// Where the game stands.
+    /// The stage of the game.
     pub fn stage(&self) -> GameStage {
         let rules = self.setup.rules;
         let score = self.score();
@@ -154,11 +167,11 @@ impl Game {
         BaseLines::new(self.setup.set, self.seat(), self.coins())
     }
 
-    /// Whether the striker may stand at `at` for the next stroke: within the
-    /// base lines, or anywhere free in practice.
+    /// Whether the striker may be placed at `at` for the next stroke: within the base lines or, in
+    /// a practice game, at any free position.
     ///
     /// # Errors
-    /// Why not.
+    /// The reason, if the striker must not be placed there.
     pub(crate) fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
             Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),
@@ -177,12 +190,11 @@ impl Game {
         std::iter::once(striker).chain(coins).unzip()
     }
 
-    /// Applies the rules to a stroke of the player whose turn it is, and returns
-    /// what the referee announces, the decisive ruling first.
+    /// Applies the rules to a stroke of the player whose turn it is, and returns the referee's
+    /// rulings, the decisive one first.
     ///
     /// # Errors
-    /// If the board has ended or the stroke cannot be one of this board; the
-    /// game is then unchanged.
+    /// If the board has ended or the stroke is impossible on it; the game is then unchanged.
     pub fn apply(&mut self, stroke: &Stroke) -> Result<Vec<Ruling>, StrokeError> {
         if self.play.won.is_some() {
             return Err(StrokeError::Ended);
@@ -194,8 +206,7 @@ impl Game {
         Ok(self.carry_out(&terms, verdict))
     }
 
-    /// The player whose turn it is has no legal position for the striker, because coins block all
-    /// of them.
+    /// Passes the turn because coins block every legal position of the striker.
     ///
     /// # Errors
     /// If the board has ended.
@@ -228,10 +239,11 @@ impl Game {
         Ok(())
     }
 
-    /// Lays `coins` out as they are, in practice.
+    /// Places `coins` on the board as given, in a practice game.
     ///
     /// # Errors
-    /// If this is not practice, or the coins cannot lie like this; the game is then unchanged.
+    /// If this is not a practice game, or the coins cannot be at these positions; the game is then
+    /// unchanged.
     pub(crate) fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
         if self.setup.rules != Rules::Practice {
             return Err(GameError::NotInPractice);
@@ -245,7 +257,7 @@ impl Game {
         Ok(())
     }
 
-    /// Carries a verdict out and announces the end of a game or match with it.
+    /// Carries a verdict out and announces the end of a game or match that it causes.
     fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
         let mut rulings = self.play.carry_out(terms, verdict);
         if self.play.won.is_some() {
@@ -254,7 +266,7 @@ impl Game {
         rulings
     }
 
-    /// What a finished board means for game and match.
+    /// The rulings on game and match after a finished board.
     fn announce_end(&self) -> Vec<Ruling> {
         let rules = self.setup.rules;
         let score = self.score();
@@ -287,9 +299,9 @@ impl Game {
         Score::after(self.setup.rules, &self.finished).before_next_board(self.setup.rules)
     }
 
-    /// Who breaks this board: the break goes round from board to board (22), and
-    /// each game begins one place further (22a). An extra board keeps the
-    /// order in place of a toss (29b).
+    /// The player who breaks this board: the break passes from seat to seat with each board (22),
+    /// and each game begins one seat further on (22a). An extra board follows this order instead of
+    /// a toss (29b).
     fn breaker(&self) -> Seat {
         let score = self.score_before();
         let turns = match self.setup.rules {

@@ -1,4 +1,4 @@
-//! What a game refuses, and impossible positions of coins.
+//! The requests that a game refuses, and impossible positions of coins.
 
 use thiserror::Error;
 
@@ -15,28 +15,28 @@ pub enum GameError {
     /// The match is over.
     #[error("the match is over; start a new one")]
     MatchOver,
-    /// Coins may be laid out freely only in practice.
-    #[error("coins may be laid out freely only in practice")]
+    /// Coins may be placed freely only in a practice game.
+    #[error("coins may be placed freely only in a practice game")]
     NotInPractice,
     /// There are more coins than a set holds.
     #[error("there are {found} pieces of this kind ({piece}) on the board, and a set has {most}")]
     TooMany {
         /// The kind of piece.
         piece: Piece,
-        /// How many lie there.
+        /// How many are on the board.
         found: u8,
-        /// How many there can be.
+        /// How many the set has.
         most: u8,
     },
     /// Two coins overlap.
     #[error("two coins overlap")]
     Overlap,
-    /// A coin lies off the board.
-    #[error("a coin lies off the board")]
+    /// A coin is off the board.
+    #[error("a coin is off the board")]
     OffTheBoard,
 }
 
-/// Whether coins can lie like this.
+/// Checks that coins can be at these positions.
 pub(super) fn check_coins(coins: &[Coin], set: PieceSet) -> Result<(), GameError> {
     for (piece, most) in [
         (Piece::White, COINS_EACH),

@@ -1,4 +1,4 @@
-//! What the class believes.
+//! The misconceptions of a class.
 
 use super::{ClassResults, PupilResults};
 use crate::progress;
@@ -7,15 +7,15 @@ use crate::quiz::Misconception;
 /// A misconception that a class has shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BeliefCount {
-    /// Which.
+    /// The misconception.
     pub misconception: Misconception,
-    /// How many pupils hold it, by the evidence of all their answers.
+    /// How many pupils hold the misconception, by the evidence of all their answers.
     pub pupils: usize,
-    /// How many answers fitted it.
+    /// How many answers fit the misconception.
     pub answers: usize,
 }
 
-/// The misconceptions that any answer fitted, those that most pupils hold first.
+/// The misconceptions that at least one answer fits, the most widely held first.
 pub fn beliefs(results: &ClassResults<'_>) -> Vec<BeliefCount> {
     let pupils = &results.pupils;
     let of = |misconception: Misconception| {

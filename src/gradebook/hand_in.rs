@@ -9,14 +9,14 @@ use crate::files::{BYTE_ORDER_MARK, LONGEST_QUOTE, escape_control, newer, quoted
 use crate::progress::{Attempt, LESSON, ROUND};
 use crate::quiz::{Code, Course, CourseKind, Family, Topic};
 
-/// The format that is written.
+/// The version of the format that is written.
 const FORMAT: u32 = 1;
-/// The mark of such a file.
+/// The value that identifies such a file.
 const KIND: &str = "hand-in";
-/// Most letters of a name.
+/// The most letters in a name.
 const LONGEST: usize = 60;
 
-/// Most letters of a topic, which may be the title of a chapter.
+/// The most letters in a topic, which may be the title of a chapter.
 const LONGEST_TOPIC: usize = 200;
 
 /// All answers of a pupil, with name and class.
@@ -24,9 +24,9 @@ const LONGEST_TOPIC: usize = 200;
 pub struct HandIn {
     /// The pupil's name.
     pub name: String,
-    /// The class, as the pupil calls it; perhaps empty.
+    /// The class, as the pupil wrote it; it may be empty.
     pub class: String,
-    /// The answers, in their order.
+    /// The answers in order.
     pub attempts: Vec<Attempt>,
 }
 
@@ -41,19 +41,19 @@ struct HandInFile<A> {
     /// The codes of the rounds, for human readers of the file.
     #[serde(default)]
     codes: Vec<String>,
-    /// 0 to 10 for each answer, by how close it was, for human readers of the file.
+    /// The sum of the points for accuracy, 0 to 10 per answer, for human readers of the file.
     #[serde(default)]
     points: f64,
     answers: Vec<A>,
 }
 
 impl HandIn {
-    /// Largest file that is read, in bytes; ten thousand answers take some 6 MB.
+    /// The largest file that is read, in bytes; ten thousand answers are about 6 MB.
     pub(crate) const LARGEST_FILE: usize = 1 << 24;
 
-    /// The file of a pupil. Names are tidied; one without a visible letter stays empty. Answers
-    /// that a teacher's carrom would refuse are left out: damage may have changed them, and the
-    /// whole file would be refused.
+    /// A pupil's hand-in. Names are tidied; a name without a visible letter becomes empty. Answers
+    /// that a teacher's carrom would refuse, for example after damage, are left out, because
+    /// otherwise it would refuse the whole file.
     pub fn new(name: &str, class: &str, attempts: Vec<Attempt>) -> Self {
         let mut known = KnownTopics::default();
         let sound = attempts.into_iter();
@@ -74,7 +74,7 @@ impl HandIn {
         format!("{}.json", self.file_stem())
     }
 
-    /// The same without its ending.
+    /// The file name without its extension.
     pub fn file_stem(&self) -> String {
         let plain = |c: char| match c.is_ascii_alphanumeric() {
             true => c.to_ascii_lowercase(),
@@ -90,14 +90,14 @@ impl HandIn {
     /// The text of the file.
     ///
     /// # Errors
-    /// None in practice; the reason if it cannot be written.
+    /// The reason if the text cannot be written, which does not happen in practice.
     pub fn text(&self) -> Result<String, String> {
         let text = serde_json::to_string_pretty(&self.written());
         text.map(|text| text + "\n")
             .map_err(|error| error.to_string())
     }
 
-    /// The same, for sending.
+    /// The contents of the file, for sending.
     ///
     /// # Errors
     /// As for [`Self::text`].
@@ -127,15 +127,15 @@ impl HandIn {
     /// Reads such a file.
     ///
     /// # Errors
-    /// The reason in words: not a complete hand-in, a newer one, one without a name, an impossible
-    /// answer.
+    /// The reason: the file is not a complete hand-in, is from a newer carrom, has no name, or has
+    /// an impossible answer.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());
         }
-        // Some editors and mail programs put a byte order mark before a text.
+        // Some editors and mail programs put a byte order mark before the text.
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-        // Whatever else is wrong, the kind of file and its format come first.
+        // The kind of file and its format are checked first, whatever else is wrong.
         let value = serde_json::from_slice(bytes)
             .map_err(|error| format!("it is damaged or not a hand-in: {}", short(&error)))?;
         Self::of_value(value)
@@ -166,22 +166,23 @@ impl HandIn {
         let attempts = attempts.collect::<Result<_, _>>()?;
         let hand_in = Self::of(&written.name, &written.class, attempts);
         match hand_in.name.is_empty() {
-            true => Err("it has no name in it".into()),
+            true => Err("it has no name".into()),
             false => Ok(hand_in),
         }
     }
 }
 
-/// Which topics belong to which families, cached: a file has thousands of answers about few topics.
+/// A cache of which topics belong to which families, because a file has thousands of answers about
+/// few topics.
 type KnownTopics = HashMap<(Family, String), bool>;
 
-/// An answer that a carrom can have stored, with its round and its topic as carrom writes them.
+/// Checks that carrom can have stored this answer, and writes its round and topic as carrom does.
 ///
 /// Hand-ins become headings and cells of the teacher's tables, so every name is checked or tidied
 /// here.
 ///
 /// # Errors
-/// What is impossible about it.
+/// What is impossible about the answer.
 fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, String> {
     if let Some(fault) = attempt.fault() {
         return Err(fault.into());
@@ -216,7 +217,7 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
     Ok(attempt)
 }
 
-/// Writes the name of an answer's round as carrom does; returns its code.
+/// Rewrites the name of an answer's round as carrom does; returns its code.
 fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
     // Earlier versions stored only the seed.
     let Some(round) = attempt.question.get_mut(ROUND) else {
@@ -242,7 +243,7 @@ fn is_topic_of(topic: &str, family: Family, known: &mut KnownTopics) -> bool {
     *known.entry((family, topic.to_owned())).or_insert_with(asks)
 }
 
-/// The message of serde about a file, which may quote all of it.
+/// Shortens serde's message about a file, because it may quote the whole file.
 fn short(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

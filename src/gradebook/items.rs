@@ -9,17 +9,17 @@ use crate::quiz::{Code, Misconception, Round};
 /// The results of a question.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ItemStatistics {
-    /// The round, and the question's number in it, from 1.
+    /// The round.
     pub round: String,
-    /// The number.
+    /// The question's number in the round, from 1.
     pub number: u32,
-    /// The question, if it follows from the code.
+    /// The text of the question, if the code determines it.
     pub question: Option<String>,
-    /// The answers to it, at least one.
+    /// The counts of the answers to the question, which has at least one.
     pub tally: Tally,
-    /// How well it separates pupils.
+    /// How well the question distinguishes strong from weak pupils, −1 to 1.
     pub discrimination: Option<f64>,
-    /// The misconception that most answers fit, and how many.
+    /// The misconception that the most answers fit, and the number of those answers.
     pub commonest: Option<(Misconception, usize)>,
 }
 
@@ -65,7 +65,7 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     each.collect()
 }
 
-/// The misconception that most of these fit; of equals the first in order.
+/// The misconception that the most of these answers fit; the first in order if there are several.
 fn commonest<'a>(answers: impl Iterator<Item = &'a Attempt>) -> Option<(Misconception, usize)> {
     let shown = answers.filter_map(Attempt::shows);
     let shown: Vec<Misconception> = shown.collect();

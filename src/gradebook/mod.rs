@@ -1,6 +1,6 @@
 //! The hand-ins of a class: files of single pupils, combined.
 //!
-//! A pupil's [`HandIn`] holds every answer that was given, so that a second one holds the first. A
+//! A pupil's [`HandIn`] contains all answers so far, so a later one contains all earlier ones. A
 //! [`Gradebook`] counts each pupil and each answer once. For a question of a round the first answer
 //! counts, because a pupil who plays a round again has seen the right answers.
 

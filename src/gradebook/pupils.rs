@@ -1,4 +1,4 @@
-//! The pupils who have handed in, each pupil and each answer once.
+//! The pupils who have handed in answers; each pupil and each answer occurs once.
 
 use std::collections::HashSet;
 
@@ -8,22 +8,22 @@ use crate::numbers::counted;
 use crate::progress::Attempt;
 use crate::quiz::Figures;
 
-/// A pupil with all answers handed in.
+/// A pupil with all answers from all hand-ins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pupil {
-    /// The name; a second pupil of the same name is "Ada (2)".
+    /// The name; a second pupil with the same name is "Ada (2)".
     pub name: String,
-    /// The class, as the pupil calls it.
+    /// The class, as the pupil wrote it.
     pub class: String,
-    /// Every answer, in the order of their times.
+    /// All answers, in chronological order.
     pub attempts: Vec<Attempt>,
     /// The name without the number that distinguishes two pupils.
     own_name: String,
 }
 
 impl Pupil {
-    /// Whether this pupil handed that in: the same name and class, if a class is named, and an
-    /// answer in common, or no answers on one side.
+    /// Whether the hand-in is from this pupil: both have the same name, the same class (or one of
+    /// them names no class), and an answer in common (or one of them has no answers).
     fn is(&self, other: &HandIn) -> bool {
         let shares = || {
             let handed_in: HashSet<_> = other.attempts.iter().map(identity).collect();
@@ -33,7 +33,7 @@ impl Pupil {
         self.is_called_as(other) && (empty || shares())
     }
 
-    /// Whether both have the same name and may be in one class.
+    /// Whether the pupil and the hand-in have the same name and may be of the same class.
     fn is_called_as(&self, other: &HandIn) -> bool {
         let alike = |a: &str, b: &str| a.to_lowercase() == b.to_lowercase();
         let unnamed = self.class.is_empty() || other.class.is_empty();
@@ -41,7 +41,7 @@ impl Pupil {
     }
 }
 
-/// The identity of an answer across files: its time and place, the question and the answer.
+/// The identity of an answer across files: its time and position, the question and the answer.
 type Identity<'a> = ((Option<i64>, u64, u32), &'a str, [&'a Figures; 2]);
 
 fn identity(it: &Attempt) -> Identity<'_> {
@@ -52,7 +52,7 @@ fn identity(it: &Attempt) -> Identity<'_> {
     )
 }
 
-/// All pupils, in the order of their names.
+/// All pupils, sorted by name.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Gradebook {
     /// The pupils.
@@ -62,8 +62,8 @@ pub struct Gradebook {
 }
 
 impl Gradebook {
-    /// Adds the contents of a file, or why it could not be read. The same pupil, or the same
-    /// answer, a second time is counted once.
+    /// Adds the contents of a file, or the reason why it could not be read. A pupil or an answer
+    /// that occurs again is counted once.
     pub fn add(&mut self, file: &str, read: Result<HandIn, String>) {
         let hand_in = match read {
             Ok(hand_in) => hand_in,
@@ -77,8 +77,8 @@ impl Gradebook {
             fresh.retain(|it| !known.contains(&identity(it)));
             drop(known);
             let words = match fresh.len() {
-                0 => "nothing in it is new".to_owned(),
-                new => format!("{} of {all} new", counted(new, "answer")),
+                0 => "no new answers".to_owned(),
+                new => format!("{new} of {all} answers new"),
             };
             self.notes.push(format!("{file}: {name} again; {words}"));
             if pupil.class.is_empty() {
@@ -111,7 +111,7 @@ impl Gradebook {
             .sort_by_key(|it| (it.name.to_lowercase(), it.class.to_lowercase()));
     }
 
-    /// The classes of all pupils, as they are called: "10a; 10b".
+    /// The classes of all pupils: "10a; 10b".
     pub fn classes(&self) -> String {
         let named = self.pupils.iter().map(|it| it.class.as_str());
         let mut classes: Vec<&str> = named.filter(|it| !it.is_empty()).collect();
@@ -120,8 +120,8 @@ impl Gradebook {
         classes.join("; ")
     }
 
-    /// Notes which of these names have handed in nothing; case and surrounding blanks do not
-    /// matter.
+    /// Notes which of these pupils have handed in nothing; upper and lower case and surrounding
+    /// spaces do not matter.
     pub(crate) fn look_for<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         let known = |name: &str| {
             let name = name.to_lowercase();
@@ -135,9 +135,9 @@ impl Gradebook {
             .filter(|name| !name.is_empty());
         let missing: Vec<String> = names.filter(|name| !known(name)).collect();
         if !missing.is_empty() {
-            let (count, names) = (missing.len(), missing.join(", "));
+            let (count, names) = (counted(missing.len(), "pupil"), missing.join(", "));
             self.notes.push(format!(
-                "{count} of the class list handed in nothing: {names}"
+                "{count} on the class list handed in nothing: {names}"
             ));
         }
     }

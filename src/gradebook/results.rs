@@ -1,5 +1,5 @@
-//! The results of a class, computed once for all tables and pages: reading the figures of an answer
-//! takes far longer than counting it.
+//! The results of a class, computed once for all tables and pages, because reading the figures of
+//! an answer takes far longer than counting it.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -8,30 +8,30 @@ use indexmap::IndexMap;
 use super::{Gradebook, Pupil};
 use crate::progress::{self, Attempt, HeldBelief, Tally, TopicStanding};
 
-/// A class with the results of each pupil.
+/// The results of all pupils in a class.
 #[derive(Debug, Clone)]
 pub struct ClassResults<'a> {
-    /// Where they come from.
+    /// The gradebook that the results come from.
     pub book: &'a Gradebook,
-    /// One for each pupil, in the order of the pupils.
+    /// The results of each pupil, in the order of the gradebook.
     pub pupils: Vec<PupilResults<'a>>,
 }
 
 /// The results of one pupil.
 #[derive(Debug, Clone)]
 pub struct PupilResults<'a> {
-    /// Whose they are.
+    /// The pupil.
     pub pupil: &'a Pupil,
-    /// The answers that count, which are the first to each question of a round, with the round
-    /// of each.
+    /// The answers that are counted: the first one to each question of a round, with the name of
+    /// the round.
     pub answers: Vec<(&'a Attempt, String)>,
-    /// These answers counted.
+    /// The counts of these answers.
     pub tally: Tally,
-    /// How each round went, in the order in which they were begun.
+    /// The results of each round, in the order in which the rounds were begun.
     pub rounds: IndexMap<String, Tally>,
-    /// How each topic went, by its name.
+    /// The results of each topic, by its name.
     pub topics: IndexMap<String, TopicStanding>,
-    /// The misconceptions that all answers together show.
+    /// The misconceptions that the pupil's answers show.
     pub beliefs: Vec<HeldBelief>,
 }
 
@@ -43,12 +43,12 @@ impl<'a> ClassResults<'a> {
         }
     }
 
-    /// The rounds that anybody has begun, in the order of their codes.
+    /// The rounds that any pupil has begun, sorted by code.
     pub(crate) fn rounds(&self) -> Vec<&str> {
         sorted(self.pupils.iter().flat_map(|it| it.rounds.keys()))
     }
 
-    /// The topics that anybody was asked about, in the order of their names.
+    /// The topics that any pupil was asked about, sorted by name.
     pub(crate) fn topics(&self) -> Vec<&str> {
         sorted(self.pupils.iter().flat_map(|it| it.topics.keys()))
     }
@@ -81,7 +81,7 @@ impl<'a> PupilResults<'a> {
     }
 }
 
-/// Each of these names once.
+/// These names without duplicates, sorted.
 fn sorted<'n>(names: impl Iterator<Item = &'n String>) -> Vec<&'n str> {
     let names: BTreeSet<&str> = names.map(String::as_str).collect();
     names.into_iter().collect()

@@ -4,10 +4,10 @@ use super::{BeliefCount, ClassResults, ItemStatistics, beliefs, items};
 use crate::files::csv_table;
 use crate::numbers::fixed;
 
-/// One row per pupil: the results in all, in each round and on each topic.
+/// One row per pupil: the total results, and those in each round and on each topic.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let (rounds, topics) = (results.rounds(), results.topics());
     let mut heads: Vec<String> = [
@@ -66,7 +66,7 @@ fn figure(x: Option<f64>, decimals: usize) -> String {
 /// One row per question: the results of all who answered it.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<ItemStatistics>); 10] = [
@@ -90,7 +90,7 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     table(&columns, &items(results))
 }
 
-/// The cell of a row in a column.
+/// A function that returns the cell of a row.
 type CellOf<'c, T> = &'c dyn Fn(&T) -> String;
 
 /// A table of these columns, each with its heading.
@@ -101,10 +101,10 @@ fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String>
     csv_table(&heads, &rows)
 }
 
-/// One row per misconception: how many hold it.
+/// One row per misconception: how many pupils hold it.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<BeliefCount>); 5] = [

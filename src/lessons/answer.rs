@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::GivenAnswer;
 use crate::quiz::{Rays, Response};
 
-/// Share of the credit that an answer after a hint earns.
+/// The fraction of the credit that an answer after a hint earns.
 pub(crate) const AFTER_HINT: f64 = 0.5;
 
 /// A stored answer: angles in degrees, a choice counted from 1.
@@ -19,7 +19,7 @@ pub(crate) fn answer_json(said: &Response) -> Value {
     }
 }
 
-/// An answer at a checkpoint as it is kept, with the first try where there was one.
+/// An answer at a checkpoint as it is stored, with the first try if there was one.
 pub(crate) fn given_json(given: &GivenAnswer) -> Value {
     let mut value = answer_json(&given.answer);
     if let (Some(first), Some(object)) = (&given.first, value.as_object_mut()) {
@@ -34,7 +34,7 @@ pub(crate) fn tries_of_json(value: &Value) -> Option<(Response, Option<Response>
     Some((answer_of_json(value)?, first))
 }
 
-/// An answer as [`answer_json`] writes it; `None` if it is none.
+/// An answer as [`answer_json`] writes it; `None` for anything else.
 pub(crate) fn answer_of_json(value: &Value) -> Option<Response> {
     if let Some(number) = value.get("number") {
         let number = number.as_f64().filter(|it| it.is_finite());
@@ -53,7 +53,7 @@ mod tests {
     use crate::quiz::Ray;
 
     #[test]
-    fn both_tries_are_read_as_they_are_written_and_one_alone_as_ever() {
+    fn one_try_or_both_are_read_back_as_they_were_written() {
         for first in [None, Some(Response::Choice(2))] {
             let given = GivenAnswer {
                 asked: "Which?".into(),
@@ -64,13 +64,13 @@ mod tests {
             let read = tries_of_json(&given_json(&given));
             assert_eq!(read, Some((given.answer, first)));
         }
-        // As it was written before there were second tries.
+        // The format of answers stored before second tries existed.
         let before = serde_json::from_str("{\"choice\":2}").unwrap();
         assert_eq!(tries_of_json(&before), Some((Response::Choice(1), None)));
     }
 
     #[test]
-    fn an_answer_is_read_as_it_is_written() {
+    fn an_answer_is_read_back_as_it_was_written() {
         let still = Rays {
             striker: None,
             target: Some(0.5),

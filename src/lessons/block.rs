@@ -18,28 +18,28 @@ pub enum TextBlock {
 /// A piece of a paragraph.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Inline {
-    /// Words.
+    /// Text with one emphasis.
     Text(String, Tone),
     /// An inline formula.
     Formula(Formula),
-    /// A number that follows the page's figure.
+    /// A number that changes with the page's figure.
     Live(Quantity),
 }
 
-/// The emphasis of words.
+/// The emphasis of text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
-    /// None.
+    /// No emphasis.
     Plain,
     /// Emphasized.
     Emphasis,
-    /// Strong, for important terms.
+    /// Strong emphasis, for important terms.
     Strong,
     /// A key to press.
     Key,
 }
 
-/// Reads the blocks of some lines.
+/// Reads the blocks of text in some lines.
 pub(super) fn read(
     source: &Source,
     lines: &[SourceLine],
@@ -97,7 +97,7 @@ impl OpenBlock {
     }
 }
 
-/// The item that a line begins: its number, and the rest of the line.
+/// The list item that begins on a line: its number, and the rest of the line.
 fn item(text: &str) -> (Option<Option<u32>>, &str) {
     if let Some(rest) = text.strip_prefix("- ") {
         return (Some(None), rest);

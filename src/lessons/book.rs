@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{Bookmark, Chapter, ChapterLibrary};
 use crate::quiz::Passage;
 
-/// What to delete from bookmarks. The record of answers always stays.
+/// What to delete from bookmarks. The record of answers is always kept.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Forget {
     /// The answer given on a page.
@@ -16,25 +16,25 @@ pub enum Forget {
         /// The title of the page.
         page: String,
     },
-    /// All of the chapter of this id.
+    /// The whole bookmark of the chapter with this id.
     Chapter(String),
-    /// All of all chapters.
+    /// The bookmarks of all chapters.
     All,
 }
 
 /// All chapters, with a bookmark in each.
 #[derive(Debug, Clone, Default)]
 pub struct Book {
-    /// `None` for the built-in ones alone, which are read only when they are needed.
+    /// `None` for the built-in chapters alone, which are read only when they are needed.
     library: Option<Arc<ChapterLibrary>>,
-    /// The line of the contents that was chosen last.
+    /// The line of the table of contents that was last selected.
     pub at: usize,
-    /// By the ids of the chapters; `None` until the stored ones are known.
+    /// The bookmarks by chapter id; `None` until the stored ones are known.
     marks: Option<BTreeMap<String, Bookmark>>,
 }
 
 impl Book {
-    /// A book with more than the built-in chapters.
+    /// A book with the chapters of this library.
     pub fn new(library: ChapterLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -48,13 +48,13 @@ impl Book {
         own.unwrap_or_else(|| ChapterLibrary::embedded_once())
     }
 
-    /// A chapter; `None` beyond the last.
+    /// A chapter by its index; `None` beyond the last.
     pub fn chapter(&self, number: usize) -> Option<&Chapter> {
         self.library().chapters.get(number)
     }
 
-    /// Where a page is: its chapter's place among all and its own in it, both from 0;
-    /// `None` where there is no such page.
+    /// Where a page is: the index of its chapter, and its own index there, both from 0;
+    /// `None` if there is no such page.
     pub fn find(&self, passage: Passage) -> Option<(usize, usize)> {
         let chapters = &self.library().chapters;
         let of_it = |chapter: &Chapter| chapter.id == passage.chapter;
@@ -64,7 +64,7 @@ impl Book {
         Some((number, page))
     }
 
-    /// A page in words: "chapter 3, page 7: When energy is lost".
+    /// The description of a page: "chapter 3, page 7: When energy is lost".
     pub fn named(&self, passage: Passage) -> Option<String> {
         let (number, page) = self.find(passage)?;
         let chapter = self.chapter(number)?.number;
@@ -80,17 +80,17 @@ impl Book {
         self.marks.is_some()
     }
 
-    /// Sets the stored bookmarks; from then on the book keeps them itself.
+    /// Sets the stored bookmarks; from then on the book updates them itself.
     pub(crate) fn recall(&mut self, marks: BTreeMap<String, Bookmark>) {
         self.marks.get_or_insert(marks);
     }
 
-    /// Forgets all bookmarks, because another player's will be requested.
+    /// Drops all bookmarks, because another player's will be requested.
     pub(crate) fn close(&mut self) {
         self.marks = None;
     }
 
-    /// The bookmark in a chapter, if it was ever opened.
+    /// The bookmark in a chapter, if the chapter was ever opened.
     pub fn mark(&self, id: &str) -> Option<&Bookmark> {
         self.marks.as_ref()?.get(id)
     }
@@ -101,7 +101,7 @@ impl Book {
         marks.entry(id.to_owned()).or_default().merge(later);
     }
 
-    /// Forgets what is to be forgotten.
+    /// Deletes these parts of the bookmarks.
     pub(crate) fn forget(&mut self, what: &Forget) {
         let Some(marks) = &mut self.marks else {
             return;
@@ -142,20 +142,20 @@ impl Book {
         self.marks.as_ref().is_some_and(|marks| !marks.is_empty())
     }
 
-    /// Whether all of a chapter has been read and answered.
+    /// Whether a chapter has been read and answered completely.
     pub fn is_done(&self, chapter: &Chapter) -> bool {
         let mark = self.mark(&chapter.id);
         mark.is_some_and(|mark| mark.is_done(chapter))
     }
 
-    /// How many chapters are done, and how many there are, in words: "2 of 12".
+    /// The number of chapters done, and of all chapters: "2 of 12".
     pub fn done(&self) -> String {
         let chapters = &self.library().chapters;
         let done = chapters.iter().filter(|chapter| self.is_done(chapter));
         format!("{} of {}", done.count(), chapters.len())
     }
 
-    /// The chapters of which every page has been seen.
+    /// The chapters whose pages have all been seen.
     pub fn read_through(&self) -> impl Iterator<Item = &Chapter> {
         let seen = |chapter: &&Chapter| {
             let mark = self.mark(&chapter.id);

@@ -7,34 +7,34 @@ use crate::quiz::Response;
 
 /// How far a chapter has been read.
 ///
-/// It knows pages by their titles and answers by what was asked. So it still fits a chapter that
-/// has changed since: missing pages are ignored, and an answer to a different question is not
-/// shown.
+/// A bookmark identifies pages by their titles and answers by their questions, so it still fits a
+/// chapter that has changed since: missing pages are ignored, and an answer to a different question
+/// is not shown.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bookmark {
-    /// The title of the page it is open at; `None` at the first.
+    /// The title of the current page; `None` for the first page.
     pub place: Option<String>,
-    /// The impact angle that the student set last in its figures, in degrees.
+    /// The impact angle in degrees that the student set last in the chapter's figures.
     pub alpha_deg: Option<f64>,
-    /// The pages that have been seen, by title, each with the answer given there.
+    /// The titles of the pages that have been seen, each with the answer given there.
     pub pages: BTreeMap<String, Option<GivenAnswer>>,
 }
 
 /// An answer that was given at a checkpoint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GivenAnswer {
-    /// What was asked: [`Checkpoint::written`](super::Checkpoint::written).
+    /// The question: [`Checkpoint::written`](super::Checkpoint::written).
     pub asked: String,
-    /// What was answered.
+    /// The answer; after a hint, the second answer.
     pub answer: Response,
-    /// Whether it was right.
+    /// Whether the answer was right.
     pub right: bool,
-    /// The wrong answer before it, after which there was a hint.
+    /// The first, wrong answer, if a hint followed it.
     pub first: Option<Response>,
 }
 
 impl Bookmark {
-    /// A bookmark at a page, which is seen with that.
+    /// A bookmark at a page, which thereby counts as seen.
     pub fn at(page: &ChapterPage) -> Self {
         Self {
             place: Some(page.title.clone()),
@@ -43,7 +43,7 @@ impl Bookmark {
         }
     }
 
-    /// The same with an answer given to what its page asks, `right` or not.
+    /// The same bookmark with an answer to the page's question, `right` or not.
     #[must_use]
     pub(crate) fn answering(
         page: &ChapterPage,
@@ -63,19 +63,19 @@ impl Bookmark {
         mark
     }
 
-    /// The page it is open at, from 0; the first where that page is gone.
+    /// The index of the current page, from 0; the first if that page no longer exists.
     pub fn page(&self, chapter: &Chapter) -> usize {
         let here = |page: &ChapterPage| Some(&page.title) == self.place.as_ref();
         chapter.pages.iter().position(here).unwrap_or(0)
     }
 
-    /// How many pages of the chapter have been seen.
+    /// The number of pages of the chapter that have been seen.
     pub fn seen(&self, chapter: &Chapter) -> usize {
         let seen = |page: &&ChapterPage| self.pages.contains_key(&page.title);
         chapter.pages.iter().filter(seen).count()
     }
 
-    /// The answer that was given to what a page asks; none where it does not fit that.
+    /// The answer that was given to a page's question; `None` if it does not fit the question.
     pub fn given(&self, page: &ChapterPage) -> Option<&GivenAnswer> {
         let asked = page.checkpoint.as_ref()?;
         let given = self.pages.get(&page.title)?.as_ref();
@@ -89,39 +89,38 @@ impl Bookmark {
         })
     }
 
-    /// All answers given to what the chapter asks.
+    /// All answers given to the chapter's questions.
     pub fn answers(&self, chapter: &Chapter) -> impl Iterator<Item = &GivenAnswer> {
         chapter.pages.iter().filter_map(|page| self.given(page))
     }
 
-    /// How many checkpoints of the chapter have been answered.
+    /// The number of checkpoints of the chapter that have been answered.
     pub fn answered(&self, chapter: &Chapter) -> usize {
         self.answers(chapter).count()
     }
 
-    /// How many of them were answered right.
+    /// The number of checkpoints answered correctly.
     pub fn right(&self, chapter: &Chapter) -> usize {
         self.answers(chapter).filter(|given| given.right).count()
     }
 
-    /// How many of those took a second try.
+    /// The number of correct answers that needed a second try.
     pub fn right_after_hint(&self, chapter: &Chapter) -> usize {
         let answers = self.answers(chapter).filter(|given| given.right);
         answers.filter(|given| given.first.is_some()).count()
     }
 
-    /// Whether all of the chapter has been read and answered.
+    /// Whether the chapter has been read and answered completely.
     pub fn is_done(&self, chapter: &Chapter) -> bool {
         self.seen(chapter) == chapter.pages.len() && self.answered(chapter) == chapter.checkpoints()
     }
 
-    /// Whether all that it asks was answered right.
+    /// Whether all of the chapter's questions were answered correctly.
     pub fn is_right(&self, chapter: &Chapter) -> bool {
         self.right(chapter) == chapter.checkpoints()
     }
 
-    /// How far the chapter has been read and answered, in words: "read 7 of 7, right 2
-    /// of 6".
+    /// How far the chapter has been read and answered: "read 7 of 7, right 2 of 6".
     pub fn words(&self, chapter: &Chapter) -> String {
         let read = format!("read {} of {}", self.seen(chapter), chapter.pages.len());
         match chapter.checkpoints() {
@@ -130,8 +129,8 @@ impl Bookmark {
         }
     }
 
-    /// Adds later entries: their place and angle, if any, replace the earlier ones; a page stays
-    /// seen, and answered until it is answered again.
+    /// Adds later entries: their page and angle, if any, replace the earlier ones. A page remains
+    /// seen, and keeps its answer until it is answered again.
     pub(crate) fn merge(&mut self, later: Self) {
         self.place = later.place.or_else(|| self.place.take());
         self.alpha_deg = later.alpha_deg.or(self.alpha_deg);
@@ -154,7 +153,7 @@ mod tests {
         Chapter::read("01-test.md", text.as_bytes()).unwrap()
     }
 
-    /// The first two pages seen, the second answered, left at the second.
+    /// A bookmark with two pages seen, the second one answered and current.
     fn read(chapter: &Chapter) -> Bookmark {
         let mut mark = Bookmark::at(&chapter.pages[0]);
         mark.merge(Bookmark::at(&chapter.pages[1]));
@@ -175,7 +174,7 @@ mod tests {
         }
     }
 
-    /// Page, pages seen, answered, right.
+    /// The current page, and the numbers of pages seen, answered and right.
     fn standing(mark: &Bookmark, chapter: &Chapter) -> [usize; 4] {
         [
             mark.page(chapter),
@@ -191,7 +190,7 @@ mod tests {
         let mut mark = read(&chapter);
         assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);
         assert!(!mark.is_done(&chapter));
-        // Seen again, a page keeps its answer; answered again, it has the later one.
+        // A page that is seen again keeps its answer; one that is answered again has the later answer.
         mark.merge(Bookmark::at(&chapter.pages[1]));
         assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);
         mark.merge(answer(&chapter.pages[1], 0, false));
@@ -203,7 +202,7 @@ mod tests {
 
     /// A modified database may contain such an answer.
     #[test]
-    fn an_answer_that_does_not_fit_what_is_asked_is_none() {
+    fn an_answer_that_does_not_fit_its_question_is_ignored() {
         let chapter = chapter(CHAPTER);
         let page = &chapter.pages[1];
         for said in [Response::Choice(99), Response::Number(1.0)] {
@@ -220,12 +219,12 @@ mod tests {
     }
 
     #[test]
-    fn it_fits_a_chapter_that_was_changed() {
+    fn a_bookmark_fits_a_chapter_that_has_changed() {
         let mark = read(&chapter(CHAPTER));
         let standing = |text: &str| standing(&mark, &chapter(text));
         let header = CHAPTER.split("# One").next().unwrap();
         let inserted = CHAPTER.replace("# One", "# Zero\nText.\n\n# One");
-        assert_eq!(standing(&inserted), [2, 2, 1, 1], "a page more");
+        assert_eq!(standing(&inserted), [2, 2, 1, 1], "a page was added");
         assert_eq!(standing(&format!("{header}# One\nText.\n")), [0, 1, 0, 0]);
         assert_eq!(standing(&CHAPTER.replace("# Two", "# 2")), [0, 1, 0, 0]);
         assert_eq!(
@@ -240,6 +239,6 @@ mod tests {
         let asked = format!("{}{number}{}", &CHAPTER[..start], &CHAPTER[end..]);
         assert_eq!(standing(&asked), [1, 2, 0, 0], "another kind of question");
         let unasked = format!("{}Text.{}", &CHAPTER[..start], &CHAPTER[end..]);
-        assert_eq!(standing(&unasked), [1, 2, 0, 0], "no question any more");
+        assert_eq!(standing(&unasked), [1, 2, 0, 0], "the question was removed");
     }
 }

@@ -4,23 +4,23 @@ use super::header::{self, Shots};
 use super::{ChapterPage, SourceLine};
 use crate::files::{self, FileError, FileErrors, Source, all};
 
-/// Most pages of a chapter.
+/// The largest number of pages in a chapter.
 const MOST_PAGES: usize = 60;
 
-/// A chapter.
+/// A chapter of Learn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chapter {
-    /// Its number in the book, from 1.
+    /// The chapter's number in the book, from 1.
     pub number: u32,
-    /// Its name on the command line and in stored progress.
+    /// The chapter's name on the command line and in stored progress.
     pub id: String,
-    /// Its title.
+    /// The title, at most 32 characters.
     pub title: String,
-    /// Its description, in one line.
+    /// A description in one line.
     pub about: String,
-    /// Its pages, at least one; no two have the same title.
+    /// The pages, at least one; no two have the same title.
     pub pages: Vec<ChapterPage>,
-    /// The file it was read from, for messages.
+    /// The file from which the chapter was read, for messages.
     pub file: String,
 }
 
@@ -53,13 +53,13 @@ impl Chapter {
         source.finish(made)
     }
 
-    /// The number of its checkpoints.
+    /// The number of checkpoints on all pages.
     pub fn checkpoints(&self) -> usize {
         let pages = self.pages.iter();
         pages.filter(|page| page.checkpoint.is_some()).count()
     }
 
-    /// A fault at a line of its file.
+    /// An error on a line of the chapter's file.
     pub fn fault(&self, line: usize, message: impl Into<String>) -> FileError {
         FileError::on_line(&self.file, line, message)
     }
@@ -84,7 +84,7 @@ fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage
         let mut known = pages.iter().flatten();
         if let Some(other) = known.find(|other| other.title == title) {
             let message = format!(
-                "expected a title of its own; the page at line {} has it already",
+                "expected a title that no other page has; the page at line {} has it already",
                 other.line
             );
             source.refuse::<()>(*line, message);

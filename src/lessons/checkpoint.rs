@@ -7,58 +7,58 @@ use crate::files::{Source, all};
 use crate::physics::Collision;
 use crate::quiz::{Form, Measure, Rays, Response};
 
-/// Least and most lines of a choice.
+/// The allowed numbers of options in a choice.
 const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
-/// Most letters of a unit.
+/// The largest number of letters in a unit.
 const UNIT: usize = 8;
 
 /// A question on a page, and the text after the answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checkpoint {
-    /// What is asked for.
+    /// The kind of answer, with the right one.
     pub asked: CheckpointKind,
     /// The question.
     pub question: Vec<TextBlock>,
-    /// The hint after a wrong answer, which does not reveal the right one; the feedback on a wrong
-    /// choice can serve as the hint.
+    /// The hint after a wrong answer, which does not reveal the right answer; the feedback on a
+    /// wrong choice can serve as the hint.
     pub hint: Vec<TextBlock>,
     /// The text after the answer.
     pub after: Vec<TextBlock>,
-    /// Its source text, which identifies the question of a stored answer.
+    /// The source text, which identifies the question of a stored answer.
     pub written: String,
-    /// Its line in the file.
+    /// The line in the file, from 1.
     pub line: usize,
 }
 
-/// What a checkpoint asks for.
+/// What the student has to enter at a checkpoint.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CheckpointKind {
-    /// Where both discs of the figure will go.
+    /// The directions of both discs of the figure.
     Rays,
     /// A number.
     Number {
-        /// The right one.
+        /// The right number.
         expected: Expected,
-        /// The tolerance, in the unit of the number.
+        /// The largest error that counts as right, in the unit of the number.
         tolerance: f64,
     },
-    /// One of several lines.
+    /// One of several options.
     Choice(Vec<CheckpointChoice>),
 }
 
-/// The number that is right.
+/// The correct number.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
     /// A quantity of a shot.
     Of(Quantity, CollisionSpec),
     /// A quantity of the figure as the student has set it.
     Figure(Quantity),
-    /// This one, in a unit.
+    /// A number given in the file, with its unit.
     Fixed(f64, String),
 }
 
 impl Expected {
-    /// The right number. `figure` is the collision as the page's figure has it.
+    /// The right number. `figure` is the collision that the page's figure shows.
     pub(crate) fn value(&self, figure: Option<&Collision>) -> Option<f64> {
         match self {
             Self::Of(quantity, shot) => quantity.of(&shot.collision()),
@@ -67,7 +67,7 @@ impl Expected {
         }
     }
 
-    /// Its sign and its unit.
+    /// The symbol of the quantity and the unit.
     pub(crate) fn sign_and_unit(&self) -> (&str, &str) {
         match self {
             Self::Of(quantity, _) | Self::Figure(quantity) => (quantity.symbol, quantity.unit),
@@ -76,14 +76,14 @@ impl Expected {
     }
 }
 
-/// A line of a choice.
+/// An option of a choice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckpointChoice {
-    /// What it says.
+    /// The text of the option.
     pub text: Vec<Inline>,
-    /// The feedback on this choice.
+    /// The feedback for a student who chose this option.
     pub why: Vec<Inline>,
-    /// Whether it is right.
+    /// Whether the option is right.
     pub right: bool,
 }
 
@@ -118,8 +118,8 @@ impl Checkpoint {
         }
     }
 
-    /// Whether a first answer gets a hint and a second try: it is wrong, there is a hint, and more
-    /// than one answer is left.
+    /// Whether a first answer gets a hint and a second try: if it is wrong, there is a hint, and
+    /// more than one other answer is possible.
     pub(crate) fn offers_second_try(&self, form: &Form, said: &Response) -> bool {
         let has_hint = match form {
             Form::Choice { options, .. } => options.len() > 2,
@@ -142,7 +142,7 @@ impl Checkpoint {
         }
     }
 
-    /// Reads a checkpoint: the words after its colons, and the lines up to its end.
+    /// Reads a checkpoint: the words after the three colons, and the lines up to the end.
     pub(super) fn read(
         source: &Source,
         (line, words): SourceLine,
@@ -176,7 +176,7 @@ impl Checkpoint {
                 return source.refuse(line, message);
             }
         };
-        // Words left over after an invalid one may belong to it.
+        // Words left over after an invalid one may be part of it.
         if asked.is_some() {
             source.accept(line, words.finish());
         }
@@ -208,15 +208,17 @@ fn rays(figure: Option<&Figure>) -> Result<CheckpointKind, String> {
         Some(figure) if figure.kind.is_hit() && figure.shot.collision().outcome().hit() => {
             Ok(CheckpointKind::Rays)
         }
-        _ => {
-            Err("expected a figure of a hit on the page (lab or split), to turn the rays in".into())
-        }
+        _ => Err(
+            "expected a figure of a collision on the page (lab or split), for turning the rays"
+                .into(),
+        ),
     }
 }
 
 fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String> {
     let tolerance = words.number("tolerance", 1e-9, 1e6)?;
-    let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
+    let tolerance =
+        tolerance.ok_or("expected tolerance= and the largest error that counts as right")?;
     let expected = match words.field("answer") {
         Some(answer) => {
             let value = answer.parse().ok().filter(|value: &f64| value.abs() < 1e9);
@@ -236,7 +238,7 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String
     })
 }
 
-/// The number of a name, of a shot or of none.
+/// The quantity with this name: of a named shot, of the page's figure, or independent of any shot.
 fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
     if let Some(constant) = words.constant(&name)? {
@@ -275,8 +277,7 @@ fn read_choices(
         }
         let right = first.strip_prefix("- [x] ");
         let Some(text) = right.or_else(|| first.strip_prefix("- [ ] ")) else {
-            let message =
-                "expected - [ ] or - [x] and a line to choose, and indented lines after it";
+            let message = "expected - [ ] or - [x] and an option, and indented lines after it";
             return source.refuse(*number, message);
         };
         let length = rest

@@ -8,7 +8,7 @@ use super::{CollisionSpec, header::Shots, words::Words};
 #[derive(Debug, Clone, Copy, PartialEq, EnumString, VariantNames)]
 #[strum(serialize_all = "lowercase")]
 pub enum FigureKind {
-    /// The hit, as in the lab.
+    /// The collision, as in the lab.
     Lab,
     /// The collision at the contact with n, t and the components of u.
     Split {
@@ -26,7 +26,7 @@ pub enum FigureKind {
     Curves,
     /// θ₁ against θ₂.
     Angles,
-    /// The shares of the energy against α.
+    /// The shares of the energy plotted against α.
     Energy,
     /// The worked solution.
     Worked {
@@ -35,16 +35,16 @@ pub enum FigureKind {
     },
     /// The worked solution of numbers that the student sets.
     Solve,
-    /// Particles and a centre of repulsion.
+    /// Particles passing a centre of repulsion.
     Foil {
-        /// The page of the foil: 1 a particle, 2 a beam, 3 what was counted in 1913.
+        /// The page of the foil: 1 for a particle, 2 for a beam, 3 for the counts of 1913.
         page: u8,
         /// Whether the counts of 1913 are shown relative to the law.
         levelled: bool,
         /// Whether a beam is counted in whole rings rather than on a small screen.
         rings: bool,
     },
-    /// Many unaimed shots at one disc.
+    /// Many random shots at one disc.
     Shots {
         /// Whether the offsets fill a disc, as in space, rather than a line.
         space: bool,
@@ -56,29 +56,29 @@ pub enum FigureKind {
 /// A figure of a page.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figure {
-    /// What it shows.
+    /// The kind of picture.
     pub kind: FigureKind,
-    /// The shot it shows.
+    /// The shot that the figure shows.
     pub shot: CollisionSpec,
-    /// The shot it shows once the page's question is answered: mostly the same.
+    /// The shot that the figure shows once the page's question is answered, usually the same shot.
     pub after: CollisionSpec,
-    /// Whether it takes the impact angle that the student set last in the chapter.
+    /// Whether the figure uses the impact angle that the student set last in the chapter.
     pub own: bool,
 }
 
 impl FigureKind {
-    /// Whether it shows the collision itself, so that rays can be turned in it.
+    /// Whether the figure shows the collision itself, so that rays can be turned in it.
     pub fn is_hit(self) -> bool {
         matches!(self, Self::Lab | Self::Split { .. })
     }
 }
 
 impl Figure {
-    /// Reads the words of a figure: `lab carrom alpha_deg=40`. Changes of its shot once the page's
-    /// question is answered follow `then`.
+    /// Reads the words of a figure: `lab carrom alpha_deg=40`. Fields after `then` change its shot
+    /// once the page's question is answered.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     pub(super) fn read(text: &str, shots: &Shots) -> Result<Self, String> {
         let (text, then) = text.split_once(" then ").unwrap_or((text, ""));
         let mut words = Words::of(text)?;
@@ -124,10 +124,10 @@ impl Figure {
         })
     }
 
-    /// Reads a figure as the command line names it, with no shots but the worked one.
+    /// Reads a figure as the command line names it; the only shot available is the worked one.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     pub(crate) fn from_words(text: &str) -> Result<Self, String> {
         Self::read(text, &Shots::default())
     }

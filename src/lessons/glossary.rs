@@ -12,19 +12,19 @@ use crate::quiz::Passage;
 pub struct GlossaryEntry {
     /// The term: "impact angle".
     pub term: String,
-    /// Its symbol: "α".
+    /// The symbol: "α".
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub symbol: Option<String>,
-    /// Its unit: "°".
+    /// The unit: "°".
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
-    /// The heading under which it is listed; entries with the same one follow each other.
+    /// The heading under which the term is listed; entries with the same heading are adjacent.
     pub topic: String,
-    /// What it means, in one sentence.
+    /// The meaning of the term, in one sentence.
     pub meaning: String,
-    /// The id of the chapter that introduces it.
+    /// The id of the chapter that introduces the term.
     pub chapter: String,
-    /// The title of the page there.
+    /// The title of the page in that chapter.
     pub page: String,
 }
 
@@ -42,7 +42,7 @@ impl GlossaryEntry {
         &ALL
     }
 
-    /// The page that introduces it.
+    /// The page that introduces the term.
     pub(crate) fn introduced_by(&'static self) -> Passage {
         Passage {
             chapter: &self.chapter,
@@ -61,14 +61,14 @@ mod tests {
     use crate::files::FileLibrary;
     use crate::lessons::{Book, ChapterLibrary};
 
-    /// A page of a chapter as it is written.
+    /// The source text of a page of a chapter.
     struct WrittenPage {
         chapter: String,
         title: String,
         text: String,
     }
 
-    /// All pages of the chapters in the program, in the order in which they are read.
+    /// All pages of the built-in chapters, in reading order.
     fn written_pages() -> Vec<WrittenPage> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
         let mut pages = Vec::new();
@@ -88,7 +88,7 @@ mod tests {
         pages
     }
 
-    /// What the singular and the plural of a term begin with.
+    /// The part that the singular and the plural of a term have in common.
     fn stem(term: &str) -> &str {
         term.strip_suffix('y').unwrap_or(term)
     }
@@ -98,7 +98,7 @@ mod tests {
         found.any(|(at, _)| !text[..at].ends_with(char::is_alphabetic))
     }
 
-    /// Whether the term is in bold: that marks the sentence that explains it.
+    /// Whether the term is in bold type, which marks the sentence that explains it.
     fn introduces(text: &str, term: &str) -> bool {
         let mut bold = text.split("**").skip(1).step_by(2);
         bold.any(|words| words.starts_with(stem(term)))
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn entries_are_sentences_under_their_topics() {
+    fn entries_are_sentences_grouped_by_topic() {
         let all = GlossaryEntry::all();
         assert!(all.len() >= 30);
         let terms: BTreeSet<&str> = all.iter().map(|it| it.term.as_str()).collect();

@@ -10,9 +10,9 @@ use crate::quiz::concepts::read_hit;
 const FORMAT: u32 = 1;
 /// The line before and after a header.
 const FENCE: &str = "+++";
-/// The longest title.
+/// The largest length of a title, in characters.
 const TITLE: usize = 32;
-/// The longest description.
+/// The largest length of a description, in characters.
 const ABOUT: usize = 100;
 
 /// The header of a chapter; invalid parts are `None`.
@@ -20,7 +20,7 @@ pub(super) struct Header {
     pub(super) title: Option<String>,
     pub(super) about: Option<String>,
     pub(super) shots: Option<Shots>,
-    /// The first line after it.
+    /// The first line after the header.
     pub(super) ends: usize,
 }
 
@@ -57,7 +57,7 @@ impl Shots {
         let known: Vec<_> = self.0.keys().map(String::as_str).collect();
         match known.as_slice() {
             [] => format!(
-                "expected fields such as alpha_deg=45, as no shot has a name here, found {name}"
+                "expected fields such as alpha_deg=45, because no shot has a name here, found {name}"
             ),
             known => format!(
                 "expected a shot of the header ({}), found {name}",
@@ -98,7 +98,7 @@ pub(super) fn read(source: &Source) -> Option<Header> {
     header
 }
 
-/// A text in one line.
+/// Text on one line.
 fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
     fields.text(name, most).map(one_line)
 }

@@ -6,7 +6,7 @@ use super::{CollisionSpec, Formula, Inline, Quantity, Tone};
 use super::{header::Shots, words::Words, written::WrittenFigure};
 use crate::files::{Source, all};
 
-/// The shots that names in a text refer to.
+/// The shots to which names in the text refer.
 pub(super) struct Meaning<'a> {
     /// The shots of the chapter.
     pub(super) shots: &'a Shots,
@@ -105,7 +105,7 @@ fn agreed(name: &str, written: &WrittenFigure, truth: Option<f64>) -> Result<Inl
     }
 }
 
-/// The pieces of a text, with placeholders for formulas and numbers.
+/// The pieces of the text, with placeholders for formulas and numbers.
 fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
     let mut pieces = Vec::new();
     let mut tones = vec![Tone::Plain];
@@ -132,7 +132,7 @@ fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
     Ok(pieces)
 }
 
-/// Adds a text, with its placeholders replaced.
+/// Adds text, with its placeholders replaced.
 fn substitute(text: &str, tone: Tone, kept: &[Inline], pieces: &mut Vec<Inline>) {
     let mut words = String::new();
     for letter in text.chars() {

@@ -1,4 +1,4 @@
-//! The chapters there are: those in the program, and a teacher's own.
+//! All available chapters: the built-in ones, and a teacher's own.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -10,25 +10,23 @@ use crate::files::{self, FileError, FileLibrary};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
 
-/// All chapters there are to read, in the order of their numbers; the program's own
-/// first.
+/// All available chapters, sorted by number, the built-in ones first.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ChapterLibrary {
     /// The chapters; no two have the same id.
     pub chapters: Vec<Chapter>,
-    /// What was wrong with files that are left out.
+    /// The errors in files that are left out.
     pub problems: Vec<FileError>,
 }
 
 impl ChapterLibrary {
-    /// The chapters that come with the program, read once for the whole process, as
-    /// they never change.
+    /// The built-in chapters, read only once per process because they never change.
     pub fn embedded_once() -> &'static Self {
         static READ: LazyLock<ChapterLibrary> = LazyLock::new(ChapterLibrary::embedded);
         &READ
     }
 
-    /// The place of the chapter called `name`: its id or its number.
+    /// The index of the chapter whose id or number is `name`.
     pub fn find(&self, name: &str) -> Option<usize> {
         let by_id = self.chapters.iter().position(|chapter| chapter.id == name);
         let by_number = || {
@@ -49,7 +47,7 @@ impl ChapterLibrary {
         match self.chapters.iter().find(|known| known.id == chapter.id) {
             None => self.chapters.push(chapter),
             Some(known) => {
-                let message = format!("expected an id of its own; {} has it already", known.file);
+                let message = format!("expected a unique id; {} already has it", known.file);
                 self.problems.push(FileError::of_file(file, message));
             }
         }

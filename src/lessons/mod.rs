@@ -4,10 +4,10 @@
 //! A [`Chapter`] is a header and pages; a [`ChapterPage`] has at most one [`Figure`], its
 //! text as [`TextBlock`]s and at most one [`Checkpoint`]. Everything is read and checked
 //! when a file is opened: each directive, each formula, and each number in the text,
-//! which is computed again by the engine. A file with any [`FileError`] is left out; each
-//! says file, line and what was expected. `docs/lessons.md` describes the format.
+//! which is computed again by the engine. A file with any [`FileError`] is left out; each error
+//! gives file, line and what was expected. `docs/lessons.md` describes the format.
 //!
-//! Nothing here draws.
+//! This module draws nothing.
 
 mod answer;
 mod block;

@@ -4,21 +4,21 @@ use super::{Checkpoint, Figure, SourceLine, TextBlock, block};
 use super::{header::Shots, inline::Meaning};
 use crate::files::Source;
 
-/// The longest title of a page.
+/// The largest length of a title, in characters.
 const TITLE: usize = 40;
 
 /// A page: a figure, text, and a checkpoint at its end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChapterPage {
-    /// Its title.
+    /// The title, unique in its chapter.
     pub title: String,
-    /// Its figure.
+    /// The figure above or beside the text.
     pub figure: Option<Figure>,
-    /// Its text.
+    /// The text before the checkpoint.
     pub text: Vec<TextBlock>,
-    /// Its checkpoint.
+    /// The question at the end of the page.
     pub checkpoint: Option<Checkpoint>,
-    /// Its line in the file.
+    /// The line of the title in the file, from 1.
     pub line: usize,
 }
 
@@ -50,7 +50,7 @@ impl ChapterPage {
         };
         let text = text?;
         if text.is_empty() && checkpoint.is_none() {
-            return source.refuse(line, "expected a text or a checkpoint on the page");
+            return source.refuse(line, "expected text or a checkpoint on the page");
         }
         Some(Self {
             title: title.into(),

@@ -6,7 +6,7 @@ use crate::quiz::concepts;
 use crate::quiz::{Dice, Difficulty, Family, Figures, Misconception, Topic};
 
 #[test]
-fn the_chapters_in_the_program_are_whole() {
+fn all_built_in_chapters_are_valid() {
     let library = ChapterLibrary::embedded();
     assert_eq!(library.problems, []);
     assert!(!library.chapters.is_empty());
@@ -26,7 +26,7 @@ fn each_misconception_and_each_topic_leads_to_a_page_that_exists() {
     }
 }
 
-/// The chapters as they are written, by their ids.
+/// The source texts of the chapters, by id.
 fn chapters() -> BTreeMap<String, String> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons");
     let files = std::fs::read_dir(folder).unwrap().map(|it| it.unwrap());
@@ -38,7 +38,7 @@ fn chapters() -> BTreeMap<String, String> {
     files.map(chapter).collect()
 }
 
-/// A table `words | ids` in lines: the words of which a page must contain one, by the ids.
+/// Reads a table with lines `words | ids`: a page for an id must contain at least one of its words.
 fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>> {
     let mut all = BTreeMap::new();
     for line in table.lines().map(str::trim).filter(|line| !line.is_empty()) {
@@ -51,7 +51,7 @@ fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>>
     all
 }
 
-/// What a page must speak of to treat a misconception: one of these words, as they are written
+/// A page that treats a misconception contains at least one of these phrases, as they are written
 /// in the chapters.
 const OF_MISCONCEPTIONS: &str = "
     impact angle, at α =, 180 deg - 2 alpha, 90 deg - alpha | copied-angle
@@ -63,7 +63,7 @@ const OF_MISCONCEPTIONS: &str = "
     along n, line of centres | pushed-ahead
     opposite directions | same-side
     higher up, the other side | sides-exchanged
-    wall, loses all its speed, goes on, reversed, with equal masses, rebounds from | off-a-wall
+    wall, loses all its speed, goes on, moves on, reversed, with equal masses, rebounds from | off-a-wall
     not a fraction of 90°, is the sine of α | offset-as-angle
     e = 0.8, e = 0, coefficient of restitution, e = 1, with a loss, is lost | lossless
     rebounds, the striker stops | always-stops
@@ -103,8 +103,8 @@ const OF_MISCONCEPTIONS: &str = "
     2 alpha, 2α, 2 theta_2 | double-angle-forgotten
 ";
 
-/// What a page must speak of to treat what questions about a topic ask for, written in the same
-/// way.
+/// A page about what the questions on a topic ask for contains one of these phrases, in the same
+/// format.
 const OF_TOPICS: &str = "
     angle, deflect, direction, leaves, rebound | equal-masses equal-masses-by-offset equal-masses-lossy
     angle, deflect, direction, leaves, rebound | heavier-striker heavier-striker-by-offset from-the-picture
@@ -213,7 +213,7 @@ fn the_page_after_a_wrong_answer_treats_what_was_asked() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     let met: BTreeSet<_> = cases.keys().filter_map(|(id, ..)| *id).collect();
     assert_eq!(met.len(), Misconception::ALL.len());
-    // Every other page that is named is led to.
+    // Every page named under `elsewhere` is used.
     for misconception in Misconception::ALL {
         for name in misconception.settled_elsewhere() {
             let led_to = cases.keys().any(|(id, _, names)| {
@@ -261,13 +261,13 @@ fn names_chapter(cell: &str, chapter: usize) -> bool {
     }
 }
 
-/// The words of a line, without the indices of symbols.
+/// The words of a line, without the subscripts of symbols.
 fn words(line: &str) -> impl Iterator<Item = &str> {
     let ends = |c: char| !c.is_alphabetic() || "ₙₜₓᵧ".contains(c);
     line.split(ends).filter(|word| !word.is_empty())
 }
 
-/// The symbols of a formula: all its words that are no functions.
+/// The symbols of a formula: all its words that are not functions.
 fn in_formula(formula: &Formula) -> Vec<String> {
     let functions = ["sin", "cos", "tan", "arcsin"];
     let line = formula.inline();
@@ -275,7 +275,7 @@ fn in_formula(formula: &Formula) -> Vec<String> {
     symbols.map(String::from).collect()
 }
 
-/// The symbols of a text: those of its formulas, and every word with a Greek letter.
+/// The symbols in a text: those in its formulas, and every word with a Greek letter.
 fn in_text(text: &[Inline]) -> Vec<String> {
     let of_piece = |piece: &Inline| match piece {
         Inline::Formula(formula) => in_formula(formula),
@@ -319,7 +319,7 @@ fn each_symbol_of_a_chapter_has_one_meaning_in_the_notation() {
                 let chapters = notation.get(&*symbol);
                 assert!(
                     chapters.is_some_and(|cell| names_chapter(cell, number)),
-                    "chapter {number}, {}: docs/notation.md has no meaning of {symbol} here",
+                    "chapter {number}, {}: docs/notation.md lists no meaning of {symbol} here",
                     page.title
                 );
             }

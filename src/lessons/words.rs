@@ -2,7 +2,7 @@
 
 use super::Constant;
 
-/// The words of a directive, taken one by one by the code that knows them.
+/// The words of a directive, from which the parser takes the words that it knows one by one.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
     bare: Vec<String>,
@@ -13,7 +13,7 @@ impl Words {
     /// Splits a directive at spaces; a value with spaces is in double quotes.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     pub(super) fn of(text: &str) -> Result<Self, String> {
         let mut words = Self {
             bare: Vec::new(),
@@ -68,7 +68,7 @@ impl Words {
     /// The constant of this name, if there is one; takes its fields.
     ///
     /// # Errors
-    /// What was expected of a field.
+    /// A message about an invalid field.
     pub(super) fn constant(&mut self, name: &str) -> Result<Option<Constant>, String> {
         let Some(mut constant) = Constant::named(name) else {
             return Ok(None);
@@ -82,7 +82,7 @@ impl Words {
     /// Takes a field that is a number between two bounds.
     ///
     /// # Errors
-    /// What was expected instead.
+    /// A message that states what was expected.
     pub(super) fn number(
         &mut self,
         name: &str,
@@ -101,7 +101,7 @@ impl Words {
     /// Checks that no words are left.
     ///
     /// # Errors
-    /// What was found.
+    /// A message about the word left over.
     pub(super) fn finish(self) -> Result<(), String> {
         let fields = self.fields.into_iter().map(|(name, _)| name);
         match self.bare.into_iter().chain(fields).next() {

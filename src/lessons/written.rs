@@ -1,10 +1,10 @@
-//! A figure written in a text, and its comparison with the engine's value.
+//! A figure written in text, and its comparison with the engine's value.
 
 use super::formula::superscript;
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct WrittenFigure {
-    /// As the screen shows it.
+    /// The figure as the screen shows it.
     pub(super) shown: String,
     value: f64,
     /// The largest allowed difference from the true value.
@@ -18,7 +18,7 @@ impl WrittenFigure {
     /// Reads `3.46`, `-1`, `3.2e-7`, `sqrt 5` or `2 sqrt 3`.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     pub(super) fn read(text: &str) -> Result<Self, String> {
         let text = text.trim().replace('−', "-");
         let wrong = || format!("expected a figure such as 3.46, 3.2e-7 or 2 sqrt 3, found {text}");
@@ -62,12 +62,12 @@ impl WrittenFigure {
         })
     }
 
-    /// Whether it is `truth`, rounded to the same number of places.
+    /// Whether the figure is `truth` rounded to the same number of decimal places.
     pub(super) fn agrees(&self, truth: f64) -> bool {
         (truth - self.value).abs() <= self.margin
     }
 
-    /// `truth` with the same number of places, for a message.
+    /// `truth` with the same number of decimal places, for a message.
     pub(super) fn corrected(&self, truth: f64) -> String {
         let places = (-self.margin.log10()).floor().clamp(0.0, 12.0) as usize;
         if self.shown.contains("×10") {
@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn figures_agree_to_the_places_they_have() {
+    fn figures_are_compared_to_their_last_decimal_place() {
         let root = 12.0_f64.sqrt();
         for (written, truth, agrees) in [
             ("3.46", root, true),
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_is_not_a_figure_is_refused() {
+    fn text_that_is_not_a_figure_is_refused() {
         for text in [
             "", "abc", "nan", "inf", "1e999", "sqrt", "sqrt -2", "2 sqrt x", "1 2", "--1",
         ] {

@@ -1,4 +1,4 @@
-//! The settings before the shot of a level.
+//! The settings that a player can change before the shot of a level.
 
 use super::quantity as q;
 use crate::files::{Fields, NumberSpec, Range, all};
@@ -6,15 +6,15 @@ use crate::files::{Fields, NumberSpec, Range, all};
 /// A setting that a level may leave to the player, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dial {
-    /// Direction of the shot, in degrees from +x, anticlockwise.
+    /// The direction of the shot, in degrees from +x, anticlockwise.
     Direction,
-    /// Speed of the shot, in m/s.
+    /// The speed of the shot, in m/s.
     Speed,
-    /// The starting position of the disc that is shot: its x in mm.
+    /// The x coordinate of the disc that is shot, in mm.
     Place,
-    /// Mass of the disc that is shot, in grams.
+    /// The mass of the disc that is shot, in grams.
     Mass,
-    /// Restitution of disc on disc.
+    /// The coefficient of restitution between discs.
     Restitution,
 }
 
@@ -49,8 +49,8 @@ impl Dial {
         Self::ALL.map(Self::field)
     }
 
-    /// Its step; every solution in the built-in packs is a whole number of steps away from the
-    /// initial aim.
+    /// The step of the dial; every solution in the built-in packs is a whole number of steps away
+    /// from the initial aim.
     pub const fn step(self) -> f64 {
         self.facts().1
     }
@@ -59,7 +59,7 @@ impl Dial {
         self.facts().2
     }
 
-    /// The dials that a table of a file names.
+    /// The dials named in a table of a file.
     fn named_in(fields: &Fields) -> impl Iterator<Item = Self> {
         Self::ALL
             .into_iter()
@@ -72,7 +72,7 @@ impl Dial {
 pub struct LevelAim([f64; 5]);
 
 impl LevelAim {
-    /// Every dial as `setting` says.
+    /// Sets every dial to its `setting`.
     pub(super) fn new(setting: impl FnMut(Dial) -> f64) -> Self {
         Self(Dial::ALL.map(setting))
     }
@@ -82,7 +82,7 @@ impl LevelAim {
         self.0[dial as usize]
     }
 
-    /// The same aim with one dial set anew.
+    /// The same aim with a new setting of one dial.
     #[must_use]
     pub(crate) const fn with(mut self, dial: Dial, setting: f64) -> Self {
         self.0[dial as usize] = setting;
@@ -95,7 +95,7 @@ impl LevelAim {
 pub struct Adjust(Vec<(Dial, Range)>);
 
 impl Adjust {
-    /// The dials that may be turned, each with its range.
+    /// The dials that the player may change, each with its range.
     pub fn dials(&self) -> impl Iterator<Item = (Dial, Range)> + '_ {
         self.0.iter().copied()
     }
@@ -117,13 +117,13 @@ impl Adjust {
         Some(Self(dials))
     }
 
-    /// Reads a setting of the dials; those left out stay as in `start`.
+    /// Reads settings of the dials; those left out are as in `start`.
     pub(super) fn read_setting(&self, fields: &Fields, start: LevelAim) -> Option<LevelAim> {
         let settings = Dial::named_in(fields).map(|dial| {
             let name = dial.field();
             let setting = fields.number(name, dial.quantity())?;
             let Some(range) = self.range(dial) else {
-                return fields.refuse(name, "expected only what [adjust] lets the player set");
+                return fields.refuse(name, "expected only settings that [adjust] allows");
             };
             if !range.holds(setting) {
                 let message = format!(

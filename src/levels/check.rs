@@ -6,12 +6,12 @@ use super::level::Level;
 use super::play::Patience;
 use crate::physics::{Engine, EngineError, Shot};
 
-/// The stored solution of a level, played.
+/// The result of playing the stored solution of a level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
-    /// What became of the goals.
+    /// Whether each goal was met.
     pub verdict: Judgement,
-    /// Whether the initial aim wins too, so that there is nothing to find out.
+    /// Whether the initial aim wins too, so that there is nothing to solve.
     pub opens_won: bool,
 }
 
@@ -20,7 +20,7 @@ impl Trial {
     ///
     /// # Errors
     ///
-    /// If a shot has too many events or is too much work to be played to its end.
+    /// If a shot has too many events or exceeds its work budget.
     pub fn of(level: &Level) -> Result<Self, EngineError> {
         let verdict = |aim: &LevelAim| {
             let shot = level.aimed(aim).play(Patience::AKey)?;
@@ -33,12 +33,13 @@ impl Trial {
     }
 }
 
-/// The share, 0 to 1, of `tries` aims spread evenly over all possible settings that win, which
-/// measures how easy the level is to win by chance. A shot that cannot be played counts as lost.
+/// The fraction, 0 to 1, of winning aims among `tries` aims spread evenly over all possible
+/// settings. This fraction measures how easily the level is won by chance. A shot that cannot be
+/// played counts as lost.
 ///
 /// The aims are the points of an additive recurrence with the powers of the root of
-/// x^(d+1) = x + 1 (M. Roberts' R sequence), which fills d dimensions evenly and is
-/// the same each time.
+/// x^(d+1) = x + 1 (M. Roberts' R sequence), which fills d dimensions evenly and is always
+/// the same.
 pub fn winning_share(level: &Level, tries: u32) -> f64 {
     let dials: Vec<_> = level.adjust.dials().collect();
     let root = root_for(dials.len());
@@ -60,7 +61,7 @@ pub fn winning_share(level: &Level, tries: u32) -> f64 {
     won.count() as f64 / f64::from(tries.max(1))
 }
 
-/// The root above 1 of x^(d+1) = x + 1.
+/// The root of x^(d+1) = x + 1 that is greater than 1.
 fn root_for(dimensions: usize) -> f64 {
     let power = 1.0 / (dimensions + 1) as f64;
     (0..60).fold(2.0_f64, |x, _| (1.0 + x).powf(power))

@@ -13,12 +13,12 @@ use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 /// because all others are at rest until then.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal {
-    /// These discs fall into pockets, in this order.
+    /// These discs are pocketed, in this order.
     Pocket {
         /// The discs.
         discs: Vec<usize>,
     },
-    /// A disc stays on the board.
+    /// A disc is not pocketed.
     Keep {
         /// The disc.
         disc: usize,
@@ -27,16 +27,16 @@ pub enum Goal {
     Untouched {
         /// The disc.
         disc: usize,
-        /// Only this one must not hit it; `None` means that no disc may.
+        /// The disc that must not hit this disc; `None` means that no disc may.
         by: Option<usize>,
     },
     /// A disc is hit by another.
     Hit {
         /// The disc that is hit.
         disc: usize,
-        /// The disc that hits it.
+        /// The other disc, which hits this disc.
         by: usize,
-        /// The least number of cushions that one hits before.
+        /// The least number of cushions that `by` hits first.
         least: usize,
     },
     /// A disc comes to rest with its centre in a circle.
@@ -57,28 +57,28 @@ pub enum Goal {
     Bank {
         /// The disc.
         disc: usize,
-        /// The disc it then hits.
+        /// The disc that it then hits.
         target: usize,
         /// The least number of cushions.
         least: usize,
     },
-    /// A disc hits cushions, whatever else it does.
+    /// A disc hits cushions, in any order with other collisions.
     Cushions {
         /// The disc.
         disc: usize,
-        /// How many times at least.
+        /// The least number of hits.
         least: usize,
     },
-    /// A measure of the first collision lies in a range.
+    /// A quantity of the first collision is within a range.
     FirstHit {
-        /// What is measured.
+        /// The quantity.
         measure: HitMeasure,
-        /// The range, in the unit of the measure.
+        /// The range, in the unit of the quantity.
         range: Range,
     },
 }
 
-/// A measure right after the first collision.
+/// A quantity right after the first collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HitMeasure {
     /// The speed of a disc, in m/s.
@@ -86,14 +86,14 @@ pub enum HitMeasure {
     /// The angle between the initial path of body 1 and the velocity of a disc, to either side, in
     /// radians.
     Turn(usize),
-    /// The angle between the velocities of the two, in radians.
+    /// The angle between the velocities of the two discs, in radians.
     Separation,
-    /// The share of body 1's energy that a disc has afterwards, 0 to 1.
+    /// The fraction of body 1's energy that a disc has afterwards, 0 to 1.
     Energy(usize),
 }
 
 impl HitMeasure {
-    /// The disc concerned; `None` if it is both.
+    /// The disc concerned; `None` if both are.
     pub(super) const fn disc(self) -> Option<usize> {
         match self {
             Self::Speed(disc) | Self::Turn(disc) | Self::Energy(disc) => Some(disc),
@@ -101,7 +101,7 @@ impl HitMeasure {
         }
     }
 
-    /// A range of it in words.
+    /// A range of the quantity in words.
     pub(super) fn between(self, range: &Range) -> String {
         let (factor, unit) = match self {
             Self::Speed(_) => (1.0, " m/s"),
@@ -114,7 +114,7 @@ impl HitMeasure {
 }
 
 impl Goal {
-    /// Whether the first collision alone decides it.
+    /// Whether the first collision alone decides the goal.
     pub(crate) fn is_of_the_first_hit(&self) -> bool {
         matches!(self, Self::FirstHit { .. })
     }
@@ -123,13 +123,13 @@ impl Goal {
 /// A circle marked on the board.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GoalCircle {
-    /// Its centre in metres.
+    /// The centre, in metres from the centre of the board.
     pub centre: DVec2,
-    /// Its radius in metres.
+    /// The radius in metres.
     pub radius: f64,
 }
 
-/// The most cushions a goal may ask for.
+/// The largest number of cushions that a goal may require.
 const MOST_CUSHIONS: usize = 20;
 
 /// The kinds of goals by their names in a file, each with its fields.
@@ -152,7 +152,7 @@ const KINDS: [(&str, &[&str]); 12] = [
 const IN_CIRCLE: [&str; 4] = ["kind", "disc", "centre_mm", "radius_mm"];
 
 impl Goal {
-    /// Reads a goal in a scene of so many discs.
+    /// Reads a goal in a scene of `count` discs.
     pub(super) fn from_fields(fields: Fields, count: usize) -> Option<Self> {
         let kinds = KINDS.map(|(kind, known)| (kind, (kind, known)));
         let (kind, known) = fields.word("kind", &kinds)?;
@@ -173,7 +173,7 @@ impl Goal {
             let (measure, range) = measure.zip(range)?;
             Some(Self::FirstHit { measure, range })
         };
-        // Zipped, so that every field is read before one that is wrong ends it.
+        // `zip` reads all fields, so all errors are reported, before a missing value returns.
         Some(match kind {
             "pocket" => Self::Pocket {
                 discs: read_discs(&fields, "discs", count, count)?,
@@ -223,7 +223,7 @@ impl Goal {
         })
     }
 
-    /// The circle that belongs on the board, and the disc it is for.
+    /// The circle to draw on the board, and the disc whose goal it is.
     pub(crate) fn circle(&self) -> Option<(GoalCircle, usize)> {
         match self {
             Self::Rest { disc, circle } | Self::Pass { disc, circle } => Some((*circle, *disc)),
@@ -281,7 +281,7 @@ impl Goal {
                         format!("Leave {name} with at most {most} m/s right after the first hit.")
                     }
                     HitMeasure::Speed(_) => {
-                        format!("Give {name} {between} right after the first hit.")
+                        format!("Give {name} a speed of {between} right after the first hit.")
                     }
                     HitMeasure::Turn(_) => {
                         format!("Send {name} off at {between} from the line of the shot.")

@@ -1,5 +1,5 @@
-//! Whether a shot meets the goals of a level, or what happened instead, in words: from the record
-//! of the shot alone.
+//! Reports in words whether a shot meets the goals of a level, or what happened instead. Only the
+//! record of the shot is used.
 
 use glam::DVec2;
 
@@ -11,19 +11,19 @@ use crate::physics::angle::angle_between;
 use crate::physics::units::mm_from_m;
 use crate::physics::{DiscState, Event, EventKind, Shot};
 
-/// The results of a level's goals, in their order.
+/// The results of a level's goals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
-    /// A finding for each goal.
+    /// A finding for each goal, in the order of the goals.
     pub findings: Vec<Finding>,
 }
 
 /// The result of one goal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    /// Whether it is met.
+    /// Whether the goal is met.
     pub met: bool,
-    /// What happened, in words with numbers.
+    /// What happened: "the striker came to rest 12 mm outside its circle".
     pub text: String,
 }
 
@@ -33,7 +33,7 @@ impl Judgement {
         self.findings.iter().all(|finding| finding.met)
     }
 
-    /// How many goals are met.
+    /// The number of goals met.
     pub(crate) fn met(&self) -> usize {
         self.findings.iter().filter(|finding| finding.met).count()
     }
@@ -60,8 +60,8 @@ impl Goal {
         match self {
             Self::Pocket { discs } => pocketed(discs, shot, scene),
             Self::Keep { disc } => match shot.fallen().any(|fallen| fallen == *disc) {
-                true => found(false, format!("{} fell into a pocket", name(disc))),
-                false => found(true, format!("{} did not fall into a pocket", name(disc))),
+                true => found(false, format!("{} was pocketed", name(disc))),
+                false => found(true, format!("{} was not pocketed", name(disc))),
             },
             Self::Untouched { disc, by } => {
                 let hit_by = match by {
@@ -87,7 +87,7 @@ impl Goal {
                 let end = shot.at(*disc, shot.duration());
                 let name = name(disc);
                 match end.state {
-                    DiscState::Pocketed => found(false, format!("{name} fell into a pocket")),
+                    DiscState::Pocketed => found(false, format!("{name} was pocketed")),
                     DiscState::Moving => found(false, format!("{name} never came to rest")),
                     DiscState::Resting => {
                         circle.judge(end.position, &format!("{name} came to rest"))
@@ -108,15 +108,15 @@ impl Goal {
                     events.filter_map(|(at, it)| Some((at, it.kind.partner(*disc)?)));
                 let (name, target_name) = (name(disc), name(target));
                 match partners.next() {
-                    None => found(false, format!("{name} never met {target_name}")),
+                    None => found(false, format!("{name} never hit {target_name}")),
                     Some((_, other)) if other != *target => {
-                        found(false, format!("{name} met another disc first"))
+                        found(false, format!("{name} hit another disc first"))
                     }
                     Some((at, _)) => {
                         let met = cushions(*disc, &shot.events()[..at]);
                         let text = match met {
-                            0 => format!("{name} met {target_name} without a cushion"),
-                            _ => format!("{name} met {target_name} off {}", in_cushions(met)),
+                            0 => format!("{name} hit {target_name} without a cushion"),
+                            _ => format!("{name} hit {target_name} off {}", in_cushions(met)),
                         };
                         found(met >= *least, text)
                     }
@@ -126,7 +126,7 @@ impl Goal {
                 let met = cushions(*disc, shot.events());
                 found(
                     met >= *least,
-                    format!("{} met {}", name(disc), in_cushions(met)),
+                    format!("{} hit {}", name(disc), in_cushions(met)),
                 )
             }
             Self::FirstHit { measure, range } => {
@@ -139,11 +139,13 @@ impl Goal {
                     Err(missing) => return found(false, missing.text(&name)),
                 };
                 let text = match measure {
-                    HitMeasure::Speed(_) => format!("{name} left the hit at {} m/s", tidy(number)),
+                    HitMeasure::Speed(_) => format!("{name} left at {} m/s", tidy(number)),
                     HitMeasure::Turn(_) => format!("{name} left at {}", degrees(number)),
-                    HitMeasure::Separation => format!("the paths were {} apart", degrees(number)),
+                    HitMeasure::Separation => {
+                        format!("the angle between the paths was {}", degrees(number))
+                    }
                     HitMeasure::Energy(_) => {
-                        format!("{name} took {} % of the energy", tidy(100.0 * number))
+                        format!("{name} had {} % of the energy", tidy(100.0 * number))
                     }
                 };
                 match range.holds(number) {
@@ -159,7 +161,7 @@ impl Goal {
 }
 
 impl GoalCircle {
-    /// Whether a disc at a point is inside; `came` is the beginning of the sentence.
+    /// Whether a point is inside the circle; `came` is the beginning of the sentence.
     fn judge(&self, point: DVec2, came: &str) -> Finding {
         let outside = self.outside_mm(point);
         if outside > 0.0 {
@@ -176,19 +178,19 @@ impl GoalCircle {
     }
 }
 
-/// Why a measure of the first collision is undefined.
+/// Why a quantity of the first collision is undefined.
 enum Missing {
-    /// The disc had no part in it, or there was none.
+    /// The disc was not in the first collision, or there was none.
     Part,
     /// A disc stopped.
     Direction,
 }
 
 impl Missing {
-    /// In words; a measure of both discs has no `name`.
+    /// The reason in words; `name` is empty for a quantity of both discs.
     fn text(&self, name: &str) -> String {
         match (self, name) {
-            (Self::Direction, "") => "one of the two stopped, so there is no angle".into(),
+            (Self::Direction, "") => "one of the two discs stopped, so there is no angle".into(),
             (Self::Direction, _) => format!("{name} stopped, so it has no direction"),
             (Self::Part, "") => "no disc was hit".into(),
             (Self::Part, _) => format!("{name} was not in the first hit"),
@@ -196,10 +198,10 @@ impl Missing {
     }
 }
 
-/// The first time two discs meet.
+/// The first collision of two discs.
 struct FirstImpact {
     discs: [usize; 2],
-    /// Which of the two was shot: the other is at rest.
+    /// The index in `discs` of the disc that was shot; the other is at rest.
     moving: usize,
     before: DVec2,
     afters: [DVec2; 2],
@@ -227,7 +229,7 @@ impl FirstImpact {
         })
     }
 
-    /// The value of a measure, in the unit of the goal's range.
+    /// The value of a quantity, in the unit of the goal's range.
     fn shows(&self, measure: HitMeasure, shot: &Shot) -> Result<f64, Missing> {
         let after = |disc| {
             let both = self.discs.into_iter().zip(self.afters);
@@ -270,18 +272,18 @@ fn pocketed(discs: &[usize], shot: &Shot, scene: &Scene) -> Finding {
     let order: Vec<_> = shot.fallen().filter(|disc| discs.contains(disc)).collect();
     let names: Vec<_> = order.iter().map(|disc| scene.name(*disc)).collect();
     let met = order == discs;
-    let wrong = if met { "" } else { ": the wrong order" };
-    found(met, format!("{} fell{wrong}", names.join(", then ")))
+    let wrong = if met { "" } else { ", in the wrong order" };
+    found(met, format!("pocketed: {}{wrong}", names.join(", then ")))
 }
 
-/// The events before two discs first meet; `None` if they never do.
+/// The events before the first collision of these two discs; `None` if there is none.
 fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
     let meets = |event: &Event| event.kind.partner(one) == Some(other);
     let at = shot.events().iter().position(meets)?;
     shot.events().get(..at)
 }
 
-/// How many times a disc hits a cushion.
+/// The number of times that a disc hits a cushion.
 fn cushions(disc: usize, events: &[Event]) -> usize {
     let met = |kind| matches!(kind, EventKind::Cushion { disc: met, .. } if met == disc);
     events.iter().filter(|event| met(event.kind)).count()

@@ -2,7 +2,7 @@
 
 use crate::physics::Disc;
 
-/// The kind of a disc, which determines its mass and size unless the file does.
+/// The kind of a disc, which determines its mass and size unless the file gives them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DiscKind {
     /// The disc that is flicked: 15 g and 41.3 mm across, the most the Laws allow.
@@ -36,7 +36,7 @@ impl DiscKind {
         }
     }
 
-    /// What to call one on the screen.
+    /// The name of a disc of this kind on the screen.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Striker => "striker",

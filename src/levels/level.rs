@@ -11,7 +11,7 @@ use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 /// The format that this program reads and writes.
 pub(crate) const FORMAT: u32 = 1;
 
-/// The most goals a level may have.
+/// The largest number of goals in a level.
 const MOST_GOALS: usize = 8;
 
 /// The tables and fields of a level file.
@@ -32,13 +32,13 @@ const ABOUT: [&str; 6] = [
 /// A scene with goals, settings for the player, and an explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
-    /// Name that stays the same for good: lower-case letters, digits and hyphens.
+    /// A name that never changes: lower-case letters, digits and hyphens.
     pub id: String,
-    /// Its title.
+    /// The title shown to players.
     pub title: String,
-    /// Hints, each more direct than the one before.
+    /// Hints, each more direct than the previous one.
     pub hints: Vec<String>,
-    /// The explanation after the shot: paragraphs with an empty line between.
+    /// The explanation after the shot: paragraphs separated by empty lines.
     pub explanation: String,
     /// Discs whose direction after the first impact the player predicts.
     pub say_first: Vec<usize>,
@@ -46,7 +46,7 @@ pub struct Level {
     pub(crate) unknown_mass: Vec<usize>,
     /// The board, the discs, and the initial shot.
     pub scene: Scene,
-    /// What the player may set.
+    /// The dials that the player may change.
     pub adjust: Adjust,
     /// The goals, all of which must be met.
     pub goals: Vec<Goal>,
@@ -55,16 +55,16 @@ pub struct Level {
 }
 
 impl Level {
-    /// Reads a level from the bytes of a file; `name` stands for it in messages.
+    /// Reads a level from the bytes of a file; messages call the file `name`.
     ///
     /// # Errors
     ///
-    /// All that is wrong with it.
+    /// All errors in the file.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         Self::read_beside(name, bytes, &[])
     }
 
-    /// Reads a level that is to have an id of its own among others.
+    /// Reads a level whose id must differ from the ids of other levels.
     pub(super) fn read_beside(
         name: &str,
         bytes: &[u8],
@@ -91,7 +91,7 @@ impl Level {
         let about = about?;
         let id = about.id("id").and_then(|id| {
             if others.iter().any(|other| other.id == id) {
-                let message = format!("expected an id of its own, found \"{id}\" twice");
+                let message = format!("expected a unique id, found \"{id}\" twice");
                 return about.refuse("id", message);
             }
             Some(id)
@@ -127,7 +127,8 @@ impl Level {
         start(&self.scene)
     }
 
-    /// Whether only the first collision counts: neither cushions nor pockets matter.
+    /// Whether the first collision alone decides the level, so that neither cushions nor pockets
+    /// matter.
     pub(crate) fn is_of_the_first_hit(&self) -> bool {
         let no_pockets = self.scene.board.pocket_diameter <= 0.0;
         no_pockets && self.goals.iter().all(Goal::is_of_the_first_hit)
@@ -152,12 +153,12 @@ impl Level {
 }
 
 impl Scene {
-    /// Reads a scene from the bytes of a file; `name` stands for it in messages.
-    /// A level is a scene too: it is read and checked whole, and its scene returned.
+    /// Reads a scene from the bytes of a file; messages call the file `name`. For a level, the
+    /// whole level is read and checked, and its scene is returned.
     ///
     /// # Errors
     ///
-    /// All that is wrong with it.
+    /// All errors in the file.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, bytes, files::LARGEST)?;
         source.document("a scene", FORMAT..=FORMAT, &[], |fields| {
@@ -172,7 +173,7 @@ impl Scene {
     }
 }
 
-/// The dials as the shot of a scene has them.
+/// The settings of the dials in the shot of a scene.
 fn start(scene: &Scene) -> LevelAim {
     let piece = scene.pieces.get(scene.stroke.disc);
     LevelAim::new(|dial| match dial {
@@ -191,11 +192,11 @@ fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     let scene = scene?;
     let start = start(scene);
     for (dial, range) in adjust.dials() {
-        // Millimetres and grams were converted to SI and back.
+        // The setting has rounding errors: millimetres and grams were converted to SI and back.
         let setting = start.get(dial);
         if (range.nearest(setting) - setting).abs() > 1e-9 * setting.abs() {
             let message = format!(
-                "expected a range that holds the {setting} the scene starts with, found {} to {}",
+                "expected a range that contains the initial value {setting}, found {} to {}",
                 range.from, range.to
             );
             fields.refuse::<()>(dial.field(), message);
@@ -209,9 +210,8 @@ fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     Some(adjust)
 }
 
-/// Whether the disc that is set off has room wherever its x, in metres, lies within
-/// a range: it does if it has room at both ends and where it is nearest to each of
-/// the other discs and pockets.
+/// Checks that the disc that is shot has room at every x, in metres, within a range. It is enough
+/// to check both ends and the points nearest to each of the other discs and pockets.
 fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     let number = scene.stroke.disc;
     let Some(&piece) = scene.pieces.get(number) else {
@@ -233,8 +233,7 @@ fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     Ok(())
 }
 
-/// Text with its line breaks turned to spaces but for the empty lines that part
-/// paragraphs.
+/// Text with its line breaks replaced by spaces, except the empty lines between paragraphs.
 fn paragraphs(text: &str) -> String {
     let mut paragraphs = vec![String::new()];
     for line in text.lines().map(str::trim) {

@@ -1,4 +1,4 @@
-//! Packs of levels: those in the program, and a teacher's own from a folder.
+//! Packs of levels: the built-in ones, and a teacher's own from a folder.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -14,9 +14,9 @@ static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 /// Levels that belong together, in the order of their file names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// The name of its folder, without the number before it, which only determines the order.
+    /// The name of the folder, without the number before it, which only determines the order.
     pub name: String,
-    /// Its levels; no two have the same id.
+    /// The levels; no two have the same id.
     pub levels: Vec<Level>,
 }
 
@@ -27,12 +27,12 @@ impl Pack {
     }
 }
 
-/// All levels there are to play.
+/// All available levels.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LevelLibrary {
-    /// The packs.
+    /// The packs, in the order in which they are shown.
     pub packs: Vec<Pack>,
-    /// What was wrong with files that are left out.
+    /// The errors in files that are left out.
     pub problems: Vec<FileError>,
 }
 
@@ -86,8 +86,7 @@ impl FileLibrary for LevelLibrary {
         self.add(&pack, &path.display().to_string(), bytes);
     }
 
-    /// Adds the level files of a folder as a pack, and those of each folder in it as
-    /// a pack of its own.
+    /// Adds the level files of a folder as one pack, and those of each subfolder as another.
     fn add_dir(&mut self, folder: &Path) {
         let mut folders = self.add_files_of(folder);
         folders.sort_by_key(|folder| order(folder));
@@ -97,8 +96,8 @@ impl FileLibrary for LevelLibrary {
     }
 }
 
-/// The position of the pack of a folder, and its name: `2-right-angle` is "right-angle" in the
-/// second place. Folders without a number come first.
+/// The position of a folder's pack, and its name: `2-right-angle` is the pack "right-angle" at
+/// position 2. Folders without a number come first.
 fn order(dir: &Path) -> (u32, String) {
     let name = dir
         .file_name()
@@ -116,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_number_before_a_name_gives_its_place() {
+    fn a_number_before_a_name_gives_the_position() {
         let ordered = |name: &str| order(Path::new(name));
         assert_eq!(ordered("levels/first-hits"), (0, "first-hits".into()));
         assert_eq!(ordered("2-right-angle"), (2, "right-angle".into()));

@@ -3,7 +3,7 @@
 //! A **scene** is a board, the discs on it and a shot, as a TOML file. A **level**
 //! is a scene with a goal, what the player may set, hints, an explanation and an
 //! aim that wins; the aim is stored so that it can be checked by playing it. Every
-//! number of a file is checked against its bounds while it is read; a [`FileError`] says
+//! number in a file is checked against its bounds while it is read; a [`FileError`] gives
 //! file, line, field and what was expected.
 
 mod aim;

@@ -3,18 +3,19 @@
 use super::scene::Scene;
 use crate::physics::{Engine, EngineError, Limits, Shot};
 
-/// How long a shot on a board without friction lasts, in seconds: nothing would ever come to rest.
+/// How long a shot on a board without friction is played, in seconds, because nothing would ever
+/// come to rest.
 const WATCHED: f64 = 60.0;
 
-/// The work budget of a shot, counted in tests of a pair of discs (see [`Limits::work`]): nobody
-/// waits longer, and no built-in level comes near it.
+/// The work budget of a shot, counted in tests of a pair of discs (see [`Limits::work`]). The
+/// budget limits how long a player waits; no built-in level comes near it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Patience {
-    /// Some seconds: for a shot that is the whole task.
+    /// A few seconds: for a shot that is the whole task.
     Seconds,
-    /// Five thousandths of a second: for a shot that is watched after a key press.
+    /// Five milliseconds: for a shot that is shown after a key press.
     AKey,
-    /// A thousandth of a second: for one of thousands, and for the preview while a player aims.
+    /// One millisecond: for one of thousands of shots, and for the preview while a player aims.
     AMoment,
 }
 
@@ -33,23 +34,22 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// If the shot has too many events or is too much work to be played to its end.
+    /// If the shot has too many events or exceeds its work budget.
     pub fn play(&self, patience: Patience) -> Result<Shot, EngineError> {
         let mut shot = Shot::default();
         self.play_into(&mut Engine::default(), &mut shot, patience)?;
         Ok(shot)
     }
 
-    /// Plays the shot up to the end of the smallest budget, which includes its first contact.
+    /// Plays the shot until the smallest budget is used up, which is after the first contact.
     pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();
-        // What was played stands.
+        // On an error the record contains the shot up to then.
         let _ = self.play_into(&mut Engine::default(), &mut shot, Patience::AMoment);
         shot
     }
 
-    /// Plays the shot as [`Scene::play`] does, into a record and with an engine that
-    /// can be used again.
+    /// Plays the shot as [`Scene::play`] does, with an engine and a record that can be reused.
     ///
     /// # Errors
     ///

@@ -2,8 +2,7 @@
 
 use crate::files::NumberSpec;
 
-// The bounds keep every number where f64 has room to spare; they are far wider
-// than anything that is still carrom.
+// Within these bounds f64 is precise enough; they are far wider than any carrom board needs.
 pub(super) const SIDE: NumberSpec = NumberSpec::new("a side", " mm", 50.0, 100_000.0);
 pub(super) const POCKET: NumberSpec = NumberSpec::new("a diameter", " mm", 0.0, 1000.0);
 pub(super) const FRICTION: NumberSpec = NumberSpec::new("a coefficient of friction", "", 0.0, 10.0);

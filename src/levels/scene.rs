@@ -10,38 +10,38 @@ use crate::physics::direction::direction;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
-/// The most discs a scene may hold.
+/// The largest number of discs in a scene.
 pub(crate) const MOST_DISCS: usize = 256;
 
-/// How far discs may overlap each other or the frame, in metres: the rounding error of positions
-/// that are meant to touch, as in the engine.
+/// How far discs may overlap each other or the frame, in metres. As in the engine, this allows for
+/// the rounding error of discs that are meant to touch.
 const SLACK: f64 = 1e-10;
 
-/// A disc and where it lies.
+/// A disc and its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlacedDisc {
-    /// What it is on the board.
+    /// The kind of disc.
     pub kind: DiscKind,
-    /// Its mass and radius.
+    /// The mass and the radius.
     pub disc: Disc,
-    /// Its centre in metres from the centre of the board.
+    /// The position of its centre, in metres from the centre of the board.
     pub at: DVec2,
 }
 
 /// The shot of one of the discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Launch {
-    /// The disc.
+    /// The number of the disc.
     pub disc: usize,
-    /// Its direction in degrees from +x, anticlockwise. Stored as in the file, so that a quarter
+    /// The direction in degrees from +x, anticlockwise. Stored as in the file, so that a quarter
     /// turn is exact.
     pub direction_deg: f64,
-    /// Its speed in m/s.
+    /// The speed in m/s.
     pub speed: f64,
 }
 
 impl Launch {
-    /// The velocity in m/s; exact along the axes and alike in all four quadrants.
+    /// The velocity in m/s, exact along the axes and symmetric in all four quadrants.
     pub(crate) fn velocity(&self) -> DVec2 {
         self.speed * unit_vector(self.direction_deg)
     }
@@ -93,7 +93,7 @@ impl Scene {
         self.pieces.iter().map(|piece| piece.disc).collect()
     }
 
-    /// The initial motion of each disc: all at rest except the one that is shot.
+    /// The initial motion of each disc: all at rest except the disc that is shot.
     pub fn motions(&self) -> Vec<Motion> {
         let mut motions: Vec<_> = self
             .pieces
@@ -185,7 +185,7 @@ fn read_piece(fields: &Fields) -> Option<PlacedDisc> {
     })
 }
 
-/// A point given in millimetres.
+/// A point in metres, given in millimetres.
 pub(super) fn point(mm: [f64; 2]) -> DVec2 {
     DVec2::from(mm.map(m_from_mm))
 }
@@ -209,7 +209,7 @@ pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usi
     fields.whole(name, &disc_number(last), 0..=last)
 }
 
-/// Reads a list of 1 to `most` different discs, likewise.
+/// Reads a list of 1 to `most` different discs out of `count`.
 pub(super) fn read_discs(
     fields: &Fields,
     name: &str,
@@ -229,8 +229,8 @@ fn disc_number(last: usize) -> String {
 }
 
 impl PlacedDisc {
-    /// Whether the disc lies inside the frame, outside the pockets and clear of
-    /// other discs; if not, what was expected.
+    /// Checks that the disc is inside the frame, outside the pockets and clear of other discs; the
+    /// error gives what was expected.
     pub(super) fn check_place<'a>(
         &self,
         board: &Board,
@@ -259,7 +259,7 @@ impl PlacedDisc {
     }
 }
 
-/// A length in millimetres with the significant digits.
+/// A length in millimetres with enough digits not to be zero.
 fn small(length: f64) -> String {
     let mm = mm_from_m(length);
     if mm < 0.01 {
@@ -269,13 +269,12 @@ fn small(length: f64) -> String {
     }
 }
 
-/// A number to two decimals, without zeros at the end.
+/// A number to two decimals, without trailing zeros.
 pub(super) fn tidy(number: f64) -> String {
     short(number, 2)
 }
 
-/// A measured length in millimetres, to three figures but no finer than a
-/// hundredth.
+/// A measured length in millimetres, to three significant figures but at most two decimals.
 pub(super) fn figures(mm: f64) -> String {
     let decimals = match mm.abs() {
         ..10.0 => 2,
@@ -285,8 +284,8 @@ pub(super) fn figures(mm: f64) -> String {
     format!("{mm:.decimals$}")
 }
 
-/// The unit vector at an angle in degrees: sine and cosine of at most 45°, turned
-/// by quarters, so that it is exact along the axes.
+/// The unit vector at an angle in degrees: sine and cosine of at most 45°, rotated by quarter
+/// turns, so that the vector is exact along the axes.
 fn unit_vector(angle_deg: f64) -> DVec2 {
     let quarters = (angle_deg / 90.0).round();
     let within = direction((angle_deg - 90.0 * quarters).to_radians());
@@ -314,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn other_directions_are_those_of_sine_and_cosine() {
+    fn other_directions_agree_with_sine_and_cosine() {
         let near = |angle, x: f64, y: f64| unit_vector(angle).distance(DVec2::new(x, y)) < 1e-15;
         assert!(near(30.0, FRAC_PI_6.cos(), 0.5));
         assert!(near(135.0, -FRAC_1_SQRT_2, FRAC_1_SQRT_2));
@@ -323,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn discs_are_named_by_kind_and_counted_where_there_are_several() {
+    fn discs_are_named_by_kind_and_numbered_if_there_are_several() {
         let text = "format = 1\n\
             [[disc]]\nkind = \"white\"\nat_mm = [0, 0]\n\
             [[disc]]\nkind = \"striker\"\nat_mm = [0, -200]\n\
@@ -336,7 +335,7 @@ mod tests {
     }
 
     #[test]
-    fn a_short_number_reads_well() {
+    fn numbers_have_no_trailing_zeros() {
         for (number, text) in [(0.5, "0.5"), (3.0, "3"), (-0.001, "0"), (12.345, "12.35")] {
             assert_eq!(tidy(number), text);
         }

@@ -1,4 +1,4 @@
-//! The levels available to this player, and the results.
+//! The levels available to this player, and the best results.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -7,19 +7,19 @@ use super::level::Level;
 use super::library::{LevelLibrary, Pack};
 use super::stars::{MOST_STARS, Starred, Win};
 
-/// All levels, numbered from 0 through all packs, with the best result in each.
+/// All levels, numbered from 0 across all packs, with the best result in each.
 #[derive(Debug, Clone, Default)]
 pub struct Shelf {
-    /// `None` for the built-in ones alone, which are read only when they are needed.
+    /// `None` for the built-in levels alone, which are read only when they are needed.
     library: Option<Arc<LevelLibrary>>,
-    /// The most stars that were won, by the name of the pack and the id of the level.
+    /// The largest number of stars won, by the name of the pack and the id of the level.
     best: BTreeMap<(String, String), u8>,
-    /// The level, or after the last of them the problem, that was chosen last.
+    /// The index of the entry that was last selected: a level or, after all levels, a problem.
     pub at: usize,
 }
 
 impl Shelf {
-    /// A shelf with more than the built-in levels, none of them won yet.
+    /// A shelf with the levels of this library, none of them won yet.
     pub fn new(library: LevelLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -44,8 +44,8 @@ impl Shelf {
         self.levels().nth(number)
     }
 
-    /// The number of the level called `name`: its id, or the name of its pack and its
-    /// id with a stroke between.
+    /// The number of the level called `name`, which is its id, or the name of its pack and its id
+    /// with a slash between them.
     pub fn find(&self, name: &str) -> Option<usize> {
         let wanted = |(pack, level): (&Pack, &Level)| match name.split_once('/') {
             Some(name) => name == (&pack.name, &level.id),
@@ -54,13 +54,13 @@ impl Shelf {
         self.levels().position(wanted)
     }
 
-    /// How many levels there are.
+    /// The number of levels.
     pub fn count(&self) -> usize {
         let packs = self.library().packs.iter();
         packs.map(|pack| pack.levels.len()).sum()
     }
 
-    /// Stars of a level; 0 if it was never won.
+    /// The most stars won in a level; 0 if the level was never won.
     pub fn stars(&self, number: usize) -> u8 {
         let key = |(pack, level): (&Pack, &Level)| (pack.name.clone(), level.id.clone());
         let stars = self
@@ -74,7 +74,7 @@ impl Shelf {
         (0..self.count()).find(|number| self.stars(*number) == 0)
     }
 
-    /// Notes that a level was won, and returns the stars to save, if they are more than before.
+    /// Records that a level was won, and returns the stars to save if there are more than before.
     pub fn won(&mut self, number: usize, win: Win) -> Option<Starred> {
         let (pack, level) = self.get(number)?;
         let starred = Starred {
@@ -85,7 +85,7 @@ impl Shelf {
         self.recall(&starred).then_some(starred)
     }
 
-    /// Forgets all stars, because another player's will be requested.
+    /// Drops all stars, because another player's will be requested.
     pub(crate) fn forget(&mut self) {
         self.best.clear();
     }
@@ -106,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_worse_win_takes_nothing_away() {
+    fn a_worse_win_keeps_the_stars() {
         let mut shelf = Shelf::default();
         assert_eq!(shelf.stars(0), 0);
         let (pack, level) = shelf.get(0).unwrap();

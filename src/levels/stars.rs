@@ -1,17 +1,17 @@
 //! How well a level was won.
 
-/// The most stars a level gives.
+/// The largest number of stars in a level.
 pub(crate) const MOST_STARS: u8 = 3;
 
-/// The most shots, without a hint, for the second star.
+/// The largest number of shots, without a hint, that earns the second star.
 pub(crate) const FEW_SHOTS: u32 = 3;
 
-/// A level won.
+/// How a level was won.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Win {
-    /// Shots it took since the level was opened, the winning one included.
+    /// The number of shots since the level was opened, including the winning one.
     pub shots: u32,
-    /// Hints that were asked for by then.
+    /// The number of hints shown until then.
     pub hints: usize,
     /// Whether the prediction before the winning shot was right; `None` if there was nothing to
     /// predict.
@@ -19,31 +19,31 @@ pub struct Win {
 }
 
 impl Win {
-    /// One star for winning, one for few shots without a hint, and one for a right prediction; if
-    /// there is nothing to predict, for winning with the first shot.
+    /// One star for winning, one for few shots without a hint, and one for a right prediction or,
+    /// if there is nothing to predict, for winning with the first shot.
     pub(crate) fn stars(&self) -> u8 {
         1 + u8::from(self.has_few_shots()) + u8::from(self.is_accurate())
     }
 
-    /// Whether it has the star for few shots without a hint.
+    /// Whether the win earns the star for few shots without a hint.
     pub(crate) fn has_few_shots(&self) -> bool {
         self.shots <= FEW_SHOTS && self.hints == 0
     }
 
-    /// Whether it has the star for accuracy.
+    /// Whether the win earns the star for accuracy.
     pub(crate) fn is_accurate(&self) -> bool {
         self.said_right.unwrap_or(self.shots <= 1)
     }
 }
 
-/// A level that was won, with the most stars it was ever won with.
+/// A level that was won, with the largest number of stars ever won there.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Starred {
-    /// The name of its pack.
+    /// The name of the level's pack.
     pub pack: String,
-    /// Its id.
+    /// The id of the level.
     pub level: String,
-    /// How many, from 1.
+    /// The number of stars, from 1.
     pub stars: u8,
 }
 
@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_star_is_earned_by_itself() {
+    fn each_star_is_earned_independently() {
         let stars = |shots, said_right| {
             let hints = 0;
             let win = Win {
@@ -61,7 +61,7 @@ mod tests {
                 said_right,
             };
             let hinted = Win { hints: 12, ..win };
-            // A hint costs the star for few shots and no other.
+            // A hint costs the star for few shots but no other.
             assert_eq!(hinted.stars(), win.stars() - u8::from(shots <= FEW_SHOTS));
             win.stars()
         };

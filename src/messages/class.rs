@@ -1,5 +1,5 @@
-//! A class on its own devices: what a pupil's carrom requests from its connection to the host,
-//! and what arrives.
+//! A class on pupils' own devices: the requests that a pupil's carrom sends to its connection to
+//! the host, and the events that arrive.
 
 /// A request from a pupil's carrom to its connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -8,7 +8,7 @@ pub enum JoinCall {
     Dial(String),
     /// Send this text.
     Say(String),
-    /// Remember how the pupil rejoins there.
+    /// Save how the pupil can rejoin the class.
     Remember {
         /// The token of the pupil's seat, as text.
         seat: String,
@@ -32,6 +32,6 @@ pub enum JoinNews {
     Lost(String),
     /// Remembered from an earlier connection: the token, and the name.
     Remembered(String, String),
-    /// The device was asleep or out of sight, and is back.
+    /// The device was asleep or the page was hidden, and is active again.
     Awake,
 }

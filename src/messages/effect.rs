@@ -1,4 +1,4 @@
-//! Requests of the app to the shell that drives it.
+//! Requests from the app to the shell that drives it.
 
 use super::{HostCall, JoinCall, StoreCall};
 
@@ -10,16 +10,15 @@ pub enum Effect {
     /// Read or change stored data, and return the
     /// [`StoreAnswer`](super::StoreAnswer) as an input.
     Keep(StoreCall),
-    /// Host a class on its own devices, on the teacher's side, and return what arrives as an
+    /// On the teacher's side, host a class on pupils' devices, and return what arrives as an
     /// [`Input::Hosted`](super::Input::Hosted).
     Host(HostCall),
-    /// Connect to such a class, on a pupil's side, and return what arrives as an
+    /// On a pupil's side, connect to such a class, and return what arrives as an
     /// [`Input::Joined`](super::Input::Joined).
     Join(JoinCall),
-    /// Write a text to a file of this name for the player (in a terminal, in the folder where
-    /// carrom was started), and return its path as an
-    /// [`Input::Exported`](super::Input::Exported). (A [`StoreRequest`](super::StoreRequest)
-    /// exports to the data folder instead.)
+    /// Write text to a file of this name for the player (in a terminal, in the folder where carrom
+    /// was started), and return its path as an [`Input::Exported`](super::Input::Exported). (A
+    /// [`StoreRequest`](super::StoreRequest) exports to the data folder instead.)
     Export {
         /// Letters, digits, hyphens and an extension.
         name: String,

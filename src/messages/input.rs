@@ -16,17 +16,17 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes long; its result will
-    /// follow.
+    /// The [`Effect::Keep`](super::Effect::Keep) with this ticket takes a long time; its result
+    /// will follow.
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),
-    /// The result of an [`Effect::Export`](super::Effect::Export): the file's path, or why
-    /// there is none.
+    /// The result of an [`Effect::Export`](super::Effect::Export): the file's path, or the reason
+    /// why there is none.
     Exported(Result<String, String>),
-    /// What has arrived from a class on its own devices since the last time, in order.
+    /// The events from a class on pupils' devices since the last input, in order.
     Hosted(Vec<HostNews>),
-    /// What has arrived from the host of the class.
+    /// An event from the host of the class.
     Joined(JoinNews),
 }
 
@@ -39,7 +39,7 @@ impl From<Key> for Input {
 /// The mouse over a cell, counted from 0 at the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mouse {
-    /// What it did.
+    /// What the mouse did.
     pub kind: MouseKind,
     /// Column of the cell.
     pub column: u16,
@@ -83,17 +83,17 @@ impl Mouse {
         (self.column, self.row)
     }
 
-    /// Whether the button went down just now in an area.
+    /// Whether the button has just gone down in an area.
     pub fn presses(&self, area: Rect) -> bool {
         self.kind == MouseKind::Down && area.contains(self.cell().into())
     }
 
-    /// Whether the button is down, just now or for some time.
+    /// Whether the button is down, whether just pressed or held.
     pub(crate) fn is_held(&self) -> bool {
         matches!(self.kind, MouseKind::Down | MouseKind::Drag)
     }
 
-    /// A step of the wheel, if it turned: 1 away from the hand, −1 towards it.
+    /// A step of the wheel, if it turned: 1 away from the user, −1 towards the user.
     pub const fn wheel(&self) -> Option<i8> {
         match self.kind {
             MouseKind::ScrollUp => Some(1),
@@ -103,18 +103,18 @@ impl Mouse {
     }
 }
 
-/// What the mouse did; only the main button counts.
+/// What the mouse did; only the main button is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MouseKind {
     /// The button went down.
     Down,
-    /// It moved with the button down.
+    /// The mouse moved with the button down.
     Drag,
     /// The button went up.
     Up,
-    /// The wheel turned away from the hand.
+    /// The wheel turned away from the user.
     ScrollUp,
-    /// The wheel turned towards the hand.
+    /// The wheel turned towards the user.
     ScrollDown,
 }
 
@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_place_is_kept_to_a_small_part_of_a_cell() {
+    fn a_position_is_accurate_to_a_small_part_of_a_cell() {
         let over = Mouse::over(MouseKind::Down, (3, 4));
         assert_eq!(over.place(), dvec2(3.5, 4.5));
         for place in [dvec2(0.0, 0.0), dvec2(60.99, 7.25), dvec2(12.5, 300.0)] {

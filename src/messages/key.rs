@@ -62,7 +62,7 @@ impl Key {
     /// The four arrows: up, down, left, right.
     pub(crate) const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
 
-    /// The key of a text: a character is its own key, a name is read as in a tape.
+    /// The key for a string: a single character, or a name as in a tape.
     pub fn parse(text: &str) -> Option<Self> {
         match text.parse::<char>() {
             Ok(c) if !c.is_control() => Some(Self::Char(c)),
@@ -70,7 +70,7 @@ impl Key {
         }
     }
 
-    /// The key of a name as in a tape (`Right`, `Space`, `Ctrl+C`, `F1`), in upper or lower
+    /// The key with this name, as in a tape (`Right`, `Space`, `Ctrl+C`, `F1`), in upper or lower
     /// case; `None` if there is no such key.
     pub fn named(name: &str) -> Option<Self> {
         let lower = name.to_ascii_lowercase();
@@ -107,7 +107,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_a_tape_are_read() {
+    fn key_names_in_tapes_are_read() {
         assert_eq!(Key::named("Right"), Some(Key::Right));
         assert_eq!(Key::named("Space"), Some(Key::Char(' ')));
         assert_eq!(Key::named("Ctrl+C"), Some(Key::Ctrl('c')));

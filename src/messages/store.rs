@@ -1,4 +1,4 @@
-//! Requests to the store of games and of players' progress, and its answers.
+//! Requests to the store of games and of players' progress, and the answers of the store.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -25,8 +25,8 @@ pub struct StoreCall {
 /// What a [`StoreCall`] asks the store to do.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreRequest {
-    /// Save the present state of a game, replacing what was saved or loaded with the same
-    /// ticket before.
+    /// Save the current state of a game, replacing what was saved or loaded with the same ticket
+    /// before.
     Save(Box<SavedGame>),
     /// List the saved games.
     List,
@@ -36,8 +36,8 @@ pub enum StoreRequest {
     Remove(String),
     /// Export a game for its player.
     Export(Box<SavedGame>),
-    /// Save the present state of a class round, replacing what was saved or loaded with the
-    /// same ticket before.
+    /// Save the current state of a class round, replacing what was saved or loaded with the same
+    /// ticket before.
     SaveClass(Arc<ClassRound>),
     /// Save the latest changes of such a round: the changes alone if everything before them is
     /// saved, otherwise the whole round.
@@ -57,12 +57,12 @@ pub enum StoreRequest {
     ExportClass(Arc<ClassRound>),
     /// Save a hand-in, unless the same one exists already.
     KeepHandIn(Box<HandIn>),
-    /// Save an answer, with the time. It should be safe before the explanation is shown, so
-    /// nothing is drawn before that, unless saving takes long.
+    /// Save an answer, with the time. The answer should be saved before the explanation is shown,
+    /// so nothing is drawn until then, unless saving takes a long time.
     Record(Box<Attempt>),
     /// Save the stars of a level that this player has won.
     Star(String, Starred),
-    /// Recall this player's answers, or without a name everyone's.
+    /// Load this player's answers, or everyone's if there is no name.
     Recall(Option<String>),
     /// List the levels that this player has won.
     Stars(String),
@@ -74,10 +74,10 @@ pub enum StoreRequest {
         player: String,
         /// The id of the chapter.
         chapter: String,
-        /// What was done.
+        /// The progress to add.
         later: Box<Bookmark>,
     },
-    /// Forget what this player has done in chapters.
+    /// Delete this player's progress in chapters.
     Forget(String, Forget),
     /// List this player's bookmarks.
     Marks(String),
@@ -90,7 +90,7 @@ pub enum StoreRequest {
 /// The result of a [`StoreCall`]; after a failure, the reason in words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoreAnswer {
-    /// The number of the request.
+    /// The ticket of the request.
     pub ticket: u64,
     /// The reply to the request.
     pub done: StoreReply,
@@ -104,24 +104,24 @@ pub struct StoreAnswer {
 /// The reply to a [`StoreRequest`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreReply {
-    /// The game or the round is safe.
+    /// The game or the round has been saved.
     Saved(Result<(), String>),
     /// The saved games, newest first.
     Listed(Result<Vec<KeptGame>, String>),
     /// The game.
     Loaded(Result<Box<SavedGame>, String>),
-    /// It has been removed.
+    /// The game or the round has been removed.
     Removed(Result<(), String>),
-    /// Where it was written.
+    /// The path of the exported file or folder.
     Exported(Result<String, String>),
-    /// The hand-in is safe, in this folder.
+    /// The hand-in has been saved in this folder.
     HandedIn(Result<String, String>),
     /// The saved class rounds, newest first.
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars, the bookmark or the settings are safe, and everything pending
-    /// before them.
+    /// The answer, the stars, the bookmark or the settings have been saved, after everything that
+    /// was pending before them.
     Noted(Result<(), String>),
     /// The answers so far.
     Recalled(Result<Box<History>, String>),
@@ -147,24 +147,24 @@ pub struct KnownPlayer {
 pub struct History {
     /// All answers, in the order in which they were given.
     pub attempts: Vec<Attempt>,
-    /// The time now, and the player's days.
+    /// The current time, and the player's calendar days.
     pub calendar: Calendar,
 }
 
 /// A saved game or class round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept<T> {
-    /// Its name.
+    /// The name of the item.
     pub name: String,
-    /// How long ago it was saved; `None` if the time is unknown.
+    /// How long ago the item was saved; `None` if the time is unknown.
     pub(crate) age: Option<Duration>,
-    /// The day on which it was saved, likewise.
+    /// The day on which the item was saved; `None` if the day is unknown.
     pub day: Option<Date>,
-    /// What it holds, or why it cannot be read.
+    /// The contents, or the reason why they cannot be read.
     pub content: Result<Box<T>, String>,
 }
 
-/// A saved game and its present state.
+/// A saved game and its current state.
 pub type KeptGame = Kept<(SavedGame, Game)>;
 
 impl StoreCall {

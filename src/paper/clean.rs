@@ -4,16 +4,15 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::files::is_invisible;
 
-/// The most signs without a width of their own that may stand upon one letter. A flag
-/// made of tags has six.
+/// The maximum number of zero-width characters on one letter. A flag made of tags has six.
 const MOST_UPON: usize = 6;
 
-/// `text` as one line of at most `columns` columns (a wide letter takes two), cut with
-/// an ellipsis where it is longer.
+/// `text` as one line of at most `columns` columns (a wide letter takes up two), truncated with an
+/// ellipsis if it is longer.
 ///
-/// Line breaks and tabs become blanks, runs of blanks one. Control characters are left out, and so
-/// are marks that change the direction of the following text: letters written from right to left
-/// stay and are set correctly. Too many marks on one letter are cut off.
+/// Line breaks, tabs and runs of spaces become one space. Control characters are removed, and so
+/// are marks that change the direction of the following text; right-to-left letters stay and are
+/// displayed correctly. Too many marks on one letter are removed.
 pub fn clean(text: &str, columns: usize) -> String {
     let mut line = String::new();
     let (mut width, mut upon) = (0, 0);
@@ -29,7 +28,7 @@ pub fn clean(text: &str, columns: usize) -> String {
             continue;
         }
         width += taken;
-        // Letters that join may be wider together than each by itself.
+        // Letters that join may be wider together than separately.
         if width > columns || line.len() > 16 * columns {
             return cut(line, columns);
         }
@@ -39,7 +38,7 @@ pub fn clean(text: &str, columns: usize) -> String {
     line
 }
 
-/// A line that is too long, with an ellipsis for what is gone.
+/// A line truncated to this width, with an ellipsis at its end.
 fn cut(mut line: String, columns: usize) -> String {
     const JOINER: char = '\u{200d}';
     while line.width() + 1 > columns && line.pop().is_some() {}
@@ -54,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn plain_names_stay_as_they_are() {
+    fn plain_names_stay_unchanged() {
         for name in [
             "Ada",
             "Zoë Müller-Łukasiewicz",
@@ -80,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn long_texts_are_cut() {
+    fn long_texts_are_truncated() {
         assert_eq!(clean("Ada Lovelace", 8), "Ada Lov…");
         assert_eq!(clean("Ada Lovelace", 5), "Ada…");
         assert_eq!(clean("Ada Lovelace", 12), "Ada Lovelace");

@@ -8,15 +8,15 @@ use crate::numbers::{counted, fixed};
 use crate::progress::Mastery;
 use crate::progress::words::percent;
 
-/// Most letters of a name, and of a round or a topic at the head of a column.
+/// The maximum number of letters in a name, and in the round or topic at the head of a column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
-/// The most letters of a question in a table: enough for all except damaged files.
+/// The maximum number of letters of a question in a table. Only damaged files contain longer ones.
 const QUESTION: usize = 400;
-/// Columns of rounds or topics beside each other; more go into a table of their own.
+/// The maximum number of round or topic columns in a table; the rest go into further tables.
 const COLUMNS: usize = 6;
 
-/// The gradebook as an HTML document: the results of the class, of the questions, the class's
+/// The gradebook as an HTML document: the results by pupil, the results by question, the class's
 /// misconceptions, then one page per pupil.
 pub fn html(results: &ClassResults<'_>) -> String {
     let of_class = [
@@ -44,7 +44,7 @@ fn sheet(title: &str, body: &Markup) -> Markup {
     }
 }
 
-/// A table of heads and rows, whose first columns are texts and the others figures.
+/// A table with headings and rows. The first `texts` columns are text, the others numbers.
 fn table(texts: usize, heads: &[String], rows: &[Vec<String>]) -> Markup {
     html! {
         table {
@@ -64,8 +64,8 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     let all = html! {
         p {
             (counted(book.pupils.len(), "pupil")) ", " (counted(answers, "answer")) ". "
-            "For each question of a round the first answer counts. Points: 0 to 10 each, by how "
-            "close it was."
+            "For each question in a round, the first answer counts: 0 to 10 points, depending on "
+            "how close it was."
         }
         @if !book.notes.is_empty() {
             h2 { "About the files" }
@@ -75,7 +75,7 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     let (rounds, topics) = (results.rounds(), results.topics());
     let rounds = by_columns(
         results,
-        "Rounds: points (right of answered)",
+        "Rounds: points (right out of answered)",
         &rounds,
         |pupil, round| {
             let it = pupil.rounds.get(round)?;
@@ -85,7 +85,7 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     );
     let topics = by_columns(
         results,
-        "Topics: right of answered",
+        "Topics: right out of answered",
         &topics,
         |pupil, topic| {
             let it = pupil.topics.get(topic)?;
@@ -95,7 +95,7 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     html! { (all) (rounds) (topics) }
 }
 
-/// Tables with one row per pupil and one column for each of these.
+/// Tables with one row per pupil and one column for each of the `columns`.
 fn by_columns(
     results: &ClassResults<'_>,
     title: &str,
@@ -120,11 +120,11 @@ fn questions(results: &ClassResults<'_>) -> Markup {
         "round",
         "",
         "question",
-        "commonest mistake",
+        "most common mistake",
         "answered",
         "right",
         "points",
-        "tells apart",
+        "discrimination",
     ];
     let rows = items(results).into_iter().map(|it| {
         let commonest = it.commonest.map_or(String::new(), |(held, count)| {
@@ -145,8 +145,8 @@ fn questions(results: &ClassResults<'_>) -> Markup {
     html! {
         (table(4, &heads.map(Into::into), &rows))
         p.dim {
-            "Tells apart: the correlation of a question's points with those of the other questions "
-            "of its round, −1 to 1, from ten answers up."
+            "Discrimination: the correlation of a question's points with those of the other "
+            "questions of its round, from −1 to 1, for at least ten answers."
         }
     }
 }
@@ -158,7 +158,7 @@ fn believed(results: &ClassResults<'_>) -> Markup {
         @for it in &held {
             h2 { (it.misconception.name()) }
             p {
-                "held by " (counted(it.pupils, "pupil")) ", fits " (counted(it.answers, "answer"))
+                "Held by " (counted(it.pupils, "pupil")) "; fits " (counted(it.answers, "answer"))
                 ". " (it.misconception.advice())
             }
         }

@@ -1,4 +1,4 @@
-//! A guide, written in Markdown, as a page for a browser.
+//! Converts a guide from Markdown into a page for a browser.
 
 use maud::{PreEscaped, html};
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
@@ -7,9 +7,8 @@ use super::{Paper, html_page};
 
 const STYLE: &str = include_str!("guide.css");
 
-/// A guide of the program's own as an HTML document. A link to another guide (`class.md`)
-/// leads to its page beside this one (`class.html`); of a link to anywhere else only its
-/// words stay.
+/// A built-in guide as an HTML document. A link to another guide (`class.md`) leads to that guide's
+/// page in the same folder (`class.html`); any other link becomes plain text.
 pub(crate) fn guide_page(markdown: &str) -> String {
     let events: Vec<_> = Parser::new_ext(markdown, Options::ENABLE_TABLES).collect();
     let mut body = String::new();
@@ -27,7 +26,7 @@ pub(crate) fn guide_page(markdown: &str) -> String {
     html_page(&title(&events), STYLE, Paper::A4, [sheet])
 }
 
-/// The start or the end of a link to another guide's page, or nothing if it is no such link.
+/// The start or the end of a link to another guide's page; `None` for any other link.
 fn page_link(event: Event<'_>, is_linked: bool) -> Option<Event<'_>> {
     match event {
         Event::Start(Tag::Link {
@@ -51,7 +50,7 @@ fn page_link(event: Event<'_>, is_linked: bool) -> Option<Event<'_>> {
     }
 }
 
-/// The words of the first heading.
+/// The text of the first heading.
 fn title(events: &[Event]) -> String {
     let heading = events
         .iter()

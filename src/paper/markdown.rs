@@ -2,14 +2,14 @@
 
 use crate::files::percent_encoded;
 
-/// A Markdown document: CommonMark, and tables as GitHub has them.
+/// A Markdown document: CommonMark with GitHub's tables.
 ///
-/// Its input is plain text: everything in it is shown literally. It should be one line, as
-/// [`clean`](super::clean()) makes it; line breaks become blanks.
+/// Its input is plain text, which is shown literally. Each text should be one line, as returned by
+/// [`clean`](super::clean()); line breaks become spaces.
 ///
-/// Pictures are files beside the document. A picture within it (as a data URI or as
-/// inline SVG) would be one file less, but GitHub, GitLab and most editors leave those
-/// out for safety's sake, while all of them show an SVG file.
+/// Pictures are files beside the document. GitHub, GitLab and most editors do not show pictures
+/// inside a document (as data URIs or inline SVG) for security reasons, but all of them show SVG
+/// files.
 #[derive(Debug, Clone, Default)]
 pub struct Markdown {
     text: String,
@@ -24,7 +24,7 @@ impl Markdown {
     /// A heading of `level` 1 to 6.
     pub fn heading(&mut self, level: usize, text: &str) -> &mut Self {
         let marks = "#".repeat(level.clamp(1, 6));
-        // A closing run of hashes would be taken off, so it is escaped as all are.
+        // Markdown would remove hashes at the end, so they are escaped as well.
         self.block(&format!("{marks} {}", escape(text)))
     }
 
@@ -41,7 +41,7 @@ impl Markdown {
         }
     }
 
-    /// A list with a point before each item.
+    /// A list with a bullet before each item.
     pub fn list<T: AsRef<str>>(&mut self, items: impl IntoIterator<Item = T>) -> &mut Self {
         let item = |item: T| format!("- {}", escape(item.as_ref()));
         let items: Vec<_> = items.into_iter().map(item).collect();
@@ -57,7 +57,7 @@ impl Markdown {
         self.block(&items.join("\n"))
     }
 
-    /// A table under a row of heads. Rows should have as many cells as there are heads.
+    /// A table with a header row. Each row should have as many cells as the header.
     pub fn table<T: AsRef<str>>(
         &mut self,
         heads: &[&str],
@@ -75,8 +75,8 @@ impl Markdown {
         self.block(&lines.join("\n"))
     }
 
-    /// A picture in the file `place`, a path from the document's own folder with `/` between its
-    /// parts; `words` describe it.
+    /// A picture in the file `place`, a path relative to the document's folder with `/` as the
+    /// separator; `words` describes it.
     pub fn picture(&mut self, words: &str, place: &str) -> &mut Self {
         self.block(&format!(
             "![{}]({})",
@@ -85,7 +85,7 @@ impl Markdown {
         ))
     }
 
-    /// A line across.
+    /// A horizontal rule.
     pub fn rule(&mut self) -> &mut Self {
         self.block("---")
     }
@@ -105,7 +105,7 @@ impl Markdown {
     }
 }
 
-/// Plain text as Markdown takes it.
+/// Escapes plain text for Markdown.
 fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     let words = text.split(char::is_whitespace).filter(|it| !it.is_empty());
@@ -114,8 +114,8 @@ fn escape(text: &str) -> String {
             escaped.push(' ');
         }
         let mut before = None;
-        // Characters that make a list, a heading or a rule only at the start of a line, and those
-        // that make a link of a word.
+        // Some characters make a list, a heading or a rule, but only at the start of a line; others
+        // turn a word into a link.
         let numbered = i == 0
             && word
                 .strip_suffix(['.', ')'])
@@ -123,7 +123,7 @@ fn escape(text: &str) -> String {
         let address = word.contains("://") || word.contains('@') || starts_with_www(word);
         let mut letters = word.chars().peekable();
         while let Some(letter) = letters.next() {
-            // Many programs mark text by two of these.
+            // Many programs format text between two of these.
             let is_double = before == Some(letter) || letters.peek() == Some(&letter);
             let special = match letter {
                 '\\' | '`' | '*' | '_' | '[' | ']' | '{' | '}' | '<' | '>' | '&' | '|' | '~'
@@ -182,7 +182,7 @@ mod tests {
     /// The text of a document, and every tag in it.
     fn read(document: &str) -> (Vec<String>, Vec<String>) {
         let (mut texts, mut tags) = (vec![String::new()], Vec::new());
-        // Typographic quotes and dashes are a matter of taste.
+        // Typographic quotes and dashes are not part of the meaning.
         let options = Options::all() - Options::ENABLE_SMART_PUNCTUATION;
         for event in Parser::new_ext(document, options) {
             match event {
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_is_written_is_read_as_plain_text() {
+    fn all_input_is_read_back_as_plain_text() {
         for text in NASTY {
             let mut document = Markdown::new();
             document.paragraph(text);
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_and_tables_keep_their_shape() {
+    fn lists_and_tables_keep_their_structure() {
         let mut document = Markdown::new();
         document.list(NASTY);
         let (texts, tags) = read(document.text());
@@ -233,12 +233,12 @@ mod tests {
         assert_eq!(texts[2..], NASTY.map(|text| [text, text]).concat());
         let cells = tags.iter().filter(|tag| *tag == "TableCell").count();
         assert_eq!(cells, texts.len());
-        // A table, its head, and a row each.
+        // The tags of a table, its header, and one row per text.
         assert_eq!(tags.len(), cells + 2 + NASTY.len(), "{tags:?}");
     }
 
     #[test]
-    fn pictures_are_found_again() {
+    fn pictures_are_read_back() {
         let mut document = Markdown::new();
         document.picture("a ](x) b", "my report (1)-pictures/a%20b.svg");
         let (texts, tags) = read(document.text());
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn plain_words_are_left_alone() {
+    fn plain_words_are_not_escaped() {
         for text in [
             "well-aimed, at 30° (of 45°): 4.5 m/s!",
             "Ada's 1. try",

@@ -1,13 +1,13 @@
 //! Documents to print or hand in.
 //!
-//! A document is written as HTML by [`html_page()`] (self-contained, A4, nothing is loaded and
-//! nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures are those of the
-//! screen, drawn as vectors: an `Svg` each. They work in black and white too: every mark with a
-//! meaning has a name, a dash or a width besides its colour.
+//! A document is written as HTML by [`html_page()`] (self-contained, in A4; nothing is loaded and
+//! nothing runs) or as [`Markdown`] with its pictures in files beside it. The pictures on the
+//! screen are drawn as vectors, each as an `Svg`. They work in black and white too: every mark with
+//! a meaning has a name, a dash pattern or a width in addition to its colour.
 //!
-//! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which escapes what
-//! it is given, Markdown and pictures escape by themselves. What escaping cannot fix (control
-//! characters, direction marks, endless names) is removed by [`clean()`].
+//! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which escapes its
+//! input, and [`Markdown`] and pictures do the same. [`clean()`] removes what escaping cannot fix:
+//! control characters, direction marks and very long names.
 //!
 //! ```
 //! use carrom::paper::{Markdown, Paper, clean, html_page};
@@ -39,15 +39,15 @@ use crate::widgets::picture::Picture;
 use crate::widgets::svg::Svg;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
-/// How pictures look on paper.
+/// The look of pictures on paper.
 const LOOK: Look = Look {
     charset: Charset::Unicode,
     theme: Theme::new(Palette::Light, Depth::True),
 };
-/// How large they are: letters are 10.5 CSS pixels high, which are 8 points.
+/// The scale of pictures: letters are 10.5 CSS pixels (8 points) high.
 const SCALE: f64 = 0.75;
 
-/// A picture for paper. `words` are its text alternative.
+/// A picture for paper. `words` is its text alternative.
 fn svg(words: &str, picture: &Picture) -> Svg {
     Svg::new(words, picture, &LOOK, SCALE)
 }

@@ -1,4 +1,4 @@
-//! The frame of an HTML document.
+//! The outer structure of an HTML document.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use strum::{EnumString, VariantNames};
@@ -7,12 +7,12 @@ use super::clean;
 
 /// The common style of all documents.
 const STYLE: &str = include_str!("page.css");
-/// Columns of a title: window and file names are cut there anyway.
+/// The maximum number of columns in a title; windows and file names do not show more.
 const TITLE: usize = 120;
-/// Nothing is loaded and nothing runs, even if something gets past the escaping.
+/// With this policy nothing is loaded and nothing runs, even if the escaping fails.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
-/// The paper that is printed on.
+/// The size of the paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, VariantNames)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Paper {
@@ -35,14 +35,13 @@ impl Paper {
     }
 }
 
-/// An HTML document of these sheets of paper.
+/// An HTML document with these sheets of paper.
 ///
-/// It is self-contained: style and pictures are in it. On a screen the sheets lie below
-/// one another; printed, each begins on a new page. `h1` to `h3`, `p`, `table`, `figure`
-/// and `svg` are styled, `.dim` is text of second rank, and `--text`, `--dim`,
-/// `--faint`, `--wash` and `--accent` are the colours for a `style` of one's own, which is
-/// written into the document as it is. The title is that of the window and becomes the
-/// name of the file when it is printed to one.
+/// It is self-contained: it includes the style and the pictures. On a screen the sheets follow one
+/// below the other; in print each begins on a new page. `h1` to `h3`, `p`, `table`, `figure` and
+/// `svg` are styled, and `.dim` is secondary text. The additional `style` is inserted unchanged; it
+/// can use the colours `--text`, `--dim`, `--faint`, `--wash` and `--accent`. The window shows the
+/// title, which is also the suggested file name when the document is printed to a file.
 pub fn html_page(
     title: &str,
     style: &str,
@@ -75,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_title_is_text_and_nothing_else() {
+    fn a_title_is_plain_text() {
         let page = html_page("</title><script>alert(1)</script>", "", Paper::A4, []);
         assert!(page.starts_with("<!DOCTYPE html><html lang=\"en\">"));
         assert!(page.contains("<title>&lt;/title&gt;&lt;script&gt;"));
@@ -83,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn sheets_come_in_order() {
+    fn sheets_are_in_order() {
         let sheets = [html! { "first" }, html! { "second" }];
         let page = html_page("two", ".x { color: red }", Paper::A4, sheets);
         assert_eq!(page.matches("class=\"sheet\"").count(), 2);

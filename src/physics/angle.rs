@@ -21,13 +21,13 @@ pub(crate) fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
     Some(across.atan2(from.dot(to)))
 }
 
-/// The unit vector at `angle_deg` degrees from +x, anticlockwise; exact along the
-/// axes, where a cosine would leave a trace of rounding.
+/// The unit vector at `angle_deg` degrees from +x, anticlockwise; exact along the axes, where a
+/// cosine would leave a rounding error.
 pub fn unit_vector(angle_deg: f64) -> DVec2 {
     along(angle_deg, DVec2::from_angle)
 }
 
-/// The same for the direction of a stroke, equal on every machine to the last bit: one different
+/// The unit vector of a stroke's direction, equal to the last bit on every machine: one different
 /// bit can change a whole board.
 pub fn heading(angle_deg: f64) -> DVec2 {
     along(angle_deg, direction)
@@ -65,7 +65,7 @@ mod tests {
     }
 
     #[test]
-    fn quarter_turns_either_way() {
+    fn quarter_turns_have_a_sign() {
         assert_eq!(signed_angle(DVec2::X, DVec2::Y), Some(FRAC_PI_2));
         assert_eq!(signed_angle(DVec2::Y, DVec2::X), Some(-FRAC_PI_2));
         assert_eq!(angle_between(DVec2::Y, DVec2::X), Some(FRAC_PI_2));

@@ -1,11 +1,11 @@
-//! Many shots at once: the share of a uniform beam that is scattered by more than an angle.
+//! Many shots at once: the fraction of a uniform beam that is scattered by more than an angle.
 //!
 //! Offsets spread evenly over a *line*, as on a board, and evenly over a *disc*, as in space, give
-//! different counts by the same law of scattering.
+//! different counts under the same scattering law.
 
 use std::f64::consts::PI;
 
-/// How the offsets of a beam are spread.
+/// The distribution of the offsets of a beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Beam {
     /// Evenly over a line: discs on a board.
@@ -15,8 +15,8 @@ pub enum Beam {
 }
 
 impl Beam {
-    /// The share of a beam of half-width r₁ + r₂ with offsets below `nearness` times r₁ + r₂, 0 to
-    /// 1.
+    /// The fraction of a beam of half-width r₁ + r₂ with offsets below `nearness` times r₁ + r₂, 0
+    /// to 1.
     pub(crate) fn share_within(self, nearness: f64) -> f64 {
         let nearness = nearness.clamp(0.0, 1.0);
         match self {
@@ -25,9 +25,8 @@ impl Beam {
         }
     }
 
-    /// The share of hits between equal masses, the target at rest and e = 1, that
-    /// scatters the striker by more than `theta1` radians: cos θ₁ on a board, cos²θ₁
-    /// in space, 0 from 90° on.
+    /// The fraction of hits between equal masses, the target at rest and e = 1, that scatters the
+    /// striker by more than `theta1` radians: cos θ₁ on a board, cos²θ₁ in space, 0 from 90° on.
     ///
     /// θ₁ = 90° − α, so the largest such offset is b/(r₁+r₂) = sin α = cos θ₁.
     pub fn share_beyond(self, theta1: f64) -> f64 {
@@ -44,14 +43,14 @@ mod tests {
     use crate::physics::{Collision, Disc, Frame};
     use glam::DVec2;
 
-    /// The share turned by more than `cm_angle` in the centre-of-mass frame, where at
-    /// e = 1 every pair of masses is turned by 180° − 2α: cos(Θ/2) on a board, cos²(Θ/2)
+    /// The fraction scattered by more than `cm_angle` in the centre-of-mass frame, where at e = 1
+    /// the scattering angle is 180° − 2α for every pair of masses: cos(Θ/2) on a board, cos²(Θ/2)
     /// in space.
     fn cm_share_beyond(beam: Beam, cm_angle: f64) -> f64 {
         beam.share_beyond(cm_angle / 2.0)
     }
 
-    /// Counts a beam of evenly spread offsets through the collisions themselves.
+    /// The fraction of a beam of evenly spread offsets, counted collision by collision.
     fn counted(beam: Beam, scattered: impl Fn(&Collision) -> f64, beyond: f64) -> f64 {
         const SHOTS: u32 = 20_000;
         let disc = Disc::from_g_mm(15.0, 15.9);
@@ -68,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shares_are_those_of_counted_shots() {
+    fn the_formulas_agree_with_counted_shots() {
         let lab = |c: &Collision| c.outcome().theta1.unwrap_or(0.0);
         let cm = |c: &Collision| Frame::CentreOfMass.view(c).outcome().theta1.unwrap_or(0.0);
         for beam in [Beam::Board, Beam::Space] {
@@ -82,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn closed_forms() {
+    fn the_closed_forms_give_known_shares() {
         let theta = 60.0_f64.to_radians();
         assert!((Beam::Board.share_beyond(theta) - 0.5).abs() < 1e-15);
         assert!((Beam::Space.share_beyond(theta) - 0.25).abs() < 1e-15);

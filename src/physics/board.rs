@@ -18,9 +18,9 @@ pub struct Board {
     pub pocket_diameter: f64,
     /// Coefficient of sliding friction between disc and board, at least 0.
     pub friction: f64,
-    /// Restitution of disc on disc, 0 to 1.
+    /// Coefficient of restitution between discs, 0 to 1.
     pub restitution: f64,
-    /// Restitution of disc on cushion, 0 to 1.
+    /// Coefficient of restitution between disc and cushion, 0 to 1.
     pub cushion_restitution: f64,
 }
 
@@ -55,8 +55,8 @@ impl Board {
         0.5 * self.pocket_diameter
     }
 
-    /// The centres of the pockets: lower left, lower right, upper left, upper right; none
-    /// if it has no pockets.
+    /// The centres of the pockets: lower left, lower right, upper left, upper right; none if the
+    /// board has no pockets.
     #[inline]
     pub fn pockets(&self) -> impl Iterator<Item = DVec2> + use<> {
         let reach = 0.5 * (self.side - self.pocket_diameter);

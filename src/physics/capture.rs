@@ -1,8 +1,8 @@
 //! Perfectly inelastic collisions: two discs that stick where they touch and move on as one body.
 //!
-//! This is not e = 0. Smooth discs with e = 0 ("slip") keep their different tangential velocities;
-//! discs that stick move on as one body with their centre of mass and, after an off-centre contact,
-//! rotate about it.
+//! This is not the same as e = 0. Smooth discs with e = 0 ("slip") keep their different tangential
+//! velocities; discs that stick move on as one body with their centre of mass and, after an
+//! off-centre contact, rotate about it.
 
 use super::Disc;
 use super::impact::reduced_mass;
@@ -10,8 +10,8 @@ use super::impact::reduced_mass;
 /// The rotation of a pair that sticks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Capture {
-    /// Angular velocity ω in rad/s, positive clockwise for a positive offset, as
-    /// the recoil angle is.
+    /// Angular velocity ω in rad/s, positive clockwise like the recoil angle: a positive offset
+    /// gives a positive ω.
     pub(crate) spin: f64,
     /// Energy of that rotation, ½ I ω², in joules.
     pub(crate) rotation_energy: f64,
@@ -49,7 +49,7 @@ pub(crate) fn moment_of_inertia(disc1: Disc, disc2: Disc) -> f64 {
 mod tests {
     use super::*;
 
-    /// Steiner's theorem about the actual centre of mass, an independent sum.
+    /// An independent calculation: the parallel axis theorem about the actual centre of mass.
     #[test]
     fn inertia_is_that_of_two_discs_about_their_centre_of_mass() {
         let (a, b) = (Disc::from_g_mm(15.0, 20.65), Disc::from_g_mm(5.5, 15.9));
@@ -60,10 +60,10 @@ mod tests {
         assert!((moment_of_inertia(a, b) - steiner).abs() < 1e-12 * steiner);
     }
 
-    /// Two equal discs of 10 g and 10 mm, offset 10 mm, 3 m/s: by hand
-    /// μ = 5 g, I = 1 + 4·... = 3·10⁻⁶ kg·m², ω = 0.005·0.01·3 / 3·10⁻⁶ = 50 rad/s.
+    /// Two equal discs of 10 g and 10 mm, offset 10 mm, 3 m/s, by hand: μ = 5 g, I = 500 + 500 + 5
+    /// · 400 = 3000 g mm² = 3·10⁻⁶ kg·m², so ω = 0.005 · 0.01 · 3 / (3·10⁻⁶) = 50 rad/s.
     #[test]
-    fn a_case_by_hand() {
+    fn the_rotation_agrees_with_a_calculation_by_hand() {
         let disc = Disc::from_g_mm(10.0, 10.0);
         let pair = capture(disc, disc, 0.010, 3.0);
         assert!((moment_of_inertia(disc, disc) - 3.0e-6).abs() < 1e-18);
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_nothing_turns() {
+    fn a_head_on_collision_causes_no_rotation() {
         let disc = Disc::from_g_mm(15.0, 15.0);
         assert!(capture(disc, disc, 0.0, 4.0).spin.abs() < f64::MIN_POSITIVE);
     }

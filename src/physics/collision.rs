@@ -14,7 +14,7 @@ use super::capture::capture;
 use super::impact::{Contact, kinetic_energy};
 use super::units::rad_from_deg;
 
-/// What the two surfaces do at contact.
+/// How the two surfaces behave at contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bond {
     /// Smooth discs: no force perpendicular to the line of impact.
@@ -31,48 +31,48 @@ pub struct Collision {
     pub striker: Disc,
     /// Body 2.
     pub target: Disc,
-    /// Velocity of the striker before, in m/s.
+    /// Velocity of the striker before the collision, in m/s.
     pub u1: DVec2,
-    /// Velocity of the target before, in m/s.
+    /// Velocity of the target before the collision, in m/s.
     pub u2: DVec2,
-    /// Impact parameter b in metres: how far the target's centre lies to the right
-    /// of the line along which the striker moves relative to it.
+    /// Impact parameter b in metres: how far the target's centre is to the right of the line along
+    /// which the striker moves relative to the target.
     pub offset: f64,
     /// The rounding error of [`offset`](Self::offset), in metres, if it comes from an impact angle
     /// within a degree of a graze: b is the sum of the two. There cos α depends on digits of b that
-    /// `offset` alone cannot hold. Otherwise 0.
+    /// `offset` alone cannot represent. Otherwise 0.
     pub offset_rest: f64,
-    /// Coefficient of restitution e, 0 to 1; without effect on discs that stick.
+    /// Coefficient of restitution e, 0 to 1; it has no effect on discs that stick.
     pub restitution: f64,
     /// Whether the discs slip past each other or stick.
     pub bond: Bond,
 }
 
-/// How the two met.
+/// How the two discs met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Meeting {
-    /// They pass without touching, or never approach each other.
+    /// The discs pass without touching, or never approach each other.
     Miss,
-    /// They touch at |b| = r₁ + r₂ and exchange nothing.
+    /// The discs touch at |b| = r₁ + r₂ and exchange nothing.
     Graze,
-    /// They collide.
+    /// The discs collide.
     Hit,
 }
 
 /// The outcome of a [`Collision`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CollisionOutcome {
-    /// How the two met.
+    /// How the two discs met.
     pub(crate) meeting: Meeting,
     /// Line of impact n, the unit vector from centre 1 to centre 2 at contact;
     /// `None` for a miss.
     pub normal: Option<DVec2>,
     /// Tangent t, n turned anticlockwise by a right angle; `None` for a miss.
     pub tangent: Option<DVec2>,
-    /// Velocity of the striker after, in m/s. For discs that stick, the velocity of
+    /// Velocity of the striker after the collision, in m/s. For discs that stick, the velocity of
     /// the pair's centre of mass.
     pub v1: DVec2,
-    /// Velocity of the target after, in m/s. For discs that stick, the same as `v1`.
+    /// Velocity of the target after the collision, in m/s. For discs that stick, the same as `v1`.
     pub v2: DVec2,
     /// Angular velocity of a pair that sticks, in rad/s, positive clockwise (the
     /// sense it has for a positive offset); 0 for discs that slip.
@@ -87,9 +87,9 @@ pub struct CollisionOutcome {
     pub separation: Option<f64>,
     /// Magnitude of the impulse that each disc exerts on the other, in N·s.
     pub impulse: f64,
-    /// Kinetic energy before, in joules.
+    /// Kinetic energy before the collision, in joules.
     pub energy_before: f64,
-    /// Kinetic energy after, in joules; for discs that stick it includes
+    /// Kinetic energy after the collision, in joules; for discs that stick it includes
     /// [`energy_rotation`](Self::energy_rotation).
     pub energy_after: f64,
     /// The rotational energy of a pair that sticks, in joules; 0 for discs that slip.
@@ -99,7 +99,7 @@ pub struct CollisionOutcome {
 }
 
 impl CollisionOutcome {
-    /// Whether the discs touched, if only grazing.
+    /// Whether the discs touched, even if they only grazed each other.
     pub fn hit(&self) -> bool {
         self.meeting != Meeting::Miss
     }
@@ -107,13 +107,13 @@ impl CollisionOutcome {
 
 impl Collision {
     /// A smooth, perfectly elastic collision at impact angle `alpha` radians with a target at rest.
-    /// For any other collision set the fields that differ; the angle stays the same whatever the
-    /// velocities, the masses and the restitution.
+    /// For any other collision, set the fields that differ; the angle does not depend on the
+    /// velocities, the masses or the restitution.
     pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {
         Self::at_offset(striker, target, u1, 0.0).with_alpha(alpha)
     }
 
-    /// A smooth, perfectly elastic collision at `offset` metres on a target at rest.
+    /// A smooth, perfectly elastic collision at `offset` metres with a target at rest.
     pub fn at_offset(striker: Disc, target: Disc, u1: DVec2, offset: f64) -> Self {
         Self {
             striker,
@@ -144,14 +144,15 @@ impl Collision {
         )
     }
 
-    /// The same collision at impact angle `alpha`, which is `from_graze` short of ±π/2.
+    /// The same collision at impact angle `alpha`; `from_graze` is π/2 − |α|.
     fn with_angle(self, alpha: f64, from_graze: f64) -> Self {
-        // Within a degree of it.
+        // One degree.
         const NEAR_GRAZE: f64 = PI / 180.0;
         let reach = self.contact_distance();
         let offset = reach * alpha.sin();
         let offset_rest = if from_graze < NEAR_GRAZE {
-            // r₁ + r₂ − |b| = (r₁ + r₂)(1 − cos(90° − α)), without a difference of nearly equals.
+            // r₁ + r₂ − |b| = (r₁ + r₂)(1 − cos(90° − α)), without subtracting nearly equal
+            // numbers.
             let short = 2.0 * reach * (from_graze / 2.0).sin().powi(2);
             (reach - offset.abs() - short) * offset.signum()
         } else {
@@ -174,15 +175,15 @@ impl Collision {
         self.u1 - self.u2
     }
 
-    /// Impact angle α in radians, from the relative velocity to the line of impact,
-    /// positive when the target's centre lies to the right; `None` for a miss.
+    /// Impact angle α in radians, from the relative velocity to the line of impact, positive if the
+    /// target's centre is to the right; `None` for a miss.
     pub fn alpha(&self) -> Option<f64> {
         self.relative_velocity().try_normalize()?;
         self.sine().map(f64::asin)
     }
 
-    /// +1 where the target lies to the right of the striker's path, and head-on; −1 where it
-    /// lies to the left.
+    /// +1 if the target is to the right of the striker's path or the collision is head-on; −1 if it
+    /// is to the left.
     pub fn side(&self) -> f64 {
         if self.offset < 0.0 { -1.0 } else { 1.0 }
     }
@@ -214,7 +215,7 @@ impl Collision {
         (centre1 - time * self.u1, centre2 - time * self.u2)
     }
 
-    /// The outcome.
+    /// The final velocities and the quantities that follow from them.
     pub fn outcome(&self) -> CollisionOutcome {
         let Some(normal) = self.normal() else {
             return self.after(None, self.u1, self.u2);
@@ -250,15 +251,15 @@ impl Collision {
         self.u1 * (m1 / (m1 + m2)) + self.u2 * (m2 / (m1 + m2))
     }
 
-    /// Velocities of the two centres right after the contact, in m/s. For discs that slip they are
-    /// v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre has V
-    /// + ω × r, where r is its position relative to the centre of mass.
+    /// Velocities of the two centres right after the contact, in m/s. For discs that slip, these
+    /// are v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre
+    /// has V + ω × r, where r is its position relative to the centre of mass.
     pub(crate) fn centres_after(&self) -> [DVec2; 2] {
         let outcome = self.outcome();
         let (centre1, centre2) = self.placed_at_contact();
         let apart = centre2 - centre1;
         let (m1, m2) = (self.striker.mass, self.target.mass);
-        // The spin counts clockwise.
+        // The spin is positive clockwise.
         let turning = -outcome.spin * apart.perp();
         [
             outcome.v1 - turning * (m2 / (m1 + m2)),
@@ -295,7 +296,7 @@ impl Collision {
             v2,
             spin: 0.0,
             theta1: signed_angle(self.u1, v1),
-            // Measured the other way round: clockwise is positive.
+            // The arguments are swapped because clockwise is positive.
             theta2: signed_angle(v2, self.u1),
             separation: angle_between(v1, v2),
             impulse: 0.0,
@@ -306,8 +307,8 @@ impl Collision {
         }
     }
 
-    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. Within rounding of ±1 it is ±1, because b and
-    /// the radii rarely agree to the last bit.
+    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. A value within rounding error of ±1 counts as
+    /// ±1, because b and the radii rarely agree to the last bit.
     fn sine(&self) -> Option<f64> {
         let sine = self.offset / self.contact_distance();
         let beyond = sine.abs() - 1.0;
@@ -351,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_pieces_at_30_degrees() {
+    fn equal_pieces_at_30_degrees_leave_at_right_angles() {
         let after = carrom(30.0).outcome();
         assert_eq!(after.meeting, Meeting::Hit);
         close(after.v1.length(), 2.0);
@@ -364,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn marbles_of_20_and_40_grams() {
+    fn marbles_of_20_and_40_grams_leave_with_the_velocities_calculated_by_hand() {
         let after = Collision::at_angle(
             Disc::from_g_mm(20.0, 8.0),
             Disc::from_g_mm(40.0, 10.0),
@@ -380,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn the_line_of_impact_lies_where_the_convention_says() {
+    fn the_line_of_impact_follows_the_sign_convention() {
         let shot = carrom(30.0);
         let normal = shot.normal().unwrap();
         assert!((normal - DVec2::from_angle(rad_from_deg(-30.0))).length() < 1e-15);
@@ -402,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_between_equals_leaves_the_striker_without_direction() {
+    fn a_head_on_hit_between_equals_leaves_the_striker_without_direction() {
         for direction in 0..100 {
             let u1 = 4.0 * DVec2::from_angle(f64::from(direction));
             let after = Collision { u1, ..carrom(0.0) }.outcome();
@@ -414,7 +415,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_a_light_striker_comes_straight_back() {
+    fn a_light_striker_rebounds_straight_back_from_a_head_on_hit() {
         let after = Collision {
             striker: Disc::from_g_mm(5.5, 15.9),
             ..carrom(0.0)
@@ -424,7 +425,7 @@ mod tests {
         assert_eq!(after.separation, Some(PI));
     }
 
-    /// A resting target takes u (1 + e) m₁/(m₁ + m₂) cos α, however thin the hit.
+    /// A target at rest leaves at u (1 + e) m₁/(m₁ + m₂) cos α, however thin the hit.
     #[test]
     fn near_a_graze_no_digits_are_lost() {
         for short_deg in [0.9, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
@@ -432,7 +433,7 @@ mod tests {
                 let alpha_deg = 90.0 - short_deg;
                 let shot = carrom(0.0).with_alpha_deg(side * alpha_deg);
                 let after = shot.outcome();
-                // Exact: both are near 90.
+                // Exact, because both numbers are near 90.
                 let cos = rad_from_deg(90.0 - alpha_deg).sin();
                 let relative = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
                 assert_eq!(after.meeting, Meeting::Hit);
@@ -461,7 +462,7 @@ mod tests {
 
     #[test]
     fn a_graze_touches_and_exchanges_nothing() {
-        // 20.65 + 15.9 mm is not 36.55 mm to the last bit once in metres.
+        // In metres, 20.65 mm + 15.9 mm differs from 36.55 mm in the last bit.
         for offset in [0.03655, -0.03655] {
             for bond in [Bond::Slip, Bond::Stick] {
                 let shot = Collision {
@@ -496,7 +497,7 @@ mod tests {
     }
 
     #[test]
-    fn slip_without_restitution_is_not_sticking() {
+    fn slip_without_restitution_is_not_the_same_as_sticking() {
         let slip = Collision {
             restitution: 0.0,
             ..carrom(30.0)
@@ -515,14 +516,14 @@ mod tests {
     }
 
     #[test]
-    fn sticking_off_centre_keeps_angular_momentum_in_a_clockwise_turn() {
+    fn sticking_off_centre_conserves_angular_momentum_and_turns_clockwise() {
         let shot = Collision {
             bond: Bond::Stick,
             u2: DVec2::new(-1.0, 0.5),
             ..carrom(30.0)
         };
         let after = shot.outcome();
-        // About the common centre of mass, anticlockwise positive.
+        // Angular momentum about the common centre of mass, positive anticlockwise.
         let (centre1, centre2) = shot.placed_at_contact();
         let (m1, m2) = (shot.striker.mass, shot.target.mass);
         let middle = (m1 * centre1 + m2 * centre2) / (m1 + m2);
@@ -537,7 +538,7 @@ mod tests {
     }
 
     #[test]
-    fn they_touch_at_the_origin_and_were_apart_before() {
+    fn the_discs_touch_at_the_origin_and_are_apart_before() {
         let shot = Collision {
             u2: DVec2::new(-1.0, 0.5),
             striker: Disc::from_g_mm(15.0, 20.65),
@@ -551,13 +552,13 @@ mod tests {
         assert!((before1 + 0.1 * shot.u1 - centre1).length() < 1e-15);
         assert!((before2 + 0.1 * shot.u2 - centre2).length() < 1e-15);
         assert!((before2 - before1).length() > shot.contact_distance());
-        // The offset is how far the target lies to the right of the relative path.
+        // The offset is how far the target is to the right of the relative path.
         let along = shot.relative_velocity().normalize();
         close((before2 - before1).perp_dot(along), shot.offset);
     }
 
     #[test]
-    fn a_miss_is_placed_where_the_two_are_nearest() {
+    fn a_miss_is_placed_at_the_closest_approach() {
         let shot = Collision {
             offset: -0.05,
             u2: DVec2::new(-1.0, 0.5),
@@ -571,11 +572,11 @@ mod tests {
         assert!(gap(0.01) > gap(0.0) && gap(-0.01) > gap(0.0));
     }
 
-    /// By hand: two discs of 15 g and 15 mm, b = 15 mm, 4 m/s. μ = 7.5 g and
-    /// I = 1687.5 + 1687.5 + 7.5 · 900 = 10125 g mm², so ω = 7.5 · 15 · 4000 / 10125
-    /// = 44.4 rad/s, and at 15 mm each centre goes round with 2/3 m/s.
+    /// By hand: two discs of 15 g and 15 mm, b = 15 mm, 4 m/s. μ = 7.5 g and I = 1687.5 + 1687.5 +
+    /// 7.5 · 900 = 10125 g mm², so ω = 7.5 · 15 · 4000 / 10125 = 44.4 rad/s, and each centre, 15 mm
+    /// from the centre of mass, moves around it at 2/3 m/s.
     #[test]
-    fn the_centres_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
+    fn the_centres_of_a_pair_that_sticks_rotate_about_their_centre_of_mass() {
         let piece = Disc::from_g_mm(15.0, 15.0);
         let hit = Collision {
             bond: Bond::Stick,
@@ -585,15 +586,15 @@ mod tests {
         let shared = hit.outcome().v1;
         close((v1 - shared).length(), 2.0 / 3.0);
         close((v2 - shared).length(), 2.0 / 3.0);
-        // Across the line that joins them, and the pair turns clockwise: the striker,
-        // which passes above, is the faster to the right.
+        // Both move perpendicular to the line of centres, and the pair turns clockwise: the
+        // striker, which is above, moves to the right.
         let normal = hit.normal().unwrap();
         close((v1 - shared).dot(normal), 0.0);
         assert!(v1.x > shared.x && v2.x < shared.x);
     }
 
     #[test]
-    fn the_centres_after_carry_all_momentum_and_are_those_of_the_record() {
+    fn the_velocities_after_the_contact_carry_all_momentum_and_agree_with_the_record() {
         for (bond, offset) in [
             (Bond::Slip, 0.012),
             (Bond::Stick, 0.012),

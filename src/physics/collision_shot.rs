@@ -8,8 +8,8 @@ impl Collision {
     /// approach) and lasts `duration` seconds, with the contact point at the origin. The engine
     /// plays smooth discs.
     ///
-    /// `None` for numbers that make no shot: values that are not finite, or a `lead` below 0, with
-    /// which the discs would overlap at the start.
+    /// `None` if the numbers do not describe a shot: a value is not finite, or `lead` is below 0,
+    /// so that the discs would overlap at the start.
     pub fn shot(&self, lead: f64, duration: f64) -> Option<Shot> {
         let (p1, p2) = self.positions_before(lead);
         let discs = [self.striker, self.target];
@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn the_engine_plays_what_the_closed_form_says() {
+    fn the_engine_agrees_with_the_closed_form() {
         let collision = glancing(Bond::Slip);
         let outcome = collision.outcome();
         let shot = collision.shot(0.02, 0.05).unwrap();
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_make_no_shot() {
+    fn unusable_numbers_give_no_shot() {
         for bond in [Bond::Slip, Bond::Stick] {
             assert!(glancing(bond).shot(1e-9, 0.05).is_some());
             assert!(glancing(bond).shot(-1e-3, 0.05).is_none());

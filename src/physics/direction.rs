@@ -1,18 +1,19 @@
 //! The unit vector at an angle, bit for bit the same on every machine.
 //!
-//! Each machine's library rounds sines differently, and after many collisions on a board a
-//! difference in the last bit becomes a different stroke. Therefore sines are computed here
-//! from the series with twice the digits, and then rounded once.
+//! Math libraries round sines differently, and after many collisions on a board a difference in the
+//! last bit gives a different result. So sines are computed here from their series to twice the
+//! precision and then rounded once.
 
 use glam::DVec2;
 
-/// A number as a sum of two; the second is below the last bit of the first.
+/// A number stored as the sum of two; the second is below the last bit of the first.
 #[derive(Clone, Copy)]
 struct Twofold(f64, f64);
 
-/// π/2 with twice the digits.
+/// π/2 to twice the precision.
 const QUARTER: Twofold = Twofold(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
-/// Terms of a series; up to an eighth of a turn the next term is below the last digit.
+/// The number of terms of a series; for angles up to an eighth of a turn the next term is below the
+/// last digit.
 const TERMS: u32 = 14;
 
 impl Twofold {
@@ -35,7 +36,7 @@ impl Twofold {
         Self(quotient, 0.0).with(left / number)
     }
 
-    /// The sum with a small number.
+    /// The sum of this and a small number.
     fn with(self, small: f64) -> Self {
         let sum = self.0 + small;
         Self(sum, small - (sum - self.0))
@@ -75,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_what_the_library_says_but_for_the_last_bit() {
+    fn unit_vectors_agree_with_the_library_except_for_the_last_bit() {
         for step in -20_000..20_000 {
             let angle = f64::from(step) * 7.313e-4;
             let (sine, cosine) = angle.sin_cos();
@@ -87,7 +88,7 @@ mod tests {
 
     /// Known digits: sines and cosines to thirty places, rounded once.
     #[test]
-    fn it_is_rounded_once() {
+    fn sines_and_cosines_are_rounded_once() {
         assert_eq!(direction(0.0), DVec2::X);
         assert_eq!(direction(0.5).y, 0.479_425_538_604_203);
         assert_eq!(direction(0.5).x, 0.877_582_561_890_372_8);

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// A smooth rigid disc: what it is, not where it is.
+/// A smooth rigid disc, without its position and velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disc {
     /// Mass in kilograms, finite and positive.
@@ -21,12 +21,12 @@ impl Disc {
     }
 }
 
-/// Where the centre of a disc is and how it moves.
+/// The position of a disc's centre and its velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Centre in metres, from the centre of the board, x to the right, y up.
     pub position: DVec2,
-    /// Velocity in metres a second.
+    /// Velocity in m/s.
     pub velocity: DVec2,
 }
 

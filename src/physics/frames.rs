@@ -44,7 +44,7 @@ impl Frame {
 }
 
 /// Scattering angle Θ in radians of both discs in the centre-of-mass frame, in
-/// (−π, π], positive anticlockwise, for smooth discs of restitution `restitution`.
+/// (−π, π], positive anticlockwise, for smooth discs with this coefficient of restitution.
 ///
 /// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α.
 /// `None` if both stop (head-on at e = 0).
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn in_the_centre_of_mass_frame_each_keeps_its_speed_and_turns_alike() {
+    fn in_the_centre_of_mass_frame_both_keep_their_speed_and_turn_equally() {
         let lab = both_moving();
         let cm = Frame::CentreOfMass.view(&lab);
         let after = cm.outcome();
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn the_turn_at_any_restitution() {
+    fn the_closed_form_gives_the_scattering_angle_at_any_restitution() {
         for e in [0.0, 0.3, 0.9] {
             let lab = Collision {
                 restitution: e,
@@ -130,9 +130,9 @@ mod tests {
         assert_eq!(cm_scattering_angle(0.0, 0.0), None);
     }
 
-    /// V added back gives what was resolved in the laboratory.
+    /// Adding V back gives the outcome in the laboratory frame.
     #[test]
-    fn every_frame_sees_the_same_hit() {
+    fn every_frame_gives_the_same_collision() {
         let lab = both_moving();
         let truth = lab.outcome();
         for frame in [Frame::Laboratory, Frame::CentreOfMass, Frame::Target] {
@@ -150,9 +150,9 @@ mod tests {
         }
     }
 
-    /// The 90° result with both moving: v₁ − u₂ ⟂ v₂ − u₂ for equal masses.
+    /// The 90° rule with both discs moving: v₁ − u₂ ⟂ v₂ − u₂ for equal masses.
     #[test]
-    fn equal_masses_part_square_in_the_frame_where_one_was_at_rest() {
+    fn equal_masses_leave_at_90_degrees_in_the_frame_where_one_was_at_rest() {
         let lab = Collision {
             target: Disc::from_g_mm(20.0, 15.0),
             ..both_moving()
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn back_to_the_laboratory() {
+    fn laboratory_angles_follow_from_centre_of_mass_angles() {
         for (m1, m2) in [(15.0, 15.0), (20.0, 40.0), (15.0, 5.5)] {
             for step in 1..90 {
                 let alpha = f64::from(step).to_radians();

@@ -6,12 +6,12 @@ use glam::DVec2;
 
 use super::rutherford::Rutherford;
 
-/// The exact path of one particle: the branch of a hyperbola that keeps away from the
-/// fixed charge, which is at the origin. It comes in along +x.
+/// The exact path of one particle: the branch of a hyperbola that bends away from the fixed charge
+/// at the origin. The particle comes in along +x.
 ///
-/// In polar coordinates about the charge, with φ counted from the apse (the direction of
-/// closest approach), r = l / (ε cos φ − 1), where ε = 1/sin(Θ/2) and l = 2b²/d. See
-/// L. D. Landau and E. M. Lifshitz, *Mechanics*, § 15.
+/// In polar coordinates about the charge, with φ measured from the apse (the direction of closest
+/// approach), r = l / (ε cos φ − 1), where ε = 1/sin(Θ/2) and l = 2b²/d. See L. D. Landau and E. M.
+/// Lifshitz, *Mechanics*, § 15.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hyperbola {
     impact_parameter: f64,
@@ -22,8 +22,8 @@ pub struct Hyperbola {
 }
 
 impl Rutherford {
-    /// The path at impact parameter b metres: positive with the charge to the right of
-    /// the motion, so that the particle is turned to the left.
+    /// The path at impact parameter b metres: positive if the charge is to the right of the
+    /// incoming particle, which is then deflected to the left.
     pub fn path(&self, impact_parameter: f64) -> Hyperbola {
         let angle = self.scattering_angle(impact_parameter.abs());
         Hyperbola {
@@ -37,18 +37,18 @@ impl Rutherford {
 }
 
 impl Hyperbola {
-    /// The point nearest to the charge. Head-on that is where it turns back.
+    /// The point nearest to the charge. In a head-on approach it is the turning point.
     pub(crate) fn nearest(&self) -> DVec2 {
         self.mirrored(DVec2::from_angle(self.apse()) * self.closest_approach)
     }
 
-    /// Direction of the apse for b ≥ 0: half-way between where it comes from and where
-    /// it goes.
+    /// Direction of the apse for b ≥ 0: it bisects the angle between the incoming and outgoing
+    /// parts of the path.
     fn apse(&self) -> f64 {
         (PI + self.angle) / 2.0
     }
 
-    /// What is true for b ≥ 0, for this b.
+    /// A point of the path for |b|, mirrored if b is negative.
     fn mirrored(&self, point: DVec2) -> DVec2 {
         if self.impact_parameter < 0.0 {
             DVec2::new(point.x, -point.y)
@@ -57,17 +57,17 @@ impl Hyperbola {
         }
     }
 
-    /// The path from a distance of `reach` metres in to the same distance out, as
-    /// `pieces` (2 or more) straight pieces, closest together where it bends most; empty
-    /// where it never comes as near as `reach`.
+    /// The path from a distance of `reach` metres on the way in to the same distance on the way
+    /// out, as `pieces` (2 or more) straight pieces, shortest where it bends most; empty if it
+    /// never comes within `reach`.
     pub(crate) fn points(&self, reach: f64, pieces: u32) -> Vec<DVec2> {
         if !(reach > self.closest_approach && reach.is_finite()) {
             return Vec::new();
         }
         let pieces = pieces.max(2);
-        // By the hyperbola's own parameter s: r = r_min + a ε (cosh s − 1), where the
-        // semi-axis a = d/2. With the apse along +X, X = a (ε + cosh s) and
-        // Y = ±a √(ε² − 1) sinh s; both stay good head-on, where ε = 1 and Y = 0.
+        // In terms of the hyperbola's parameter s: r = r_min + a ε (cosh s − 1), where the
+        // semi-axis a = d/2. With the apse along +X, X = a (ε + cosh s) and Y = ±a √(ε² − 1) sinh
+        // s; both remain valid head-on, where ε = 1 and Y = 0.
         let eccentricity = 1.0 / (self.angle / 2.0).sin();
         let axis = self.closest_approach / (1.0 + eccentricity);
         let cosh_end = 1.0 + (reach - self.closest_approach) / (axis * eccentricity);
@@ -80,7 +80,7 @@ impl Hyperbola {
         (0..=pieces)
             .map(|i| {
                 let s = end * (2.0 * f64::from(i) / f64::from(pieces) - 1.0);
-                // From the incoming side, which lies anticlockwise of the apse.
+                // The path starts on the incoming side, which is anticlockwise of the apse.
                 let local = DVec2::new(axis * (eccentricity + s.cosh()), -across * s.sinh());
                 self.mirrored(apse.rotate(local))
             })
@@ -102,9 +102,9 @@ mod tests {
             .map(move |b| (b * 1e-15, gold.path(b * 1e-15)))
     }
 
-    /// The outgoing asymptote lies at Θ = 2 atan(d/2b), to the side away from the charge.
+    /// The outgoing asymptote is at Θ = 2 atan(d/2b), on the side away from the charge.
     #[test]
-    fn it_leaves_at_the_scattering_angle() {
+    fn the_particle_leaves_at_the_scattering_angle() {
         let gold = Rutherford::radium_c_on_gold();
         for (b, path) in paths() {
             // From very far away the last piece points along the asymptote.
@@ -121,13 +121,13 @@ mod tests {
             assert!(b == 0.0 || direction.y.signum() == b.signum());
             let first = (points[1] - points[0]).normalize();
             assert!((first - DVec2::X).length() < 1e-6, "{b}");
-            // And it came in along y = b.
+            // The particle came in along y = b.
             assert!((points[0].y - b).abs() < 1e-6 * points[0].x.abs());
         }
     }
 
     #[test]
-    fn its_nearest_point_is_the_closest_approach() {
+    fn the_nearest_point_is_the_closest_approach() {
         for (b, path) in paths() {
             let points = path.points(REACH, 1000);
             let nearest = points.iter().map(|p| p.length()).fold(REACH, f64::min);
@@ -138,14 +138,14 @@ mod tests {
         }
     }
 
-    /// Energy 1 = v² + d/r and angular momentum b = r v sin: with the slope of the path
-    /// both are known at every point, so the speed from the one gives the other.
+    /// The energy is 1 = v² + d/r and the angular momentum b = r v sin ψ, where ψ follows from the
+    /// slope of the path. So the speed from one equation must satisfy the other.
     #[test]
-    fn energy_and_angular_momentum_are_kept_along_it() {
+    fn energy_and_angular_momentum_are_conserved_along_the_path() {
         let d = Rutherford::radium_c_on_gold().head_on_approach;
         for (b, path) in paths() {
             let points = path.points(REACH, 20_000);
-            // Head-on there is no direction at the turning point itself.
+            // In a head-on approach the path has no direction at the turning point.
             for i in [400, 3000, 7000, 9990, 10_005, 13_000, 19_000] {
                 let here = points[i];
                 let along = (points[i + 1] - points[i - 1]).normalize();
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn it_begins_and_ends_at_the_reach() {
+    fn the_path_begins_and_ends_at_the_reach() {
         for (b, path) in paths() {
             let points = path.points(REACH, 60);
             for end in [points[0], points[60]] {

@@ -12,9 +12,9 @@ pub(crate) struct Contact {
     pub m1: f64,
     /// Mass of body 2 in kilograms, positive.
     pub m2: f64,
-    /// Velocity of body 1 before, in m/s.
+    /// Velocity of body 1 before the contact, in m/s.
     pub u1: DVec2,
-    /// Velocity of body 2 before, in m/s.
+    /// Velocity of body 2 before the contact, in m/s.
     pub u2: DVec2,
     /// Line of impact: the unit vector from centre 1 to centre 2.
     pub normal: DVec2,
@@ -25,9 +25,9 @@ pub(crate) struct Contact {
 /// The result of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Impact {
-    /// Velocity of body 1 after, in m/s.
+    /// Velocity of body 1 after the contact, in m/s.
     pub v1: DVec2,
-    /// Velocity of body 2 after, in m/s.
+    /// Velocity of body 2 after the contact, in m/s.
     pub v2: DVec2,
     /// Impulse J on body 2 along n (and on body 1 against it), in N·s.
     pub impulse: f64,
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn only_while_approaching() {
+    fn bodies_that_do_not_approach_exchange_nothing() {
         assert!(contact(-DVec2::X, 1.0).resolve().is_none());
         let side_by_side = Contact {
             u2: DVec2::new(3.0, 0.5),
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_masses_head_on_stop_the_striker_exactly_in_any_direction() {
+    fn a_head_on_hit_between_equal_masses_stops_the_striker_exactly_in_any_direction() {
         for step in 0..1000 {
             let u1 = 4.0 * DVec2::from_angle(f64::from(step) * 0.37);
             let after = Contact {

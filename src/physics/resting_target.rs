@@ -15,7 +15,7 @@
 //! = 1 the same holds with Newton's law of restitution along n, as in W. Goldsmith, *Impact*
 //! (1960), chapter 2.
 //!
-//! Angles are in radians, speeds are shares of u, energies are shares of ½m₁u². `None` means
+//! Angles are in radians, speeds are in units of u, and energies in units of ½m₁u². `None` means
 //! undefined: a body at rest has no direction.
 
 use std::f64::consts::FRAC_PI_2;
@@ -24,7 +24,7 @@ use super::Collision;
 use super::impact::reduced_mass;
 
 /// How far past its limit a sine or cosine may be by rounding alone. The error of an angle computed
-/// from such a number is no more than the rounding of the input.
+/// from such a number is no more than the rounding error of the input.
 const ROUNDING: f64 = 1e-12;
 
 /// A striker, a smooth target at rest, and their coefficient of restitution.
@@ -38,7 +38,7 @@ pub struct RestingTarget {
     pub restitution: f64,
 }
 
-/// Where the striker's energy goes; the three add up to 1.
+/// The shares of the striker's energy; the three add up to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyShares {
     /// The share that the striker keeps.
@@ -56,18 +56,18 @@ pub enum LargestDeflection {
     Turned {
         /// The largest θ₁, atan(k / (2√(1−k))); at e = 1 that is asin(m₂/m₁).
         theta1: f64,
-        /// The impact angle that gives it, atan √(1−k).
+        /// The impact angle that gives the largest θ₁, atan √(1−k).
         alpha: f64,
     },
     /// k = 1: θ₁ = 90° − α comes arbitrarily close to 90°, but at α = 0 the striker stops and has
     /// no direction.
     NearlyRight,
-    /// k > 1: head-on it comes straight back, θ₁ = 180°.
+    /// k > 1: in a head-on collision the striker comes straight back, θ₁ = 180°.
     Reversed,
 }
 
 impl From<&Collision> for RestingTarget {
-    /// The masses and the restitution of a collision; its velocities are not used.
+    /// The masses and the coefficient of restitution of a collision, without its velocities.
     fn from(collision: &Collision) -> Self {
         Self {
             m1: collision.striker.mass,
@@ -84,8 +84,8 @@ impl RestingTarget {
         (1.0 + self.restitution) * (self.m2 / (self.m1 + self.m2))
     }
 
-    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 where m₁ = e m₂ up to rounding: 12 g is 0.8 × 15 g
-    /// in kilograms too.
+    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 if m₁ = e m₂ except for rounding, so that 12 g
+    /// equals 0.8 × 15 g in kilograms too.
     fn normal_kept(&self) -> f64 {
         let kept = self.m1 - self.restitution * self.m2;
         if kept.abs() <= 4.0 * f64::EPSILON * self.m1 {
@@ -95,7 +95,7 @@ impl RestingTarget {
         }
     }
 
-    /// (1+e) m₁ / (m₁+m₂), the target's speed head-on.
+    /// (1+e) m₁ / (m₁+m₂), v₂ / u at α = 0.
     fn normal_passed(&self) -> f64 {
         (1.0 + self.restitution) * (self.m1 / (self.m1 + self.m2))
     }
@@ -141,8 +141,8 @@ impl RestingTarget {
         Some(sin.abs().atan2(self.normal_kept() * cos))
     }
 
-    /// The shares of energy after a collision at impact angle `alpha`. At e = 1 the target takes
-    /// 4m₁m₂/(m₁+m₂)² cos²α; between equal masses sin²α : cos²α.
+    /// The shares of energy after a collision at impact angle `alpha`. At e = 1 the target's share
+    /// is 4m₁m₂/(m₁+m₂)² cos²α; between equal masses sin²α : cos²α.
     pub fn energy_shares(&self, alpha: f64) -> EnergyShares {
         let cos = sin_cos(alpha).1;
         EnergyShares {
@@ -197,8 +197,8 @@ pub(crate) fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
     (offset && turned && k > 0.0 && k < 2.0).then_some(k)
 }
 
-/// Weighing by angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is sin(θ₁+2θ₂) / sin θ₁; `None` if the
-/// angles do not determine it.
+/// The ratio of the masses from the angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is sin(θ₁+2θ₂) /
+/// sin θ₁; `None` if the angles do not determine it.
 pub(crate) fn mass_ratio_from_angles(theta1: f64, theta2: f64, restitution: f64) -> Option<f64> {
     let ratio = (1.0 + restitution) / k_from_angles(theta1, theta2)? - 1.0;
     (ratio > 0.0).then_some(ratio)
@@ -211,12 +211,12 @@ fn sin_cos(alpha: f64) -> (f64, f64) {
     (sin, if graze >= 0.0 { 0.0 } else { cos })
 }
 
-/// Whether a share of the striker's speed is more than rounding noise.
+/// Whether a fraction of the striker's speed is more than rounding noise.
 fn moves(share: f64) -> bool {
     share > 4.0 * f64::EPSILON
 }
 
-/// The angle, 0 to 90°, whose squared cosine this is.
+/// The angle from 0 to 90° whose squared cosine is `square`.
 fn arccosine_of_root(square: f64) -> Option<f64> {
     (-ROUNDING..=1.0 + ROUNDING)
         .contains(&square)
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_masses_share_as_sine_and_cosine() {
+    fn equal_masses_share_energy_as_squared_sine_and_cosine() {
         let p = pair(15.0, 15.0, 1.0);
         for alpha in alphas() {
             close(p.theta1(alpha).unwrap(), FRAC_PI_2 - alpha, 1e-14);
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_of_checks() {
+    fn worked_values_are_reproduced() {
         let tournament = pair(15.0, 5.5, 1.0);
         let alpha = rad_from_deg(30.0);
         let separation = deg_from_rad(tournament.separation(alpha).unwrap());
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn separation_is_the_sum_of_the_angles() {
+    fn the_separation_is_the_sum_of_the_angles() {
         for p in pairs() {
             for alpha in alphas() {
                 let sum = p.theta1(alpha).unwrap() + p.theta2(alpha).unwrap();
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn a_right_angle_exactly_when_the_striker_weighs_e_targets() {
+    fn the_separation_is_90_degrees_exactly_at_m1_equal_to_e_m2() {
         for e in [1.0, 0.8, 0.5, 0.1] {
             for alpha in alphas() {
                 let at = |factor| {
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_deflection_of_a_heavy_striker() {
+    fn a_heavy_striker_has_a_largest_deflection_below_90_degrees() {
         let LargestDeflection::Turned { theta1, alpha } = pair(15.0, 5.5, 1.0).largest_deflection()
         else {
             panic!("15 g on 5.5 g has a largest deflection");
@@ -346,7 +346,7 @@ mod tests {
             alpha: at,
         } = p.largest_deflection()
         else {
-            panic!("so it has at any restitution");
+            panic!("15 g on 5.5 g has one at any restitution");
         };
         close(p.theta1(at).unwrap(), most, 1e-15);
         for other in alphas() {
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_deflection_of_light_and_equal_strikers() {
+    fn a_light_striker_can_be_reversed_and_an_equal_one_nearly_turned_by_90_degrees() {
         let light = pair(5.5, 15.0, 1.0);
         assert_eq!(light.largest_deflection(), LargestDeflection::Reversed);
         assert_eq!(light.theta1(0.0), Some(PI));
@@ -367,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn the_energy_passed_on_turned_round_comes_back() {
+    fn the_angle_for_a_transferred_share_gives_that_share() {
         for p in pairs() {
             for alpha in alphas() {
                 let passed = p.alpha_for_energy_passed(p.energy_shares(alpha).passed);
@@ -379,10 +379,10 @@ mod tests {
         assert_eq!(p.alpha_for_energy_passed(f64::NAN), None);
     }
 
-    /// A full and a thin hit turn a heavy striker by the same angle; a light or an equal
-    /// one is turned less and less the thinner the hit.
+    /// A full and a thin hit can deflect a heavy striker by the same angle; for a light or equal
+    /// one, the thinner the hit, the smaller the deflection.
     #[test]
-    fn only_a_heavy_striker_is_turned_by_the_same_angle_twice() {
+    fn only_a_heavy_striker_has_two_impact_angles_for_one_deflection() {
         for p in pairs() {
             let turns: Vec<f64> = alphas().map(|alpha| p.theta1(alpha).unwrap()).collect();
             let rises = turns.windows(2).filter(|pair| pair[1] > pair[0]).count();
@@ -395,7 +395,7 @@ mod tests {
     }
 
     #[test]
-    fn weighing_by_angles() {
+    fn the_final_angles_give_the_mass_ratio() {
         for p in pairs() {
             for alpha in alphas() {
                 let theta1 = p.theta1(alpha).unwrap();
@@ -417,12 +417,12 @@ mod tests {
     }
 
     #[test]
-    fn angles_that_cannot_weigh() {
+    fn unsuitable_angles_give_no_mass_ratio() {
         assert_eq!(mass_ratio_from_angles(0.0, 0.0, 1.0), None);
         assert_eq!(mass_ratio_from_angles(0.5, 0.0, 1.0), None);
         assert_eq!(mass_ratio_from_angles(PI, 0.0, 1.0), None);
         assert_eq!(mass_ratio_from_angles(-0.5, 0.3, 1.0), None);
-        // More than any target could do at e = 0.
+        // No target could deflect the striker so far at e = 0.
         assert_eq!(mass_ratio_from_angles(2.5, 0.3, 0.0), None);
     }
 }

@@ -1,7 +1,7 @@
 //! Rutherford scattering: the glancing collision of two charges that repel.
 //!
-//! The target is taken as fixed, which a gold nucleus nearly is for an α-particle. E. Rutherford,
-//! Phil. Mag. 21 (1911) 669.
+//! The target is treated as fixed, which is nearly true of a gold nucleus struck by an α-particle.
+//! E. Rutherford, Phil. Mag. 21 (1911) 669.
 
 use std::f64::consts::PI;
 
@@ -40,12 +40,12 @@ pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
 /// Atoms in a cubic metre of gold.
 pub const GOLD_DENSITY: f64 = 5.9e28;
 
-/// The share of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵ cm
-/// of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the one count
-/// whose scale is known.
+/// The fraction of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵
+/// cm of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the only
+/// count whose absolute scale is known.
 pub const MEASURED_SHARE: f64 = 3.7e-7;
 
-/// A charged projectile on a fixed charge of the same sign.
+/// A charged projectile and a fixed charge of the same sign.
 ///
 /// Scattering angles Θ are in radians, above 0 and up to π: a repulsion of infinite range deflects
 /// every projectile a little, so at Θ = 0 nothing is defined.
@@ -56,8 +56,8 @@ pub struct Rutherford {
 }
 
 impl Rutherford {
-    /// Charge numbers `z1` on `z2` at kinetic energy `energy` joules, all positive:
-    /// d = q₁q₂ / (4πε₀E).
+    /// A projectile of charge number `z1` and kinetic energy `energy` joules, and a target of
+    /// charge number `z2`, all positive: d = q₁q₂ / (4πε₀E).
     pub fn new(z1: f64, z2: f64, energy: f64) -> Self {
         Self {
             head_on_approach: COULOMB_ENERGY_LENGTH * z1 * z2 / energy,
@@ -97,9 +97,8 @@ impl Rutherford {
         self.impact_parameter(angle).map(|b| PI * b * b)
     }
 
-    /// The share of a beam that a foil of `atoms_per_area` atoms/m² scatters at Θ
-    /// into a small solid angle of `solid_angle` steradians, each particle scattered
-    /// at most once.
+    /// The fraction of a beam that a foil of `atoms_per_area` atoms/m² scatters at Θ into a small
+    /// solid angle of `solid_angle` steradians, each particle scattered at most once.
     pub(crate) fn share_into(
         &self,
         angle: f64,
@@ -116,14 +115,14 @@ pub(crate) fn touching_distance(mass_number: f64) -> f64 {
     NUCLEAR_RADIUS * (ALPHA_MASS_NUMBER.cbrt() + mass_number.cbrt())
 }
 
-/// How much larger the closest approach in a head-on shot is than for a fixed nucleus, as a share:
-/// only the energy E M/(m + M) in the centre-of-mass frame goes into the repulsion, so d is
-/// larger by the factor 1 + m/M.
+/// The fraction by which the closest approach in a head-on shot is larger than for a fixed nucleus:
+/// only the energy E M/(m + M) in the centre-of-mass frame goes into the repulsion, so d is larger
+/// by the factor 1 + m/M.
 pub(crate) fn recoil_share(mass_number: f64) -> f64 {
     ALPHA_MASS_NUMBER / mass_number
 }
 
-/// Θ/2, for an angle that scattering can have.
+/// Θ/2, if Θ is a possible scattering angle.
 fn half_angle(angle: f64) -> Option<f64> {
     (angle > 0.0 && angle <= PI).then_some(angle / 2.0)
 }
@@ -137,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn the_constant() {
+    fn the_coulomb_constant_has_its_known_value() {
         close(COULOMB_ENERGY_LENGTH / (MEV * FM), 1.43996, 5e-6);
     }
 
@@ -145,15 +144,14 @@ mod tests {
     fn radium_c_on_gold_comes_within_30_fm() {
         let d = Rutherford::radium_c_on_gold().head_on_approach;
         assert!((d / FM - 29.6).abs() < 0.05);
-        // All the energy is potential there.
+        // At the closest approach all the energy is potential.
         let potential = COULOMB_ENERGY_LENGTH * ALPHA_CHARGE * GOLD_CHARGE / d;
         close(potential, RADIUM_C_ENERGY, 1e-14);
     }
 
-    /// Geiger and Marsden's absolute count at 45°: gold of 2.1·10⁻⁵ cm, a screen of 1 mm²
-    /// at 1 cm.
+    /// Geiger and Marsden's absolute count at 45°: 2.1·10⁻⁵ cm of gold, a screen of 1 mm² at 1 cm.
     #[test]
-    fn the_absolute_check() {
+    fn the_absolute_count_at_45_degrees_agrees_with_the_measurement() {
         let share = Rutherford::radium_c_on_gold()
             .share_into(PI / 4.0, 1e-6 / 1e-4, GOLD_DENSITY * 2.1e-7)
             .unwrap();
@@ -162,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn offset_and_angle_there_and_back() {
+    fn impact_parameter_and_angle_are_inverse_functions() {
         let gold = Rutherford::radium_c_on_gold();
         for deg in 1..=180 {
             let angle = f64::from(deg).to_radians();
@@ -177,10 +175,10 @@ mod tests {
         close(gold.scattering_angle(0.0), PI, 1e-15);
     }
 
-    /// At closest approach the motion is all across the radius, so angular momentum
-    /// gives its speed there, and energy must balance: (b/r)² + d/r = 1.
+    /// At closest approach the velocity is perpendicular to the radius, so angular momentum gives
+    /// the speed, and energy must balance: (b/r)² + d/r = 1.
     #[test]
-    fn closest_approach_keeps_energy_and_angular_momentum() {
+    fn closest_approach_conserves_energy_and_angular_momentum() {
         let gold = Rutherford::radium_c_on_gold();
         for deg in 1..=180 {
             let angle = f64::from(deg).to_radians();
@@ -190,7 +188,7 @@ mod tests {
         }
     }
 
-    /// dσ/dΩ is what the cross-section beyond Θ loses per steradian.
+    /// dσ/dΩ is the decrease per steradian of the cross-section beyond Θ.
     #[test]
     fn the_two_cross_sections_agree() {
         let gold = Rutherford::radium_c_on_gold();
@@ -209,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_defined_straight_on() {
+    fn nothing_is_defined_without_deflection() {
         let gold = Rutherford::radium_c_on_gold();
         for angle in [0.0, -1.0, 4.0, f64::NAN] {
             assert_eq!(gold.impact_parameter(angle), None);
@@ -219,10 +217,10 @@ mod tests {
         }
     }
 
-    /// Geiger and Marsden's relative counts for gold, times sin⁴(φ/2), lie in a band
-    /// of −15 % to +23 % about their mean, and rise at small angles.
+    /// Geiger and Marsden's relative counts for gold, times sin⁴(φ/2), are in a band of −15 % to
+    /// +23 % about their mean, and rise at small angles.
     #[test]
-    fn their_counts_follow_the_law_within_a_band() {
+    fn the_measured_counts_follow_the_law_within_a_band() {
         let gold = [
             (150.0_f64, 33.1),
             (135.0, 43.0),

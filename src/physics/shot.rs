@@ -22,27 +22,27 @@ pub struct Event {
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr)]
 #[strum(serialize_all = "snake_case")]
 pub enum EventKind {
-    /// Two discs met. Contacts at the same instant are listed one after another; each starts from
-    /// the velocities that the one before it left.
+    /// Two discs collided. Contacts at the same instant are listed one after another; each starts
+    /// from the velocities after the previous contact.
     Impact {
         /// The two discs.
         discs: [usize; 2],
         /// The line of impact: the unit vector from the first centre to the second.
         normal: DVec2,
-        /// Their velocities before, in the order of `discs`.
+        /// The velocities before the contact, in the order of `discs`.
         before: [DVec2; 2],
-        /// Their velocities after.
+        /// The velocities after the contact, in the same order.
         after: [DVec2; 2],
     },
-    /// A disc met the frame.
+    /// A disc hit the frame.
     Cushion {
         /// The disc.
         disc: usize,
         /// The unit vector into the cushion.
         normal: DVec2,
-        /// Its velocity before.
+        /// The disc's velocity before the event.
         before: DVec2,
-        /// Its velocity after.
+        /// The disc's velocity after the event.
         after: DVec2,
     },
     /// A disc fell into a pocket.
@@ -60,7 +60,7 @@ pub enum EventKind {
 }
 
 impl EventKind {
-    /// The disc the event is about and, for an impact, its partner.
+    /// The disc of the event and, for an impact, its partner.
     pub fn discs(&self) -> (usize, Option<usize>) {
         match *self {
             Self::Impact { discs: [a, b], .. } => (a, Some(b)),
@@ -70,7 +70,7 @@ impl EventKind {
         }
     }
 
-    /// The other disc of an impact in which this one takes part.
+    /// The other disc of an impact in which this disc takes part.
     pub(crate) fn partner(&self, disc: usize) -> Option<usize> {
         match self.discs() {
             (a, Some(b)) if a == disc => Some(b),
@@ -84,12 +84,12 @@ impl EventKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "snake_case")]
 pub enum DiscState {
-    /// It moves.
+    /// The disc is moving.
     Moving,
-    /// It lies still on the board.
+    /// The disc is at rest on the board.
     #[strum(serialize = "rest")]
     Resting,
-    /// It has fallen into a pocket; its position is where it fell.
+    /// The disc has fallen into a pocket; its position is where it fell.
     Pocketed,
 }
 
@@ -100,16 +100,16 @@ pub struct Sample {
     pub position: DVec2,
     /// Velocity in m/s; zero unless moving.
     pub velocity: DVec2,
-    /// What it is doing.
+    /// What the disc is doing.
     pub state: DiscState,
 }
 
 /// A straight part of a disc's path, from one event of this disc to its next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// When it begins, in seconds since the start of the shot.
+    /// When the leg begins, in seconds since the start of the shot.
     pub start: f64,
-    /// When it ends.
+    /// When the leg ends.
     pub end: f64,
     /// Centre at the start, in metres.
     pub from: DVec2,
@@ -117,22 +117,22 @@ pub struct Leg {
     pub to: DVec2,
 }
 
-/// Where a disc starts a new motion.
+/// The start of a new motion of a disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LegStart {
     /// When, in seconds since the start of the shot.
     time: f64,
-    /// The motion from here on.
+    /// The motion from then on.
     motion: Motion,
-    /// Whether it left the board here.
+    /// Whether the disc fell into a pocket then.
     pocketed: bool,
 }
 
 /// The exact record of a shot.
 ///
 /// Between its own events each disc slides on a parabola in time, so a few numbers per event give
-/// its position at every moment: [`Shot::at`]. Pause, slow motion and rewind are only other values
-/// of the time. A new record is empty; [`Engine::play_into`](super::Engine::play_into) fills it.
+/// its position at every moment: [`Shot::at`]. Pause, slow motion and rewind only choose other
+/// times. A new record is empty; [`Engine::play_into`](super::Engine::play_into) fills it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shot {
     board: Board,
@@ -144,7 +144,7 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// Clears the record and notes how the next shot starts. Keeps the memory.
+    /// Clears the record, keeps its memory and stores how the next shot starts.
     pub(super) fn begin(&mut self, board: &Board, discs: &[Disc], start: &[Motion]) {
         self.board = *board;
         self.discs.clear();
@@ -163,7 +163,7 @@ impl Shot {
         self.capture = None;
     }
 
-    /// A disc starts a new motion.
+    /// Records that a disc starts a new motion.
     #[inline]
     pub(super) fn push_leg(&mut self, disc: usize, time: f64, motion: Motion, pocketed: bool) {
         self.legs[disc].push(LegStart {
@@ -182,7 +182,7 @@ impl Shot {
         self.duration = duration;
     }
 
-    /// The board it was played on.
+    /// The board on which the shot was played.
     pub fn board(&self) -> &Board {
         &self.board
     }
@@ -192,8 +192,8 @@ impl Shot {
         &self.discs
     }
 
-    /// Seconds until everything is at rest. Without friction it is the given horizon, or the time
-    /// of the last event if there was none.
+    /// Seconds until everything is at rest. Without friction, this is the horizon, or the time of
+    /// the last event if the horizon is infinite.
     pub(crate) fn duration(&self) -> f64 {
         self.duration
     }
@@ -211,14 +211,13 @@ impl Shot {
         })
     }
 
-    /// How a disc started.
+    /// The initial motion of a disc.
     pub fn start(&self, disc: usize) -> Motion {
         self.legs[disc][0].motion
     }
 
-    /// Where a disc is at a time in seconds. Times before 0 count as the start,
-    /// times after `Shot::duration` as the end; at the time of an event the disc
-    /// is as the event left it.
+    /// Where a disc is at a time in seconds. Times before 0 count as the start, times after
+    /// `Shot::duration` as the end; at the time of an event the disc is in the state after it.
     pub fn at(&self, disc: usize, time: f64) -> Sample {
         let time = time.min(self.duration);
         if let Some(capture) = self.capture.as_ref().filter(|c| time >= c.time) {
@@ -258,7 +257,7 @@ impl Shot {
         slides.chain(chords)
     }
 
-    /// How each disc ends.
+    /// The final state of each disc.
     pub(crate) fn final_states(&self) -> impl Iterator<Item = Sample> + '_ {
         (0..self.discs.len()).map(|disc| self.at(disc, self.duration))
     }

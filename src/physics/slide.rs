@@ -18,7 +18,7 @@ pub(crate) fn stopping_time(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// Distance in metres a disc of this speed (m/s) covers before it stops: v² / 2a.
+/// Distance in metres that a disc of this speed (m/s) covers before it stops: v² / 2a.
 ///
 /// 0 for a disc at rest; infinite for a moving disc without friction.
 pub(crate) fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
@@ -29,7 +29,7 @@ pub(crate) fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// The fraction of its speed that a disc loses per second at first, a/v; 0 for one at rest.
+/// The fraction of its speed that a disc loses per second initially, a/v; 0 for a disc at rest.
 #[inline]
 pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
     if speed > 0.0 {
@@ -39,10 +39,10 @@ pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// Seconds a disc takes for a distance that it would cover in `time` seconds at its initial speed,
-/// if it loses the fraction `relative_deceleration` = a/v of that speed per second; `None` if it
-/// stops before. This form of the root of s = v t − ½ a t² loses no digits even for a short
-/// distance, and holds at a = 0.
+/// Time in seconds that a disc needs for a distance that it would cover in `time` seconds at its
+/// initial speed, if it loses the fraction `relative_deceleration` = a/v of that speed per second;
+/// `None` if the disc stops before. This form of the root of s = v t − ½ a t² loses no digits even
+/// for a short distance, and holds at a = 0.
 #[inline]
 pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
     let left = 1.0 - 2.0 * relative_deceleration * time;
@@ -50,7 +50,7 @@ pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
 }
 
 /// When |d + w t| first falls to `distance`, if |d|² − `distance`² = `gap` > 0: the smaller root of
-/// the quadratic, in the form that loses no digits. `None` if it never does.
+/// the quadratic, in the form that loses no digits. `None` if the distance never falls that far.
 #[inline]
 pub(super) fn time_to_distance(d: DVec2, w: DVec2, distance: f64, gap: f64) -> Option<f64> {
     let ahead = -d.dot(w);
@@ -117,12 +117,12 @@ mod tests {
     }
 
     #[test]
-    fn the_forms_agree_with_one_another() {
+    fn the_closed_forms_agree() {
         for v in [1e-3, 0.5, 2.5, 4.0] {
             close(stopping_distance(v, A), 0.5 * v * stopping_time(v, A));
             for part in [0.0, 1e-9, 0.3, 0.75, 0.999_999] {
                 let s = part * stopping_distance(v, A);
-                let t = slowed(s / v, A / v).expect("it gets there");
+                let t = slowed(s / v, A / v).expect("the disc gets there");
                 close(v * t - 0.5 * A * t * t, s);
                 close((v * v - 2.0 * A * s).sqrt(), v - A * t);
             }

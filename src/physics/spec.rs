@@ -1,4 +1,4 @@
-//! A collision by the fields that files, commands and screens use.
+//! A collision described by the fields that files, commands and screens use.
 
 use std::fmt::Display;
 
@@ -9,7 +9,7 @@ use super::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use super::{Bond, Collision, Disc};
 use crate::numbers::{tidy, typed};
 
-/// Two discs about to meet, in the units of files and of the screen.
+/// Two discs about to collide, in the units of files and of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CollisionSpec {
     /// Mass of the striker in g.
@@ -28,7 +28,7 @@ pub struct CollisionSpec {
     pub target_speed: f64,
     /// Direction of the target in degrees from +x, anticlockwise.
     pub target_deg: f64,
-    /// Where the two meet.
+    /// The point of impact.
     pub point: ImpactPoint,
     /// Coefficient of restitution, 0 to 1.
     pub restitution: f64,
@@ -39,14 +39,14 @@ pub struct CollisionSpec {
 /// The point of impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ImpactPoint {
-    /// By the impact angle.
+    /// Given by the impact angle.
     Angle {
-        /// α in degrees, −90 to 90, positive when the target lies to the right.
+        /// α in degrees, −90 to 90, positive if the target is to the right.
         alpha_deg: f64,
     },
-    /// By the impact parameter.
+    /// Given by the impact parameter.
     Offset {
-        /// b in mm, positive when the target lies to the right.
+        /// b in mm, positive if the target is to the right.
         offset_mm: f64,
     },
 }
@@ -54,13 +54,13 @@ pub enum ImpactPoint {
 /// The range of one number of a [`CollisionSpec`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FieldRange {
-    /// Its name in files.
+    /// The field's name in files.
     pub name: &'static str,
-    /// What it is, and its unit: "a mass in g".
+    /// What the number is, and its unit: "a mass in g".
     pub what: &'static str,
-    /// The least it may be.
+    /// The least allowed value.
     pub least: f64,
-    /// The most it may be.
+    /// The greatest allowed value.
     pub most: f64,
 }
 
@@ -78,7 +78,7 @@ impl FieldRange {
     /// The value, if it is in range.
     ///
     /// # Errors
-    /// What was expected, beside what was `found`.
+    /// What was expected, and what was `found`.
     pub(crate) fn check(&self, value: f64, found: impl Display) -> Result<f64, String> {
         if (self.least..=self.most).contains(&value) {
             return Ok(value);
@@ -92,7 +92,7 @@ impl FieldRange {
 }
 
 impl Default for CollisionSpec {
-    /// The worked shot: 15 g on 15 g at 4 m/s and 30°, smooth and without loss.
+    /// The worked shot: 15 g on 15 g at 4 m/s and 30°, smooth and without energy loss.
     fn default() -> Self {
         Self {
             m1_g: 15.0,
@@ -111,7 +111,8 @@ impl Default for CollisionSpec {
 }
 
 impl CollisionSpec {
-    /// The largest offset as a share of r₁ + r₂: beyond 1 they miss, so slightly more is enough.
+    /// The largest offset as a multiple of r₁ + r₂: beyond 1 the discs miss each other, so slightly
+    /// more is enough.
     pub(crate) const WIDEST: f64 = 1.25;
 
     /// The fields of lessons, concept questions and the lab.
@@ -199,7 +200,7 @@ impl CollisionSpec {
         let most = Self::WIDEST * self.contact_distance_mm();
         match self.point {
             ImpactPoint::Offset { offset_mm } if offset_mm.abs() > most => Err(format!(
-                "offset_mm: expected at most {most} mm, {} times both radii, found {offset_mm}",
+                "offset_mm: expected at most {most} mm, {} times the sum of the radii, found {offset_mm}",
                 Self::WIDEST
             )),
             _ => Ok(()),
@@ -216,7 +217,7 @@ impl CollisionSpec {
         self.r1_mm + self.r2_mm
     }
 
-    /// How far off-centre they meet, in mm, positive when the target lies to the right.
+    /// The impact parameter b in mm, positive if the target is to the right.
     pub(crate) fn offset_mm(&self) -> f64 {
         match self.point {
             ImpactPoint::Offset { offset_mm } => offset_mm,
@@ -283,14 +284,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_said_is_the_worked_shot() {
+    fn without_fields_it_is_the_worked_shot() {
         let after = CollisionSpec::default().collision().outcome();
         assert!((after.v1.length() - 2.0).abs() < 1e-12);
         assert!((after.v2.length() - 12.0_f64.sqrt()).abs() < 1e-12);
     }
 
     #[test]
-    fn fields_are_held_to_their_ranges() {
+    fn fields_outside_their_ranges_are_refused() {
         let mut spec = CollisionSpec::default();
         assert_eq!(spec.set("m2_g", "40"), Ok(()));
         assert!((spec.collision().target.mass - 0.040).abs() < 1e-15);
@@ -314,7 +315,7 @@ mod tests {
         assert!(spec.check().is_err());
     }
 
-    /// The fields as they are written and the numbers that come of them.
+    /// The fields as they are written, and the numbers that they give.
     #[test]
     fn every_field_is_set_by_its_name() {
         for range in CollisionSpec::RANGES {

@@ -2,10 +2,10 @@
 
 use super::{Bond, CollisionSpec, FieldRange, ImpactPoint};
 
-/// The direction of the striker, which files do not have.
+/// The direction of the striker, which files do not contain.
 const AIM: FieldRange = FieldRange::new("aim", "a direction in degrees", -180.0, 180.0);
 
-/// The name in files of each short name.
+/// The field name in files for each short name.
 const SHORT: [(&str, &str); 11] = [
     ("m1", "m1_g"),
     ("m2", "m2_g"),
@@ -50,7 +50,7 @@ impl CollisionSpec {
         parts.join(",")
     }
 
-    /// Reads such a text.
+    /// Reads the text that [`to_link`](Self::to_link) gives.
     ///
     /// # Errors
     /// What was expected instead.
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_link_that_is_none_says_what_was_expected() {
+    fn a_malformed_link_reports_what_was_expected() {
         for (link, message) in [
             ("m1", "m1_g: expected a mass in g from 0.1 to 1000, found "),
             (
@@ -125,7 +125,7 @@ mod tests {
             ),
             (
                 "b:40",
-                "offset_mm: expected at most 37.5 mm, 1.25 times both radii, found 40",
+                "offset_mm: expected at most 37.5 mm, 1.25 times the sum of the radii, found 40",
             ),
             (
                 "b:1,alpha:3",

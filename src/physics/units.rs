@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn there_and_back() {
+    fn each_conversion_undoes_its_inverse() {
         for x in [0.1, 5.5, 15.0, 20.65, 63.434_948_822_922_01, 180.0] {
             assert!((g_from_kg(kg_from_g(x)) - x).abs() <= 1e-15 * x);
             assert!((mm_from_m(m_from_mm(x)) - x).abs() <= 1e-15 * x);

@@ -8,38 +8,38 @@ use crate::quiz::{
     Answer, Clue, Code, Confidence, Figures, Form, Grade, Misconception, Question, Rays, Topic,
 };
 
-/// The family of all questions that chapters ask.
+/// The family of all questions in chapters.
 pub const LESSON: &str = "lesson";
 
-/// The largest error of an angle, in degrees, with rounding.
+/// The largest possible error of an angle, in degrees, with a margin for rounding.
 const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
 /// The most choices in a chapter, with room for later versions.
 const MOST_LINES: u64 = 26;
 
-/// Figures as the text of a JSON object.
+/// Writes figures as a JSON object.
 pub(crate) fn figures_text(figures: &Figures) -> String {
     serde_json::to_string(figures).unwrap_or_default()
 }
 
-/// One answer, with everything known about it. It is not specific to the quiz: anything that asks
-/// questions can record answers. This serialization is used in a pupil's hand-in, whose file names
-/// the player once.
+/// One answer, with everything known about it. An attempt is not specific to the quiz: anything
+/// that asks questions can record answers. This serialization is used in a pupil's hand-in, whose
+/// file names the player once.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
-    /// When, in seconds since 1970 began (UTC). Set by the store; `None` before that, and if the
-    /// time is unknown.
+    /// The time in seconds since the start of 1970 (UTC), set by the store; `None` before that, or
+    /// if the time is unknown.
     #[serde(default)]
     pub time_s: Option<i64>,
-    /// Who.
+    /// The player's name.
     #[serde(skip)]
     pub player: String,
     /// The family of the question, by its name in files: "where-to", or [`LESSON`].
     pub family: String,
     /// The topic: the id of a [`Topic`], or the title of the chapter.
     pub topic: String,
-    /// The seed of the round; 0 where there is none.
+    /// The seed of the round; 0 if there is none.
     pub seed: u64,
-    /// Its number in the round, or the page of the chapter, from 1.
+    /// The question's number in the round, or the page of the chapter, from 1.
     pub number: u32,
     /// The figures of the question. Those of the quiz include the code of the `round`, the
     /// `misconceptions` that an answer could have shown, by their names in files, and the chance
@@ -54,18 +54,18 @@ pub struct Attempt {
     pub error_deg: Option<f64>,
     /// Credit from 0 to 1.
     pub credit: f64,
-    /// Whether it counts as right.
+    /// Whether the answer counts as right.
     pub right: bool,
-    /// How sure the player was; `None` if that is not asked.
+    /// How sure the player was; `None` if that was not asked.
     #[serde(default)]
     pub confidence: Option<Confidence>,
-    /// The misconception it fits, by its name in files.
+    /// The misconception that the answer fits, by its name in files.
     #[serde(default)]
     pub misconception: Option<String>,
 }
 
 impl Attempt {
-    /// An answer to question `number` (from 1) of the round of a code.
+    /// An answer to question `number` (from 1) of the round with this code.
     pub fn of_quiz(
         player: &str,
         code: &Code,
@@ -99,19 +99,19 @@ impl Attempt {
         }
     }
 
-    /// What it was about, as shown: "equal masses, by offset", or the title of the chapter.
+    /// The name of the topic as shown: "equal masses, by offset", or the title of the chapter.
     pub(crate) fn topic_name(&self) -> String {
         topic_name(&self.family, &self.topic)
     }
 
-    /// Its fault in words; `None` if it is a possible answer to some question.
+    /// The reason why the answer is impossible; `None` if it is a possible answer to some question.
     ///
-    /// Files and databases can be changed by anybody. All code that counts, shows or hands in
-    /// answers relies on this check: numbers are finite and in range, and the answer is of the same
-    /// kind as the right one.
+    /// Anyone can change files and databases. All code that counts, shows or hands in answers
+    /// relies on this check: numbers are finite and in range, and the answer is of the same kind as
+    /// the right one.
     pub fn fault(&self) -> Option<&'static str> {
         let error_is_possible = |error: f64| match self.family.as_str() {
-            // A chapter may ask for any number of degrees.
+            // In a chapter, any angle is possible.
             LESSON => error >= 0.0 && error.is_finite(),
             _ => (0.0..=FURTHEST_OFF_DEG).contains(&error),
         };
@@ -120,7 +120,7 @@ impl Attempt {
         } else if !self.error_deg.is_none_or(error_is_possible) {
             Some("its error is not an angle")
         } else if !self.answer_is_possible() {
-            Some("what was answered is out of range or of the wrong kind")
+            Some("its answer is out of range or of the wrong kind")
         } else {
             None
         }
@@ -133,12 +133,13 @@ impl Attempt {
             LESSON => lesson_answer_is_possible(answer),
             _ => Form::could_be_kept(answer),
         };
-        // Even without a stored answer the result is stored.
+        // The result is stored even if the answer is not.
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// Its evidence for misconceptions. Unknown ones are left out; if it was not stored what an
-    /// answer could have shown, only what it did show is known.
+    /// The evidence for misconceptions in this answer. Unknown ones are left out. If the
+    /// misconceptions that an answer could have shown were not stored, only the one that it did
+    /// show is known.
     pub(super) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
@@ -154,12 +155,12 @@ impl Attempt {
         }
     }
 
-    /// The misconception it fits, if this carrom knows it.
+    /// The misconception that the answer fits, if this version of carrom knows it.
     pub fn shows(&self) -> Option<Misconception> {
         Misconception::with_id(self.misconception.as_deref()?)
     }
 
-    /// The round in which it was given: its code, or the title of a chapter.
+    /// The round in which the answer was given: its code, or the title of a chapter.
     pub fn round(&self) -> String {
         if self.family == LESSON {
             return format!("chapter: {}", self.topic);
@@ -188,15 +189,15 @@ impl Attempt {
         Grade::MOST * self.credit
     }
 
-    /// Points including the confidence.
+    /// The points including the confidence.
     pub fn earned(&self) -> f64 {
         self.confidence
             .map_or(self.points(), |it| it.points(self.credit))
     }
 
     /// The chance that a guess fits a misconception, if it was not stored: an upper bound from the
-    /// answer. Choices were three or more, and at least as many as the stored misconceptions plus
-    /// the right one.
+    /// answer. There were at least three choices, and at least as many as the stored misconceptions
+    /// plus the right one.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
         match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,
@@ -204,14 +205,14 @@ impl Attempt {
         }
     }
 
-    /// Whether the player was sure, and wrong.
+    /// Whether the player was sure but wrong.
     pub(crate) fn is_surely_wrong(&self) -> bool {
         self.confidence == Some(Confidence::Sure) && !self.right
     }
 }
 
-/// Whether this is an answer to some checkpoint of a chapter: two rays, any number, or a line
-/// counted from 1.
+/// Whether this can answer a checkpoint of a chapter: two rays, any number, or a choice counted
+/// from 1.
 fn lesson_answer_is_possible(answer: &Figures) -> bool {
     match (answer.get("number"), answer.get("choice")) {
         (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
@@ -222,7 +223,7 @@ fn lesson_answer_is_possible(answer: &Figures) -> bool {
     }
 }
 
-/// The name of what a family asked about, as shown.
+/// The name of a family's topic, as shown.
 pub(super) fn topic_name(family: &str, topic: &str) -> String {
     match family {
         LESSON => topic.to_owned(),
@@ -230,7 +231,7 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
     }
 }
 
-/// Where [`Attempt::question`] has the code of the round.
+/// The key in [`Attempt::question`] of the code of the round.
 pub(crate) const ROUND: &str = "round";
 
 /// Where the question of a chapter has the topic by which it is reviewed.
@@ -239,10 +240,10 @@ pub(crate) const REVIEWED_BY: &str = "topic";
 /// Where it says what an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
-/// Where it says how likely a guess fits one of them.
+/// The key of the chance that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
-/// The chance that a guess fits a number or one ray, as questions have it.
+/// The chance that a guess fits a number or one ray, as in questions.
 const ONE_BY_CHANCE: f64 = 0.08;
 
 #[cfg(test)]
@@ -275,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_that_no_question_can_have_got_has_a_fault() {
+    fn an_impossible_answer_has_a_fault() {
         let sound = attempt(60.0, 30.0);
         assert_eq!(sound.fault(), None);
         for (credit, error_deg) in [
@@ -297,7 +298,7 @@ mod tests {
         }
         for answer in [
             "{\"choice\":99}",
-            // Of another kind than the truth.
+            // These are not of the same kind as the right answer.
             "{\"choice\":\"B\"}",
             "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
             "{\"theta1_deg\":null}",
@@ -331,13 +332,13 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_known_is_noted() {
+    fn an_attempt_stores_everything_about_the_answer() {
         let right = attempt(60.0, 30.0);
         assert!(right.right && !right.is_surely_wrong());
         assert!((right.credit - 1.0).abs() < 1e-12);
         assert!(right.error_deg.unwrap() < 1e-9);
         assert_eq!(right.misconception, None);
-        // Equal masses without loss part at a right angle: 60° and 30°.
+        // Equal masses in an elastic collision leave at right angles: 60° and 30°.
         let truth = &right.truth;
         assert!((truth["theta1_deg"].as_f64().unwrap() - 60.0).abs() < 1e-9);
         assert!((truth["theta2_deg"].as_f64().unwrap() - 30.0).abs() < 1e-9);
@@ -351,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn the_error_is_that_of_the_ray_furthest_off() {
+    fn the_error_is_the_larger_of_two_rays() {
         let copied = attempt(30.0, 30.0);
         assert!(copied.is_surely_wrong());
         assert!((copied.error_deg.unwrap() - 30.0).abs() < 1e-9);
@@ -361,7 +362,7 @@ mod tests {
             ..HIT.truth()
         };
         let still = noted(rays, Confidence::Guess);
-        // The striker has no angle to be off, but its answer is none the less wrong.
+        // The striker has no angle error, but the answer for the striker is still wrong.
         assert!(rays.apart(&HIT.truth(), Ray::Striker).is_none());
         assert!(still.error_deg.unwrap() < 1e-9 && !still.right);
     }

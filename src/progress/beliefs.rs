@@ -6,35 +6,36 @@ use crate::quiz::{Clue, CourseKind, Evidence, Misconception};
 /// How many answers in a row settle a misconception, if they could have shown it and did not.
 const SETTLED: usize = 2;
 
-/// A misconception named by the answers, with the evidence of the first half of all attempts and of
-/// the second, which has one more if the number is odd.
+/// A misconception that the answers show, with the evidence from the first half of all attempts and
+/// from the second half, which has one more attempt if their number is odd.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
-    /// Which.
+    /// The misconception.
     pub misconception: Misconception,
-    /// In the first half.
+    /// The evidence in the first half.
     pub before: Evidence,
-    /// In the second.
+    /// The evidence in the second half.
     pub since: Evidence,
 }
 
 /// How a misconception develops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trend {
-    /// It was not there before.
+    /// The misconception did not show in the first half.
     New,
-    /// It is still there.
+    /// The misconception still shows in the second half.
     Held,
-    /// In the second half the answers are evidence against it.
+    /// In the second half the answers are evidence against the misconception.
     Fading,
-    /// In the second half the evidence against it is as strong as that for naming one.
+    /// In the second half the evidence against the misconception is as strong as the evidence
+    /// required to name a misconception.
     Gone,
-    /// No question in the second half could show it.
+    /// No question in the second half could show the misconception.
     NotMet,
 }
 
 impl Trend {
-    /// As shown.
+    /// The name of the trend, as shown.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
@@ -45,14 +46,14 @@ impl Trend {
         }
     }
 
-    /// Whether it improves.
+    /// Whether the player has improved.
     pub(crate) const fn is_good(self) -> bool {
         matches!(self, Self::Fading | Self::Gone)
     }
 }
 
 impl HeldBelief {
-    /// How it develops.
+    /// How the misconception develops.
     pub(crate) fn trend(&self) -> Trend {
         let Self { before, since, .. } = self;
         if since.asked == 0 {
@@ -142,8 +143,9 @@ mod tests {
     use crate::quiz::figures;
     use serde_json::json;
 
-    /// What follows from answers about two rays, each of which could show these, and shows the
-    /// first if it is marked so: how often of how often in each half.
+    /// The misconceptions found from answers about two rays. Each answer could show these
+    /// misconceptions, and shows the first if it is marked `true`. The numbers are times shown and
+    /// times possible in each half.
     fn trend(answers: &[(&[&str], bool)]) -> Vec<(&'static str, [usize; 4], Trend)> {
         let attempts: Vec<_> = (0..)
             .zip(answers)
@@ -168,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn beliefs_come_fade_go_or_stay() {
+    fn misconceptions_appear_fade_vanish_or_stay() {
         const C: &[&str] = &["copied-angle", "swapped"];
         const OTHER: &[&str] = &["half-and-half"];
         const YES: (&[&str], bool) = (C, true);
@@ -194,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn one_answer_names_nothing_however_often_it_is_given() {
+    fn repeating_one_answer_names_no_misconception() {
         const C: &[&str] = &["copied-angle"];
         assert!(trend(&[(C, true)]).is_empty());
         let again = Attempt {
@@ -206,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_misconceptions_are_left_out_and_old_answers_count_where_they_show_one() {
+    fn unknown_misconceptions_are_left_out_and_old_answers_that_name_one_are_used() {
         assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
         let old = |number: u32| Attempt {
             question: figures(json!({ "number": number })),

@@ -4,17 +4,17 @@ use jiff::Timestamp;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 
-/// The time, and the day of any time in the player's calendar.
+/// The current time, and the player's time zone, which gives the day of any time.
 ///
-/// It is passed in from outside: this module reads no clock.
+/// The caller supplies the time; this module reads no clock.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Calendar {
-    /// The time now, in seconds since 1970 began (UTC); `None` if it is unknown.
+    /// The current time in seconds since the start of 1970 (UTC); `None` if it is unknown.
     pub now_s: Option<i64>,
     zone: TimeZone,
 }
 
-/// A day as it is read: "21 November 2026".
+/// A day in words: "21 November 2026".
 pub(crate) fn long_day(day: Date) -> String {
     day.strftime("%-d %B %Y").to_string()
 }
@@ -25,13 +25,13 @@ impl Calendar {
         Self { now_s, zone }
     }
 
-    /// The calendar of UTC: for runs that are the same everywhere.
+    /// The calendar of UTC, for runs that are the same everywhere.
     pub const fn utc(now_s: Option<i64>) -> Self {
         Self::new(now_s, TimeZone::UTC)
     }
 
-    /// The day on which a time is, in seconds since 1970 began; `None` outside the years
-    /// -9999 to 9999.
+    /// The day of a time in seconds since the start of 1970; `None` outside the years -9999 to
+    /// 9999.
     pub fn day(&self, time_s: i64) -> Option<Date> {
         let time = Timestamp::from_second(time_s).ok()?;
         Some(self.zone.to_datetime(time).date())
@@ -43,7 +43,7 @@ impl Calendar {
     }
 }
 
-/// The time is unknown.
+/// The default calendar has no current time.
 impl Default for Calendar {
     fn default() -> Self {
         Self::utc(None)

@@ -3,15 +3,15 @@
 use super::{Attempt, Tally};
 use crate::quiz::Confidence;
 
-/// The fewest answers of a confidence for a comment.
+/// The fewest answers with one confidence for a comment.
 const ENOUGH: usize = 3;
 
-/// The results of the answers of one confidence.
+/// The results of the answers with one confidence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Calibrated {
     /// The confidence.
     pub confidence: Confidence,
-    /// The answers.
+    /// The counts of these answers.
     pub tally: Tally,
 }
 
@@ -26,8 +26,8 @@ impl Calibrated {
         }
     }
 
-    /// How far the share of right answers is outside the range of this confidence: above 0 if it is
-    /// higher, below if lower, 0 if it fits or if there are too few answers.
+    /// How far the share of right answers is outside the range of this confidence: above 0 if the
+    /// share is higher, below 0 if it is lower, 0 if it fits or if there are too few answers.
     pub(crate) fn beyond(&self) -> f64 {
         let (from, to) = Self::honest(self.confidence);
         match self.tally.share_right() {
@@ -39,7 +39,7 @@ impl Calibrated {
     }
 }
 
-/// The results of the answers of each confidence, the least sure first.
+/// The results of the answers with each confidence, the least sure first.
 pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     Confidence::ALL.map(|confidence| Calibrated {
         confidence,
@@ -51,10 +51,10 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     })
 }
 
-/// Of each confidence, from the least, how it went as time went by: the numbers (from 1,
-/// among all attempts) of the answers of that confidence, and after each of them the
-/// share that was right among the last `reach` of them. Begins when there are enough of
-/// them to say something.
+/// The share of right answers over time, for each confidence from the least sure. Each point has
+/// the number of an answer with that confidence (from 1, among all attempts), and the share of
+/// right answers among the last `reach` with that confidence. The first point is at answer
+/// [`ENOUGH`].
 pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize, f64)>; 3] {
     let reach = reach.max(ENOUGH);
     Confidence::ALL.map(|confidence| {
@@ -72,8 +72,8 @@ pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<
     })
 }
 
-/// A comment in a sentence or two, on the confidence that is furthest outside its range; of two
-/// equal ones the surer one.
+/// A comment of one or two sentences on the confidence that is furthest outside its range; if two
+/// are equally far, on the surer one.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
     let gap = |it: &&Calibrated| it.beyond().abs();
     let widest = calibration
@@ -87,16 +87,16 @@ pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
         }
         (_, beyond) if beyond < 0.0 => {
             "\"Think so\" is right less than half the time. Calling it a guess costs nothing, \
-             and it is where learning starts."
+             and that is where learning starts."
         }
         (_, beyond) if beyond > 0.0 => {
-            "You know more than you trust yourself to: you are right more often than you \
+            "You know more than you think: you are right more often than you \
              expect."
         }
         _ if calibration.iter().any(|it| it.tally.attempts >= ENOUGH) => {
-            "You judge well what you know. That is a skill of its own."
+            "You judge your knowledge well. That is a skill in itself."
         }
-        _ => "A few more answers, and this will say how well you judge what you know.",
+        _ => "After a few more answers, you will see how well you judge your knowledge.",
     }
 }
 
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_honest_share_is_the_one_that_pays_most() {
+    fn the_honest_range_earns_the_most_points() {
         for confidence in Confidence::ALL {
             let (from, to) = Calibrated::honest(confidence);
             for share in [from + 0.01, f64::midpoint(from, to), to - 0.01] {
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn shares_as_time_goes_by_are_those_of_the_last_few() {
+    fn shares_over_time_use_the_last_few_answers() {
         let answer = |right: bool, confidence| Attempt {
             confidence,
             ..attempt("a", if right { 0.0 } else { 20.0 })
@@ -138,7 +138,7 @@ mod tests {
         let mut all: Vec<_> = [false, false, true, true]
             .map(|right| answer(right, sure))
             .into();
-        // What has no confidence counts as an attempt, and no more.
+        // An answer without a confidence is counted only as an attempt.
         all.insert(2, answer(true, None));
         let [guess, think_so, sure] = calibration_over_time(&all, 3);
         assert!(guess.is_empty() && think_so.is_empty());
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn the_widest_gap_is_spoken_of() {
+    fn the_comment_is_about_the_largest_gap() {
         use Confidence::{Guess, Sure, ThinkSo};
         let answers = |counts: [(Confidence, usize, usize); 3]| {
             let [a, b, c] = counts.map(|(sure, right, wrong)| calibrated(sure, right, wrong));
@@ -158,21 +158,21 @@ mod tests {
         let sure = answers([(Guess, 0, 2), (ThinkSo, 4, 6), (Sure, 1, 4)]);
         assert!(sure.contains("sure too often"), "{sure}");
         let guess = answers([(Guess, 5, 0), (ThinkSo, 4, 6), (Sure, 4, 1)]);
-        assert!(guess.contains("more than you trust"), "{guess}");
+        assert!(guess.contains("more than you think"), "{guess}");
     }
 
     #[test]
-    fn words_follow_from_the_shares() {
+    fn the_comment_depends_on_the_shares() {
         use Confidence::{Guess, Sure, ThinkSo};
         for (confidence, right, wrong, says) in [
             (Sure, 3, 2, "too often"),
-            (Sure, 4, 1, "judge well"),
-            (Guess, 4, 1, "more than you trust"),
-            (Guess, 1, 4, "judge well"),
+            (Sure, 4, 1, "judge your"),
+            (Guess, 4, 1, "more than you think"),
+            (Guess, 1, 4, "judge your"),
             (ThinkSo, 1, 4, "less than half"),
-            (ThinkSo, 2, 1, "judge well"),
-            (ThinkSo, 5, 0, "more than you trust"),
-            (Sure, 0, 1, "A few more answers"),
+            (ThinkSo, 2, 1, "judge your"),
+            (ThinkSo, 5, 0, "more than you think"),
+            (Sure, 0, 1, "a few more answers"),
         ] {
             let words = calibration_words(&calibrated(confidence, right, wrong));
             assert!(

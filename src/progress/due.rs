@@ -3,8 +3,8 @@
 use super::{Attempt, Calendar, LESSON, Review, reviews};
 use crate::quiz::{Course, CourseKind, Topic};
 
-/// The topics of the quiz that are due, and the next one. Chapters are not included: they show
-/// themselves what to repeat.
+/// The topics of the quiz that are due, and the next one. Chapters are not included, because each
+/// chapter shows which of its questions to repeat.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Due {
     /// The topics that are due, the longest due first.
@@ -34,7 +34,7 @@ impl Due {
         due
     }
 
-    /// The topics of the next review.
+    /// The topics for the next review.
     pub fn first(&self) -> &[Topic] {
         &self.now[..self.now.len().min(Course::REVIEWED)]
     }
@@ -59,7 +59,7 @@ mod tests {
 
     const NOW_S: i64 = 1_800_000_000;
 
-    /// A right or wrong answer to the first question of a round, so many days ago.
+    /// A right or wrong answer to the first question of a round, given `days_ago`.
     fn attempt(code: &str, right: bool, days_ago: i64) -> Attempt {
         let round = Round::of(Code::parse(code).unwrap());
         let question = &round.questions()[0];
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn missed_and_rested_topics_are_due() {
+    fn topics_are_due_after_a_wrong_answer_or_when_their_interval_is_over() {
         let known = attempt("rutherford-1", true, 0);
         let missed = attempt("from-angle-1", false, 0);
         let rested = attempt("from-offset-1", true, 2);
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn a_review_asks_so_many_at_once_and_the_longest_due_first() {
+    fn a_review_has_a_limit_and_starts_with_the_longest_due() {
         let attempts: Vec<_> = CourseKind::topics()
             .filter(|family| ![Family::Concept, Family::Ideas].contains(family))
             .zip(1..)
@@ -118,7 +118,7 @@ mod tests {
         };
         assert_eq!(due(&[lesson]), Due::default());
         let forgotten = Attempt {
-            topic: "what an older carrom asked".into(),
+            topic: "a topic of an older version of carrom".into(),
             ..missed
         };
         assert_eq!(due(&[forgotten]), Due::default());

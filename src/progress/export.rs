@@ -1,4 +1,4 @@
-//! Attempts for other programs: a table, or JSON.
+//! Attempts for other programs, as a table or as JSON.
 
 use jiff::Timestamp;
 use serde::{Serialize, Serializer};
@@ -31,8 +31,8 @@ const COLUMNS: [(&str, ColumnValue); 14] = [
     ("misconception", |it| it.misconception.as_deref().into()),
 ];
 
-/// The headings of the columns after the [`COLUMNS`] in a table: values that nobody should have to
-/// extract from JSON.
+/// The headings of the columns after the [`COLUMNS`] in a table. Their values could be extracted
+/// from the JSON, but nobody should have to.
 const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
 
 /// The values of [`IN_WORDS`].
@@ -54,10 +54,10 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
     ]
 }
 
-/// The attempts as a [table](csv_table), one a row.
+/// The attempts as a [table](csv_table), one per row.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     let cell = |column: &str, value: Value| match (column, value) {
         ("answer" | "truth", Value::Object(said)) => figures_text(&tidied(&said)),
@@ -97,7 +97,7 @@ fn tidied(said: &Figures) -> Figures {
     said
 }
 
-/// A time in seconds since 1970 began, as 2026-11-21T10:00:00Z; `None` outside the
+/// A time in seconds since the start of 1970 in the form 2026-11-21T10:00:00Z; `None` outside the
 /// years 1970 to 9999.
 pub fn utc(time_s: i64) -> Option<String> {
     let time = Timestamp::from_second(time_s).ok()?;
@@ -126,12 +126,12 @@ struct All<'a> {
     attempts: &'a [Attempt],
 }
 
-/// Attempts, each converted only when it is written, because there may be very many.
+/// Serializes attempts one by one, because there may be very many.
 fn rows<S: Serializer>(attempts: &[Attempt], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(attempts.iter().map(AttemptRow))
 }
 
-/// An attempt as it is written, in the order of the [`COLUMNS`].
+/// An attempt, serialized in the order of the [`COLUMNS`].
 struct AttemptRow<'a>(&'a Attempt);
 
 impl Serialize for AttemptRow<'_> {
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn times_are_told_in_utc() {
+    fn times_are_written_in_utc() {
         assert_eq!(utc(0).as_deref(), Some("1970-01-01T00:00:00Z"));
         assert_eq!(utc(951_782_400).as_deref(), Some("2000-02-29T00:00:00Z"));
         for never in [-1, i64::MIN, i64::MAX] {

@@ -1,4 +1,4 @@
-//! The player's record: every answer ever given, and what follows from them.
+//! The player's record: all answers, and what follows from them.
 //!
 //! An [`Attempt`] is one answer with everything known about it. Everything else here is derived
 //! from the attempts of a player, in their order, and never stored: a [`Tally`] of any of them, the

@@ -1,16 +1,16 @@
-//! When to review which topic.
+//! Schedules the review of each topic.
 //!
-//! The schedule is kept by topic, not by family: a topic is what a person can know and forget, and
-//! several families ask about the same one in different ways. A question of another family shows
-//! whether the idea has been understood, and not only the kind of question. A review asks once
+//! The schedule is by topic, not by family: a topic is what a person can know and forget, and
+//! several families ask about the same topic in different ways. A question of another family shows
+//! whether the player has understood the idea and not only the kind of question. A review asks once
 //! about each topic that is due.
 //!
-//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due that many days
-//! after the day on which it reached its step. Days are those of the player's calendar: a topic
-//! answered last evening is due this morning.
+//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. The topic is due that many
+//! days after the day on which it reached its step. Days are those of the player's calendar: a
+//! topic answered last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
-//! - Right from off the ladder: on its first step.
+//! - Right while off the ladder: onto the first step.
 //! - Right when it is due: one step up, until the last; or more, if it has rested longer than
 //!   planned: after n days, the next interval is the largest power of two that is at most n.
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
@@ -37,15 +37,16 @@ const LAST: u32 = 5;
 /// A topic and its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
-    /// The family that asked about it last.
+    /// The family of the last question about the topic.
     pub family: String,
-    /// The topic, as [`Attempt::topic`] has it.
+    /// The topic, as in [`Attempt::topic`].
     pub topic: String,
-    /// Its step on the ladder, from 0: it rests for 2ⁿ days. `None` off the ladder.
+    /// The topic's step n on the ladder, from 0: the topic rests for 2ⁿ days. `None` off the
+    /// ladder.
     pub step: Option<u32>,
-    /// The first day on which it is due.
+    /// The first day on which the topic is due.
     pub due: Date,
-    /// When it reached its step, in seconds since 1970 began.
+    /// The time at which the topic reached its step, in seconds since the start of 1970.
     since_s: i64,
     /// Whether only questions of chapters have brought it up.
     of_chapter: bool,
@@ -57,21 +58,21 @@ const DONE: u32 = 1;
 impl Review {
     /// When it is due relative to `today`, in few letters: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
-        // Between two dates a difference in days always fits.
+        // The difference between two dates in days always fits.
         match usize::try_from((self.due - today).get_days()) {
             Ok(days @ 1..) => format!("in {}", counted(days, "day")),
             _ => "now".into(),
         }
     }
 
-    /// How many days before this one it reached its step.
+    /// The number of days from the day on which the topic reached its step to this day.
     fn days_to(&self, day: Date) -> u32 {
         let rest = self.step.map_or(0, |step| 1_i32 << step);
         let days = (day - self.due).get_days() + rest;
         u32::try_from(days).unwrap_or(0)
     }
 
-    /// Whether it is due on this day.
+    /// Whether the topic is due on this day.
     pub(crate) fn is_due(&self, today: Date) -> bool {
         self.due <= today
     }
@@ -111,7 +112,7 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
                 let rested = review.days_to(day).max(1).ilog2();
                 Some((step + 1).max(rested).min(LAST))
             }
-            // It is not due yet, so nothing changes.
+            // The topic is not due yet, so nothing changes.
             Some(_) => continue,
             None if of_chapter && found.is_some_and(|it| !it.is_due(day)) => continue,
             None => Some(0),
@@ -154,7 +155,7 @@ mod tests {
         }
     }
 
-    /// The step and the day on which the one topic of these attempts is due.
+    /// The step and the due day of the only topic in these attempts.
     fn due(attempts: &[(i64, bool)]) -> (Option<u32>, i64) {
         let attempts: Vec<_> = attempts.iter().map(|it| on_day(it.0, it.1)).collect();
         let calendar = Calendar::utc(Some(START_S));
@@ -167,16 +168,16 @@ mod tests {
     }
 
     #[test]
-    fn the_rest_of_a_known_topic_doubles_each_time() {
+    fn the_interval_of_a_known_topic_doubles_each_time() {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
-        // 8 days are three steps; 7 are two, and 60 would be five.
+        // After 8 days the topic climbs three steps, after 7 only two, and after 60 five.
         assert_eq!(due(&[(0, true), (8, true)]), (Some(3), 16));
         assert_eq!(due(&[(0, true), (7, true)]), (Some(2), 11));
         assert_eq!(due(&[(0, true), (60, true)]), (Some(5), 92));
         assert_eq!(due(&[(0, true), (500, true)]), (Some(LAST), 532));
-        // From off the ladder a gap earns nothing: it was not known before.
+        // Off the ladder, a long gap has no effect, because the topic was not known before.
         assert_eq!(due(&[(0, false), (60, true)]), (Some(0), 61));
         let always: Vec<_> = (0..9).map(|i| (40 * i, true)).collect();
         assert_eq!(due(&always), (Some(LAST), 8 * 40 + 32));
@@ -201,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn the_earliest_comes_first_and_what_has_no_time_not_at_all() {
+    fn the_earliest_review_is_first_and_answers_without_a_time_are_left_out() {
         let other = Attempt {
             topic: "b".into(),
             ..on_day(0, false)

@@ -30,22 +30,22 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// Points of the round: the sum of those of its questions, each to a tenth, as they are shown.
-    /// It may fall below 0: otherwise a wrong "sure" would cost nothing at 0 points, and honesty
-    /// would not pay.
+    /// The points of the round: the sum of its questions' points, each rounded to a tenth as shown.
+    /// The sum may be negative; otherwise a wrong "sure" would cost nothing at 0 points, and honest
+    /// answers would not be worthwhile.
     pub fn points(&self) -> f64 {
-        // Adding 0 turns −0, the sum of none, into 0.
+        // Adding 0 turns −0, the sum of no points, into 0.
         let tenths = |it: &Attempt| (10.0 * it.earned()).round();
         let sum: f64 = self.attempts.iter().map(tenths).sum();
         sum / 10.0 + 0.0
     }
 
-    /// Points the round could have brought.
+    /// The most points possible for these answers.
     pub fn most(&self) -> f64 {
         Grade::MOST * self.attempts.len() as f64
     }
 
-    /// How many answers were right.
+    /// The number of right answers.
     pub fn right(&self) -> usize {
         self.all.right
     }
@@ -68,7 +68,7 @@ impl<'a> Summary<'a> {
         format!("{points} of {most:.0} points: {meaning}.")
     }
 
-    /// The errors of all angles in radians: each of two rays counts for itself.
+    /// The errors of all angles in radians; two rays count as two angles.
     fn errors(&self) -> impl Iterator<Item = f64> {
         let of_rays = |it: &Attempt| {
             let [said, truth] = [&it.answer, &it.truth].map(Rays::of_figures);
@@ -87,21 +87,19 @@ impl<'a> Summary<'a> {
         self.errors().count()
     }
 
-    /// Mean error of all angles, in radians; `None` where there were fewer than
-    /// `ENOUGH_ANGLES`.
+    /// The mean error of all angles in radians; `None` for fewer than `ENOUGH_ANGLES` angles.
     pub fn mean_error(&self) -> Option<f64> {
         let count = self.angles();
         (count >= ENOUGH_ANGLES).then(|| self.errors().sum::<f64>() / count as f64)
     }
 
-    /// How many answers had this confidence, and how many of those were right.
+    /// The number of answers with this confidence, and how many of them were right.
     pub fn calibration(&self, confidence: Confidence) -> (usize, usize) {
         let tally = self.calibration[confidence as usize].tally;
         (tally.attempts, tally.right)
     }
 
-    /// How well confidence and answers went together, in words; empty if nothing was
-    /// answered.
+    /// A comment on how well the confidence matched the answers; empty if there are no answers.
     pub fn calibration_words(&self) -> String {
         let (sure, sure_right) = self.calibration(Confidence::Sure);
         let (thought, thought_right) = self.calibration(Confidence::ThinkSo);
@@ -110,41 +108,41 @@ impl<'a> Summary<'a> {
             _ if self.attempts.is_empty() => return String::new(),
             0 => "You were never sure.".into(),
             1 if sure_right == 1 => "Sure once, and right.".into(),
-            1 => "Sure once, and not right.".into(),
-            _ => format!("Sure {sure} times, right {sure_right} of them."),
+            1 => "Sure once, and wrong.".into(),
+            _ => format!("Sure {sure} times: {sure_right} right."),
         };
-        // "Sure" pays from four right in five on, "guess" up to one in two. A single wrong "think
-        // so" is not enough for a comment.
+        // "Sure" earns the most points if at least four in five are right, "guess" if at most one
+        // in two is. A single wrong "think so" is not enough for a comment.
         let verdict = if 5 * sure_right < 4 * sure {
-            "What you were sure of and missed is worth most: look at it again."
+            "Review the answers that were sure but wrong: they teach you most."
         } else if 2 * guesses_right > guesses
             || sure == 0 && 5 * self.right() >= 4 * self.attempts.len()
         {
-            "You know more than you trust yourself to."
+            "You know more than you think."
         } else if thought > 1 && 2 * thought_right < thought {
             "\"Think so\" was right less than half the time: a guess would have cost nothing."
         } else if self.attempts.len() < ENOUGH_ANSWERS || self.right() == 0 {
-            // This is no evidence on calibration.
+            // These answers are too few, or all wrong, so they show nothing about calibration.
             ""
         } else {
-            "You judge well what you know."
+            "You judge your knowledge well."
         };
         format!("{counted} {verdict}").trim_end().to_owned()
     }
 
-    /// The misconceptions that the answers name, those with the most evidence first.
+    /// The misconceptions that the answers show, those with the most evidence first.
     pub fn named(&self) -> Vec<Evidence> {
         let clues: Vec<Clue> = self.attempts.iter().map(Attempt::clue).collect();
         named(&clues)
     }
 
-    /// The misconception that is named first, and how many answers fitted it.
+    /// The misconception with the most evidence, and the number of answers that fit it.
     pub fn most_held(&self) -> Option<(Misconception, usize)> {
         let named = self.named();
         named.first().map(|it| (it.misconception, it.times))
     }
 
-    /// The same in words.
+    /// A sentence about that misconception.
     pub(crate) fn held_words(&self) -> Option<String> {
         let first = *self.named().first()?;
         let name = first.misconception.name();
@@ -153,8 +151,8 @@ impl<'a> Summary<'a> {
         ))
     }
 
-    /// The findings on misconceptions, one paragraph each; the name of the misconception, or that
-    /// there is none, comes first.
+    /// The findings on misconceptions, one paragraph each. The first names the misconception, or
+    /// reports that there is none.
     pub fn finding(&self) -> Vec<String> {
         let Some(first) = self.named().first().copied() else {
             return self.nothing_found();
@@ -165,14 +163,14 @@ impl<'a> Summary<'a> {
         let numbers: Vec<String> = numbers.map(|(number, _)| number.to_string()).collect();
         let (last, others) = numbers.split_last().map_or(("", &[][..]), |(a, b)| (a, b));
         let (found, somebody) = match misconception.origin() {
-            Origin::Slip => ("It seems that this slip often happens to you", "makes it"),
+            Origin::Slip => ("It seems that you often make this slip", "makes it"),
             _ => ("It seems that you believe this", "believes it"),
         };
         vec![
             format!("{found}: {}.", misconception.name()),
             format!(
-                "Your answers to questions {} and {last} show it: {first} that could. They are {} \
-                 as likely from somebody who {somebody} as from somebody who guesses.",
+                "Your answers to questions {} and {last} show it: {first} that could. Such answers \
+                 are {} as likely from somebody who {somebody} as from somebody who guesses.",
                 others.join(", "),
                 times_as(first.weight),
             ),
@@ -183,10 +181,10 @@ impl<'a> Summary<'a> {
     fn nothing_found(&self) -> Vec<String> {
         let (right, asked) = (self.right(), self.attempts.len());
         if asked == 0 {
-            return vec!["Nothing was answered, so nothing was found.".into()];
+            return vec!["There are no answers yet, so there is nothing to report.".into()];
         }
         let why = if 5 * right >= 4 * asked {
-            "Nothing that you believe stands in your way. Take a mixed round, or a level that \
+            "No misconception stands in your way. Try a mixed round, or a level that \
              needs an exact cut."
         } else {
             "Your wrong answers have no pattern: no known misconception explains them. Go through \
@@ -198,11 +196,12 @@ impl<'a> Summary<'a> {
         ]
     }
 
-    /// Whether a checked misconception still shows, in words.
+    /// A comment on whether a checked misconception still shows.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {
-            // The code of a misconception that was split still tests for all of its parts.
+            // If a misconception was later split into several, its code still tests for all of
+            // them.
             it == misconception || it.in_codes() == Some(misconception)
         };
         let shown = |it: &&Attempt| it.shows().is_some_and(is_it);
@@ -210,8 +209,8 @@ impl<'a> Summary<'a> {
             0 if self.right() == self.attempts.len() => {
                 format!("Settled, as far as a check can tell: {name}. It does not show any more.")
             }
-            0 => format!("It does not show any more: {name}. But not everything was right yet."),
-            _ => format!("It still shows: {name}. Read the page once more, and take your time."),
+            0 => format!("It does not show any more: {name}. But not all answers were right."),
+            _ => format!("It still shows: {name}. Read the page again, and take your time."),
         }
     }
 
@@ -236,7 +235,8 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// How many times as likely, for a log-likelihood ratio above that of a name: "600 times".
+/// A log-likelihood ratio as "about 600 times", rounded to one digit. The ratio exceeds the
+/// threshold for naming a misconception.
 fn times_as(weight: f64) -> String {
     let odds = weight.exp();
     if odds >= 1e6 {
@@ -244,8 +244,8 @@ fn times_as(weight: f64) -> String {
     }
     let digit = 10_f64.powf(odds.log10().floor());
     match (odds / digit).round() * digit {
-        odds if odds >= 1e3 => format!("some {:.0},000 times", odds / 1e3),
-        odds => format!("some {odds:.0} times"),
+        odds if odds >= 1e3 => format!("about {:.0},000 times", odds / 1e3),
+        odds => format!("about {odds:.0} times"),
     }
 }
 
@@ -279,18 +279,18 @@ mod tests {
     }
 
     #[test]
-    fn calibration_in_words() {
+    fn the_comment_on_calibration_depends_on_the_answers() {
         use Confidence::{Guess, Sure, ThinkSo};
         for (answers, words) in [
             (vec![(Sure, true)], "Sure once, and right."),
             (
                 vec![(Sure, true), (Sure, false), (Guess, false)],
-                "Sure 2 times, right 1 of them. What you were sure of and missed is worth most: \
-                 look at it again.",
+                "Sure 2 times: 1 right. Review the answers that were sure but wrong: \
+                 they teach you most.",
             ),
             (
                 vec![(ThinkSo, true), (Guess, true)],
-                "You were never sure. You know more than you trust yourself to.",
+                "You were never sure. You know more than you think.",
             ),
             (
                 vec![(ThinkSo, false), (Guess, false)],
@@ -305,7 +305,7 @@ mod tests {
                     (Guess, false),
                     (Guess, false),
                 ],
-                "Sure 2 times, right 2 of them. You judge well what you know.",
+                "Sure 2 times: 2 right. You judge your knowledge well.",
             ),
             (
                 vec![(ThinkSo, false), (ThinkSo, false), (ThinkSo, true)],
@@ -332,7 +332,7 @@ mod tests {
         assert_eq!(missed.right(), 0);
         let caught_up = summary(&[(Confidence::ThinkSo, false), (Confidence::Sure, true)]);
         assert!((caught_up.points() - 8.0).abs() < 1e-12);
-        // No minus before a sum of nothing.
+        // The sum of no points has no minus sign.
         assert!(summary(&[]).points().is_sign_positive());
     }
 

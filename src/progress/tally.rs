@@ -1,4 +1,4 @@
-//! Attempts counted.
+//! Counts attempts.
 
 use super::Attempt;
 use crate::numbers::correlation;
@@ -8,20 +8,20 @@ use crate::quiz::Grade;
 /// The fewest angles for a mean error.
 pub(crate) const ENOUGH_ANGLES: usize = 3;
 
-/// Answers counted: those of a player, of a class to one question, of a round.
+/// Counts of answers: those of a player, of a class to one question, or of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tally {
-    /// How many.
+    /// The number of answers.
     pub attempts: usize,
-    /// How many of them were right.
+    /// The number of right answers.
     pub right: usize,
     credit: f64,
-    /// The number of angles, the sum of their errors in degrees and of the squares.
+    /// The number of angles, the sum of their errors in degrees, and the sum of the squares.
     errors: (usize, [f64; 2]),
 }
 
 impl Tally {
-    /// Counts these.
+    /// Counts these answers.
     pub fn of<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Self {
         let mut tally = Self::default();
         attempts.into_iter().for_each(|it| tally.add(it));
@@ -41,7 +41,7 @@ impl Tally {
         tally
     }
 
-    /// Counts one more.
+    /// Counts one more answer.
     pub fn add(&mut self, attempt: &Attempt) {
         self.count(attempt.right, attempt.credit, attempt.error_deg);
     }
@@ -60,22 +60,22 @@ impl Tally {
         (self.attempts > 0).then(|| of / self.attempts as f64)
     }
 
-    /// Which share of them was right, 0 to 1; `None` if there are none.
+    /// The share of right answers, 0 to 1; `None` if there are no answers.
     pub fn share_right(&self) -> Option<f64> {
         self.share(self.right as f64)
     }
 
-    /// Their points by how close they were, 0 to [`Grade::MOST`] each.
+    /// The sum of the points for accuracy, 0 to [`Grade::MOST`] each.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
 
-    /// The mean of their points; `None` if there are none.
+    /// The mean of the points; `None` if there are no answers.
     pub(crate) fn mean_points(&self) -> Option<f64> {
         self.share(self.points())
     }
 
-    /// How many of them were angles.
+    /// The number of angles.
     pub fn angles(&self) -> usize {
         self.errors.0
     }
@@ -86,8 +86,8 @@ impl Tally {
         (self.angles() >= ENOUGH_ANGLES).then_some(mean)
     }
 
-    /// The mean angle error in degrees, however few there are, and the standard deviation about
-    /// it: that of the answers given, not an estimate for others.
+    /// The mean angle error in degrees, even of few angles, and its standard deviation, which
+    /// describes these answers and is not an estimate for others.
     pub(crate) fn spread_deg(&self) -> Option<[f64; 2]> {
         let (count, sums) = self.errors;
         let [mean, square] = sums.map(|sum| sum / count as f64);
@@ -106,8 +106,8 @@ pub(crate) fn discrimination(own_and_rest: impl IntoIterator<Item = (f64, f64)>)
     correlation(&own, &rest).filter(|_| own.len() >= ENOUGH_TO_TELL_APART)
 }
 
-/// Of every attempt that has an angle error its number from 1, the error in degrees,
-/// and the mean of that and of up to `reach` − 1 errors before it.
+/// For every attempt with an angle error: its number from 1, the error in degrees, and the mean of
+/// this error and up to `reach` − 1 errors before it.
 pub(crate) fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f64, f64)> {
     let with_error = |(i, attempt): (usize, &Attempt)| Some((i + 1, attempt.error_deg?));
     let errors: Vec<_> = attempts.iter().enumerate().filter_map(with_error).collect();
@@ -120,11 +120,11 @@ pub(crate) fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(us
     (0..errors.len()).map(smoothed).collect()
 }
 
-/// How many angles at both ends [`ends_deg`] compares.
+/// The number of angles at each end that [`ends_deg`] compares.
 const ENDS: usize = 10;
 
-/// The mean errors in degrees of the first ten angles that were asked for and of the last
-/// ten; `None` where they are not different ones.
+/// The mean errors in degrees of the first ten angles and of the last ten; `None` if the two groups
+/// overlap.
 pub(crate) fn ends_deg(attempts: &[Attempt]) -> Option<(f64, f64)> {
     let errors: Vec<f64> = attempts.iter().filter_map(|it| it.error_deg).collect();
     let mean = |errors: &[f64]| errors.iter().sum::<f64>() / ENDS as f64;
@@ -160,7 +160,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn shares_and_means() {
+    fn shares_and_means_follow_from_the_counts() {
         let all = [attempt("a", 2.0), attempt("a", 10.0), attempt("a", 0.0)];
         let tally = Tally::of(&all);
         assert_eq!((tally.attempts, tally.right), (3, 2));
@@ -180,7 +180,7 @@ pub(super) mod tests {
         let all = [attempt("a", 6.0), still, attempt("a", 8.0)];
         let tally = Tally::of(&all);
         assert_eq!((tally.attempts, tally.angles()), (3, 2));
-        assert_eq!(tally.mean_error_deg(), None, "two angles say nothing");
+        assert_eq!(tally.mean_error_deg(), None, "two angles are too few");
         let more = Tally::of(all.iter().chain([&attempt("a", 10.0)]));
         assert!((more.mean_error_deg().unwrap() - 8.0).abs() < 1e-12);
         let smoothed = smoothed_errors_deg(&all, 5);
@@ -189,9 +189,9 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_ends_are_those_of_angles() {
+    fn the_first_and_last_errors_are_those_of_angles() {
         let mut all: Vec<_> = (0..10).map(|_| attempt("a", 20.0)).collect();
-        // Answers without an angle come between, and are not counted.
+        // Answers without an angle are in between; they are not counted.
         all.extend((0..30).map(|_| Attempt {
             error_deg: None,
             ..attempt("a", 0.0)

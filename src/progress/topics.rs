@@ -10,11 +10,11 @@ pub(crate) const LATELY: usize = 5;
 /// A topic, and the attempts at it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TopicStanding {
-    /// Its name: "equal masses, by offset".
+    /// The topic's name: "equal masses, by offset".
     pub name: String,
-    /// All attempts at it.
+    /// All attempts at the topic.
     pub all: Tally,
-    /// The last [`LATELY`] of them.
+    /// The last [`LATELY`] attempts.
     pub(crate) lately: Tally,
 }
 
@@ -23,16 +23,16 @@ pub struct TopicStanding {
 pub(crate) enum Mastery {
     /// Not answered yet.
     New,
-    /// Less than half of them were right.
+    /// Less than half of the answers were right.
     NotYet,
-    /// Half of them or more were right.
+    /// At least half of the answers were right.
     Growing,
-    /// There are [`LATELY`], and four of five were right.
+    /// There are [`LATELY`] answers, and at least four of five were right.
     Solid,
 }
 
 impl Mastery {
-    /// As shown.
+    /// The name of the state, as shown.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
@@ -42,7 +42,7 @@ impl Mastery {
         }
     }
 
-    /// Its mark in a list.
+    /// The mark of the state in a list.
     pub(crate) const fn mark(self) -> char {
         match self {
             Self::New => ' ',
@@ -68,7 +68,7 @@ impl Mastery {
 }
 
 impl TopicStanding {
-    /// The topic of this name with these attempts.
+    /// The topic with this name and these attempts.
     pub(crate) fn of<'a>(
         name: impl Into<String>,
         attempts: impl IntoIterator<Item = &'a Attempt>,
@@ -82,7 +82,7 @@ impl TopicStanding {
         }
     }
 
-    /// How well it is known.
+    /// How well the topic is known.
     pub(crate) fn mastery(&self) -> Mastery {
         let Tally {
             attempts, right, ..
@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn topics_come_as_they_were_met_and_stand_as_they_do_lately() {
+    fn topics_are_in_order_of_appearance_with_their_recent_state() {
         let mut all = vec![attempt("b", 20.0), attempt("a", 1.0)];
         all.extend((0..3).map(|_| attempt("b", 20.0)));
         assert_eq!(topics(&all)[0].mastery(), Mastery::NotYet);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn how_well_it_is_known_follows_from_what_was_right() {
+    fn the_mastery_of_a_topic_depends_on_right_answers() {
         for (right, wrong, mastery) in [
             (0, 0, Mastery::New),
             (0, 1, Mastery::NotYet),

@@ -1,11 +1,10 @@
 //! Questions, grading, misconceptions.
 //!
-//! A [`Round`] is a list of [`Question`]s fixed by a [`Code`]. Each belongs to a
-//! [`Family`], which draws its figures and knows the true answer and what each
-//! [`Misconception`] would answer. The player gives an [`Answer`]: a [`Response`] in
-//! the [`Form`] the question asks for, and how sure they are. [`Grade`] says how good it
-//! is, [`Question::diagnose`] which known misconception it fits, and [`explain()`] why
-//! the truth is true.
+//! A [`Round`] is a list of [`Question`]s fixed by a [`Code`]. Each question belongs to a
+//! [`Family`], which draws its figures and knows the true answer and what each [`Misconception`]
+//! would answer. The player gives an [`Answer`]: a [`Response`] in the question's [`Form`], and how
+//! sure they are. [`Grade`] rates the answer, [`Question::diagnose`] finds the known misconception
+//! that it fits, and [`explain()`] explains the right answer.
 //!
 //! The [`concepts`] are questions in words, written by hand.
 //!
@@ -21,7 +20,7 @@
 //!    question        a question, its answer, its grade
 //! ```
 //!
-//! Nothing here draws, and all randomness follows from the seed.
+//! Nothing here draws on a screen, and all random choices follow from the seed.
 
 pub mod concepts;
 mod families;

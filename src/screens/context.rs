@@ -1,4 +1,4 @@
-//! What all screens share: settings, the seed, the area for drawing.
+//! The state that all screens share: settings, the seed, the area for drawing.
 
 use std::sync::Arc;
 
@@ -19,25 +19,25 @@ use crate::widgets::{PictureSizes, Room};
 /// Shared state, passed to a screen during a call.
 #[derive(Debug, Clone)]
 pub struct Context {
-    /// How things look and behave.
+    /// The appearance and behaviour of the app.
     pub settings: Settings,
-    /// The area of the current screen: all except the title line and the line of keys.
+    /// The area of the current screen: the whole window except the title line and the line of keys.
     pub body: Rect,
-    /// The size of pictures in it, if it does not follow from the area.
+    /// The size of pictures, if it does not follow from the area.
     pub pictures: Option<PictureSizes>,
     /// The levels.
     pub shelf: Shelf,
     /// The chapters.
     pub book: Book,
-    /// Written questions of a teacher's own.
+    /// The teacher's own written questions.
     pub own: Arc<Library>,
-    /// The class that was left, to come back to.
+    /// The class that the player left and can return to.
     pub(in crate::screens) class: Option<Route>,
-    /// The settings with which the lab was left.
+    /// The settings of the lab when the player last left it.
     pub(in crate::screens) lab: Option<LabSettings>,
-    /// The folder where all is kept, in words; `None` where nothing is.
+    /// The path of the data folder, as shown; `None` if nothing is saved.
     pub folder: Option<String>,
-    /// The stored settings; `None` if they cannot be read and are left alone.
+    /// The stored settings; `None` if they cannot be read and are therefore not overwritten.
     pub kept: Option<KeptSettings>,
     seed: u64,
     rounds: u64,
@@ -47,7 +47,7 @@ pub struct Context {
 }
 
 impl Context {
-    /// A context whose every random choice follows from `seed`.
+    /// A context whose random choices all follow from `seed`.
     pub fn new(settings: Settings, seed: u64) -> Self {
         Self {
             settings,
@@ -68,7 +68,7 @@ impl Context {
         }
     }
 
-    /// The area of the current screen, for sizes of pictures.
+    /// The area of the current screen, with the size of pictures.
     pub fn room(&self) -> Room {
         Room {
             area: self.body,
@@ -76,20 +76,20 @@ impl Context {
         }
     }
 
-    /// Sends a request to the store. The [`StoreAnswer`](crate::messages::StoreAnswer) will bear
-    /// the ticket, which for a game that is saved again and again is always the same.
+    /// Sends a request to the store. The [`StoreAnswer`](crate::messages::StoreAnswer) carries the
+    /// same ticket. A game that is saved repeatedly always uses one ticket.
     pub fn keep(&mut self, ticket: u64, request: StoreRequest) {
         self.asked.push(Effect::Keep(StoreCall { ticket, request }));
     }
 
-    /// The same with a new ticket, which it returns.
+    /// Sends a request to the store with a new ticket, and returns the ticket.
     pub fn ask(&mut self, request: StoreRequest) -> u64 {
         let ticket = self.ticket();
         self.keep(ticket, request);
         ticket
     }
 
-    /// Notes that a level was won, and saves it.
+    /// Records and saves that a level was won.
     pub fn won(&mut self, number: usize, win: Win) {
         if let Some(starred) = self.shelf.won(number, win) {
             self.ask(StoreRequest::Star(self.settings.player.clone(), starred));
@@ -106,7 +106,7 @@ impl Context {
         }
     }
 
-    /// Changes the player: the data of the previous one is forgotten here.
+    /// Changes the player; the previous player's data is removed from memory.
     pub fn change_player(&mut self, name: String) {
         if name != self.settings.player {
             self.settings.player = name;
@@ -116,14 +116,14 @@ impl Context {
         }
     }
 
-    /// Requests the bookmarks, unless they are known.
+    /// Requests the bookmarks if they have not been loaded yet.
     pub fn ask_for_marks(&mut self) {
         if !self.book.is_known() {
             self.ask(StoreRequest::Marks(self.settings.player.clone()));
         }
     }
 
-    /// Notes what was done in the chapter of this id, and saves it.
+    /// Records what was done in the chapter with this id, and saves it.
     pub fn mark(&mut self, chapter: &str, later: Bookmark) {
         self.book.merge(chapter, later.clone());
         self.ask(StoreRequest::Mark {
@@ -133,13 +133,13 @@ impl Context {
         });
     }
 
-    /// Forgets what was done in chapters, here and where it is kept.
+    /// Deletes the record of what was done in chapters, in memory and in the store.
     pub fn forget(&mut self, what: Forget) {
         self.book.forget(&what);
         self.ask(StoreRequest::Forget(self.settings.player.clone(), what));
     }
 
-    /// A ticket that no request has had.
+    /// A ticket that no request has used yet.
     pub fn ticket(&mut self) -> u64 {
         self.tickets += 1;
         self.tickets
@@ -150,7 +150,7 @@ impl Context {
         self.ask(StoreRequest::Record(Box::new(attempt)));
     }
 
-    /// Requests that a text be written to a file of this name.
+    /// Requests that this text be written to a file with this name.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
     }
@@ -160,7 +160,7 @@ impl Context {
         self.asked.push(Effect::Host(call));
     }
 
-    /// Sends a request to the connection to a class's host.
+    /// Sends a request to the connection with a class's host.
     pub fn join(&mut self, call: JoinCall) {
         self.asked.push(Effect::Join(call));
     }
@@ -170,7 +170,8 @@ impl Context {
         self.reported = Some(words);
     }
 
-    /// Notifies the player where an export is, or why there is none; `what` is its name.
+    /// Notifies the player where an export was saved, or why exporting it failed; `what` is the
+    /// name of the export.
     pub fn notify_of_export(&mut self, what: &str, exported: &Result<String, String>) {
         self.notify(match exported {
             Ok(place) => format!("The {what} is in {place}"),

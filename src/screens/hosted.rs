@@ -1,9 +1,10 @@
-//! A screen as the app holds it: its keys are looked up here, whatever its actions are.
+//! A screen in the app's stack: its keys are looked up here, so that the type of its actions is
+//! hidden.
 
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::view::{Part, View};
@@ -11,9 +12,11 @@ use super::{Context, Next, Route, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
-use crate::widgets::{Item, Look, PAGE_ROWS, Role, SplitLayout, Words, scroll_keys, sheet, text};
+use crate::widgets::{
+    Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, scroll_keys, sheet, text,
+};
 
-/// What keys do on every screen that has no use of its own for them.
+/// The key actions on every screen that does not use these keys otherwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SharedAction {
@@ -54,35 +57,35 @@ fn view_keys() -> KeyTable<SharedAction> {
         .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))])
 }
 
-/// What a key stands for on a screen: an action of its own, or one that all share.
+/// The action of a key on a screen: one of the screen's own, or a shared one.
 #[derive(Clone, Copy, PartialEq)]
 enum Pressed<A> {
     Own(A),
     Shared(SharedAction),
 }
 
-/// A screen of any kind of actions, as the app's stack holds it.
+/// A screen with any type of actions, for the app's stack.
 pub trait AnyScreen {
     /// See [`Screen::title`].
     fn title(&self) -> String;
-    /// See [`Screen::place`].
+    /// See [`Screen::route`].
     fn route(&self, cx: &Context) -> Route;
     /// See [`Screen::status`].
     fn status(&self, cx: &Context) -> String;
-    /// The keys that mean something just now, as the player has them: the screen's own,
-    /// then those that all share.
+    /// The keys that work now, as the player has set them: the screen's own, then the shared
+    /// ones.
     fn table(&self, cx: &Context) -> KeyTable<()>;
     /// See [`Screen::about`].
     fn about(&self, cx: &Context) -> Vec<&'static str>;
-    /// Takes a key.
+    /// Handles a key press.
     fn press(&mut self, key: Key, cx: &mut Context) -> Next;
-    /// The player has agreed to a question.
+    /// Handles a confirmation to which the player has said yes.
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
-    /// The cells of the panels that react to a click, from the top.
+    /// The cells of the panels that react to a click, from top to bottom.
     fn targets(&self, cx: &Context) -> Vec<Rect>;
-    /// Carries out the target of this number, as a click on it would.
+    /// Carries out the action of the target with this number, as a click on it would.
     fn choose(&mut self, target: usize, cx: &mut Context) -> Next;
     /// See [`Screen::resumed`].
     fn resumed(&mut self, cx: &mut Context);
@@ -92,32 +95,36 @@ pub trait AnyScreen {
     fn wake(&self, cx: &Context) -> Option<Duration>;
     /// See [`Screen::shares_time`].
     fn shares_time(&self) -> bool;
-    /// Draws it into [`Context::body`].
+    /// Draws the screen into [`Context::body`].
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
+
+/// The smallest number of rows in which an inset can show the two discs of a collision as round.
+const INSET_ROWS: u16 = 6;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
 pub struct Hosted<S: Screen> {
     screen: S,
     asked: Option<S::Action>,
-    /// Whether the button is down after it chose something: until it is released, the picture
-    /// ignores the mouse.
+    /// Whether the mouse button is still down after it chose something: until it is released, the
+    /// picture ignores the mouse.
     has_chosen: bool,
     scrolled: Vec<Scrolled>,
 }
 
-/// How far a panel was scrolled by hand.
+/// How far the player has scrolled a panel.
 struct Scrolled {
     /// The panel's title and subject.
     of: (String, usize),
     rows: u16,
-    /// The row of what was chosen then: once another is, it is followed instead.
+    /// The row of the item that was chosen when the player scrolled: once another item is chosen,
+    /// the panel follows it.
     chosen: Option<u16>,
 }
 
-/// A view laid out, its panels scrolled as far as they are.
+/// A view after layout, with its panels scrolled.
 struct ShownView<'p, A> {
-    /// Below the tabs.
+    /// The area below the tabs.
     area: Rect,
     small_heading: bool,
     layout: SplitLayout,
@@ -125,7 +132,7 @@ struct ShownView<'p, A> {
     panels: Vec<(&'p Panel<A>, Shown<'p>)>,
 }
 
-/// A panel laid out, scrolled as far as it is.
+/// A panel after layout, with its scroll position.
 struct Shown<'p> {
     of: (&'p str, usize),
     placed: Placed<'p>,
@@ -134,7 +141,7 @@ struct Shown<'p> {
 }
 
 impl<S: Screen> Hosted<S> {
-    /// A screen without a pending question.
+    /// A screen without a pending confirmation.
     pub fn new(screen: S) -> Self {
         Self {
             screen,
@@ -152,7 +159,7 @@ impl<S: Screen> Hosted<S> {
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
         let own = self.screen.keys(cx).map(Pressed::Own);
         let own = own.with(view_keys(), Pressed::Shared);
-        // Whatever Escape does here is to go back.
+        // Escape goes back on every screen.
         own.with(shared_keys(), Pressed::Shared)
             .identified(Key::Escape, "everywhere.back")
             .distinct()
@@ -171,7 +178,7 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// Runs a function on the panels of the view as laid out in the body.
+    /// Runs a function on the panels of the view, laid out in the body.
     fn with_panels<T>(
         &self,
         view: &View<S::Action>,
@@ -187,7 +194,7 @@ impl<S: Screen> Hosted<S> {
             _ => None,
         };
         let writing = Writing { look, pages };
-        // Only pictures have sizes of their own.
+        // Only pictures have a size setting.
         let room = match view.first {
             Part::Picture(..) | Part::Nothing => cx.room(),
             Part::Panel(_) => cx.body.into(),
@@ -225,7 +232,7 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// Scrolls the panel at a cell, or else the last one that is longer than its area.
+    /// Scrolls the panel at a cell, or otherwise the last one that is longer than its area.
     fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &mut Context) -> Next {
         let view = self.screen.view(cx);
         let scrolled = self.with_panels(&view, cx, |view, _| {
@@ -270,7 +277,7 @@ impl<S: Screen> Hosted<S> {
         self.scrolled.retain(|it| shown.contains(&it.of));
     }
 
-    /// The rows that its panel beside the picture needs, and the rows available.
+    /// The rows that the panel beside the picture needs, and the rows available.
     pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |view, _| {
@@ -306,8 +313,8 @@ impl<S: Screen> Hosted<S> {
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 panel.action(at)
             });
-            // The wheel moves the mark of a list, which scrolls with it; there may be one beside
-            // pages.
+            // The wheel moves the mark of a list, and the list scrolls with it; a list may be shown
+            // beside pages.
             let is_followed = |it: &Shown| {
                 let placed = &it.placed;
                 let is_list = placed.is_list() || placed.pages().is_some();
@@ -451,11 +458,22 @@ impl<S: Screen> AnyScreen for Hosted<S> {
             for (_, shown) in panels {
                 shown.placed.draw(shown.rows, buf, writing);
             }
+            if let (Some((title, draw)), Some((_, shown))) = (&view.inset, panels.last())
+                && cx.room().pictures.is_none()
+            {
+                let area = shown.area.inner(Margin::new(1, 0));
+                let [_, below] = areas::upper(area, shown.placed.rows() + 1);
+                let [head, below] = areas::upper(below, 1);
+                if below.height >= INSET_ROWS && below.width >= 2 * INSET_ROWS {
+                    Lines::new(head, buf, *look).line(title, Role::Dim);
+                    draw(below, buf, look);
+                }
+            }
         });
     }
 }
 
-/// Draws a few words into the upper right corner of an area, over what is there.
+/// Draws a short text into the upper right corner of an area, over its contents.
 fn draw_corner(words: &str, area: Rect, buf: &mut Buffer, look: &Look) {
     sheet::note(area, || Item::new(Words::large(words, Role::Selected)));
     let words = format!(" {words} ");

@@ -1,4 +1,4 @@
-//! A list of kept files, the newest first: to open one, or to remove it.
+//! A list of saved files, the newest first. Each can be opened or deleted.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -8,7 +8,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role, text};
 
-/// What keys do to a list of kept files.
+/// The key actions on a list of saved files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum KeptAction {
@@ -18,28 +18,28 @@ pub enum KeptAction {
     Remove,
 }
 
-/// A kind of files: its names, and the requests to the store.
+/// A kind of file: its names, and its requests to the store.
 #[derive(Debug, Clone)]
 pub(super) struct KeptKind {
-    /// One of them: "game".
+    /// The singular: "game".
     pub(super) one: &'static str,
-    /// All of them: "saved games".
+    /// The plural: "saved games".
     pub(super) all: &'static str,
-    /// When one is saved, in a sentence.
+    /// A sentence that says when such a file is saved.
     pub(super) saved: &'static str,
     /// Requests the list of files.
     pub(super) list: StoreRequest,
     /// Requests one file.
     pub(super) load: fn(String) -> StoreRequest,
-    /// Requests the removal of one.
+    /// Requests the deletion of one file.
     pub(super) remove: fn(String) -> StoreRequest,
 }
 
-/// The files of one kind that there are.
+/// The saved files of one kind.
 #[derive(Debug, Clone)]
 pub(super) struct KeptFiles<T> {
     kind: KeptKind,
-    /// `None` until they are known; an error if they cannot be listed.
+    /// `None` until the list is loaded; an error if the files cannot be listed.
     files: Result<Option<Vec<Kept<T>>>, String>,
     list: ListView,
     /// The ticket of a file that is being loaded.
@@ -49,7 +49,7 @@ pub(super) struct KeptFiles<T> {
 }
 
 impl<T> KeptFiles<T> {
-    /// The list, which is being requested.
+    /// An empty list, after a request for the files.
     pub(super) fn ask(kind: KeptKind, cx: &mut Context) -> Self {
         cx.ask(kind.list.clone());
         Self {
@@ -72,24 +72,24 @@ impl<T> KeptFiles<T> {
         self.known().get(self.list.chosen(self.known().len()))
     }
 
-    /// The contents of the chosen one, if it can be read.
+    /// The contents of the chosen file, if it can be read.
     pub(super) fn content(&self) -> Option<&T> {
         self.chosen()?.content.as_deref().ok()
     }
 
-    /// Handles the list of files, or the reason why there is none.
+    /// Handles the list of files, or the reason why it cannot be loaded.
     pub(super) fn listed(&mut self, files: Result<Vec<Kept<T>>, String>) {
         self.files = files.map(Some);
     }
 
-    /// Handles the result of removing one, and requests the list again.
+    /// Handles the result of deleting a file, and requests the list again.
     pub(super) fn removed(&mut self, result: &Result<(), String>, cx: &mut Context) {
         let reason = result.as_ref().err();
         self.notice = reason.map(|reason| format!("It cannot be removed: {reason}."));
         cx.ask(self.kind.list.clone());
     }
 
-    /// Requests the chosen one; returns the ticket.
+    /// Requests the chosen file; returns the ticket.
     pub(super) fn load(&mut self, cx: &mut Context) -> Option<u64> {
         let name = self.chosen()?.name.clone();
         self.loading = Some(cx.ask((self.kind.load)(name)));
@@ -139,12 +139,12 @@ impl<T> KeptFiles<T> {
         Next::Stay
     }
 
-    /// A turn of the wheel goes through the list.
+    /// Moves through the list with the mouse wheel.
     pub(super) fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
         self.act(KeptAction::List(ListAction::Choose(by.into())), cx)
     }
 
-    /// Writes the list, or why there is none.
+    /// Writes the list, or the reason why it cannot be loaded.
     pub(super) fn write_list(
         &self,
         title: impl Fn(&Kept<T>) -> String,
@@ -172,7 +172,7 @@ impl<T> KeptFiles<T> {
         }
     }
 
-    /// Writes the description of the chosen file: the notice, that it cannot be read, or the text
+    /// Writes the description of the chosen file: the notice, why it cannot be read, or the text
     /// of `about`.
     pub(super) fn write_chosen<A>(
         &self,

@@ -1,11 +1,11 @@
-//! The page that explains a wrong answer, named and opened.
+//! The link to the page that explains a wrong answer.
 
 use super::{Context, Next, Route};
 use crate::lessons::Book;
 use crate::quiz::Passage;
 use crate::widgets::panel::Panel;
 
-/// Opens the page over the screen that names it, which is unchanged below.
+/// Opens the page on top of the screen that names it; that screen does not change.
 pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
     let found = passage.and_then(|passage| cx.book.find(passage));
     found.map_or(Next::Stay, |(number, page)| {
@@ -13,7 +13,7 @@ pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
     })
 }
 
-/// Names the page, which `action` opens.
+/// Writes the name of the page, with `action` to open it.
 pub(in crate::screens) fn write<A>(
     passage: Option<Passage>,
     book: &Book,

@@ -1,4 +1,4 @@
-//! The screens: one folder each, with its state and update, and its view beside it.
+//! The screens: one folder each, with the state and its updates, and the view in a file of its own.
 
 mod ahead;
 mod context;
@@ -41,21 +41,21 @@ use crate::widgets::input::KeyTable;
 /// A screen of the app: it handles input, advances with time and draws itself.
 ///
 /// A screen is pure: it reads no clock and touches no file. One table defines what its keys do; the
-/// bottom line, the help page and key presses follow from it. Keys that are not in it belong to the
-/// app.
+/// bottom line, the help page and key presses follow from it. Keys that are not in the table belong
+/// to the app.
 pub trait Screen {
     /// The actions of the keys.
     type Action: Copy + PartialEq;
 
-    /// Its name for the title line, in lower case.
+    /// The screen's name for the title line, in lower case.
     fn title(&self) -> String;
 
-    /// The route that leads back to what the screen shows now.
+    /// The route that opens this screen in its current state.
     fn route(&self, _cx: &Context) -> Route {
         Route::Home
     }
 
-    /// The rest of the title line: a summary of the settings.
+    /// The rest of the title line: a short summary of the screen's state.
     fn status(&self, _cx: &Context) -> String {
         String::new()
     }
@@ -66,7 +66,7 @@ pub trait Screen {
     /// The introduction of the help page: what the screen is for and how to begin, in paragraphs.
     fn about(&self, cx: &Context) -> Vec<&'static str>;
 
-    /// Handles a key before the table, for text that is being typed. Returns whether it was used.
+    /// Handles a key before the table does, for text input. Returns whether the key was used.
     fn typed(&mut self, _key: Key, _cx: &mut Context) -> bool {
         false
     }
@@ -79,21 +79,21 @@ pub trait Screen {
         Next::Stay
     }
 
-    /// Its view. Clicks in panels are carried out like keys; panels that are longer than their
-    /// areas scroll.
+    /// The screen's view. Clicks in panels are carried out like keys; panels that are longer than
+    /// their areas scroll.
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, Self::Action>;
 
-    /// Handles the mouse over the picture of its view, which is in the area `picture`.
+    /// Handles the mouse over the picture of the view, which is in the area `picture`.
     fn point(&mut self, _mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {
         Next::Ignored
     }
 
-    /// Handles the wheel over its view, up (-1) or down (1), unless it scrolls a long text.
+    /// Handles the wheel over the view, up (-1) or down (1), unless it scrolls a long text.
     fn wheel(&mut self, _by: i8, _cx: &mut Context) -> Next {
         Next::Ignored
     }
 
-    /// Its text could not be scrolled further by this many rows.
+    /// Handles an attempt to scroll the text by this many rows beyond its end.
     fn scrolled_out(&mut self, _by: i16, _cx: &mut Context) -> Next {
         Next::Ignored
     }
@@ -103,24 +103,24 @@ pub trait Screen {
         Next::Ignored
     }
 
-    /// It is on top again, after another screen was left.
+    /// Called when the screen is on top again, after another screen was left.
     fn resumed(&mut self, _cx: &mut Context) {}
 
-    /// Advances the time; called only while [`Screen::wake`] needs time.
+    /// Advances the time; called only while [`Screen::wake`] returns a delay.
     fn advance(&mut self, _passed: Duration, _cx: &mut Context) {}
 
-    /// When it next needs time; `None` while nothing moves.
+    /// The time until the screen must next be advanced; `None` while nothing moves.
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         None
     }
 
-    /// Whether others see the same clock, as in a class: then it cannot be skipped.
+    /// Whether other people see the same clock, as in a class: then time cannot be skipped.
     fn shares_time(&self) -> bool {
         false
     }
 }
 
-/// The consequence of an input or of the passing time.
+/// The consequence of an input or of time passing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Next {
     /// The input was not used here; the app may use it.
@@ -129,11 +129,11 @@ pub enum Next {
     Stay,
     /// Open another screen on top.
     Open(Route),
-    /// Open another screen instead of this one.
+    /// Replace this screen with another.
     Replace(Route),
     /// Return to the screen below.
     Back,
-    /// Ask the player first; if they agree, the same is done by [`Screen::confirmed`].
+    /// Ask the player first; if they agree, [`Screen::confirmed`] carries out the action.
     Confirm(Confirmation),
     /// A key that means the same on every screen.
     Shared(SharedAction),
@@ -142,7 +142,7 @@ pub enum Next {
 }
 
 impl Next {
-    /// The consequence of an input that was used or not.
+    /// The consequence of an input, depending on whether it was used.
     pub(crate) fn after(used: bool) -> Self {
         if used { Self::Stay } else { Self::Ignored }
     }
@@ -160,16 +160,16 @@ impl Next {
 /// The confirmation of an action that cannot be undone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Confirmation {
-    /// The question and the consequence of a yes.
+    /// The question, and the consequence of saying yes.
     pub text: String,
-    /// The label of yes.
+    /// The label for yes.
     pub yes: &'static str,
-    /// The label of no.
+    /// The label for no.
     pub no: &'static str,
 }
 
 impl Confirmation {
-    /// A question and the labels of its answers.
+    /// A confirmation with its question and the labels of its answers.
     pub fn new(text: impl Into<String>, yes: &'static str, no: &'static str) -> Self {
         Self {
             text: text.into(),

@@ -4,10 +4,10 @@ use super::Context;
 use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
 use crate::widgets::Role;
 
-/// The player's record, as far as it is known.
+/// The player's record, if it has been loaded.
 #[derive(Debug, Clone)]
 pub(super) enum Recall {
-    /// It has been asked for with this ticket.
+    /// It has been requested with this ticket.
     Asked(u64),
     /// It cannot be loaded, for this reason.
     Unknown(String),
@@ -15,13 +15,13 @@ pub(super) enum Recall {
 }
 
 impl Recall {
-    /// Asks for it.
+    /// Requests the record.
     pub(super) fn ask(cx: &mut Context) -> Self {
         let player = cx.settings.player.clone();
         Self::Asked(cx.ask(StoreRequest::Recall(Some(player))))
     }
 
-    /// Takes what came of it, if `answer` is that.
+    /// Stores the result if `answer` belongs to this request.
     pub(super) fn take(&mut self, answer: &StoreAnswer) {
         if let (Self::Asked(ticket), StoreReply::Recalled(recalled)) = (&*self, &answer.done)
             && *ticket == answer.ticket
@@ -33,7 +33,7 @@ impl Recall {
         }
     }
 
-    /// That it is being loaded, or why it cannot be.
+    /// A message that says that the record is being loaded, or why it cannot be loaded.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
             Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),

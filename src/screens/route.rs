@@ -13,51 +13,51 @@ pub enum Route {
     Lab,
     /// The lab with a collision set up.
     LabOf {
-        /// The hit.
+        /// The collision.
         setup: CollisionSpec,
     },
     /// The contents of the lessons.
     Learn,
     /// The glossary.
     Glossary,
-    /// A chapter, where it was left.
+    /// A chapter, at the page where the player left it.
     Chapter {
-        /// Its place among all chapters, from 0.
+        /// Its index among all chapters.
         number: usize,
     },
-    /// A page of a chapter, to look something up: where the chapter was left stays.
+    /// A page of a chapter, to look something up; the chapter's bookmark does not change.
     Page {
-        /// The chapter's place among all, from 0.
+        /// The chapter's index among all chapters.
         number: usize,
         /// The page, from 0.
         page: usize,
     },
     /// The quiz.
     Quiz {
-        /// The code of the round to play; with `None` one is chosen there.
+        /// The code of the round to play; with `None` the player chooses one.
         code: Option<Code>,
     },
-    /// A round of the quiz, resumed where it was left.
+    /// An interrupted round of the quiz, to resume.
     OpenRound {
         /// The code of the round.
         code: Code,
         /// The answers so far, in the order of the questions. They are already saved.
         answers: Vec<Answer>,
-        /// Whether the last of them is still being explained.
+        /// Whether the last answer is still being explained.
         is_explained: bool,
     },
-    /// A round for a class round one screen.
+    /// A round for a class that shares one screen.
     Class {
-        /// The code of the round; `None` leaves it to be chosen.
+        /// The code of the round; with `None` the teacher chooses one.
         code: Option<Code>,
         /// The names of the teams, as far as they are known.
         teams: Vec<String>,
         /// The name of the class; may be empty.
         name: String,
     },
-    /// A round for a class on devices of their own.
+    /// A round for a class in which each pupil uses their own device.
     Host {
-        /// The code of the round; `None` leaves it to be chosen.
+        /// The code of the round; with `None` the teacher chooses one.
         code: Option<Code>,
         /// The name of the class; may be empty.
         name: String,
@@ -66,14 +66,14 @@ pub enum Route {
     Join {
         /// The address of the class, if it is known; `None` if its host has served the page.
         address: Option<String>,
-        /// Its code, if that is known.
+        /// The class's join code, if it is known.
         code: Option<JoinCode>,
-        /// Whether the pupil had joined and returns without a question.
+        /// Whether the pupil had joined before and rejoins without being asked.
         again: bool,
     },
     /// The foil: beams of many particles.
     Foil,
-    /// One of its pages.
+    /// A page of the foil.
     FoilAt {
         /// The page.
         page: FoilPage,
@@ -88,7 +88,7 @@ pub enum Route {
     Levels,
     /// A level.
     Level {
-        /// Its place among all levels, from 0.
+        /// Its index among all levels.
         number: usize,
     },
 }
@@ -96,10 +96,10 @@ pub enum Route {
 /// A page of the foil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FoilPage {
-    /// One particle, and some beside it.
+    /// One particle, with some others beside it.
     #[default]
     Tracks,
-    /// A beam, counted by angle.
+    /// A beam, with its particles counted by angle.
     Counts,
     /// Geiger and Marsden's counts.
     Measured,

@@ -10,32 +10,33 @@ use crate::widgets::{Look, Room, SplitLayout, areas};
 
 /// What a screen shows.
 pub struct View<'s, A> {
-    /// One row above both parts: the names of the screen's pages.
+    /// The names of the screen's pages, in one row above both parts.
     pub(super) tabs: Option<Panel<A>>,
-    /// What it is called, in large letters above both parts.
+    /// The heading, in large letters above both parts.
     pub(super) heading: Option<Heading>,
-    /// A few words in its upper right corner.
+    /// A short text in the upper right corner.
     pub(super) corner: Option<String>,
-    /// Where both parts stand between what is above and below them.
+    /// The layout of both parts, between the tabs and heading above and the foot below.
     pub(super) layout: Layout<'s>,
-    /// The part that has most of the room.
+    /// The larger part.
     pub(super) first: Part<'s, A>,
-    /// What stands beside it.
+    /// The panel beside it.
     pub(super) second: Panel<A>,
-    /// What stays in sight below both, in as many rows as it takes.
+    /// A small picture below the second part, made of cells, if that part leaves enough of them.
+    pub(super) inset: Option<(&'static str, DrawPicture<'s>)>,
+    /// A panel that is always visible below both, as high as its text.
     pub(super) foot: Option<Panel<A>>,
-    /// Whether keys go to the larger part first, where they may go to either.
+    /// Whether keys go to the larger part first; `None` if only one part takes keys.
     pub(super) focus: Option<bool>,
-    /// What can be dragged in the picture, in a sentence for fingers and the mouse.
+    /// A sentence about what can be dragged in the picture, with a finger or the mouse.
     pub(super) drag: Option<&'static str>,
 }
 
-/// Where the two parts of a view stand.
+/// The layout of the two parts of a view.
 pub(super) enum Layout<'s> {
-    /// Where this says.
+    /// The layout that this function returns.
     At(Box<dyn Fn(Room) -> SplitLayout + 's>),
-    /// The words in letters that the back row can read, and the picture as large as they leave
-    /// it.
+    /// The text in letters that the back row can read, and the picture in the remaining room.
     ForTheBackRow(Beside),
 }
 
@@ -45,11 +46,11 @@ pub(super) enum Part<'s, A> {
     Picture(String, DrawPicture<'s>),
     /// Text.
     Panel(Panel<A>),
-    /// Nothing: the other part has all the room.
+    /// Nothing: the other part fills the view.
     Nothing,
 }
 
-/// What draws a picture into its place.
+/// A function that draws a picture into its area.
 type DrawPicture<'s> = Box<dyn Fn(Rect, &mut Buffer, &Look) + 's>;
 
 impl<'s, A> View<'s, A> {
@@ -63,7 +64,7 @@ impl<'s, A> View<'s, A> {
         Self::new(SplitLayout::new, first, second)
     }
 
-    /// The same with a picture that follows from its place alone.
+    /// Like [`Self::picture`], with a picture that depends only on its area.
     pub(super) fn drawn(
         title: impl Into<String>,
         picture: impl Fn(Rect) -> Picture + 's,
@@ -73,29 +74,29 @@ impl<'s, A> View<'s, A> {
         Self::picture(title, draw, second)
     }
 
-    /// The same in these places.
+    /// This view with another layout.
     pub(super) fn laid_out(self, layout: impl Fn(Room) -> SplitLayout + 's) -> Self {
         let layout = Layout::At(Box::new(layout));
         Self { layout, ..self }
     }
 
-    /// The same with a picture just as wide as a square board needs.
+    /// This view with a picture just wide enough for a square board.
     pub(super) fn square(self) -> Self {
         self.laid_out(SplitLayout::square)
     }
 
-    /// A picture alone, in all the room there is.
+    /// A picture alone, which fills the view.
     pub fn picture_alone(draw: impl Fn(Rect, &mut Buffer, &Look) + 's) -> Self {
         Self::picture("", draw, Panel::new(""))
             .laid_out(|room| SplitLayout::open(room.area, Rect::default()))
     }
 
-    /// A panel, and one beside it with details.
+    /// A panel, with another beside it for details.
     pub(super) fn panels(first: Panel<A>, second: Panel<A>) -> Self {
         Self::new(SplitLayout::new, Part::Panel(first), second)
     }
 
-    /// A panel alone, in the middle.
+    /// A panel alone.
     pub(super) fn alone(layout: impl Fn(Room) -> SplitLayout + 's, panel: Panel<A>) -> Self {
         Self::new(layout, Part::Nothing, panel)
     }
@@ -112,13 +113,28 @@ impl<'s, A> View<'s, A> {
             layout: Layout::At(Box::new(layout)),
             first,
             second,
+            inset: None,
             foot: None,
             focus: None,
             drag: None,
         }
     }
 
-    /// The same with a picture in which something can be dragged.
+    /// This view with a small picture under a title below the panel, if the panel leaves enough
+    /// cells. A browser, whose pictures are not made of cells, does not need the small picture.
+    pub(super) fn with_inset(
+        self,
+        title: &'static str,
+        picture: Option<impl Fn(Rect) -> Picture + 's>,
+    ) -> Self {
+        let inset = picture.map(|picture| {
+            let draw: DrawPicture = Box::new(move |area, buf, look| picture(area).draw(buf, look));
+            (title, draw)
+        });
+        Self { inset, ..self }
+    }
+
+    /// This view with a picture in which something can be dragged.
     pub(super) fn dragging(self, drag: impl Into<Option<&'static str>>) -> Self {
         Self {
             drag: drag.into(),
@@ -126,7 +142,7 @@ impl<'s, A> View<'s, A> {
         }
     }
 
-    /// The titles of both parts, with a mark before the one that keys go to.
+    /// The titles of both parts, with a mark before the one that receives keys.
     pub(super) fn titles(&self) -> [String; 2] {
         let first = match &self.first {
             Part::Picture(title, _) => title,
@@ -140,7 +156,7 @@ impl<'s, A> View<'s, A> {
         [marked(first, true), marked(&self.second.title, false)]
     }
 
-    /// Lays it out in a room; `key` says what the key is called that does something.
+    /// Lays the view out in a room; `key` returns the name of the key for an action.
     pub(super) fn placed(
         &self,
         room: Room,
@@ -152,7 +168,7 @@ impl<'s, A> View<'s, A> {
     {
         let under = |small: bool| self.placed_under(small, room, writing, key);
         let large = under(false);
-        // What to do is worth a row, what a step is called hardly more.
+        // An instruction is worth one row; the name of a step is not worth much more.
         if !matches!(self.layout, Layout::ForTheBackRow(_)) || self.heading.is_none() {
             return large;
         }
@@ -232,16 +248,16 @@ impl<'s, A> View<'s, A> {
     }
 }
 
-/// Columns of what is read line by line.
+/// The largest number of columns for running text.
 pub(super) const WIDEST: u16 = 100;
 
-/// A view laid out.
+/// A view after layout.
 pub(super) struct PlacedView<'v, A> {
-    /// Below the tabs.
+    /// The area below the tabs.
     pub(super) area: Rect,
     pub(super) small_heading: bool,
     pub(super) layout: SplitLayout,
-    /// Its panels, each with its place.
+    /// Its panels, each with its area.
     pub(super) panels: Vec<(&'v Panel<A>, Placed<'v>, Rect)>,
 }
 

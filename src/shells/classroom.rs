@@ -1,5 +1,5 @@
 //! A class in one process: the teacher's app and the apps of pupils, on simulated time and without
-//! a network. Their messages are exactly those that would go over the network.
+//! a network. They exchange exactly the messages that they would send over a network.
 
 use std::net::{Ipv4Addr, SocketAddrV4};
 use std::time::Duration;
@@ -18,20 +18,20 @@ pub struct Classroom {
     host: Headless,
     pupils: Vec<PupilDevice>,
     code: Option<JoinCode>,
-    /// How many connections there have been.
+    /// The number of connections so far.
     lines: ConnectionId,
-    /// How much time has passed.
+    /// The simulated time since the start.
     passed: Duration,
 }
 
 struct PupilDevice {
     name: String,
     game: Headless,
-    /// The connection, while there is one.
+    /// The current connection; `None` if there is none.
     line: Option<ConnectionId>,
     /// Whether the host can be reached.
     reaches: bool,
-    /// The seat token and the name.
+    /// The pupil's seat token and name.
     seat: Option<(String, String)>,
 }
 
@@ -51,7 +51,7 @@ pub enum Who {
 }
 
 impl Classroom {
-    /// The class of a teacher's app, without pupils.
+    /// Creates a class with a teacher's app and without pupils.
     pub fn new(host: Headless) -> Self {
         let mut class = Self {
             host,
@@ -77,7 +77,7 @@ impl Classroom {
         Who::Pupil(self.pupils.len() - 1)
     }
 
-    /// The pupil of this name, as it was given to [`Self::add`].
+    /// The pupil with this name, as given to [`Self::add`].
     pub fn pupil(&self, name: &str) -> Option<Who> {
         let at = self.pupils.iter().position(|pupil| pupil.name == name);
         at.map(Who::Pupil)
@@ -104,7 +104,7 @@ impl Classroom {
         self.code
     }
 
-    /// A pupil's device loses the host, or can reach it again.
+    /// Disconnects a pupil's device from the host, or connects it again.
     pub fn reach(&mut self, who: Who, reaches: bool) {
         let Who::Pupil(at) = who else { return };
         let Some(pupil) = self.pupils.get_mut(at) else {
@@ -118,7 +118,7 @@ impl Classroom {
         self.settle();
     }
 
-    /// Advances simulated time for all.
+    /// Advances simulated time for all participants.
     pub fn pass(&mut self, time: Duration) {
         self.passed += time;
         if self.pupils.is_empty() {
@@ -196,7 +196,7 @@ impl Classroom {
         self.pupils.iter_mut().find(|it| it.line == Some(line))
     }
 
-    /// The address of a pupil's device: each has one of its own.
+    /// The address of a pupil's device, different for each connection.
     fn address_of(&self, line: ConnectionId) -> Ipv4Addr {
         let at = self.pupils.iter().position(|it| it.line == Some(line));
         Ipv4Addr::from(at.map_or(0, |at| at as u32 + 1) | 10 << 24)

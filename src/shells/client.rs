@@ -1,4 +1,4 @@
-//! A pupil's carrom that joins a class: one WebSocket to the host.
+//! The connection of a pupil's carrom to a class: one WebSocket to the host.
 
 use std::collections::BTreeMap;
 use std::io::{self, ErrorKind, Read, Write};
@@ -19,15 +19,15 @@ use crate::messages::{JoinCall, JoinNews};
 
 /// How long the host may take to accept a connection.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// The silence after which the host counts as lost; it sends something every 20 seconds.
+/// The length of silence after which the host counts as lost; it sends something every 20 seconds.
 const GONE: Duration = Duration::from_secs(65);
-/// The most bytes of one message of the host.
+/// The most bytes in one message from the host.
 const LARGEST_STATE: usize = 1 << 20;
 
 /// The connection to a host.
 pub(crate) struct Client {
     hear: Arc<dyn Fn(JoinNews) + Send + Sync>,
-    /// Counts the connections: results of an earlier one are ignored.
+    /// The number of the current connection; results of earlier ones are ignored.
     call: Arc<AtomicU64>,
     wire: Arc<Mutex<Option<ClientStream>>>,
     address: String,
@@ -61,7 +61,7 @@ impl Write for ClientStream {
 }
 
 impl Client {
-    /// Not connected yet; `hear` receives all events.
+    /// Creates a client that is not connected yet; `hear` receives all events.
     pub(crate) fn new(hear: impl Fn(JoinNews) + Send + Sync + 'static) -> Self {
         Self {
             hear: Arc::new(hear),
@@ -72,7 +72,7 @@ impl Client {
         }
     }
 
-    /// Carries out a request of a screen.
+    /// Carries out a screen's request.
     pub(crate) fn call(&mut self, call: &JoinCall) {
         match call {
             JoinCall::Dial(address) => {
@@ -150,7 +150,7 @@ impl Drop for Client {
     }
 }
 
-/// The mask of a WebSocket frame, which only has to vary.
+/// The mask of a WebSocket frame, which only has to differ from frame to frame.
 fn mask() -> [u8; 4] {
     let mut mask = [0; 4];
     let _ = getrandom::fill(&mut mask);

@@ -1,4 +1,4 @@
-//! An app without a terminal: keys in, screens out, on simulated time.
+//! An app without a terminal, on simulated time: tests send keys and read screens.
 
 use std::time::Duration;
 
@@ -38,13 +38,13 @@ pub struct Headless {
 }
 
 impl Headless {
-    /// `app` on a screen of `columns` by `rows`, which keeps everything in memory and has no clock,
+    /// Runs `app` on a screen of `columns` by `rows`, with an in-memory store and without a clock,
     /// so that every run is the same.
     pub fn new(app: App, columns: u16, rows: u16) -> Self {
         Self::keeping(app, columns, rows, Store::in_memory().timeless())
     }
 
-    /// The same, but it keeps everything in `store`.
+    /// Like [`Self::new`], but with this store.
     pub fn keeping(app: App, columns: u16, rows: u16, store: Store) -> Self {
         let Ok(terminal) = Terminal::new(TestBackend::new(columns, rows));
         let mut headless = Self {
@@ -60,7 +60,7 @@ impl Headless {
         headless
     }
 
-    /// The current state of the app.
+    /// The app, to read its state.
     pub fn app(&self) -> &App {
         &self.app
     }
@@ -70,17 +70,17 @@ impl Headless {
         &mut self.app
     }
 
-    /// Whether the app has quit; from then on nothing reaches it.
+    /// Whether the app has quit. After that it ignores every input.
     pub fn has_quit(&self) -> bool {
         self.quit
     }
 
-    /// Stops the store's clock at this time, in seconds since 1970 began.
+    /// Stops the store's clock at this time, in seconds since the start of 1970.
     pub fn set_time(&mut self, time_s: i64) {
         self.store.stop_clock(time_s);
     }
 
-    /// The stored answers, in order; none if they cannot be read.
+    /// The stored answers in order; empty if they cannot be read.
     pub fn attempts(&mut self) -> Vec<Attempt> {
         let request = StoreRequest::Recall(None);
         match self.store.answer(&StoreCall { ticket: 0, request }).done {
@@ -89,17 +89,17 @@ impl Headless {
         }
     }
 
-    /// What was exported, kept in memory: names and contents.
+    /// The exported files, which are kept in memory: names and contents.
     pub fn exports(&self) -> &[(String, String)] {
         &self.exports
     }
 
-    /// The requests to the server of a class since the last call.
+    /// The app's requests to the class's server since the last call.
     pub fn take_host_calls(&mut self) -> Vec<HostCall> {
         std::mem::take(&mut self.host_calls)
     }
 
-    /// The requests to the connection to a class since the last call.
+    /// The app's requests to its connection to a class since the last call.
     pub fn take_join_calls(&mut self) -> Vec<JoinCall> {
         std::mem::take(&mut self.join_calls)
     }
@@ -109,7 +109,7 @@ impl Headless {
         AppHolder::input(self, input);
     }
 
-    /// Does what the target of this number in [`App::targets`] does.
+    /// Activates the target with this index in [`App::targets`].
     pub fn choose(&mut self, target: usize) {
         if !self.quit {
             let effects = self.app.choose(target);
@@ -122,9 +122,9 @@ impl Headless {
         self.input(&Input::Key(key));
     }
 
-    /// Presses keys one by one: a character stands for itself, a name in angle
-    /// brackets for the key a tape calls so (`"<Right><Right>60<Enter>"`).
-    /// Brackets with no such key between them are typed as they stand.
+    /// Presses keys one by one. A character is its own key; a name in angle brackets is a key as
+    /// named in tapes (`"<Right><Right>60<Enter>"`). Brackets around anything else are typed
+    /// literally.
     pub fn press(&mut self, keys: &str) {
         let mut rest = keys;
         while let Some(first) = rest.chars().next() {
@@ -138,37 +138,37 @@ impl Headless {
         }
     }
 
-    /// Presses the button over a cell and lets it go.
+    /// Presses and releases the mouse button over a cell.
     pub fn click(&mut self, at: (u16, u16)) {
         self.mouse(MouseKind::Down, at);
         self.mouse(MouseKind::Up, at);
     }
 
-    /// Presses the button over one cell and lets it go over another.
+    /// Presses the mouse button over one cell and releases it over another.
     pub fn drag(&mut self, from: (u16, u16), to: (u16, u16)) {
         self.mouse(MouseKind::Down, from);
         self.mouse(MouseKind::Drag, to);
         self.mouse(MouseKind::Up, to);
     }
 
-    /// Does one thing with the mouse over a cell (column, row, from 0).
+    /// Passes on one mouse event over a cell (column and row, counted from 0).
     pub fn mouse(&mut self, kind: MouseKind, cell: (u16, u16)) {
         self.input(&Input::Mouse(Mouse::over(kind, cell)));
     }
 
-    /// Gives the screen another size.
+    /// Resizes the screen.
     pub fn resize(&mut self, columns: u16, rows: u16) {
         self.terminal.backend_mut().resize(columns, rows);
         self.input(&Input::Resize(columns, rows));
     }
 
-    /// Advances simulated time, in the steps the app needs.
+    /// Advances simulated time in the steps that the app requires.
     pub fn pass(&mut self, time: Duration) {
         AppHolder::pass(self, time);
     }
 
-    /// Advances time until nothing moves any more, by at most `limit`; returns whether that was
-    /// enough.
+    /// Advances time until nothing moves, but by no more than `limit`. Returns whether everything
+    /// has stopped.
     pub fn settle(&mut self, limit: Duration) -> bool {
         self.pass(limit);
         self.quit || self.app.wake().is_none()
@@ -177,7 +177,8 @@ impl Headless {
     /// Draws the screen and returns its cells.
     pub fn buffer(&mut self) -> &Buffer {
         let Ok(()) = self.terminal.autoresize();
-        // Afresh each time: there is nobody for whom only what has changed would be written.
+        // The whole screen is drawn each time, because there is no terminal that needs only the
+        // changes.
         self.terminal.current_buffer_mut().reset();
         self.app.draw(&mut self.terminal.get_frame());
         self.terminal.current_buffer_mut()
@@ -221,7 +222,7 @@ impl AppHolder for Headless {
     }
 }
 
-/// On a screen of 80 by 24.
+/// Uses a screen of 80 by 24.
 impl From<App> for Headless {
     fn from(app: App) -> Self {
         Self::new(app, 80, 24)
@@ -235,7 +236,7 @@ mod tests {
     use crate::widgets::input::KeyTable;
     use crate::widgets::{Charset, Depth};
 
-    /// Counts what it is told, and moves for a second after a space.
+    /// Records its inputs, and moves for one second after a space is typed.
     #[derive(Default)]
     struct Counter {
         typed: String,
@@ -297,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn time_passes_only_while_the_app_asks_for_it() {
+    fn time_passes_only_while_the_app_requests_it() {
         let mut game = counter();
         game.pass(Duration::from_secs(3600));
         assert!(game.screen().contains(" 0"));
@@ -318,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_left_where_a_wide_letter_stood() {
+    fn a_wide_letter_is_erased_completely() {
         let (code, teams, name) = (None, vec![], String::new());
         let settings = Settings {
             charset: Charset::Unicode,

@@ -1,4 +1,4 @@
-//! How a shell without threads drives the app it holds.
+//! How a shell without threads drives its app.
 
 use std::time::Duration;
 
@@ -6,15 +6,15 @@ use super::FRAME;
 use crate::app::App;
 use crate::messages::{Effect, Input};
 
-/// A shell that holds an app and carries out each effect before the next input.
+/// A shell that owns an app and carries out each effect before the next input.
 pub trait AppHolder {
     /// The app.
     fn app(&self) -> &App;
 
-    /// The app, for driving it.
+    /// The app, for inputs.
     fn app_mut(&mut self) -> &mut App;
 
-    /// Whether the player has left: nothing reaches the app any more.
+    /// Whether the player has quit. After that the app gets no inputs.
     fn has_quit(&self) -> bool;
 
     /// Carries out the app's requests.
@@ -28,7 +28,7 @@ pub trait AppHolder {
         }
     }
 
-    /// Advances time, in the steps the app needs.
+    /// Advances time in the steps that the app requires.
     fn pass(&mut self, time: Duration) {
         let mut left = time;
         while !self.has_quit() && !left.is_zero() {

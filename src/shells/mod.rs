@@ -1,9 +1,8 @@
-//! What drives the app: a terminal, plain lines, a tape, a test.
+//! The programs around the app: a terminal, plain lines, a tape, a test.
 //!
-//! Each shell supplies time, translates its own inputs into
-//! [`Input`](crate::messages::Input)s and carries effects out. All of them drive
-//! the same [`App`](crate::app::App) in the same way: time is passed on only
-//! while the app asks for it, and never in smaller steps than a [`FRAME`].
+//! Each shell supplies time, translates its own inputs into [`Input`](crate::messages::Input)s and
+//! carries out effects. All of them drive the same [`App`](crate::app::App) in the same way: they
+//! advance its time only while the app requests it, and never in steps smaller than one [`FRAME`].
 
 #[cfg(not(target_family = "wasm"))]
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -25,10 +24,10 @@ pub use classroom::Classroom;
 pub use headless::Headless;
 pub use holder::AppHolder;
 
-/// The shortest time between two pictures: a sixtieth of a second.
+/// The shortest time between two frames: a sixtieth of a second.
 pub const FRAME: Duration = Duration::from_nanos(16_666_667);
 
-/// A poisoned lock is still usable here, because the data is always consistent.
+/// Locks a mutex. A poisoned lock is still usable here, because the data is always consistent.
 #[cfg(not(target_family = "wasm"))]
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)

@@ -9,23 +9,22 @@ use super::folder_lock::FolderLock;
 use super::text_store::{TextStore, free_number, number};
 use crate::files::{self, FileError, UNFINISHED, UnplacedFile, fsync_dir};
 
-/// The file that stands for the right to write to a folder.
+/// The lock file for writing to a folder.
 const LOCK: &str = ".lock";
 
-/// Texts as files in a folder, which is made when the first is written.
+/// Texts as files in a folder, which is created when the first text is written.
 pub(super) struct Disk {
     folder: PathBuf,
-    /// How the names of the files end.
+    /// The suffix of the files' names.
     ending: &'static str,
-    /// Most bytes of a file that are read.
+    /// The most bytes that are read from a file.
     largest: usize,
-    /// Whether the files are for nobody else on this computer.
+    /// Whether only this user can read the files.
     private: bool,
 }
 
 impl Disk {
-    /// The files in `folder` whose names have this ending, each of at most `largest`
-    /// bytes.
+    /// The files in `folder` whose names end in `ending`, each of at most `largest` bytes.
     pub(super) fn new(folder: PathBuf, ending: &'static str, largest: usize) -> Self {
         Self {
             folder,
@@ -35,7 +34,7 @@ impl Disk {
         }
     }
 
-    /// The same files, which nobody else on this computer can read.
+    /// Makes the files readable only by this user.
     pub(super) fn private(self) -> Self {
         Self {
             private: true,
@@ -43,7 +42,7 @@ impl Disk {
         }
     }
 
-    /// A text beside the place of a file, as whole as that will be.
+    /// Writes a text completely to a temporary file in the folder.
     fn draft(&self, text: &str) -> io::Result<UnplacedFile> {
         match self.private {
             true => UnplacedFile::write_private(&self.folder, text),
@@ -55,25 +54,25 @@ impl Disk {
         self.folder.join(format!("{name}{}", self.ending))
     }
 
-    /// Waits until nobody else writes to the folder.
+    /// Waits for the lock on the folder.
     fn turn(&self) -> io::Result<FolderLock> {
         FolderLock::alone(&self.folder, LOCK)
     }
 
-    /// Removes what those have left who were killed while they wrote; nobody writes
-    /// while one has the turn.
+    /// Removes the temporary files of processes that were killed while writing. The caller must
+    /// hold the lock.
     fn clear_up(&self) {
         let entries = fs::read_dir(&self.folder).into_iter().flatten();
         for entry in entries.flatten() {
             if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {
-                // What cannot be removed takes some room, no more.
+                // A file that cannot be removed only takes up space.
                 let _ = fs::remove_file(entry.path());
             }
         }
     }
 
-    /// The names of all plain files that end as ours do: opening a pipe would wait
-    /// for a writer.
+    /// The names of all plain files with this suffix. Pipes are left out, because opening one would
+    /// wait for a writer.
     fn names(&self) -> io::Result<Vec<String>> {
         let entries = match fs::read_dir(&self.folder) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
@@ -100,7 +99,7 @@ impl Disk {
         fs::metadata(self.path(name)).ok()?.modified().ok()
     }
 
-    /// What comes of something done in the folder.
+    /// Runs `act`; an error names the folder.
     fn reported<T>(&self, act: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
         act().map_err(|error| format!("{}: {error}", self.folder.display()))
     }
@@ -171,7 +170,8 @@ impl TextStore for Disk {
                 .write_all(added.as_bytes())
                 .and_then(|()| file.sync_data());
             if written.is_err() {
-                // What is there of it would not be known as ours; a full disk has room for less.
+                // Remove the partial text; otherwise the file would no longer match what this store
+                // knows. This works on a full disk too.
                 let _ = file.set_len(old.len() as u64);
             }
             written.map(|()| true)
@@ -189,7 +189,7 @@ impl TextStore for Disk {
     }
 }
 
-/// Whether a plain file is there and holds just this text.
+/// Whether the path is a plain file with exactly this text.
 fn holds(path: &Path, text: &str) -> io::Result<bool> {
     match fs::metadata(path) {
         Ok(about) if about.is_file() && about.len() == text.len() as u64 => {

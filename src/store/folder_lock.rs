@@ -1,4 +1,4 @@
-//! A lock between several carroms.
+//! A lock on a folder that several copies of carrom use.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind};
@@ -6,29 +6,29 @@ use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long to wait for other carroms that are at the same folder.
+/// How long to wait for other copies of carrom that use the same folder.
 const PATIENCE: Duration = Duration::from_secs(3);
 
-/// A held lock, until this is dropped or the process ends.
+/// A lock that is held until it is dropped or the process ends.
 pub(super) struct FolderLock {
     _lock: File,
-    /// Whether the lock was really acquired.
+    /// Whether the lock was acquired.
     locked: bool,
 }
 
 impl FolderLock {
-    /// Waits until nobody else has a turn at `lock`, a file in `folder`, which is made
-    /// if need be.
+    /// Waits for an exclusive lock on `lock`, a file in `folder`; the folder is created if it does
+    /// not exist.
     pub(super) fn alone(folder: &Path, lock: &str) -> io::Result<Self> {
         Self::take(folder, lock, File::try_lock)
     }
 
-    /// Waits until nobody is [`FolderLock::alone`] there; others may share it.
+    /// Waits for a shared lock, which excludes only [`FolderLock::alone`].
     pub(super) fn shared(folder: &Path, lock: &str) -> io::Result<Self> {
         Self::take(folder, lock, File::try_lock_shared)
     }
 
-    /// Whether nobody else does the same, as far as that can be known.
+    /// Whether the lock was really acquired, so that no other copy of carrom interferes.
     pub(super) fn is_certain(&self) -> bool {
         self.locked
     }
@@ -53,11 +53,11 @@ impl FolderLock {
                     thread::sleep(Duration::from_millis(5));
                 }
                 Err(TryLockError::WouldBlock) => {
-                    let why = "another carrom has been busy there for too long";
+                    let why = "another copy of carrom has been busy there for too long";
                     return Err(io::Error::new(ErrorKind::TimedOut, why));
                 }
-                // Some network folders know no locks. What is done under one is safe
-                // without, but for two carroms that do it in the same instant.
+                // Some network folders do not support locks. Without a lock, work in the folder is
+                // safe unless two copies of carrom do it at the same instant.
                 Err(TryLockError::Error(_)) => break false,
             }
         };

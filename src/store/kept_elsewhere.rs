@@ -1,23 +1,23 @@
-//! A store whose files the caller keeps: it returns them all as bytes, and begins with given ones.
-//! A browser has no folder.
+//! A store for a browser, which has no folder: it starts with files that the caller gives, and
+//! returns all files as bytes for the caller to keep.
 
 use super::memory::Memory;
 use super::text_store::TextStore;
 use super::{Database, Store, TABLE, TEXT};
 
-/// A file by its path in the folder for data: `games/game-1.toml`.
+/// A file: its path in the data folder, such as `games/game-1.toml`, and its bytes.
 pub type FileBytes = (String, Vec<u8>);
 
 /// The path of the database.
 const PROGRESS: &str = "progress.db";
-/// How the paths of databases begin that were damaged.
+/// The start of the paths of damaged databases.
 const ASIDE: &str = "progress-damaged";
-/// The folder of what is exported, which is for the player to take away.
+/// The folder of the exported files, which the player downloads.
 const EXPORTS: &str = "exports/";
 
 impl Store {
-    /// A store in memory that begins with these files, the latest last. A damaged database is
-    /// set aside under another name, and what can be read of it goes into a new one.
+    /// A store in memory that starts with these files, the latest last. A damaged database is kept
+    /// under another name, and its readable rows are copied into a new one.
     #[must_use]
     pub fn of_files(files: &[FileBytes]) -> Self {
         let mut store = Self::in_memory();
@@ -25,8 +25,8 @@ impl Store {
         store
     }
 
-    /// Takes these files in place of what there was: another carrom has changed them. What
-    /// is being worked on stays known.
+    /// Replaces all files with these, because another copy of carrom has changed them. Open games
+    /// and rounds stay open.
     pub fn renew(&mut self, files: &[FileBytes]) {
         self.games.renew(texts("games", files));
         self.classes.renew(texts("classes", files));
@@ -55,10 +55,10 @@ impl Store {
         }
     }
 
-    /// All its files but those that were exported.
+    /// All files except the exported ones.
     ///
     /// # Errors
-    /// If they cannot be read, the reason in words.
+    /// The reason why they cannot be read.
     pub fn files(&mut self) -> Result<Vec<FileBytes>, String> {
         let mut files = self.aside.clone();
         files.extend(self.games.files()?);
@@ -68,7 +68,7 @@ impl Store {
         Ok(files)
     }
 
-    /// What was exported since the last call: names and texts.
+    /// The files exported since the last call: names and texts.
     pub fn take_exports(&mut self) -> Vec<(String, String)> {
         let mut taken = Vec::new();
         for store in [&mut self.exports, &mut self.tables] {
@@ -84,26 +84,26 @@ impl Store {
         taken
     }
 
-    /// Adds what is in the bytes of another `progress.db` to its own.
+    /// Adds the contents of another `progress.db`, given as bytes.
     ///
     /// # Errors
-    /// If they are no good, in words; then nothing is added.
+    /// The reason why the bytes cannot be used; then nothing is added.
     pub fn take_in_progress(&mut self, bytes: &[u8]) -> Result<(), String> {
         self.progress.take_in(bytes)
     }
 
-    /// Adds a saved game from a file of that name.
+    /// Adds a saved game from a file with that name.
     ///
     /// # Errors
-    /// If it is none, in words.
+    /// The reason why the file is not a saved game.
     pub fn take_in_game(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
         self.games.take_in(name, bytes)
     }
 
-    /// Adds a round of a class from a file of that name.
+    /// Adds a class's round from a file with that name.
     ///
     /// # Errors
-    /// If it is none, in words.
+    /// The reason why the file is not a class's round.
     pub fn take_in_class(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
         self.classes.take_in(name, bytes)
     }

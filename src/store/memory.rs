@@ -8,13 +8,13 @@ use crate::files::FileError;
 /// Texts in memory, the latest last.
 pub(super) struct Memory {
     folder: &'static str,
-    /// How names end.
+    /// The suffix of the names.
     ending: &'static str,
     texts: Vec<(String, String)>,
 }
 
 impl Memory {
-    /// An empty store that goes by this name, whose texts have this ending.
+    /// An empty store with this folder name and this suffix.
     pub(super) fn new(folder: &'static str, ending: &'static str) -> Self {
         Self {
             folder,
@@ -23,8 +23,7 @@ impl Memory {
         }
     }
 
-    /// The same with these texts by their paths, of which only those of its own folder and
-    /// ending count; the latest last.
+    /// The same store with those files that are in its folder and have its suffix; the latest last.
     pub(super) fn holding(mut self, files: &[(String, Vec<u8>)]) -> Self {
         let own = files.iter().filter_map(|(path, bytes)| {
             let name = path.strip_prefix(self.folder)?.strip_prefix('/')?;

@@ -1,13 +1,13 @@
-//! Stored data: saved games and class rounds, one file each, exports, hand-ins, and in a database
-//! every answer, every level won and the bookmarks.
+//! Stored data. Saved games, class rounds, exports and hand-ins have one file each; answers, levels
+//! won and bookmarks are in a database.
 //!
-//! Several carroms may keep their games in one folder, any of them may be killed at
-//! any moment, and any file may be damaged or not ours. So:
+//! Several copies of carrom may keep their games in one folder, any of them may be killed at any
+//! moment, and any file may be damaged or not be carrom's. So:
 //!
-//! - a file is written beside its place, brought to the disk and then put in its
-//!   place, so that there is always either the old or the new one;
-//! - a file is replaced only while it still holds what this store last put or found
-//!   there; otherwise the game or round moves to a new file of its own;
+//! - a file is written under a temporary name, synced to the disk and then renamed, so that
+//!   there is always either the old file or the new one;
+//! - a file is replaced only while it still has the text that this store last wrote or read;
+//!   otherwise the game or round moves to a new file;
 //! - a file is not trusted until all of it has been replayed.
 
 mod database;
@@ -41,20 +41,20 @@ use memory::Memory;
 use open_files::OpenFiles;
 use text_store::TextStore;
 
-/// How the names of texts that are read again end.
+/// The suffix of texts that carrom reads again.
 const TEXT: &str = ".toml";
-/// Why nothing is kept where no folder for it is known.
+/// The error if no data folder is known.
 const NOWHERE: &str = "no data folder is known; set one with --data-dir";
-/// The folder of rounds of classes.
+/// The folder of the class rounds.
 const CLASSES: &str = "classes";
-/// The folder of what pupils have handed in.
+/// The folder of the pupils' hand-ins.
 const HANDED_IN: &str = "handed-in";
-/// How the names of files end that are handed in.
+/// The suffix of hand-ins.
 const HAND_IN: &str = ".json";
-/// How the names of tables for other programs end.
+/// The suffix of tables for other programs.
 const TABLE: &str = ".csv";
 
-/// Whether this is something done that is kept in its order.
+/// Whether this request stores an action of the player, which must be stored in order.
 fn is_note(request: &StoreRequest) -> bool {
     matches!(
         request,
@@ -66,54 +66,54 @@ fn is_note(request: &StoreRequest) -> bool {
     )
 }
 
-/// Where everything is kept.
+/// All stored data.
 pub struct Store {
-    /// Each game with where it stands.
+    /// The saved games, each with its current state.
     games: OpenFiles<(SavedGame, Game)>,
     classes: OpenFiles<ClassRound>,
     exports: Box<dyn TextStore>,
     tables: Box<dyn TextStore>,
     handed_in: Box<dyn TextStore>,
     progress: Database,
-    /// Files that are kept but not used: databases that were damaged.
+    /// Files that are kept but not used: damaged databases.
     aside: Vec<FileBytes>,
-    /// What the player should know of them, once.
+    /// The notice that the next answer will carry, such as one about a damaged database.
     notice: Option<String>,
-    /// The file of the settings; `None` where they are gone with the process.
+    /// The file of the settings; `None` if they are not stored.
     settings: Option<PathBuf>,
-    /// What could not be written to the database so far, the oldest first.
+    /// The requests that could not be written to the database yet, the oldest first.
     unsaved: VecDeque<StoreRequest>,
     clock: Clock,
     closed: bool,
 }
 
-/// What a store knows of the time.
+/// The clock of a store.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
     Computer,
-    /// Always the same, in seconds since 1970 began; days are those of this offset from UTC.
+    /// A fixed time, in seconds since the start of 1970, with this offset from UTC for days.
     Stopped(i64, Offset),
-    /// Nothing.
+    /// No clock.
     None,
 }
 
 impl Store {
-    /// A store that is gone with the process.
+    /// A store in memory, which is lost when the process ends.
     pub fn in_memory() -> Self {
         Self::of(Database::in_memory(), |folder, ending, _| {
             Box::new(Memory::new(folder, ending))
         })
     }
 
-    /// A store in `folder`, which is made when it is first needed: saved games in
-    /// `games`, rounds of classes in `classes`, what is exported in `exports`, what pupils hand in
-    /// in `handed-in`, settings in `settings.toml`, all else in `progress.db`.
+    /// A store in `folder`, which is created when it is first needed. Saved games are in `games`,
+    /// class rounds in `classes`, exports in `exports`, hand-ins in `handed-in`, settings in
+    /// `settings.toml`, and everything else in `progress.db`.
     pub fn in_folder(folder: &Path) -> Self {
         let progress = Database::in_folder(folder.to_owned());
         let texts = Self::of(progress, |name, ending, largest| {
             let disk = Disk::new(folder.join(name), ending, largest);
-            // What brings pupils back to their places, and what they answered, is for the teacher
-            // alone; so are the tables made of it.
+            // Seat tokens and pupils' answers are for the teacher alone, and so are the tables of
+            // them.
             Box::new(if [CLASSES, HANDED_IN].contains(&name) || ending == TABLE {
                 disk.private()
             } else {
@@ -126,7 +126,7 @@ impl Store {
         }
     }
 
-    /// No store: there is no folder for it, and it refuses everything.
+    /// A store without a folder, which refuses every request.
     pub fn nowhere() -> Self {
         Self {
             closed: true,
@@ -134,8 +134,7 @@ impl Store {
         }
     }
 
-    /// The same store, but it knows no time: for runs that are to be the same
-    /// whenever they are made.
+    /// The same store without a clock, so that runs do not depend on the time.
     pub fn timeless(self) -> Self {
         Self {
             clock: Clock::None,
@@ -143,8 +142,7 @@ impl Store {
         }
     }
 
-    /// The same store, which knows the questions of a teacher's own, so that rounds of
-    /// them can be taken up again.
+    /// The same store with a teacher's own questions, so that rounds of them can be continued.
     pub fn with_own(mut self, own: &Arc<Library>) -> Self {
         let own = Arc::clone(own);
         self.classes
@@ -152,33 +150,33 @@ impl Store {
         self
     }
 
-    /// The same store, except that looking something up changes no file, not even to repair it.
-    /// For commands that only print.
+    /// The same store, except that reading changes no file, not even to repair it. For commands
+    /// that only print.
     pub fn only_looking(mut self) -> Self {
         self.progress.only_look();
         self
     }
 
-    /// The same store with its clock stopped at `time_s`, in seconds since 1970 began.
+    /// The same store with its clock stopped at `time_s`, in seconds since the start of 1970.
     pub fn at(mut self, time_s: i64) -> Self {
         self.stop_clock(time_s);
         self
     }
 
-    /// Stops its clock at `time_s`, in seconds since 1970 began.
+    /// Stops its clock at `time_s`, in seconds since the start of 1970.
     pub(crate) fn stop_clock(&mut self, time_s: i64) {
         self.clock = Clock::Stopped(time_s, Offset::UTC);
     }
 
-    /// The same where days begin so many seconds before those of UTC; with an offset that no
-    /// place has they are those of UTC.
+    /// Stops its clock at `time_s`, with days that begin `offset_s` seconds before those of UTC. An
+    /// impossible offset is ignored.
     pub fn stop_clock_at(&mut self, time_s: i64, offset_s: i32) {
         let offset = Offset::from_seconds(offset_s).unwrap_or(Offset::UTC);
         self.clock = Clock::Stopped(time_s, offset);
     }
 
-    /// A store of texts by the name of the folder, the ending of the names and the most
-    /// bytes of a text that is read.
+    /// Builds a store. `texts` makes a store of texts from the folder's name, the suffix of the
+    /// names and the most bytes that are read from a text.
     fn of(
         progress: Database,
         texts: impl Fn(&'static str, &'static str, usize) -> Box<dyn TextStore>,
@@ -190,7 +188,7 @@ impl Store {
             classes: OpenFiles::new(classes, "class", |name, bytes| {
                 ClassRound::read(name, bytes, &Arc::default())
             }),
-            // These are written alone.
+            // These texts are only written.
             exports: texts("exports", TEXT, 0),
             tables: texts("exports", TABLE, 0),
             handed_in: texts(HANDED_IN, HAND_IN, HandIn::LARGEST_FILE),
@@ -204,7 +202,7 @@ impl Store {
         }
     }
 
-    /// Does what is asked.
+    /// Carries out a request.
     pub fn answer(&mut self, request: &StoreCall) -> StoreAnswer {
         let ticket = request.ticket;
         if self.closed && !is_note(&request.request) {
@@ -299,7 +297,7 @@ impl Store {
         }
     }
 
-    /// Writes both tables of a class's round.
+    /// Writes both tables of a class round.
     fn export_class(&mut self, round: &ClassRound) -> Result<String, String> {
         let mut places = Vec::new();
         let today = self.calendar().today().map(|day| day.to_string());
@@ -314,7 +312,8 @@ impl Store {
         Ok(places.join(" and "))
     }
 
-    /// Keeps what was handed in beside what was before; the same once more is there already.
+    /// Stores a hand-in beside earlier ones, unless an identical one is already there. Returns the
+    /// folder.
     fn keep_hand_in(&mut self, hand_in: &HandIn) -> Result<String, String> {
         let store = &mut self.handed_in;
         let text = format!("{}\n", hand_in.value()?);
@@ -331,8 +330,8 @@ impl Store {
         Ok(folder.unwrap_or_default().display().to_string())
     }
 
-    /// Keeps an answer, with the time it was given, or something else that was done, behind
-    /// all that is still to be kept.
+    /// Stores an action of the player, after all earlier ones that are not stored yet. An answer
+    /// gets the current time.
     fn note(&mut self, note: &StoreRequest) -> Result<(), String> {
         let mut note = note.clone();
         if let StoreRequest::Record(attempt) = &mut note {
@@ -342,7 +341,7 @@ impl Store {
         self.flush()
     }
 
-    /// Writes what is still to be kept, in its order, until something cannot be.
+    /// Writes the pending requests in order, until one fails.
     fn flush(&mut self) -> Result<(), String> {
         while let Some(oldest) = self.unsaved.front() {
             if self.closed {
@@ -365,21 +364,20 @@ impl Store {
         Ok(())
     }
 
-    /// Tries for the last time to keep what could not be kept so far.
+    /// Tries one last time to write the pending requests.
     ///
     /// # Errors
     /// How much is lost, and why.
     pub(crate) fn flush_at_end(&mut self) -> Result<(), String> {
         self.flush().map_err(|reason| {
-            let unsaved = self.unsaved.len();
-            let things = if unsaved == 1 { "thing" } else { "things" };
-            format!("{unsaved} {things} that you did could not be saved: {reason}")
+            let unsaved = counted(self.unsaved.len(), "change");
+            format!("{unsaved} could not be saved: {reason}")
         })
     }
 
     fn recall(&mut self, player: Option<&str>) -> Result<Box<History>, String> {
         let mut attempts = self.progress.attempts(player)?;
-        // What is still to be kept was answered all the same.
+        // Answers that are not stored yet count too.
         let unsaved = self.unsaved.iter().filter_map(|note| match note {
             StoreRequest::Record(attempt) => Some(attempt.as_ref()),
             _ => None,
@@ -408,7 +406,7 @@ impl Store {
         (self.clock == Clock::Computer).then(|| self.calendar())
     }
 
-    /// The time, and the days where this computer is.
+    /// The current time, and the calendar of this computer's time zone.
     fn calendar(&self) -> Calendar {
         match self.clock {
             Clock::None => Calendar::default(),

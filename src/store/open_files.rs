@@ -10,26 +10,26 @@ use crate::progress::Calendar;
 /// Items of one kind that are saved repeatedly, each identified by a ticket.
 pub(super) struct OpenFiles<T> {
     texts: Box<dyn TextStore>,
-    /// What names begin with.
+    /// The start of the names.
     kind: &'static str,
-    /// Makes a thing of the bytes of a file of this name.
+    /// Reads an item from a file's name and bytes.
     read: ReadBytes<T>,
-    /// What was last put or found under which name, by ticket.
+    /// The name and the last known text of each open item, by ticket.
     open: BTreeMap<u64, OpenFile>,
     notice: Option<String>,
 }
 
-/// Makes a thing of the bytes of a file of a name.
+/// A function that reads an item from a file's name and bytes.
 type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
 
-/// A thing being worked on.
+/// An item that is open for saving.
 struct OpenFile {
     name: String,
     text: String,
 }
 
 impl<T> OpenFiles<T> {
-    /// The things of a kind that a store of texts holds, none of them being worked on.
+    /// The items of one kind in a store of texts; none of them is open.
     pub(super) fn new(
         texts: Box<dyn TextStore>,
         kind: &'static str,
@@ -44,7 +44,7 @@ impl<T> OpenFiles<T> {
         }
     }
 
-    /// Has the things made of bytes in another way from now on.
+    /// Replaces the function that reads items.
     pub(super) fn read_by(
         &mut self,
         read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
@@ -52,28 +52,27 @@ impl<T> OpenFiles<T> {
         self.read = Box::new(read);
     }
 
-    /// Takes other texts in place of those there were: another carrom has changed them. What
-    /// is open stays so.
+    /// Replaces all texts, because another copy of carrom has changed them. Open items stay open.
     pub(super) fn renew(&mut self, texts: Box<dyn TextStore>) {
         self.texts = texts;
     }
 
-    /// All texts by their places, the latest last.
+    /// All texts with their paths, the latest last.
     pub(super) fn files(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
         let names = self.texts.names()?.into_iter().rev();
         let file = |name: String| Some((self.texts.place(&name), self.texts.read(&name).ok()?));
         Ok(names.filter_map(file).collect())
     }
 
-    /// Adds what the bytes of a file of that name make.
+    /// Adds an item from a file's bytes; `name` is for error messages.
     pub(super) fn take_in(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
         (self.read)(name, bytes).map_err(|fault| fault.to_string())?;
         let text = String::from_utf8_lossy(bytes);
         self.texts.add(self.kind, &text).map(drop)
     }
 
-    /// Saves a text in the place of what was saved or loaded with this ticket before; in
-    /// a new one if there is none, or if something else stands there now.
+    /// Saves a text over the one that was last saved or loaded with this ticket. If there is none,
+    /// or it has changed since, a new file is created.
     pub(super) fn save(&mut self, ticket: u64, text: String) -> Result<(), String> {
         if let Some(open) = self.open.get_mut(&ticket)
             && self.texts.replace(&open.name, &open.text, &text)?
@@ -85,16 +84,16 @@ impl<T> OpenFiles<T> {
         let place = self.texts.place(&name);
         if let Some(before) = self.open.insert(ticket, OpenFile { name, text }) {
             self.notice = Some(format!(
-                "{} is no longer as it was saved here; another carrom may have it open. \
-                 From now on this is saved in {place}.",
+                "{} is no longer as it was saved here; another copy of carrom may have it \
+                 open. From now on this is saved in {place}.",
                 self.texts.place(&before.name),
             ));
         }
         Ok(())
     }
 
-    /// Appends a text to what was saved or loaded with this ticket before; says `false` if
-    /// there is none, or if something else stands there now.
+    /// Appends to the text that was last saved or loaded with this ticket; returns `false` if there
+    /// is none, or if it has changed since.
     pub(super) fn append(&mut self, ticket: u64, added: &str) -> Result<bool, String> {
         let Some(open) = self.open.get_mut(&ticket) else {
             return Ok(false);
@@ -106,12 +105,12 @@ impl<T> OpenFiles<T> {
         Ok(appended)
     }
 
-    /// What the player should know of it, once.
+    /// The pending notice for the player; it is returned only once.
     pub(super) fn take_notice(&mut self) -> Option<String> {
         self.notice.take()
     }
 
-    /// All there is, the latest first, with their ages and days where a calendar knows them.
+    /// All items, the latest first, with their ages and days if a calendar is given.
     pub(super) fn list(&self, calendar: Option<&Calendar>) -> Result<Vec<Kept<T>>, String> {
         let names = self.texts.names()?.into_iter();
         let found = names.map(|name| {
@@ -133,7 +132,7 @@ impl<T> OpenFiles<T> {
         Ok(found.collect())
     }
 
-    /// The thing of a name, to be saved with this ticket from now on.
+    /// Reads the item with this name and opens it under this ticket.
     pub(super) fn load(&mut self, ticket: u64, name: &str) -> Result<T, String> {
         let (text, thing) = self.read(name).map_err(|fault| fault.to_string())?;
         let name = name.to_owned();
@@ -141,12 +140,12 @@ impl<T> OpenFiles<T> {
         Ok(thing)
     }
 
-    /// Removes the thing of a name.
+    /// Removes the item with this name.
     pub(super) fn remove(&mut self, name: &str) -> Result<(), String> {
         self.texts.remove(name)
     }
 
-    /// The text under a name, and the thing that it makes.
+    /// The text with this name, and the item read from it.
     fn read(&self, name: &str) -> Result<(String, T), FileErrors> {
         let bytes = self.texts.read(name)?;
         let thing = (self.read)(&self.texts.place(name), &bytes)?;

@@ -4,32 +4,31 @@ use std::time::Duration;
 
 use crate::files::FileError;
 
-/// A store of named texts. What fails is said in words.
+/// A store of named texts. Errors are messages for the player.
 pub(super) trait TextStore: Send {
-    /// The names there are, the latest first.
+    /// The names of all texts, the latest first.
     fn names(&self) -> Result<Vec<String>, String>;
 
-    /// What stands under a name; of what is too large one byte more than may be read.
+    /// The text with this name. If it is too large, only one byte more than the limit is returned.
     fn read(&self, name: &str) -> Result<Vec<u8>, FileError>;
 
-    /// How long ago it was put there.
+    /// The time since the text was last written.
     fn age(&self, name: &str) -> Option<Duration>;
 
-    /// Where it is, for people.
+    /// The text's location, for messages.
     fn place(&self, name: &str) -> String;
 
-    /// Puts a text under a name that nothing else has: `kind` with a number.
+    /// Adds a text under an unused name: `kind` with a number. Returns the name.
     fn add(&mut self, kind: &str, text: &str) -> Result<String, String>;
 
-    /// Puts a text in the place of another; says `false`, and does nothing, if that
-    /// is not what stands there.
+    /// Replaces a text. If its content is not `old`, returns `false` and does nothing.
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String>;
 
-    /// Puts a text behind another; says `false`, and does nothing, if that is not what stands
-    /// there. If carrom is killed meanwhile, part of the added text may remain.
+    /// Appends to a text. If its content is not `old`, returns `false` and does nothing. If carrom
+    /// is killed meanwhile, part of the added text may remain.
     fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String>;
 
-    /// Removes what stands under a name.
+    /// Removes the text with this name.
     fn remove(&mut self, name: &str) -> Result<(), String>;
 }
 
@@ -38,7 +37,7 @@ pub(super) fn number(name: &str) -> Option<u64> {
     name.rsplit_once('-')?.1.parse().ok()
 }
 
-/// A number larger than those of all names of that kind.
+/// A number that is larger than that in any name of this kind.
 pub(super) fn free_number<'a>(names: impl IntoIterator<Item = &'a str>, kind: &str) -> u64 {
     let of_kind = |name: &&str| {
         let number = name.strip_prefix(kind);

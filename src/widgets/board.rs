@@ -9,22 +9,22 @@ use crate::numbers::capital;
 use crate::physics::Board;
 use crate::physics::units::mm_from_m;
 
-/// Length of a base line in metres.
+/// The length of a base line, in metres.
 const BASE_LENGTH: f64 = 0.470;
-/// From the frame to the outer line of a pair of base lines, in metres.
+/// The distance from the frame to the outer line of a pair of base lines, in metres.
 const BASE_FROM_FRAME: f64 = 0.1015;
-/// Between the two lines of a pair, and the diameter of the circles that close
-/// them, in metres.
+/// The distance between the two lines of a pair, and the diameter of the circles at their ends, in
+/// metres.
 const BASE_WIDTH: f64 = 0.0318;
-/// Radius of the outer circle in metres.
+/// The radius of the outer circle, in metres.
 const OUTER_CIRCLE: f64 = 0.085;
-/// Radius of the centre circle in metres.
+/// The radius of the centre circle, in metres.
 const CENTRE_CIRCLE: f64 = 0.0159;
 
-/// The largest part of `area` on which a board is square, where a cell is twice as high as wide; at
-/// the left, vertically centred.
+/// The largest part of `area` in which a board is square, if a cell is twice as high as wide. It is
+/// left-aligned and vertically centred.
 pub(crate) fn square(area: Rect) -> Rect {
-    // One column less than twice the rows: the board's edges run through the middles
+    // One column less than twice the rows, because the board's edges run through the middles
     // of the outermost cells.
     let height = area.height.min(area.width.div_ceil(2));
     Rect {
@@ -35,8 +35,8 @@ pub(crate) fn square(area: Rect) -> Rect {
     }
 }
 
-/// The view of a whole board on a [`square`] area. An open surface shows as large as
-/// a tournament board.
+/// The view of a whole board in a [`square`] area. A surface without a frame has the scale of a
+/// tournament board.
 pub(crate) fn view(area: Rect, board: &Board) -> View {
     let half = DVec2::splat(side(board) / 2.0);
     View::stretch(area, -half, half)
@@ -50,14 +50,14 @@ fn side(board: &Board) -> f64 {
     }
 }
 
-/// The middle of the pocket in a corner, numbered as the engine does: lower left, lower
+/// The middle of the pocket in a corner, numbered as in the engine: lower left, lower
 /// right, upper left, upper right. `None` if there is no such corner or no pocket.
 pub(crate) fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
     let middle = board.pockets().nth(corner)?;
     middle.is_finite().then_some(middle)
 }
 
-/// Draws pockets and lines.
+/// Draws the pockets and lines.
 pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     let half = side(board) / 2.0;
     let radius = board.pocket_radius();
@@ -67,7 +67,7 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     for pocket in (0..4).filter_map(|corner| pocket(board, corner)) {
         picture.circle(pocket, radius, Role::Pocket);
     }
-    // Lines belong to a board of carrom's own size; on another they scale with it.
+    // The lengths are those of a tournament board; the lines of other boards are scaled.
     let scale = board.side / Board::default().side;
     for quarter in 0..4 {
         base_lines(picture, half, scale, f64::from(quarter));
@@ -78,7 +78,7 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     }
 }
 
-/// The positions of discs, one sentence each: in millimetres from the middle of the board.
+/// The positions of discs in millimetres from the middle of the board, one sentence each.
 pub(crate) fn places_in_words(discs: impl IntoIterator<Item = (String, DVec2)>) -> Vec<String> {
     let way = |metres: f64, [less, more]: [&str; 2]| {
         let mm = mm_from_m(metres).round();
@@ -91,14 +91,14 @@ pub(crate) fn places_in_words(discs: impl IntoIterator<Item = (String, DVec2)>) 
     discs.into_iter().map(place).collect()
 }
 
-/// A disc at contact, as a ring: dotted if it is large enough.
+/// The outline of a disc at contact: dotted if it is large enough.
 pub(crate) fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
     let pen = Pen::new(role).on(DrawLayer::Trail);
     let large = radius > picture.view().per_row();
     picture.circle(at, radius, if large { pen.dotted() } else { pen });
 }
 
-/// One pair of base lines, turned by so many quarters from the bottom.
+/// One pair of base lines, rotated from the bottom by this many quarter turns.
 fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
     let axis = DVec2::from_angle(quarter * std::f64::consts::FRAC_PI_2);
     let place = |across: f64, from_frame: f64| {
@@ -107,7 +107,7 @@ fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
     let end = (BASE_LENGTH - BASE_WIDTH) / 2.0;
     let middle = BASE_FROM_FRAME + BASE_WIDTH / 2.0;
     let pen = Pen::new(Role::BoardLine);
-    // Too close together to be distinguished, the two lines become one.
+    // If the two lines are too close to be distinguished, only one is drawn.
     if BASE_WIDTH * scale < 1.2 * picture.view().per_row() {
         picture.line(place(-end, middle), place(end, middle), pen);
         return;
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_board_is_square_on_every_area() {
+    fn the_board_is_square_in_every_area() {
         for (width, height) in [(80, 22), (44, 20), (30, 38), (5, 5), (1, 1), (0, 0)] {
             let area = square(Rect::new(3, 1, width, height));
             assert!(area.width <= width && area.height <= height);

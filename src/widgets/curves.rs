@@ -1,4 +1,4 @@
-//! The outcome at every impact angle, with a point to drag and its collision below.
+//! Plots of the outcome against the impact angle, with a draggable point and its collision below.
 
 use glam::DVec2;
 use ratatui::layout::{Margin, Rect};
@@ -50,7 +50,7 @@ const SHARES: [Curve; 3] = [
     },
 ];
 
-/// The angle that a cell of the picture stands for, in degrees.
+/// The impact angle at a cell of the picture, in degrees.
 pub(crate) fn alpha_at(
     kind: FigureKind,
     collision: &Collision,
@@ -63,7 +63,7 @@ pub(crate) fn alpha_at(
     Some(at.x)
 }
 
-/// The room for the plot and that for the hit.
+/// The areas for the plot and for the collision.
 fn rooms(area: Rect) -> [Rect; 2] {
     areas::upper(area, area.height * 11 / 20)
 }
@@ -72,7 +72,7 @@ fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plo
     let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
     match kind {
         FigureKind::Angles => {
-            // The striker bounces back from a full hit on a heavier disc.
+            // The striker rebounds from a head-on collision with a heavier disc.
             let most = if pair.k() > 1.0 + 1e-9 { 180.0 } else { 90.0 };
             let theta2 = Axis::linear("coin θ₂ (°)", 0.0, 90.0).every(15.0);
             let theta1 = Axis::linear("striker θ₁ (°)", 0.0, most).every(most / 6.0);
@@ -90,8 +90,8 @@ fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plo
     }
 }
 
-/// The curves of a kind of figure with the point of a hit on a disc at rest, and that hit
-/// below.
+/// The curves of one kind of figure, with the point for a collision with a disc at rest, and that
+/// collision below.
 pub(crate) fn curves_and_hit(
     kind: FigureKind,
     collision: &Collision,
@@ -100,15 +100,15 @@ pub(crate) fn curves_and_hit(
 ) -> [Picture; 2] {
     use Overlay::{Angles, Lines, Trails, Triangle};
     let [room, hit] = rooms(area);
-    // Only what can be seen in a small picture.
+    // Only the overlays that are readable in a small picture.
     let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
     let watch = Watch::revealed(*collision).with_layers(layers);
     let hit = watch.picture(hit.inner(Margin::new(1, 0)));
     [curves_picture(kind, collision, room, look), hit]
 }
 
-/// The curves with the point: both speeds against the impact angle, unless it is the angles or
-/// the shares of the energy.
+/// The curves with the point: the directions, the shares of the energy or the speeds, against the
+/// impact angle.
 pub(crate) fn curves_picture(
     kind: FigureKind,
     collision: &Collision,
@@ -137,7 +137,7 @@ pub(crate) fn curves_picture(
     plot.picture()
 }
 
-/// Draws curves against α with the points at one angle.
+/// Draws curves against α, with the points at one angle.
 fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, alpha: f64) {
     use LabelSide::{Above, Below, BelowLeft, BelowRight, Left, Right};
     let alpha_deg = deg_from_rad(alpha);
@@ -152,7 +152,7 @@ fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, 
         }
     }
     for curve in curves {
-        // Where it is high, and where the other is not.
+        // The name is placed where this curve is high and the other is not.
         let name_at = |deg: f64| Some(DVec2::new(deg, (curve.at)(pair, rad_from_deg(deg))?));
         let ends = [8.0, 82.0].into_iter().filter_map(name_at);
         if let Some(at) = ends.max_by(|a, b| a.y.total_cmp(&b.y)) {

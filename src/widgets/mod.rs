@@ -1,30 +1,30 @@
-//! Everything that is drawn: the layer between numbers and cells of the screen.
+//! Everything that is drawn: the layer between numbers and the cells of the screen.
 //!
-//! A widget knows how to draw, but nothing of screens or the app. Two of the player's choices
+//! Widgets know how to draw, but do not know the screens or the app. Two of the player's choices
 //! affect all of them: the [`Charset`] (which glyphs) and the [`Theme`] (which colours).
 //!
 //! ```text
-//!    answer   a question's picture, and the answer being given to it
+//!    answer   a question's picture, and the answer being entered
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    replay   a shot on the board, played back, and its impacts one by one
-//!    curves   what a hit gives at every impact angle, with the hit below
+//!    replay   the replay of a shot on the board, and its impacts one by one
+//!    curves   the outcome of a collision at every impact angle, with the collision below
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    hit      the one picture of an impact, with its clock, layers and frames
+//!    hit      the picture of a collision, with its clock, layers and frames
 //!    board    a picture of the board
-//!    tracks   a picture of ways past a nucleus
+//!    tracks   a picture of paths past a nucleus
 //!    plot     a picture of curves, bars and points over two axes
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    svg      pictures and screens as vectors
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    panels   frames, and what they tell of a hit
+//!    panels   frames, and the facts about a collision
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    input    keys as data, and what they work: numbers, rays, lists, forms, names
+//!    input    keys as data, and widgets for them: numbers, rays, lists, forms, text
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    panel    what stands beside a picture, as a list of blocks
+//!    panel    the text beside a picture, as a list of blocks
 //!    ink      pictures drawn into cells
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    picture  marks in metres and where they are on the screen
-//!    text     letters in cells: spelling, rows, formulas, large type
+//!    picture  marks in metres, and their positions on the screen
+//!    text     letters in cells: character sets, rows, formulas, large type
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    theme    roles and their colours
 //! ```

@@ -1,4 +1,4 @@
-//! Paths of particles past a nucleus, in the picture's own units of length.
+//! Paths of particles past a nucleus, in the picture's units of length.
 
 use std::f64::consts::PI;
 
@@ -10,10 +10,10 @@ use super::picture::{LabelSide, Pen, Picture, View};
 use crate::numbers::degrees;
 use crate::physics::rutherford::Rutherford;
 
-/// Straight pieces of a way.
+/// The number of straight pieces of a path.
 const PIECES: u32 = 160;
 
-/// Length of the arrow in which a way leaves the picture, in columns.
+/// The length of the arrow at the point where a path leaves the picture, in columns.
 const ARROW: f64 = 5.0;
 
 /// Draws a path and an arrow where it leaves the picture; returns the arrow's tip and direction, if
@@ -32,9 +32,9 @@ pub(crate) fn draw_way(
     Some((tip, (tip - tail).normalize_or_zero()))
 }
 
-/// The last piece of this length of a way that is shown, both its ends on the way.
+/// The last visible piece of a path with this length, as its two end points on the path.
 fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(DVec2, DVec2)> {
-    // Long straight pieces are gone along in small steps.
+    // Long straight pieces are divided into small steps.
     let steps = points.windows(2).flat_map(|pair| {
         let (from, to) = (pair[0], pair[1]);
         (0..=200).map(move |i| from.lerp(to, f64::from(i) / 200.0))
@@ -48,16 +48,16 @@ fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(
 }
 
 /// Two particles that a nucleus deflects by these angles in radians, one on either side, each on
-/// its exact hyperbola, with the angles written beside.
+/// its exact hyperbola, with its angle beside it.
 pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> Picture {
-    // Head-on, or not turned at all, has no place beside another one.
+    // A head-on or an undeflected particle cannot be drawn beside another one.
     let angles = angles.map(|angle| angle.clamp(0.01, PI));
     let offsets = angles.map(|angle| rutherford.impact_parameter(angle).unwrap_or(0.0));
     let widest = offsets[0].max(offsets[1]);
     let half = (1.9 * widest).max(1.6 * rutherford.head_on_approach);
     let view = View::fit(area, dvec2(-half, -half), dvec2(half, half));
     let mut picture = Picture::new(view);
-    // To the corners of the picture, however wide it is.
+    // The paths reach the corners of a picture of any width.
     let right = view.to_world(dvec2(f64::from(area.right()), 0.0)).x;
     let reach = 1.2 * right.hypot(half);
     let axis = Pen::new(Role::Axis).dotted();
@@ -97,7 +97,7 @@ mod tests {
     use crate::widgets::picture::Mark;
 
     #[test]
-    fn the_nucleus_is_tiny_and_the_ways_keep_away_from_it() {
+    fn the_nucleus_is_tiny_and_the_paths_stay_away_from_it() {
         // 180° and 60°: the head-on particle turns at d, the other at (d/2)(1 + 1/sin 30°)
         // = 1.5 d.
         let gold = Rutherford::radium_c_on_gold();

@@ -1,10 +1,10 @@
-//! Files damaged at random.
+//! Damages files at random.
 
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_pcg::Pcg64Mcg;
 
-/// Values that a number may be replaced by.
+/// Values that replace a number.
 const NUMBERS: [&str; 14] = [
     "0",
     "-0.0",
@@ -22,7 +22,7 @@ const NUMBERS: [&str; 14] = [
     "[]",
 ];
 
-/// Damages a file at one place.
+/// Damages a file at one random position.
 pub(crate) fn change(bytes: &mut Vec<u8>, chance: &mut Pcg64Mcg) {
     if bytes.is_empty() {
         return bytes.push(chance.random());
@@ -43,7 +43,7 @@ pub(crate) fn change(bytes: &mut Vec<u8>, chance: &mut Pcg64Mcg) {
             bytes.splice(at..end, noise);
         }
         _ => {
-            // From here the next number, which is most often what matters.
+            // Replaces the next number: most fields that matter are numbers.
             let is_part = |b: &u8| b.is_ascii_digit() || *b == b'.' || *b == b'-';
             let Some(start) = bytes[at..].iter().position(u8::is_ascii_digit) else {
                 return;

@@ -1,4 +1,4 @@
-//! A folder of one test's own.
+//! A temporary folder for one test.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 pub(crate) struct Folder(PathBuf);
 
 impl Folder {
-    /// A folder that nobody else has, with this in its name.
+    /// Creates a folder that no other test uses; its name contains `name`.
     pub(crate) fn new(name: &str) -> Self {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
@@ -19,12 +19,12 @@ impl Folder {
         Self(path)
     }
 
-    /// Where it is.
+    /// Its path.
     pub(crate) fn path(&self) -> &Path {
         &self.0
     }
 
-    /// Writes a file in it, and says where that is.
+    /// Writes a file in the folder and returns the file's path.
     pub(crate) fn file(&self, name: &str, content: impl AsRef<[u8]>) -> String {
         let path = self.0.join(name);
         fs::write(&path, content).unwrap();

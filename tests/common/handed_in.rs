@@ -1,11 +1,11 @@
-//! What pupils hand in, made up.
+//! Invented hand-ins of pupils.
 
 use carrom::gradebook::HandIn;
 use carrom::progress::Attempt;
 use carrom::quiz::{Answer, Code, Confidence, Question, Round};
 
-/// An answer to a question of mixed-7 at a time of the pupil's own: right, or as somebody who
-/// holds the first belief that the question can show.
+/// An answer to a question of mixed-7 at a given time: the right one, or that of the first
+/// misconception that the question can reveal.
 fn answer(player: &str, time_s: i64, number: usize, question: &Question, right: bool) -> Attempt {
     let code = Code::parse("mixed-7").unwrap();
     let said = match right {
@@ -20,8 +20,8 @@ fn answer(player: &str, time_s: i64, number: usize, question: &Question, right: 
     }
 }
 
-/// The hand-in of pupil `index`, who has answered the first `count` questions, the first `right`
-/// of them right.
+/// The hand-in of pupil `index`, who has answered the first `count` questions, the first `right` of
+/// them correctly.
 pub(crate) fn hand_in(index: i64, name: &str, count: usize, right: usize) -> HandIn {
     let round = Round::of(Code::parse("mixed-7").unwrap());
     let asked = round.questions().iter().enumerate().take(count);

@@ -1,8 +1,8 @@
-//! The keys that say something.
+//! The keys that enter an answer.
 
 use carrom::quiz::{Form, Response};
 
-/// The keys with which this is said to a question of this form.
+/// The keys that enter the response `said` to a question of this form.
 pub(crate) fn said(form: &Form, said: &Response) -> String {
     match (form, said) {
         (Form::Rays { side, .. }, Response::Rays(rays)) => [rays.striker, rays.target]
@@ -14,6 +14,6 @@ pub(crate) fn said(form: &Form, said: &Response) -> String {
         (_, Response::Number(x)) => format!("{x:.3}<Enter>"),
         (_, Response::Choice(i)) => format!("{}<Enter>", char::from(b'a' + *i as u8)),
         (_, Response::Shot(offset)) => format!("{:.2}<Enter>", offset * 1000.0),
-        _ => unreachable!("another kind than is asked for"),
+        _ => unreachable!("the response does not fit the form"),
     }
 }

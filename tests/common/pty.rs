@@ -1,4 +1,4 @@
-//! A program in a terminal of its own, seen as a person would see it.
+//! A program in its own terminal, whose screen is read as a person would see it.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,7 +13,7 @@ use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, SlavePty, native_p
 use rustix::process::{Pid, Signal, kill_process};
 use vt100::MouseProtocolMode;
 
-/// How long anything may take before a test gives up; far more than it needs.
+/// How long a test waits for anything before it fails; far longer than necessary.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A program in a terminal.
@@ -24,12 +24,12 @@ pub(crate) struct Pty {
     reader: Option<JoinHandle<()>>,
     writer: Option<Box<dyn Write + Send>>,
     master: Option<Box<dyn MasterPty + Send>>,
-    /// Kept open, so that the settings can still be read when the program has ended.
+    /// Kept open, so that the settings can still be read after the program has ended.
     slave: Option<Box<dyn SlavePty + Send>>,
     before: String,
 }
 
-/// All that came out of the program.
+/// All the output of the program.
 struct Seen {
     screen: vt100::Parser,
     bytes: Vec<u8>,
@@ -47,12 +47,12 @@ fn size(columns: u16, rows: u16) -> PtySize {
     }
 }
 
-/// `carrom` with these arguments, in a surrounding that is the same everywhere.
+/// `carrom` with these arguments, in the same environment on every machine.
 pub(crate) fn carrom(arguments: &[&str]) -> CommandBuilder {
     command(env!("CARGO_BIN_EXE_carrom"), arguments)
 }
 
-/// A program with these arguments, in a surrounding that is the same everywhere.
+/// A program with these arguments, in the same environment on every machine.
 pub(crate) fn command(program: &str, arguments: &[&str]) -> CommandBuilder {
     let mut command = CommandBuilder::new(program);
     command.args(arguments);
@@ -60,7 +60,7 @@ pub(crate) fn command(program: &str, arguments: &[&str]) -> CommandBuilder {
     command.env("PATH", std::env::var_os("PATH").unwrap_or_default());
     command.env("TERM", "xterm-256color");
     command.env("LANG", "C");
-    // Whatever is kept is not kept among the player's own things.
+    // Nothing is saved in the player's own data folder.
     let data = format!("carrom-pty-data-{}", std::process::id());
     command.env("XDG_DATA_HOME", std::env::temp_dir().join(data));
     command
@@ -111,7 +111,7 @@ impl Pty {
         writer.flush().unwrap();
     }
 
-    /// Gives the window another size.
+    /// Changes the size of the window.
     pub(crate) fn resize(&self, columns: u16, rows: u16) {
         let mut seen = self.seen.lock().unwrap();
         seen.screen.set_size(cells(rows), cells(columns));
@@ -120,7 +120,7 @@ impl Pty {
         master.resize(size(columns, rows)).unwrap();
     }
 
-    /// The process's number.
+    /// The id of the process.
     pub(crate) fn pid(&self) -> i32 {
         self.child.process_id().unwrap().try_into().unwrap()
     }
@@ -135,7 +135,7 @@ impl Pty {
         self.seen.lock().unwrap().screen.screen().contents()
     }
 
-    /// Every byte that was ever written.
+    /// Every byte that the program has written.
     pub(crate) fn bytes(&self) -> Vec<u8> {
         self.seen.lock().unwrap().bytes.clone()
     }
@@ -145,20 +145,20 @@ impl Pty {
         self.wait_until(text, |screen| screen.contains(text));
     }
 
-    /// Waits until the screen is as `wanted`.
+    /// Waits until the screen satisfies `wanted`; `what` describes this in the error message.
     pub(crate) fn wait_until(&self, what: &str, wanted: impl Fn(&str) -> bool) {
         let start = Instant::now();
         while !wanted(&self.screen()) {
             assert!(
                 start.elapsed() < PATIENCE,
-                "waited in vain for {what}; the screen shows\n{}",
+                "timed out waiting for {what}; the screen shows\n{}",
                 self.screen()
             );
             thread::sleep(Duration::from_millis(2));
         }
     }
 
-    /// Waits for the program's end and gives its exit status.
+    /// Waits until the program ends and returns its exit status.
     pub(crate) fn wait(&mut self) -> u32 {
         let start = Instant::now();
         loop {
@@ -172,8 +172,8 @@ impl Pty {
         }
     }
 
-    /// Closes the window. The program is made to write once more (`key` must make it
-    /// do so), so that nobody is left in the middle of reading from it.
+    /// Closes the window. The program is made to write once more (`key` must cause this), so that
+    /// the reading thread does not block.
     pub(crate) fn hang_up(&mut self, key: &str) {
         self.closing.store(true, Ordering::SeqCst);
         self.press(key);
@@ -183,8 +183,8 @@ impl Pty {
         self.master = None;
     }
 
-    /// Asserts that the terminal is a game's: raw, on the alternate screen, with the
-    /// mouse, without a cursor.
+    /// Asserts that the game controls the terminal: raw mode, alternate screen, mouse on, cursor
+    /// hidden.
     pub(crate) fn assert_taken(&self) {
         let seen = self.seen.lock().unwrap();
         let screen = seen.screen.screen();
@@ -196,8 +196,8 @@ impl Pty {
         assert_ne!(self.settings(), self.before, "raw mode");
     }
 
-    /// Waits until the terminal is as it was before the program started, and asserts
-    /// that it is so in every respect.
+    /// Waits until the terminal is restored, and asserts that every setting is the same as before
+    /// the program started.
     pub(crate) fn assert_restored(&self) {
         self.wait_until("the terminal to be restored", |_| {
             let seen = self.seen.lock().unwrap();
@@ -215,7 +215,7 @@ impl Pty {
             let (on, off) = (format!("\x1b[?{mode}h"), format!("\x1b[?{mode}l"));
             assert!(
                 text.rfind(&on) <= text.rfind(&off),
-                "mode {mode} is left on"
+                "mode {mode} is still on"
             );
         }
         drop(seen);
@@ -229,13 +229,13 @@ impl Pty {
 
 impl Drop for Pty {
     fn drop(&mut self) {
-        // A test that failed must not leave its program behind.
+        // A failed test must not leave its program running.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 }
 
-/// Every setting the system keeps of a terminal.
+/// All settings of a terminal, as text.
 fn settings(master: &(impl MasterPty + ?Sized)) -> String {
     format!("{:?}", master.get_termios().unwrap())
 }

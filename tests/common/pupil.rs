@@ -1,4 +1,4 @@
-//! A pupil's device as a test plays it: a WebSocket and what is said over it.
+//! A pupil's device simulated by a test: a WebSocket and the messages over it.
 
 use std::io::{self, Read, Write};
 use std::net::{Ipv4Addr, SocketAddrV4, TcpStream};
@@ -14,7 +14,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// A pupil's device.
 pub(crate) struct Pupil {
     pub(crate) socket: WebSocket<TcpStream>,
-    /// How things stand, as the host said last.
+    /// The latest state that the host sent.
     pub(crate) state: Value,
     n: u64,
 }
@@ -24,8 +24,8 @@ pub(crate) fn connect(port: u16) -> io::Result<TcpStream> {
     connect_from(1, port)
 }
 
-/// The same from another address, `127.0.0.DEVICE`, where a computer has such ones: each device in a
-/// network has its own.
+/// A connection from the address `127.0.0.DEVICE`, if the system allows it, because each device in
+/// a network has its own address.
 pub(crate) fn connect_from(device: u8, port: u16) -> io::Result<TcpStream> {
     let host = SocketAddrV4::new(Ipv4Addr::LOCALHOST, port);
     #[cfg(target_os = "linux")]
@@ -44,12 +44,12 @@ pub(crate) fn connect_from(device: u8, port: u16) -> io::Result<TcpStream> {
     Ok(stream)
 }
 
-/// What the host answers to a request, whole.
+/// The host's complete response to a request.
 pub(crate) fn answer(port: u16, request: &[u8]) -> String {
     let mut stream = connect(port).unwrap();
     stream.write_all(request).unwrap();
     let mut answer = Vec::new();
-    // What was answered counts, however the connection ends.
+    // The response is returned even if the connection ends with an error.
     let _ = stream.read_to_end(&mut answer);
     String::from_utf8_lossy(&answer).into_owned()
 }
@@ -72,12 +72,12 @@ impl Pupil {
         })
     }
 
-    /// A device that joins; what the host says to that is its state.
+    /// A device that joins; its state is the host's reply.
     pub(crate) fn join(port: u16, code: &str, name: &str, seat: Option<&str>) -> io::Result<Self> {
         Self::join_from(1, port, code, name, seat)
     }
 
-    /// The same with an address of its own, as of [`connect_from`].
+    /// A device that joins from its own address, as in [`connect_from`].
     pub(crate) fn join_from(
         device: u8,
         port: u16,
@@ -101,7 +101,7 @@ impl Pupil {
         sent.map_err(|error| io::Error::other(error.to_string()))
     }
 
-    /// The next that the host says.
+    /// Receives the next message from the host, which becomes the state.
     pub(crate) fn hear(&mut self) -> io::Result<()> {
         loop {
             match self.socket.read() {
@@ -116,7 +116,7 @@ impl Pupil {
         }
     }
 
-    /// Hears until things stand so.
+    /// Receives messages until the state satisfies a condition.
     pub(crate) fn hear_until(&mut self, stand: impl Fn(&Value) -> bool) -> io::Result<()> {
         while !stand(&self.state) {
             self.hear()?;
@@ -124,14 +124,14 @@ impl Pupil {
         Ok(())
     }
 
-    /// Votes, and hears until that is in.
+    /// Votes and waits until the host has received the vote.
     pub(crate) fn vote(&mut self, said: &str) -> io::Result<()> {
         self.send_vote(said)?;
         let n = self.n;
         self.hear_until(|state| state["n"].as_u64() >= Some(n))
     }
 
-    /// Votes, and hears nothing of it yet.
+    /// Votes without waiting for a reply.
     pub(crate) fn send_vote(&mut self, said: &str) -> io::Result<()> {
         self.n += 1;
         let vote = match self.state["step"].as_str() {
@@ -143,7 +143,7 @@ impl Pupil {
         self.say(&vote.to_string())
     }
 
-    /// Hands a file in, and hears what comes of it.
+    /// Hands a file in and returns the host's reply.
     pub(crate) fn hand_in(&mut self, file: &Value) -> io::Result<Value> {
         let n = self.state["handed"]["n"].as_u64().unwrap_or(0) + 1;
         let saying = json!({"t": "hand-in", "n": n, "file": file});
@@ -152,12 +152,12 @@ impl Pupil {
         Ok(self.state["handed"]["kept"].clone())
     }
 
-    /// What is said to whom the host sends away.
+    /// The reason that the host gives when it refuses a device.
     pub(crate) fn why(&self) -> Option<&str> {
         self.state["why"].as_str()
     }
 
-    /// A text of the state.
+    /// A text field of the state.
     pub(crate) fn text(&self, field: &str) -> String {
         self.state[field].as_str().unwrap_or_default().to_owned()
     }

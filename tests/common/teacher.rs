@@ -1,5 +1,5 @@
-//! The teacher of a class on its own devices, without a terminal: their app, and the server
-//! that it asks for.
+//! The teacher of a class whose pupils use their own devices, without a terminal: the app, and the
+//! server that it starts.
 
 use std::fs;
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -17,7 +17,7 @@ use carrom::store::Store;
 
 use crate::folder::Folder;
 
-/// The teacher of a class, in a thread of their own.
+/// The teacher of a class, in a separate thread.
 pub(crate) struct Teacher {
     pub(crate) port: u16,
     pub(crate) code: String,
@@ -27,19 +27,20 @@ pub(crate) struct Teacher {
 }
 
 impl Teacher {
-    /// A round of two questions about rays, kept in `folder`, at the first vote.
+    /// Starts a round of two questions about rays, saved in `folder`, and continues to the first
+    /// vote.
     pub(crate) fn start(folder: &Folder, page: &str) -> Self {
         let teacher = Self::gathering(folder, page);
         teacher.press("<Enter><Enter>", "have voted");
         teacher
     }
 
-    /// The same while the class gathers.
+    /// Starts the same round and waits in the lobby.
     pub(crate) fn gathering(folder: &Folder, page: &str) -> Self {
         Self::with_round(folder, page, "from-angle2-7")
     }
 
-    /// The same with the round of this code.
+    /// Starts the round with this code and waits in the lobby.
     pub(crate) fn with_round(folder: &Folder, page: &str, round: &str) -> Self {
         let code = carrom::quiz::Code::parse(round);
         let page = Arc::new(ServedPage::new(page).unwrap());
@@ -64,7 +65,7 @@ impl Teacher {
         }
     }
 
-    /// Presses keys, and waits until the screen shows this.
+    /// Presses keys and waits until the screen shows a text.
     pub(crate) fn press(&self, keys: &str, shows: &str) {
         self.keys.as_ref().unwrap().send(keys.into()).unwrap();
         self.wait_for(shows);
@@ -104,7 +105,7 @@ fn teach(
         page: Some(Ok(page)),
     };
     let mut host = Host::new(options, move || {
-        // Nobody listens any more only when the test is over.
+        // This fails only after the test has ended.
         let _ = wake.send(());
     });
     loop {
@@ -132,7 +133,7 @@ fn teach(
     }
 }
 
-/// The round as it is on the disk.
+/// The round as saved on disk.
 pub(crate) fn kept(folder: &Folder) -> ClassRound {
     let path = folder.path().join("classes/class-1.toml");
     ClassRound::read("kept", &fs::read(path).unwrap(), &Arc::default()).unwrap()

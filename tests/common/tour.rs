@@ -1,4 +1,4 @@
-//! A tour of the moments in which keys mean something.
+//! A tour of the moments in which keys have a meaning.
 
 use carrom::app::App;
 use carrom::quiz::Code;
@@ -6,17 +6,18 @@ use carrom::screens::{Route, Settings};
 use carrom::shells::classroom::Who;
 use carrom::shells::{Classroom, Headless};
 
-/// One moment: where the game is opened, and the keys that lead there from that place.
+/// One moment: the screen at which the game is opened, and the keys that lead from there to the
+/// moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct TourStop {
-    /// What it is called.
+    /// The name of the moment.
     pub(crate) name: &'static str,
-    /// The place, as in the command line: "quiz mixed-7".
+    /// The screen, as on the command line: "quiz mixed-7".
     place: &'static str,
-    /// The keys that lead there, as [`Headless::press`] takes them.
+    /// The keys that lead to the moment, as for [`Headless::press`].
     keys: &'static str,
-    /// Whether keys beside those of the table mean something there: letters that are typed, or
-    /// any key at all, which closes the help.
+    /// Whether keys that are not in the key table have a meaning too: letters are typed, or any key
+    /// closes the help.
     pub(crate) takes_any: bool,
 }
 
@@ -38,18 +39,18 @@ impl TourStop {
     }
 }
 
-/// A class round of two questions and as many teams as there may be, each with its key.
+/// A class round of two questions with the largest number of teams, each with its own key.
 const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens";
-/// The same on devices of their own.
+/// A class on its own devices.
 const DEVICES: &str = "host";
-/// The round there, unless another code follows a colon.
+/// The round on devices, unless another code follows a colon.
 const ON_DEVICES: &str = "from-angle2-7";
 /// Two strokes of practice.
 const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>";
 const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";
-/// Two questions of a round answered.
+/// Answers two questions of a round.
 const LOOKING_BACK: &str = "60<Enter>30<Enter>2<End><Enter>60<Enter>30<Enter>2<End><Enter>";
-/// What somebody answers who copies the angle.
+/// The answers of somebody who copies the angle.
 const FOUND_OUT: &str = "57<Enter>57<Enter>266<Enter>66<Enter>2c<Enter>2";
 const TO_THE_SHOT: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter>";
 const TO_THE_SCORES: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter>";
@@ -58,22 +59,22 @@ const TO_THE_SECOND: &str =
 const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>\
                           <Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>";
 
-/// Both ways said rightly three times, then the live picture.
+/// Predicts both paths correctly three times, then opens the live picture.
 const THREE_RIGHT: &str = "<Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape>v";
 
-/// A moment of every phase of every screen.
+/// A moment in every phase of every screen.
 pub(crate) const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),
-    moment("contents, a chapter begun", "learn", "<Enter>n<Escape>"),
+    moment("contents, a chapter started", "learn", "<Enter>n<Escape>"),
     moment("glossary", "glossary", ""),
-    moment("a chapter, a number asked", "chapter 1", ""),
-    moment("a chapter, a choice asked", "chapter 2", ""),
-    moment("a chapter, rays asked", "chapter 2", "nnn"),
+    moment("a chapter, a question for a number", "chapter 1", ""),
+    moment("a chapter, a multiple-choice question", "chapter 2", ""),
+    moment("a chapter, a question for rays", "chapter 2", "nnn"),
     moment("a chapter, a second try", "chapter 2", "a<Enter>"),
-    moment("a chapter, an answer told", "chapter 2", "b<Enter>"),
-    moment("a chapter, a hit watched", "chapter 2", "n"),
-    moment("a chapter, a hit turned", "chapter 1", "nnnnnn"),
+    moment("a chapter, an answer shown", "chapter 2", "b<Enter>"),
+    moment("a chapter, a hit replayed", "chapter 2", "n"),
+    moment("a chapter, a hit rotated", "chapter 1", "nnnnnn"),
     moment("a chapter, its figure", "chapter 2", "<Tab>"),
     moment("a chapter, a worked shot", "chapter 5", "n"),
     moment("a chapter, a shot to solve", "chapter 5", "nnnnnn"),
@@ -84,10 +85,14 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("lab, setting up", "lab", ""),
     moment("lab, a number typed", "lab", "12"),
     moment("lab, live", "lab", THREE_RIGHT),
-    moment("lab, saying where", "lab", "<Enter>"),
+    moment("lab, predicting", "lab", "<Enter>"),
     moment("lab, an angle typed", "lab", "<Enter>6"),
-    moment("lab, watched", "lab", "<Enter>45<Enter>45<Enter><End><End>"),
-    moment("lab, told", "lab", "<Enter>45<Enter>45<Enter><End>"),
+    moment(
+        "lab, replayed",
+        "lab",
+        "<Enter>45<Enter>45<Enter><End><End>",
+    ),
+    moment("lab, explained", "lab", "<Enter>45<Enter>45<Enter><End>"),
     moment("lab, watching", "lab", "<Enter>60<Enter>30<Enter>"),
     moment(
         "lab, a mystery coin",
@@ -101,8 +106,12 @@ pub(crate) const TOUR: &[TourStop] = &[
     ),
     moment("foil, tracks", "foil", ""),
     moment("foil, counts", "foil", "<Tab>"),
-    moment("foil, saying what returns", "foil", "<Tab><Enter>"),
-    moment("foil, a beam thrown", "foil", "<Tab><Enter>e<Enter>"),
+    moment(
+        "foil, predicting the share that returns",
+        "foil",
+        "<Tab><Enter>",
+    ),
+    moment("foil, a beam running", "foil", "<Tab><Enter>e<Enter>"),
     moment(
         "foil, a beam stopped",
         "foil",
@@ -117,11 +126,15 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("quiz, a number typed", "quiz speeds-7", "5"),
     moment("quiz, how sure", "quiz 7", "60<Enter>30<Enter>"),
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
-    moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<End>"),
+    moment("quiz, explained", "quiz 7", "60<Enter>30<Enter>2<End>"),
     moment("quiz, looking back", "quiz from-angle2-7", LOOKING_BACK),
-    moment("quiz, what one believes", "quiz find-out-7", FOUND_OUT),
     moment(
-        "quiz, one looked at again",
+        "quiz, the misconceptions found",
+        "quiz find-out-7",
+        FOUND_OUT,
+    ),
+    moment(
+        "quiz, a question looked at again",
         "quiz from-angle1-7",
         "60<Enter>30<Enter>2<End><Enter><Enter>",
     ),
@@ -153,9 +166,9 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("class, the scores", CLASS, TO_THE_SCORES),
     moment("class, the second question", CLASS, TO_THE_SECOND),
     moment("class, the end", CLASS, TO_THE_END),
-    moment("class, the door", DEVICES, ""),
+    moment("class, the lobby", DEVICES, ""),
     moment("class, who is in", DEVICES, "w"),
-    moment("class, one of those who are in", DEVICES, "w<Space>").taking_any(),
+    moment("class, a participant chosen", DEVICES, "w<Space>").taking_any(),
     moment("class, described on devices", DEVICES, "<Enter>"),
     moment("class, voting on devices", DEVICES, "<Enter><Enter>"),
     moment(
@@ -192,17 +205,21 @@ pub(crate) const TOUR: &[TourStop] = &[
         "",
     ),
     moment(
-        "joining, the shot told",
+        "joining, the shot explained",
         "pupil <Enter><Enter><Enter><Enter><Enter>",
         "<End>",
     ),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),
-    moment("a level, saying where", "level 4", "<Enter>"),
+    moment("a level, predicting", "level 4", "<Enter>"),
     moment("a level, watching", "level 4", "p<Enter>"),
     moment("a level, missed", "level 47", "p<Enter><End>"),
     moment("a level, an impact", "level 4", "p<Enter><End>i"),
-    moment("a level, an impact told", "level 4", "p<Enter><End>i<End>"),
+    moment(
+        "a level, an impact explained",
+        "level 4",
+        "p<Enter><End>i<End>",
+    ),
     moment("table, a new game", "table", ""),
     moment("table, aiming", "table", "<Enter>"),
     moment("table, a number typed", "table", "<Enter>9"),
@@ -212,14 +229,14 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("table, impacts", "table", "<Enter><Space><End>i"),
     moment("table, an impact", "table", "<Enter><Space><End>i<Enter>"),
     moment(
-        "table, an impact told",
+        "table, an impact explained",
         "table",
         "<Enter><Space><End>i<Enter><End>",
     ),
     moment("table, strokes", "table", TWO_STROKES),
     moment("table, the stroke before", "table", STROKE_BEFORE),
     moment("table, practice", "table", "<Right><Right><Enter>"),
-    moment("table, laying coins out", "table", "<Right><Right><Enter>p"),
+    moment("table, placing coins", "table", "<Right><Right><Enter>p"),
     moment(
         "table, saved games",
         "table",
@@ -234,13 +251,17 @@ pub(crate) const TOUR: &[TourStop] = &[
         "60<Enter>30<Enter>2<End><Enter><Escape><Escape>s<End><Enter>",
     ),
     moment("settings, a name typed", "settings", "<End><Enter>").taking_any(),
-    moment("a page looked up", "quiz 7", "20<Enter>20<Enter>2<End>c"),
+    moment(
+        "a chapter page opened from the quiz",
+        "quiz 7",
+        "20<Enter>20<Enter>2<End>c",
+    ),
     moment("help", "lab", "?").taking_any(),
     moment("a question", "home", "<Escape>"),
 ];
 
 impl TourStop {
-    /// The game at this moment, on a screen of 80 by 24.
+    /// The game at this moment, in a window of 80 × 24.
     pub(crate) fn game(&self, settings: Settings) -> Headless {
         let (place, rest) = self.place.split_once(' ').unwrap_or((self.place, ""));
         let number = || rest.parse::<usize>().unwrap_or(1).saturating_sub(1);
@@ -289,8 +310,8 @@ impl TourStop {
     }
 }
 
-/// A class of two on devices of their own, after the teacher has pressed these keys; the
-/// device of whoever is chosen, the first pupil being given.
+/// A class of two pupils on their own devices, after the teacher has pressed these keys. Returns
+/// the device that `choose` selects when given the first pupil.
 fn devices(
     code: &str,
     teachers: &str,

@@ -1,11 +1,10 @@
-//! What must hold of every collision, whatever the masses, the velocities, the
-//! offset and the restitution.
+//! Properties of every collision, for all masses, velocities, offsets and restitutions.
 
 use carrom::physics::{Bond, Collision, Disc, Frame, RestingTarget, units};
 use glam::DVec2;
 use proptest::prelude::*;
 
-/// Masses from a milligram to a kilogram, evenly over the powers of ten.
+/// Masses from a milligram to a kilogram, distributed evenly over the powers of ten.
 fn mass_g() -> impl Strategy<Value = f64> {
     (-3.0..3.0_f64).prop_map(|power| 10.0_f64.powf(power))
 }
@@ -64,7 +63,7 @@ fn energy(c: &Collision, v1: DVec2, v2: DVec2) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Relative to the momenta of the two, not to their sum, which may be zero.
+    /// The tolerance is relative to the two momenta, not to their sum, which may be zero.
     #[test]
     fn momentum_balances(c in both_moving()) {
         let after = c.outcome();
@@ -73,7 +72,7 @@ proptest! {
         prop_assert!(change.length() <= 1e-12 * scale);
     }
 
-    /// Recomputed from the velocities, with what was lost and what turns.
+    /// The energy is recomputed from the velocities, the loss and the rotation.
     #[test]
     fn energy_balances(c in both_moving()) {
         let after = c.outcome();
@@ -85,8 +84,8 @@ proptest! {
         prop_assert!(after.energy_lost >= 0.0);
     }
 
-    /// The stricter form: in the centre-of-mass frame there is nothing else that a
-    /// slow collision could hide behind.
+    /// A stricter test: in the centre-of-mass frame there is no large common energy that could hide
+    /// an error in a slow collision.
     #[test]
     fn energy_balances_in_the_centre_of_mass_frame(c in both_moving()) {
         let cm = Frame::CentreOfMass.view(&c);
@@ -96,9 +95,9 @@ proptest! {
         prop_assert!((left - before).abs() <= 1e-12 * before);
     }
 
-    /// Newton's law of restitution along n, and nothing across it.
+    /// Newton's law of restitution holds along n, and nothing changes perpendicular to n.
     #[test]
-    fn only_the_line_of_impact_takes_part(c in both_moving()) {
+    fn only_the_components_along_the_line_of_impact_change(c in both_moving()) {
         let c = Collision { bond: Bond::Slip, ..c };
         let after = c.outcome();
         let (n, t) = (after.normal.unwrap(), after.tangent.unwrap());
@@ -112,14 +111,14 @@ proptest! {
     }
 
     #[test]
-    fn the_angle_comes_back_from_the_offset(c in both_moving(), alpha_deg in -89.9..=89.9_f64) {
+    fn the_offset_gives_the_angle_again(c in both_moving(), alpha_deg in -89.9..=89.9_f64) {
         let found = c.with_alpha(alpha_deg.to_radians()).alpha().unwrap();
         prop_assert!((found.to_degrees() - alpha_deg).abs() <= 1e-9);
     }
 
-    /// Angles to a billionth of a degree, speeds to 10⁻¹² of the greatest they can be.
+    /// Angles agree to a billionth of a degree, speeds to 10⁻¹² of the greatest possible speed.
     #[test]
-    fn closed_forms_equal_the_vectors(c in target_at_rest(), alpha_deg in -89.9..=89.9_f64) {
+    fn closed_forms_agree_with_the_vectors(c in target_at_rest(), alpha_deg in -89.9..=89.9_f64) {
         let alpha = alpha_deg.to_radians();
         let after = c.with_alpha(alpha).outcome();
         let closed = RestingTarget::from(&c);
@@ -130,7 +129,7 @@ proptest! {
             let off = (a.unwrap() - b.unwrap()).to_degrees().abs();
             off.min(360.0 - off) <= 1e-9
         };
-        // Nearer to a dead stop than this the direction hangs on the last bits of α.
+        // For a striker that is slower than this, the direction depends on the last bits of α.
         if closed.striker_speed(alpha) > 1e-4 {
             prop_assert!(same(after.theta1, closed.theta1(alpha)));
             prop_assert!(same(after.separation, closed.separation(alpha)));
@@ -142,7 +141,7 @@ proptest! {
 
     /// 90° exactly when m₁ = e m₂, more for a lighter and less for a heavier striker.
     #[test]
-    fn square_exactly_when_the_striker_weighs_e_targets(
+    fn the_separation_is_90_degrees_exactly_at_m1_equal_to_e_m2(
         c in target_at_rest(),
         alpha_deg in 1.0..=89.0_f64,
         factor in prop_oneof![0.01..0.99_f64, 1.01..100.0_f64],
@@ -155,7 +154,7 @@ proptest! {
         };
         prop_assert!((separation_deg(1.0) - 90.0).abs() <= 1e-9);
         let other = separation_deg(factor);
-        // A hundredth off, at e = 0.01 and 89°, still shows in the fifth decimal.
+        // Even at e = 0.01 and 89°, a mass that differs by 1 % changes the fifth decimal.
         prop_assert!((other - 90.0).abs() > 1e-5, "{other}");
         prop_assert_eq!(other > 90.0, factor < 1.0);
     }

@@ -1,7 +1,7 @@
-//! Each goal is judged by what the closed forms say of one known hit.
+//! Each goal is checked against the closed forms for one known hit.
 //!
-//! The striker comes along +x at 2 m/s; the coin, of equal mass, lies half of
-//! r1 + r2 to its right: the impact angle is 30 degrees.
+//! The striker moves along +x at 2 m/s; the coin, of equal mass, is half of r1 + r2 to its right,
+//! so the impact angle is 30 degrees.
 
 use carrom::levels::{Finding, Level, Patience, judge};
 
@@ -51,7 +51,7 @@ fn missed(goal: &str, told: &str) {
 }
 
 #[test]
-fn the_coin_leaves_at_the_impact_angle_and_the_striker_square_to_it() {
+fn the_coin_leaves_at_the_impact_angle_and_the_striker_at_90_degrees_to_it() {
     met("kind = \"turn\"\ndisc = 1\nbetween_deg = [29.999, 30.001]");
     met("kind = \"turn\"\ndisc = 0\nbetween_deg = [59.999, 60.001]");
     met("kind = \"separation\"\nbetween_deg = [89.999, 90.001]");
@@ -66,18 +66,19 @@ fn the_coin_leaves_at_the_impact_angle_and_the_striker_square_to_it() {
 }
 
 #[test]
-fn three_quarters_of_the_energy_go_to_the_coin() {
+fn the_coin_gets_three_quarters_of_the_energy() {
     met("kind = \"energy\"\ndisc = 1\nbetween_percent = [74.999, 75.001]");
     met("kind = \"energy\"\ndisc = 0\nbetween_percent = [24.999, 25.001]");
     missed(
         "kind = \"energy\"\ndisc = 0\nbetween_percent = [50, 60]",
-        "the striker took 25 % of the energy, required 50 to 60 %",
+        "the striker had 25 % of the energy, required 50 to 60 %",
     );
 }
 
 #[test]
-fn speeds_are_those_at_the_hit() {
-    // From 2 m/s over s = 150 mm - 36.55 mm cos 30, at 0.12 g.
+fn speeds_are_measured_at_the_hit() {
+    // The striker starts at 2 m/s and slides s = 150 mm - 36.55 mm cos 30 with a deceleration of
+    // 0.12 g.
     let way = 0.150 - 0.03655 * 30_f64.to_radians().cos();
     let came = (4.0 - 2.0 * 0.12 * 9.80665 * way).sqrt();
     let (from, to) = (0.5 * came - 1e-6, 0.5 * came + 1e-6);
@@ -87,12 +88,12 @@ fn speeds_are_those_at_the_hit() {
 }
 
 #[test]
-fn circle_goals_are_met_by_paths_and_by_resting_places() {
+fn circle_goals_are_met_by_paths_and_by_final_positions() {
     let (sin, cos) = 30_f64.to_radians().sin_cos();
     let a = 0.12 * 9.80665;
     let reach = 0.03655;
     let came_squared = 4.0 - 2.0 * a * (0.150 - reach * cos);
-    // The striker leaves at 60 degrees with half the speed and meets nothing.
+    // The striker leaves at 60 degrees with half the speed and hits nothing.
     let slid = came_squared * sin * sin / (2.0 * a);
     let x = 1000.0 * (-reach * cos + slid * sin);
     let y = 1000.0 * (slid * cos);
@@ -116,7 +117,7 @@ fn circle_goals_are_met_by_paths_and_by_resting_places() {
 }
 
 #[test]
-fn pockets_and_touches() {
+fn goals_about_pockets_and_untouched_discs() {
     met("kind = \"keep\"\ndisc = 1");
     met("kind = \"untouched\"\ndisc = 2");
     met("kind = \"untouched\"\ndisc = 1\nby = 2");
@@ -126,13 +127,13 @@ fn pockets_and_touches() {
     );
     missed(
         "kind = \"bank\"\ndisc = 0\ntarget = 1",
-        "the striker met the white coin without a cushion",
+        "the striker hit the white coin without a cushion",
     );
     missed(
         "kind = \"bank\"\ndisc = 0\ntarget = 2",
-        "the striker met another disc first",
+        "the striker hit another disc first",
     );
-    // The queen never moves: 350.96 mm from the pocket's centre at (347.75, 347.75).
+    // The queen never moves, and it is 350.96 mm from the pocket's centre at (347.75, 347.75).
     missed(
         "kind = \"pocket\"\ndiscs = [2]",
         "the queen came within 329 mm of a pocket",
@@ -140,7 +141,7 @@ fn pockets_and_touches() {
 }
 
 #[test]
-fn who_hits_whom() {
+fn goals_about_which_disc_hits_which() {
     met("kind = \"hit\"\ndisc = 1\nby = 0");
     met("kind = \"hit\"\ndisc = 0\nby = 1");
     missed(
@@ -149,13 +150,13 @@ fn who_hits_whom() {
     );
 }
 
-/// Backwards, square to the left cushion, the striker comes back along its way.
+/// The striker is shot backwards, perpendicular to the left cushion, and returns along its path.
 #[test]
 fn cushions_are_counted() {
     let bank = "kind = \"bank\"\ndisc = 0\ntarget = 1";
     let once = judged(bank, 180.0);
     assert!(once.met);
-    assert_eq!(once.text, "the striker met the white coin off 1 cushion");
+    assert_eq!(once.text, "the striker hit the white coin off 1 cushion");
     let twice = judged(&format!("{bank}\nleast = 2"), 180.0);
     assert!(!twice.met);
     assert_eq!(twice.text, once.text);
@@ -166,12 +167,12 @@ fn cushions_are_counted() {
     assert!(judged(goal, 180.0).met);
     missed(
         "kind = \"cushions\"\ndisc = 2\nleast = 1",
-        "the queen met no cushion",
+        "the queen hit no cushion",
     );
 }
 
 #[test]
-fn nothing_is_measured_where_nothing_is_hit() {
+fn without_a_hit_no_measured_goal_is_met() {
     for goal in [
         "kind = \"turn\"\ndisc = 0\nbetween_deg = [0, 180]",
         "kind = \"separation\"\nbetween_deg = [0, 180]",
@@ -184,9 +185,9 @@ fn nothing_is_measured_where_nothing_is_hit() {
     }
 }
 
-/// Straight at the pocket, a disc falls, and in the order in which it comes.
+/// Discs shot straight at a pocket fall in the order in which they arrive.
 #[test]
-fn a_pocketed_disc_counts_in_its_order() {
+fn pocketed_discs_must_fall_in_the_required_order() {
     let text = |goal: &str| {
         format!(
             "format = 1\n\
@@ -204,11 +205,11 @@ fn a_pocketed_disc_counts_in_its_order() {
     };
     let right = judged("discs = [1, 0]");
     assert!(right.met);
-    assert_eq!(right.text, "the white coin, then the striker fell");
+    assert_eq!(right.text, "pocketed: the white coin, then the striker");
     let wrong = judged("discs = [0, 1]");
     assert!(!wrong.met);
     assert_eq!(
         wrong.text,
-        "the white coin, then the striker fell: the wrong order"
+        "pocketed: the white coin, then the striker, in the wrong order"
     );
 }

@@ -1,4 +1,4 @@
-//! The levels that come with the program can be won, but not by chance.
+//! The built-in levels can be won, but not by chance.
 
 use std::collections::BTreeSet;
 use std::process::Command;
@@ -17,7 +17,7 @@ fn levels() -> Vec<Level> {
 }
 
 #[test]
-fn there_are_at_least_forty_from_the_first_hits_to_design() {
+fn there_are_at_least_forty_levels_in_the_expected_packs() {
     assert!(levels().len() >= 40);
     let packs = LevelLibrary::embedded().packs;
     let names: Vec<_> = packs.iter().map(|pack| pack.name.as_str()).collect();
@@ -39,7 +39,7 @@ fn there_are_at_least_forty_from_the_first_hits_to_design() {
     );
 }
 
-/// An id opens a level from the command line, whatever its pack.
+/// An id opens a level from the command line, so ids must be unique across all packs.
 #[test]
 fn no_two_levels_share_an_id_or_a_title() {
     let levels = levels();
@@ -50,7 +50,7 @@ fn no_two_levels_share_an_id_or_a_title() {
 }
 
 #[test]
-fn every_level_hints_in_stages_and_explains_itself() {
+fn every_level_has_hints_in_stages_and_an_explanation() {
     for level in levels() {
         assert!(level.hints.len() >= 2, "{}", level.id);
         assert!(level.explanation.len() > 150, "{}", level.id);
@@ -58,7 +58,7 @@ fn every_level_hints_in_stages_and_explains_itself() {
 }
 
 #[test]
-fn the_stored_solution_wins_and_the_aim_a_level_opens_with_does_not() {
+fn the_stored_solution_wins_and_the_initial_aim_does_not() {
     for level in levels() {
         let trial = Trial::of(&level).unwrap();
         assert!(trial.verdict.won(), "{}: {:?}", level.id, trial.verdict);
@@ -67,7 +67,7 @@ fn the_stored_solution_wins_and_the_aim_a_level_opens_with_does_not() {
 }
 
 #[test]
-fn the_stored_solution_is_a_whole_number_of_key_presses_away() {
+fn the_stored_solution_can_be_reached_by_key_presses() {
     for level in levels() {
         for (dial, _) in level.adjust.dials() {
             let way = level.solution.get(dial) - level.start().get(dial);
@@ -82,7 +82,7 @@ fn the_stored_solution_is_a_whole_number_of_key_presses_away() {
 }
 
 #[test]
-fn few_aims_win_but_not_hopelessly_few() {
+fn few_aims_win_but_not_too_few() {
     for level in levels() {
         let share = winning_share(&level, 4000);
         assert!((0.001..0.2).contains(&share), "{}: {share}", level.id);
@@ -90,7 +90,7 @@ fn few_aims_win_but_not_hopelessly_few() {
 }
 
 #[test]
-fn level_check_proves_it() {
+fn level_check_finds_no_problem() {
     let output = Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(["level", "check"])
         .output()

@@ -1,10 +1,10 @@
-//! Laws that are seldom met, each reached in a whole game by a file under
-//! `tests/saves/laws`: `carrom replay FILE` shows it.
+//! Laws that rarely apply, each reached in a whole game. The games are files in `tests/saves/laws`,
+//! and `carrom replay FILE` shows them.
 
 use carrom::game::{BoardWon, Game, RulingEffect, SavedGame, Team};
 
-/// The games before and after the last move of a file, the laws that the referee named at
-/// it, and how the board ended.
+/// The games before and after the last move of a file, the laws that the referee cited for it, and
+/// the end of the board.
 fn end_of(name: &str, bytes: &[u8]) -> (Game, Game, Vec<String>, BoardWon) {
     let (saved, after) = SavedGame::read(name, bytes).unwrap();
     let mut last = None;
@@ -23,7 +23,7 @@ fn end_of(name: &str, bytes: &[u8]) -> (Game, Game, Vec<String>, BoardWon) {
 }
 
 #[test]
-fn from_22_points_on_the_queen_brings_none() {
+fn the_queen_brings_no_points_from_22_points_on() {
     let file = include_bytes!("../saves/laws/queen-at-22.toml");
     let (before, after, laws, won) = end_of("queen-at-22.toml", file);
     assert!(before.score().points[won.winner] >= 22);

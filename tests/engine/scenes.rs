@@ -1,4 +1,4 @@
-//! The board of a scene is the one that its shot is played on.
+//! The shot of a scene is played on the board of the scene.
 
 use carrom::levels::Scene;
 use carrom::physics::{EventKind, Limits, play};
@@ -54,7 +54,7 @@ fn a_scene_chooses_how_much_energy_a_collision_loses() {
 }
 
 #[test]
-fn discs_are_elastic_unless_a_scene_says_otherwise() {
+fn discs_are_elastic_unless_a_scene_sets_a_restitution() {
     let (lost, along) = first_impact(&scene(""));
     assert!(lost.abs() < 1e-12 * along, "{lost}");
 }

@@ -1,4 +1,4 @@
-//! What every browser can do that is driven from outside.
+//! The functions of every browser under test.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -10,12 +10,12 @@ pub(crate) trait Browser {
     /// Opens an address.
     fn open(&mut self, address: &str);
 
-    /// Runs the body of a function on the page, and gives what it returns.
+    /// Runs the body of a function on the page and returns its result.
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value;
 }
 
-/// What can be read on the page, and what stands in its fields; not what is said to a screen
-/// reader alone, which may be of a moment ago.
+/// The visible text of the page and the values of its fields, without the text for screen readers
+/// only, which may be out of date.
 pub(crate) const SCREEN: &str = "
     const values = [...document.querySelectorAll('#screen input')].map((it) => it.value);
     const isSeen = (it) => it.id !== 'news' && it.getClientRects().length > 0;
@@ -27,14 +27,14 @@ pub(crate) fn page() -> String {
     named_page().expect("a page: .ci/page builds it, and CARROM_TEST_PAGE names it")
 }
 
-/// The address of the page that the environment names, if it names one.
+/// The address of the page in `CARROM_TEST_PAGE`, if that is set.
 pub(crate) fn named_page() -> Option<String> {
     let path = env::var_os("CARROM_TEST_PAGE").map(PathBuf::from)?;
     let path = fs::canonicalize(&path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
     Some(format!("file://{}", path.display()))
 }
 
-/// Keeps the time of each frame from now on in `frameTimes`.
+/// Records the time of each frame from now on in `frameTimes`.
 pub(crate) const TIME_FRAMES: &str = "
     window.frameTimes = [];
     const request = window.requestAnimationFrame.bind(window);
@@ -43,7 +43,7 @@ pub(crate) const TIME_FRAMES: &str = "
       draw(time);
     });";
 
-/// Presses keys as a keyboard does, each once the last one has done its work.
+/// Presses keys one after the other, as on a keyboard.
 pub(crate) fn press(browser: &mut dyn Browser, keys: &[&str]) {
     let script = "
         for (const key of arguments[0]) {
@@ -53,7 +53,7 @@ pub(crate) fn press(browser: &mut dyn Browser, keys: &[&str]) {
     browser.run(script, &[json!(keys)]);
 }
 
-/// Waits until the program on the page is there.
+/// Waits until the program on the page is ready.
 pub(crate) fn wait_until_ready(browser: &mut dyn Browser) {
     let ready = "return !!(window.carrom && window.carrom.isReady())";
     for _ in 0..200 {
@@ -63,5 +63,5 @@ pub(crate) fn wait_until_ready(browser: &mut dyn Browser) {
         std::thread::sleep(std::time::Duration::from_millis(50));
     }
     let words = browser.run("return document.getElementById('words').textContent", &[]);
-    panic!("the page does not open: {words}");
+    panic!("the page did not open: {words}");
 }

@@ -1,4 +1,4 @@
-//! Chromium, driven by chromedriver over HTTP (WebDriver).
+//! Chromium, controlled by chromedriver over HTTP (WebDriver).
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -15,19 +15,19 @@ pub(crate) struct Chromium {
 }
 
 impl Chromium {
-    /// A window of so many CSS pixels; with a finger, one of a phone.
+    /// Opens a window of this size in CSS pixels; if `finger` is set, it is that of a phone.
     pub(crate) fn start(size: (u32, u32), finger: bool) -> Self {
         Self::start_as(size, finger, &json!({}))
     }
 
-    /// The same, with settings of the browser's own (`prefs`).
+    /// Opens a window with these browser settings (`prefs`).
     pub(crate) fn start_as((width, height): (u32, u32), finger: bool, prefs: &Value) -> Self {
         let driver = Command::new("chromedriver")
             .arg("--port=0")
             .stdout(Stdio::piped())
             .spawn();
         let mut driver = driver.unwrap_or_else(|error| {
-            panic!("chromedriver, which drives Chromium, does not start: {error}")
+            panic!("chromedriver, which controls Chromium, does not start: {error}")
         });
         let output = BufReader::new(driver.stdout.take().unwrap());
         let started = |line: std::io::Result<String>| {
@@ -50,8 +50,8 @@ impl Chromium {
             port,
             session: String::new(),
         };
-        // chromedriver hangs now and then where a page writes its address while the driver waits for
-        // it to be loaded: so the driver does not wait, and `open` does.
+        // chromedriver sometimes hangs if a page changes its address while the driver waits for it
+        // to load. So the driver does not wait, and `open` does.
         let wanted = json!({
             "pageLoadStrategy": "none",
             "goog:chromeOptions": options, "goog:loggingPrefs": { "performance": "ALL" },
@@ -65,14 +65,13 @@ impl Chromium {
         chromium
     }
 
-    /// Does something by the debugging protocol.
+    /// Sends a command of the debugging protocol.
     pub(crate) fn debug(&mut self, command: &str, parameters: &Value) -> Value {
         let body = json!({ "cmd": command, "params": parameters });
         self.in_session("goog/cdp/execute", &body)
     }
 
-    /// The addresses of all that was asked for since this was called last, as the debugging
-    /// port has told it.
+    /// The addresses of all requests since the last call, as logged by the debugging protocol.
     pub(crate) fn requests(&mut self) -> Vec<String> {
         let events = self.in_session("se/log", &json!({ "type": "performance" }));
         let events = events.as_array().unwrap().iter();
@@ -86,19 +85,19 @@ impl Chromium {
         sent.map(address).collect()
     }
 
-    /// Closes the window that commands go to, whatever its page is doing.
+    /// Closes the current window, even if its page is busy.
     pub(crate) fn close_window(&mut self) {
         let path = format!("/session/{}/window", self.session);
         self.ask("DELETE", &path, None);
     }
 
-    /// The window that commands go to.
+    /// The current window, which receives the commands.
     pub(crate) fn window(&mut self) -> String {
         let path = format!("/session/{}/window", self.session);
         self.ask("GET", &path, None).as_str().unwrap().to_owned()
     }
 
-    /// Opens another tab and goes there.
+    /// Opens another tab and switches to it.
     pub(crate) fn another_window(&mut self) -> String {
         let opened = self.in_session("window/new", &json!({ "type": "tab" }));
         let window = opened["handle"].as_str().unwrap().to_owned();
@@ -106,7 +105,7 @@ impl Chromium {
         window
     }
 
-    /// Goes to a window.
+    /// Switches to a window.
     pub(crate) fn go_to(&mut self, window: &str) {
         self.in_session("window", &json!({ "handle": window }));
     }
@@ -122,7 +121,7 @@ impl Chromium {
         value
     }
 
-    /// What the driver answers, which may be an error.
+    /// The driver's reply, which may be an error.
     fn answer(&mut self, method: &str, path: &str, body: Option<&Value>) -> Value {
         let body = body.map(Value::to_string).unwrap_or_default();
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
@@ -158,18 +157,18 @@ impl Browser for Chromium {
         let before = self.run("window.isLeft = true; return location.href", &[]);
         let path = format!("/session/{}/execute/sync", self.session);
         self.in_session("url", &json!({ "url": address }));
-        // A link to another part of the same page loads none.
+        // A link to another part of the same page does not load a new page.
         let opened = "return document.readyState === 'complete'
             && (!window.isLeft || arguments[0].split('#')[0] === arguments[1].split('#')[0])";
         let body = json!({ "script": opened, "args": [before, address] });
         for _ in 0..400 {
-            // In the midst of it there may be no page to ask.
+            // While a page is loading, there may be no page that can reply.
             if self.answer("POST", &path, Some(&body)) == Value::Bool(true) {
                 return;
             }
             std::thread::sleep(std::time::Duration::from_millis(25));
         }
-        panic!("{address} is not opened");
+        panic!("{address} was not opened");
     }
 
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value {

@@ -1,5 +1,5 @@
-//! The page as a pupil's device: served by a host, joined by a name, voted on, and
-//! back in its place when it was reloaded or out of reach.
+//! The page as a pupil's device: a host serves it, the pupil joins and votes, and the page returns
+//! to its state after a reload or a lost connection.
 
 use std::fs;
 use std::path::Path;
@@ -50,7 +50,7 @@ fn a_phone_joins_votes_and_comes_back() {
         .rays()
         .unwrap();
     assert!((said.striker.unwrap().abs().to_degrees() - 60.0).abs() < 1e-9);
-    // The page is loaded again, as a phone does that was put away.
+    // The page is reloaded, as happens on a phone that was put away.
     phone.0.run("location.reload()", &[]);
     thread::sleep(Duration::from_millis(500));
     wait_until_ready(&mut phone.0);
@@ -59,7 +59,7 @@ fn a_phone_joins_votes_and_comes_back() {
     assert_eq!(kept(&folder).voted(0, Vote::First), 1);
 }
 
-/// Presses keys as they are written for a tape, and waits until the screen shows this.
+/// Presses keys, written as in a tape, and waits until the screen shows a text.
 fn press(browser: &mut Chromium, keys: &str, shows: &str) {
     let mut rest = keys;
     while let Some(first) = rest.chars().next() {
@@ -81,11 +81,11 @@ fn press(browser: &mut Chromium, keys: &str, shows: &str) {
     }
 }
 
-/// How many questions are answered in each page.
+/// How many questions are answered on each page.
 const ALONE: usize = 3;
 
-/// A page that the host has served, on which somebody answers the first questions of mixed-7
-/// alone, all of them right.
+/// A page served by the host on which a pupil answers the first questions of mixed-7 alone, all
+/// correctly.
 fn answered_alone(teacher: &Teacher, name: &str) -> Chromium {
     let mut browser = Chromium::start((1000, 700), false);
     let address = format!("http://127.0.0.1:{}/", teacher.port);
@@ -99,17 +99,17 @@ fn answered_alone(teacher: &Teacher, name: &str) -> Chromium {
         press(&mut browser, "3<End>", "points");
         press(&mut browser, "<Enter>", "question");
     }
-    // Until all of it is safe.
+    // Waits until all answers are saved.
     let start = Instant::now();
     while browser.run("return window.carrom.told()", &[]).as_u64() < Some(ALONE as u64) {
         let late = start.elapsed() > Duration::from_secs(20);
-        assert!(!late, "the answers are not kept");
+        assert!(!late, "the answers are not saved");
         thread::sleep(Duration::from_millis(50));
     }
     browser
 }
 
-/// The files of a folder that are handed in.
+/// The hand-in files of a folder.
 fn files(folder: &Path) -> Vec<HandIn> {
     let entries = fs::read_dir(folder).into_iter().flatten();
     let paths = entries.map(|entry| entry.unwrap().path());
@@ -118,9 +118,9 @@ fn files(folder: &Path) -> Vec<HandIn> {
     bytes.filter_map(|it| HandIn::read(&it).ok()).collect()
 }
 
-/// Thirty-two files of a class: four of pages, three of which send theirs to the host and one
-/// makes a file, the others of programs; two of them damaged, two handed in twice, and two pupils
-/// are called Ada.
+/// Thirty-two files of a class. Four come from pages: three send theirs to the host and one saves a
+/// file; the others come from programs. Two files are damaged, two are handed in twice, and two
+/// pupils are called Ada.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn handed_in_files_are_merged_into_one_gradebook() {
@@ -138,7 +138,7 @@ fn handed_in_files_are_merged_into_one_gradebook() {
         press(&mut browser, &keys, "Hand in the 3 answers");
         press(&mut browser, "h", "Send ");
         press(&mut browser, "y", "Handed in: 3 answers.");
-        // Once more is no second file.
+        // Handing in again does not create a second file.
         press(&mut browser, "hy", "Handed in: 3 answers.");
     }
     let mut sent = files(&handed_in);
@@ -149,7 +149,7 @@ fn handed_in_files_are_merged_into_one_gradebook() {
         assert_eq!((it.class.as_str(), it.attempts.len()), ("10b", ALONE));
         assert!(it.attempts.iter().all(|it| it.right), "{}", it.name);
     }
-    // Zoë is at no class just now.
+    // Zoë is not connected to a class now.
     let mut browser = answered_alone(&teacher, "Zoë");
     let place = json!({ "behavior": "allow", "downloadPath": handed_in.to_str().unwrap() });
     browser.debug("Browser.setDownloadBehavior", &place);
@@ -159,7 +159,7 @@ fn handed_in_files_are_merged_into_one_gradebook() {
     let start = Instant::now();
     while files(&handed_in).len() < 4 {
         let late = start.elapsed() > Duration::from_secs(20);
-        assert!(!late, "nothing is there");
+        assert!(!late, "no file was handed in");
         thread::sleep(Duration::from_millis(50));
     }
     let write = |name: &str, text: &str| fs::write(handed_in.join(name), text).unwrap();
@@ -193,7 +193,7 @@ fn handed_in_files_are_merged_into_one_gradebook() {
         let is_there = rows.iter().any(|row| row.starts_with(begins));
         assert!(is_there, "{begins}: {table}");
     }
-    // The first three questions were answered by four more.
+    // Four more pupils answered the first three questions.
     let items = folder.path().join("class-items.csv");
     let mut items = csv::Reader::from_path(items).unwrap();
     let answered = items.records().map(|row| row.unwrap()[3].to_owned());

@@ -1,5 +1,5 @@
-//! What the page costs: printed, and judged by a person. `cargo test --test page figures --
-//! --ignored --nocapture`.
+//! Measures the size and speed of the page and prints the results for a person to judge: `cargo
+//! test --test page figures -- --ignored --nocapture`.
 
 use std::fs;
 use std::time::Instant;
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use crate::browser::{Browser, TIME_FRAMES, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// Opens the page afresh on a computer so many times slower.
+/// Reopens the page on a simulated computer that is slower by this factor.
 fn open(chromium: &mut Chromium, page: &str, slower: f64) {
     chromium.open("about:blank");
     chromium.debug("Emulation.setCPUThrottlingRate", &json!({ "rate": slower }));
@@ -21,22 +21,23 @@ fn open(chromium: &mut Chromium, page: &str, slower: f64) {
     std::thread::sleep(std::time::Duration::from_millis(500));
 }
 
-/// The middle one of numbers.
+/// The median of some numbers.
 fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     numbers[numbers.len() / 2]
 }
 
-/// After so many ms without a frame what moved is at rest: from then on none is wanted.
+/// After this many milliseconds without a frame, everything is considered to be at rest, and no
+/// more frames are expected.
 const REST: f64 = 250.0;
 
-/// The ms between one frame and the next, until all is at rest.
+/// The milliseconds between consecutive frames, until everything is at rest.
 fn gaps(times: &[f64]) -> Vec<f64> {
     let pairs = times.windows(2).map(|pair| pair[1] - pair[0]);
     pairs.take_while(|gap| *gap < REST).collect()
 }
 
-/// The milliseconds that frames take, one after the other.
+/// The milliseconds of work for each of a series of frames.
 const WORK: &str = "
     return Array.from({ length: 45 }, () => {
       const start = performance.now();
@@ -45,7 +46,7 @@ const WORK: &str = "
     });";
 
 #[test]
-#[ignore = "measures times, which are for people to judge"]
+#[ignore = "measures times, which a person must judge"]
 fn figures_of_the_page() {
     let (page, mut chromium) = (page(), Chromium::start((1280, 800), false));
     let path = page.strip_prefix("file://").unwrap();
@@ -66,11 +67,11 @@ fn figures_of_the_page() {
     }
     for (what, fragment, keys) in [
         (
-            "a hit watched",
+            "the replay of a hit",
             "lab",
             vec!["Enter", "6", "0", "Enter", "3", "0", "Enter"],
         ),
-        ("a break watched", "table&seed=3", vec!["Enter", " "]),
+        ("the replay of a break", "table&seed=3", vec!["Enter", " "]),
     ] {
         open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
         chromium.run(TIME_FRAMES, &[]);
@@ -81,14 +82,14 @@ fn figures_of_the_page() {
         let gaps = gaps(&times.collect::<Vec<_>>());
         let seconds = gaps.iter().sum::<f64>() / 1e3;
         let each = gaps.len() as f64 / seconds;
-        // On a busy computer frames are late; what each of them takes is told beside it.
+        // On a busy computer frames are late, so the work for each frame is printed too.
         open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
         press(&mut chromium, &keys);
         let work = chromium.run(WORK, &[]);
         let work = work.as_array().unwrap().iter().filter_map(Value::as_f64);
         let work = median(work.collect());
         println!(
-            "{what} at 4x: {each:.0} frames a second for {seconds:.1} s, {work:.1} ms of work for each"
+            "{what} at 4x: {each:.0} frames per second for {seconds:.1} s, {work:.1} ms of work per frame"
         );
     }
     open(&mut chromium, &page, 1.0);
@@ -96,14 +97,14 @@ fn figures_of_the_page() {
     let before = chromium.run(wakes, &[]);
     std::thread::sleep(std::time::Duration::from_secs(3));
     let after = chromium.run(wakes, &[]);
-    println!("idle: {before} wakes before 3 s, {after} after");
+    println!("idle: {before} wake-ups before waiting 3 s, {after} after");
     a_break(&mut chromium);
 }
 
-/// How many breaks are timed together: a page's clock is coarse.
+/// How many breaks are timed together, because a page's clock is coarse.
 const TOGETHER: usize = 20;
 
-/// A break: the stroke played by the engine, here and in the page.
+/// Times a break, which the engine plays natively and in the page.
 fn a_break(chromium: &mut Chromium) {
     let script = "
         return Array.from({ length: 15 }, () => {
@@ -131,7 +132,7 @@ fn a_break(chromium: &mut Chromium) {
     });
     let (there, here) = (median(there.collect()), median(here.collect()));
     println!(
-        "a break: {there:.3} ms in the page, {here:.3} ms here, {:.1} times",
+        "a break: {there:.3} ms in the page, {here:.3} ms natively, a factor of {:.1}",
         there / here
     );
 }

@@ -1,4 +1,4 @@
-//! Firefox, driven by its own Marionette protocol: JSON with its length before it.
+//! Firefox, controlled through its Marionette protocol: JSON preceded by its length.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -18,11 +18,11 @@ pub(crate) struct Firefox {
 }
 
 impl Firefox {
-    /// A window.
+    /// Opens a window.
     pub(crate) fn start() -> Self {
         let profile = env::temp_dir().join(format!("carrom-firefox-{}", process::id()));
         fs::create_dir_all(&profile).unwrap();
-        // 0 lets it choose its port, which it writes into the profile.
+        // With port 0, Firefox chooses a port and writes it into the profile.
         fs::write(
             profile.join("user.js"),
             "user_pref(\"marionette.port\", 0);\n",
@@ -81,7 +81,8 @@ impl Browser for Firefox {
     }
 
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value {
-        // In the page's own world: what it defines is seen nowhere else.
+        // The script runs without a sandbox, because the page's own variables are visible only
+        // there.
         let parameters = json!({ "script": script, "args": arguments, "sandbox": null });
         self.ask("WebDriver:ExecuteScript", &parameters)["value"].clone()
     }

@@ -1,5 +1,5 @@
-//! The page's address and the browser's own way back: each screen is an entry of the history, a
-//! reload stays where one was, and a link opens exactly what it was taken from.
+//! The page's address and the browser's history: each screen is an entry in the history, a reload
+//! returns to the same screen, and a link opens exactly the screen from which it was copied.
 
 use std::thread;
 use std::time::Duration;
@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::browser::{Browser, SCREEN, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// Runs a script until it gives what is expected.
+/// Runs a script until it returns the expected value.
 fn expect(browser: &mut Chromium, script: &str, expected: &str) {
     let mut last = Value::Null;
     for _ in 0..60 {
@@ -41,7 +41,7 @@ fn opened(fragment: &str) -> Chromium {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn back_goes_back_and_forward_finds_the_same_again() {
+fn back_and_forward_return_to_the_same_screens() {
     let mut browser = opened("player=Ana");
     expect_title(&mut browser, "home");
     press(&mut browser, &["l"]);
@@ -54,7 +54,7 @@ fn back_goes_back_and_forward_finds_the_same_again() {
     browser.run("history.forward()", &[]);
     expect_hash(&mut browser, "#lab=b:15.5&player=Ana");
     expect_title(&mut browser, "lab");
-    // By its own key the program goes back in the history too.
+    // The program's own key for going back also goes back in the history.
     press(&mut browser, &["Escape"]);
     expect_title(&mut browser, "home");
     expect(&mut browser, "return String(history.state.index)", "0");
@@ -68,7 +68,7 @@ fn back_goes_back_and_forward_finds_the_same_again() {
     }
     browser.run("history.back()", &[]);
     expect_hash(&mut browser, "#levels&player=Ana");
-    // A question that lies over the screen is left first.
+    // A dialog over the screen is closed first.
     press(&mut browser, &["?"]);
     expect(
         &mut browser,
@@ -86,11 +86,11 @@ fn back_goes_back_and_forward_finds_the_same_again() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_reload_comes_back_to_the_same_question() {
+fn a_reload_returns_to_the_same_question() {
     let mut browser = opened("quiz=quick-7");
     let status = "return document.getElementById('status').textContent.split(' · ')[0]";
     expect(&mut browser, status, "question 1 of 5");
-    // An answer, how sure, the hit step by step to its end, and on.
+    // Enters an answer and the confidence, steps through the hit to its end, and continues.
     press(&mut browser, &["1"]);
     for _ in 0..40 {
         press(&mut browser, &["Enter"]);
@@ -105,13 +105,13 @@ fn a_reload_comes_back_to_the_same_question() {
     thread::sleep(Duration::from_millis(300));
     wait_until_ready(&mut browser);
     expect(&mut browser, status, "question 2 of 5");
-    // What was answered is not for whoever gets the link.
+    // The link does not contain the answers.
     expect_hash(&mut browser, "#quiz=quick-7");
 }
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_round_that_was_opened_here_is_asked_about_before_it_is_left() {
+fn leaving_a_round_asks_for_confirmation() {
     let mut browser = opened("");
     expect(&mut browser, "return String(history.state?.index)", "0");
     browser.run("location.hash = 'quiz=quick-7'", &[]);
@@ -130,7 +130,7 @@ fn a_round_that_was_opened_here_is_asked_about_before_it_is_left() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_link_opens_exactly_the_hit_it_was_taken_from() {
+fn a_link_opens_exactly_the_hit_from_which_it_was_copied() {
     let mut browser = opened("lab=m1:15,m2:5.5,b:12,e:0.8");
     expect_hash(&mut browser, "#lab=m2:5.5,b:12,e:0.8");
     let values = "return [...document.querySelectorAll('.field.number input')]

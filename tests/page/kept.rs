@@ -1,5 +1,5 @@
-//! What is answered in the page stays, whatever becomes of its tab, and is what the program
-//! reads too.
+//! Answers given in the page are never lost, even if its tab is closed or reloaded, and the program
+//! can read them too.
 
 use std::fs;
 use std::time::Instant;
@@ -17,10 +17,10 @@ use crate::folder::Folder;
 /// The bytes of the page's `progress.db` as numbers.
 const PROGRESS: &str = "return [...window.carrom.call({ do: 'progress' }).bytes]";
 
-/// How many answers the page has told the player are safe.
+/// How many answers the page has reported to the player as saved.
 const TOLD: &str = "return window.carrom.told()";
 
-/// The answers in the bytes of a database, as the program reads them from its folder.
+/// The answers in the bytes of a database, as the program reads them from a file.
 fn answers(bytes: &[u8]) -> Vec<Attempt> {
     let folder = std::env::temp_dir().join(format!("carrom-page-{}", std::process::id()));
     fs::create_dir_all(&folder).unwrap();
@@ -29,7 +29,7 @@ fn answers(bytes: &[u8]) -> Vec<Attempt> {
     let request = StoreRequest::Recall(None);
     let StoreReply::Recalled(Ok(history)) = store.answer(&StoreCall { ticket: 0, request }).done
     else {
-        panic!("the program cannot read what the page has kept");
+        panic!("the program cannot read the page's database");
     };
     drop(store);
     fs::remove_dir_all(&folder).unwrap();
@@ -48,7 +48,7 @@ fn wait(ms: u64) {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn no_answer_that_was_told_is_lost_in_a_storm_of_reloads() {
+fn no_answer_reported_as_saved_is_lost_by_repeated_reloads() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     let mut told = 0;
     for round in 0..100 {
@@ -56,7 +56,7 @@ fn no_answer_that_was_told_is_lost_in_a_storm_of_reloads() {
         chromium.open(&format!("{page}#quiz=separation-{round}&player=Ana"));
         wait_until_ready(&mut chromium);
         press(&mut chromium, &["a", "Enter", "2"]);
-        // In the midst of keeping it, or after.
+        // The reload happens while the answer is being saved, or afterwards.
         wait(round % 10 * 4);
         told += chromium.run(TOLD, &[]).as_u64().unwrap();
     }
@@ -64,10 +64,10 @@ fn no_answer_that_was_told_is_lost_in_a_storm_of_reloads() {
     chromium.open(&page);
     wait_until_ready(&mut chromium);
     let kept = answers(&progress(&mut chromium)).len() as u64;
-    println!("100 reloads: {told} answers told as safe, {kept} kept");
+    println!("100 reloads: {told} answers reported as saved, {kept} found");
     assert!(
         told > 0 && kept >= told,
-        "{told} were told, {kept} are kept"
+        "{told} were reported, {kept} are saved"
     );
 }
 
@@ -84,12 +84,12 @@ fn two_tabs_never_overwrite_each_other() {
     let first = chromium.window();
     let second = chromium.another_window();
     open(&mut chromium, 2);
-    // Each answers in its turn, neither was loaded since.
+    // The tabs answer in turn, and neither is reloaded in between.
     for window in [&first, &second, &first, &second] {
         chromium.go_to(window);
         press(&mut chromium, &["a", "Enter", "2"]);
         wait(300);
-        // Through what is shown of it, to the next question, where Enter alone does nothing.
+        // Enter leads through the explanation to the next question, where it does nothing.
         for _ in 0..20 {
             press(&mut chromium, &["Enter"]);
             wait(50);
@@ -101,10 +101,10 @@ fn two_tabs_never_overwrite_each_other() {
     assert_eq!((of(1), of(2)), (2, 2), "{kept:?}");
 }
 
-/// Tabs that are closed while they keep an answer.
+/// The tabs are closed while they save an answer.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn no_answer_that_was_told_is_lost_with_a_closed_tab() {
+fn no_answer_reported_as_saved_is_lost_when_a_tab_is_closed() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     let first = chromium.window();
     let mut told = 0;
@@ -121,14 +121,15 @@ fn no_answer_that_was_told_is_lost_with_a_closed_tab() {
     chromium.open(&page);
     wait_until_ready(&mut chromium);
     let kept = answers(&progress(&mut chromium)).len() as u64;
-    println!("20 closed tabs: {told} answers told as safe, {kept} kept");
+    println!("20 closed tabs: {told} answers reported as saved, {kept} found");
     assert!(
         told > 0 && kept >= told,
-        "{told} were told, {kept} are kept"
+        "{told} were reported, {kept} are saved"
     );
 }
 
-/// Plays two questions where nothing can be kept, and gives how often that was told.
+/// Plays two questions when nothing can be saved, and returns how many times the page reported
+/// that.
 fn times_told(chromium: &mut Chromium) -> usize {
     let mut times = 0;
     let mut before = false;
@@ -139,7 +140,7 @@ fn times_told(chromium: &mut Chromium) -> usize {
         .chain(std::iter::repeat_n("Enter", 20))
     {
         press(chromium, &[key]);
-        // What fails is told after a moment, and the next key would put that away.
+        // The message appears after a moment, and the next key would close it.
         wait(150);
         let screen = chromium.run(SCREEN, &[]);
         let now = screen.as_str().unwrap().contains("cannot be saved");
@@ -152,19 +153,19 @@ fn times_told(chromium: &mut Chromium) -> usize {
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_browser_that_saves_nothing_is_reported_once() {
-    // Blocked, as some schools have it.
+    // Saving is blocked, as in some schools.
     let blocked = json!({ "profile.default_content_setting_values.cookies": 2 });
     let (page, mut chromium) = (page(), Chromium::start_as((1000, 700), false, &blocked));
     chromium.open(&format!("{page}#quiz=separation-3"));
     wait_until_ready(&mut chromium);
     assert_eq!(times_told(&mut chromium), 1);
-    // Nothing is lost of what the page itself still holds.
+    // The page still has all answers in memory.
     assert_eq!(answers(&progress(&mut chromium)).len(), 2);
 }
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_full_browser_is_told_of_once_and_what_is_done_is_kept_when_there_is_room() {
+fn full_browser_storage_is_reported_once_and_answers_are_saved_when_there_is_room() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&format!("{page}#quiz=separation-3"));
     wait_until_ready(&mut chromium);
@@ -172,7 +173,7 @@ fn a_full_browser_is_told_of_once_and_what_is_done_is_kept_when_there_is_room() 
     chromium.debug("Storage.overrideQuotaForOrigin", &quota(1));
     assert_eq!(times_told(&mut chromium), 1);
     assert_eq!(answers(&progress(&mut chromium)).len(), 2);
-    // There is room again: it is kept without any more being done.
+    // When there is room again, the answers are saved without further input.
     chromium.debug("Storage.overrideQuotaForOrigin", &quota(1_000_000_000));
     for _ in 0..200 {
         if chromium.run(TOLD, &[]) != json!(0) {
@@ -186,7 +187,7 @@ fn a_full_browser_is_told_of_once_and_what_is_done_is_kept_when_there_is_room() 
     assert_eq!(answers(&progress(&mut chromium)).len(), 2);
 }
 
-/// Another tab has hold of all that is kept, for some seconds.
+/// Simulates another tab that locks all saved data for a number of milliseconds.
 const HOLD: &str = "
     const until = performance.now() + arguments[0];
     const opening = indexedDB.open('carrom', 1);
@@ -196,7 +197,8 @@ const HOLD: &str = "
       again();
     };";
 
-/// Whether a frame was drawn later than those of a key that was pressed then.
+/// Whether a frame was drawn more than 450 ms after the given time, later than any frame that a key
+/// press causes.
 const DRAWN_LATE: &str = "return window.frameTimes.some((time) => time - arguments[0] > 450)";
 
 #[test]
@@ -218,7 +220,7 @@ fn a_slow_browser_is_reported_while_nothing_else_is_drawn() {
             }
             wait(50);
         }
-        panic!("not within seven seconds: {what}");
+        panic!("did not happen within seven seconds: {what}");
     };
     let saving = |chromium: &mut Chromium| {
         let screen = chromium.run(SCREEN, &[]);
@@ -231,7 +233,7 @@ fn a_slow_browser_is_reported_while_nothing_else_is_drawn() {
     soon("saved", &|chromium| !saving(chromium));
 }
 
-/// What the program has kept is opened in the page, and what comes of it is read again.
+/// A database of the program is opened in the page, and the merged database is read again.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_database_of_the_program_is_opened_in_the_page() {
@@ -242,11 +244,11 @@ fn a_database_of_the_program_is_opened_in_the_page() {
     wait(300);
     let own = progress(&mut chromium);
     assert_eq!(answers(&own).len(), 1);
-    // Taken to another computer, and from there back: nothing is there twice.
+    // A database that was copied to another computer and back adds nothing twice.
     drop_file(&mut chromium, &own);
     wait_for(&mut chromium, "has been added to your progress here");
     assert_eq!(answers(&progress(&mut chromium)).len(), 1);
-    // A damaged one is refused in words.
+    // A damaged database is refused with a message.
     press(&mut chromium, &["Escape"]);
     drop_file(&mut chromium, &own[..own.len() / 2]);
     wait_for(&mut chromium, "cannot be opened");
@@ -268,7 +270,7 @@ fn drop_named(chromium: &mut Chromium, name: &str, bytes: &[u8]) {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn an_opened_file_shows_at_once_in_the_lists_it_belongs_to() {
+fn an_opened_file_is_listed_at_once() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&format!("{page}#quiz"));
     wait_until_ready(&mut chromium);
@@ -295,7 +297,7 @@ fn an_opened_file_shows_at_once_in_the_lists_it_belongs_to() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_tab_shows_what_another_has_saved_when_it_gets_the_focus() {
+fn a_tab_shows_data_saved_by_another_tab_when_it_gets_the_focus() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&format!("{page}#progress"));
     wait_until_ready(&mut chromium);
@@ -312,7 +314,7 @@ fn a_tab_shows_what_another_has_saved_when_it_gets_the_focus() {
     assert_ne!(chromium.run(SCREEN, &[]), none);
 }
 
-/// Waits until the page shows these words.
+/// Waits until the page shows a text.
 fn wait_for(chromium: &mut Chromium, words: &str) {
     let mut screen = Value::Null;
     for _ in 0..400 {
@@ -325,7 +327,7 @@ fn wait_for(chromium: &mut Chromium, words: &str) {
     panic!("no {words}: {screen}");
 }
 
-/// The bytes of a database after this was done to it.
+/// The bytes of a database after these SQL statements.
 fn crafted(bytes: &[u8], sql: &str) -> Vec<u8> {
     let folder = Folder::new("page-crafted");
     let path = folder.path().join("progress.db");
@@ -336,10 +338,10 @@ fn crafted(bytes: &[u8], sql: &str) -> Vec<u8> {
     fs::read(&path).unwrap()
 }
 
-/// One that was made to keep a page busy for ever, or to change what is kept.
+/// The databases are crafted to keep a page busy forever or to change saved data.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_crafted_database_is_refused_in_words_before_it_is_queried() {
+fn a_crafted_database_is_refused_before_it_is_queried() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&format!("{page}#quiz=separation-5"));
     wait_until_ready(&mut chromium);
@@ -367,7 +369,7 @@ fn a_crafted_database_is_refused_in_words_before_it_is_queried() {
         println!("refused after {} ms", start.elapsed().as_millis());
         assert_eq!(progress(&mut chromium), own);
     }
-    // One that is too large is not even read.
+    // A database that is too large is not even read.
     press(&mut chromium, &["Escape"]);
     let script = "
         window.read = 0;
@@ -391,7 +393,7 @@ fn a_crafted_database_is_refused_in_words_before_it_is_queried() {
     assert_eq!(answers(&progress(&mut chromium)).len(), 1);
 }
 
-/// Waits until the page has told that so many answers are safe.
+/// Waits until the page has reported this number of answers as saved.
 fn wait_for_told(chromium: &mut Chromium, told: u64) {
     for _ in 0..400 {
         if chromium.run(TOLD, &[]).as_u64() >= Some(told) {
@@ -399,11 +401,11 @@ fn wait_for_told(chromium: &mut Chromium, told: u64) {
         }
         wait(50);
     }
-    panic!("nothing is told as safe");
+    panic!("the page did not report the answers as saved");
 }
 
-/// While `window.faulty` is set the program fails to say what has changed; counts how often it
-/// was asked, and what nobody caught.
+/// While `window.faulty` is set, the program fails to report its changes. Counts these requests and
+/// the uncaught errors.
 const FAULTY: &str = "window.faulty = true; window.asked = 0; window.uncaught = 0;
     addEventListener('unhandledrejection', () => (window.uncaught += 1));
     addEventListener('error', () => (window.uncaught += 1));
@@ -426,7 +428,7 @@ fn a_fault_while_saving_is_reported_once_and_nothing_is_lost() {
     wait(3000);
     let said = chromium.run("return document.body.innerText", &[]);
     let said = said.as_str().unwrap();
-    assert!(said.contains("cannot be saved for now"), "{said}");
+    assert!(said.contains("cannot be saved at the moment"), "{said}");
     assert!(said.contains("the disk image is malformed"), "{said}");
     let asked = chromium.run("return window.asked", &[]);
     let asked = asked.as_u64().unwrap();
@@ -446,8 +448,8 @@ fn a_fault_while_saving_is_reported_once_and_nothing_is_lost() {
     assert_eq!(answers(&progress(&mut chromium)).len(), 1);
 }
 
-/// While `window.faulty` is set the browser fails to keep anything; counts how often that was
-/// tried, and what nobody caught. Bases are those that the page has opened.
+/// While `window.faulty` is set, the browser fails to save anything. Counts the attempts and the
+/// uncaught errors, and records in `bases` the databases that the page has opened.
 const FAULTY_BROWSER: &str = "
     Object.assign(window, { faulty: false, unreadable: false, tries: 0, uncaught: 0, bases: [] });
     addEventListener('unhandledrejection', () => (window.uncaught += 1));
@@ -465,7 +467,7 @@ const FAULTY_BROWSER: &str = "
       return put.call(this, content, path);
     };";
 
-/// The page at a place, in a browser that can be made to fail.
+/// The page at a route, in a browser that can be made to fail.
 fn in_a_faulty_browser(place: &str) -> (Chromium, String) {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     let before = json!({ "source": FAULTY_BROWSER });
@@ -475,7 +477,7 @@ fn in_a_faulty_browser(place: &str) -> (Chromium, String) {
     (chromium, page)
 }
 
-/// The answers that are there when the page is loaded once more.
+/// The number of answers after the page is loaded again.
 fn kept_answers(chromium: &mut Chromium, page: &str) -> usize {
     assert_eq!(chromium.run("return window.uncaught", &[]), json!(0));
     chromium.open("about:blank");
@@ -484,14 +486,14 @@ fn kept_answers(chromium: &mut Chromium, page: &str) -> usize {
     answers(&progress(chromium)).len()
 }
 
-/// Whether the browser would ask whoever closes the page.
+/// Whether the browser would ask for confirmation before closing the page.
 const ASKS: &str = "
     const leaving = new Event('beforeunload', { cancelable: true });
     return !dispatchEvent(leaving);";
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_browser_that_fails_for_a_while_is_told_of_once_tried_seldom_and_loses_nothing() {
+fn a_temporary_browser_fault_is_reported_once_and_loses_nothing_as_saving_is_retried() {
     let (mut chromium, page) = in_a_faulty_browser("quiz=separation-3");
     assert_eq!(chromium.run(ASKS, &[]), json!(false));
     chromium.run("window.faulty = true", &[]);
@@ -500,8 +502,8 @@ fn a_browser_that_fails_for_a_while_is_told_of_once_tried_seldom_and_loses_nothi
     wait(10_000);
     let tries = chromium.run("return window.tries", &[]).as_u64().unwrap();
     let seconds = start.elapsed().as_secs();
-    println!("{tries} tries in {seconds} s with two answers and a setting");
-    // Two for the answers, and those with growing pauses.
+    println!("{tries} attempts in {seconds} s with two answers and a setting");
+    // Two attempts save the answers; the others follow at growing intervals.
     assert!((3..=8).contains(&tries), "{tries} tries in {seconds} s");
     assert_eq!(chromium.run(ASKS, &[]), json!(true));
     chromium.run("window.faulty = false", &[]);
@@ -518,7 +520,7 @@ fn unsaved_changes_are_not_lost_when_another_route_is_opened() {
     let (mut chromium, page) = in_a_faulty_browser("quiz=separation-3");
     chromium.run("window.faulty = true", &[]);
     press(&mut chromium, &["a", "Enter", "2"]);
-    wait_for(&mut chromium, "cannot be saved for now");
+    wait_for(&mut chromium, "cannot be saved at the moment");
     chromium.run("location.hash = 'lab'", &[]);
     wait_for(&mut chromium, "set up the hit");
     chromium.run("window.faulty = false", &[]);
@@ -555,7 +557,7 @@ fn a_database_that_the_browser_closes_is_opened_again() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn plain_lines_report_once_that_nothing_can_be_saved_and_save_it_later() {
+fn plain_mode_reports_once_that_nothing_can_be_saved_and_saves_it_later() {
     let (mut chromium, page) = in_a_faulty_browser("plain&quiz=separation-3");
     chromium.run("window.faulty = true", &[]);
     let say = "
@@ -569,7 +571,7 @@ fn plain_lines_report_once_that_nothing_can_be_saved_and_save_it_later() {
         let log = chromium.run("return document.getElementById('log').textContent", &[]);
         log.as_str().unwrap().matches(words).count()
     };
-    assert_eq!(times(&mut chromium, "cannot be saved for now"), 1);
+    assert_eq!(times(&mut chromium, "cannot be saved at the moment"), 1);
     assert_eq!(times(&mut chromium, "Question 3 of"), 1);
     chromium.run("window.faulty = false", &[]);
     wait_for_told(&mut chromium, 1);

@@ -1,6 +1,6 @@
-//! The page in real browsers: `target/carrom.html`, opened from its file. `CARROM_TEST_PAGE`
-//! names it. Each test that needs it is ignored unless asked for with `-- --include-ignored`,
-//! and then fails where there is no page or no browser.
+//! The page in real browsers: `target/carrom.html`, opened from its file. `CARROM_TEST_PAGE` names
+//! it. Each test that needs the page is ignored unless `-- --include-ignored` is given, and then
+//! fails if there is no page or no browser.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -32,7 +32,7 @@ mod keys;
 #[path = "../common/teacher.rs"]
 mod teacher;
 
-/// Without a page nothing is tested, so nothing may be reported as passed.
+/// Without a page nothing is tested, so no test may be reported as passed.
 #[test]
 fn no_test_of_the_page_passes_without_a_page() {
     let list = |which: &[&str]| {

@@ -1,5 +1,5 @@
-//! The page asks nothing of any network, says so in its policy, and has its words for those
-//! who do not see.
+//! The page sends no network requests, its content security policy forbids them, and screen readers
+//! get its text.
 
 use std::thread;
 use std::time::Duration;
@@ -13,7 +13,7 @@ use crate::folder::Folder;
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn nothing_is_asked_of_a_network() {
+fn no_network_request_is_sent() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     for place in ["quiz=mixed-7", "table&seed=3", "plain&quiz=mixed-7", "foil"] {
         chromium.open("about:blank");
@@ -23,18 +23,18 @@ fn nothing_is_asked_of_a_network() {
         wait_until_ready(&mut chromium);
         press(&mut chromium, &["Enter", " ", "Enter", "e"]);
         thread::sleep(Duration::from_millis(300));
-        // What the page hands to itself has no network in it.
+        // Requests from the page to itself do not use the network.
         let mut asked = chromium.requests();
         asked.retain(|it| !it.starts_with("data:") && !it.starts_with("blob:"));
         assert_eq!(asked, std::slice::from_ref(&page), "{place}");
     }
-    // A watch that sees nothing would prove nothing.
+    // The log must show a request, otherwise the assertion above would prove nothing.
     chromium.run("new Image().src = 'http://127.0.0.1:9/seen'", &[]);
     thread::sleep(Duration::from_millis(300));
     let policy = "return document.querySelector('meta[http-equiv]').content";
     let policy = chromium.run(policy, &[]);
     assert!(policy.as_str().unwrap().contains("connect-src 'none'"));
-    // Its policy forbids it to whoever would.
+    // The page's policy forbids all requests.
     let fetched = "
         return fetch('http://127.0.0.1:9/').then(() => 'went out', (error) => error.name)
           .then((came) => new Promise((later) =>
@@ -74,7 +74,7 @@ fn a_file_of_another_kind_is_reported() {
     }
 }
 
-/// What a screen reader has of the page: the roles and names of its accessibility tree.
+/// The page as a screen reader gets it: the roles and names of its accessibility tree.
 fn tree(chromium: &mut Chromium) -> Vec<(String, String)> {
     let tree = chromium.debug("Accessibility.getFullAXTree", &json!({}));
     let nodes = tree["nodes"].as_array().unwrap().iter();
@@ -86,7 +86,7 @@ fn tree(chromium: &mut Chromium) -> Vec<(String, String)> {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_screen_reader_has_every_question_and_answer_as_text() {
+fn a_screen_reader_gets_every_question_and_answer_as_text() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&page);
     wait_until_ready(&mut chromium);
@@ -101,7 +101,7 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
     chromium.open("about:blank");
     chromium.open(&format!("{page}#plain&quiz=mixed-7"));
     wait_until_ready(&mut chromium);
-    // A whole round, by what the tree says alone.
+    // Plays a whole round using only the accessibility tree.
     for said in 0..60 {
         let tree = tree(&mut chromium);
         let texts: Vec<_> = tree
@@ -126,7 +126,7 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
         }
         let is_field = |(role, name): &(String, String)| role == "textbox" && name == "Your line";
         assert!(tree.iter().any(is_field), "the field is named: {tree:?}");
-        // The last words before the field: what is asked, what there is to choose from, and how.
+        // The last texts before the field: the question, its options and how to answer.
         let asks = |words| {
             texts
                 .iter()
@@ -149,7 +149,7 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
     panic!("the round has no end: {:?}", tree(&mut chromium));
 }
 
-/// A browser that cannot read the program's script runs nothing of it.
+/// A browser that cannot parse the program's script runs none of it.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn an_old_browser_shows_a_message_within_a_second() {
@@ -172,10 +172,11 @@ fn an_old_browser_shows_a_message_within_a_second() {
     assert!(newer.iter().all(|it| !early.contains(it)), "{early}");
 }
 
-/// Every screen, by axe-core, which `CARROM_TEST_AXE` names: `axe.min.js` of the npm package.
+/// Checks every screen with axe-core; `CARROM_TEST_AXE` is the path of `axe.min.js` from the npm
+/// package.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn axe_finds_nothing_on_any_screen() {
+fn axe_finds_no_problem_on_any_screen() {
     let path = env::var("CARROM_TEST_AXE").expect("CARROM_TEST_AXE: .ci/run fetches axe-core");
     let axe = fs::read_to_string(path).unwrap();
     let (page, mut chromium) = (page(), Chromium::start((390, 664), true));

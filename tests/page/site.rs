@@ -1,4 +1,5 @@
-//! The site for a static server: installed on the first visit, opened without a network after.
+//! The site for a static server: it is installed on the first visit and opens without a network
+//! afterwards.
 
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpListener;
@@ -11,7 +12,7 @@ use std::{env, fs, thread};
 use crate::browser::{Browser, SCREEN, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// A static server of a folder, which answers nothing any more once it is down.
+/// A static server for a folder, which no longer responds once `down` is set.
 fn serve(folder: PathBuf) -> (u16, Arc<AtomicBool>) {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();
@@ -82,7 +83,7 @@ fn the_site_is_installed_and_plays_a_round_without_a_network() {
         }
         thread::sleep(Duration::from_millis(100));
     }
-    assert!(count > 5, "{count} files are kept");
+    assert!(count > 5, "only {count} files are cached");
     let faults = browser.debug("Page.getInstallabilityErrors", &serde_json::json!({}));
     let faults = faults["installabilityErrors"].as_array().unwrap().clone();
     let own = |fault: &&serde_json::Value| fault["errorId"] != "in-incognito";

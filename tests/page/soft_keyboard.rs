@@ -1,5 +1,5 @@
-//! The keyboard on a phone's screen: real taps, and the path by which such a keyboard hands text
-//! on. It composes words and may change them, its keys have no names, and it stays open only
+//! The keyboard on a phone's screen, tested with real taps and with the kind of text input that it
+//! sends. It composes words and may change them, its keys have no names, and it stays open only
 //! while a field has the focus.
 
 use std::fs;
@@ -13,7 +13,7 @@ use crate::folder::Folder;
 use crate::teacher::{Teacher, kept};
 use crate::touch::Phone;
 
-/// What a phone with a bar for addresses leaves of its screen.
+/// The part of a phone's screen that an address bar leaves free.
 const SMALL: (u32, u32) = (390, 664);
 
 /// Draws a frame only every half second, as a slow phone does.
@@ -22,15 +22,15 @@ const SLOW_FRAMES: &str = "
     window.requestAnimationFrame = (draw) => setTimeout(() => request(draw), 500);";
 
 impl Phone {
-    /// Taps the field of this name; fails unless the keyboard then stays open for it.
+    /// Taps the field with this name; fails unless the keyboard then stays open for the field.
     fn open_keyboard(&mut self, name: &str) {
         self.tap_field(name);
-        // A browser sends the events of a mouse after those of a finger.
+        // A browser sends mouse events after the touch events.
         thread::sleep(Duration::from_millis(400));
         assert_eq!(self.typing_into(), name);
     }
 
-    /// The name of the field that the keyboard is open for; empty for none.
+    /// The name of the field for which the keyboard is open; empty if there is none.
     fn typing_into(&mut self) -> String {
         let script = "
             const input = document.activeElement;
@@ -40,7 +40,7 @@ impl Phone {
         name.as_str().unwrap().to_owned()
     }
 
-    /// What stands in the field that the keyboard is open for.
+    /// The text in the field for which the keyboard is open.
     fn typed(&mut self) -> Value {
         self.0.run("return document.activeElement.value", &[])
     }
@@ -49,7 +49,7 @@ impl Phone {
         self.0.debug("Input.insertText", &json!({ "text": text }));
     }
 
-    /// Composes a word through these stages; the last one is still open then.
+    /// Composes a word through these stages; the last one is not yet confirmed.
     fn compose(&mut self, stages: &[&str]) {
         for text in stages {
             let end = text.encode_utf16().count();
@@ -59,7 +59,7 @@ impl Phone {
         }
     }
 
-    /// Presses a key without a name, which edits.
+    /// Presses an editing key without a name.
     fn edit(&mut self, command: &str) {
         for kind in ["rawKeyDown", "keyUp"] {
             let commands = if kind == "keyUp" {
@@ -76,7 +76,7 @@ impl Phone {
         self.wait();
     }
 
-    /// Presses the key of the keyboard that goes on.
+    /// Presses the keyboard's Enter key.
     fn enter(&mut self) {
         for kind in ["keyDown", "keyUp"] {
             let event = json!({
@@ -89,7 +89,7 @@ impl Phone {
     }
 }
 
-/// A teacher whose class gathers, and a phone that has opened the page there by its address.
+/// A teacher in the lobby, and a phone that has opened the page at the class's address.
 fn at_the_door(name: &str) -> (Folder, Teacher, Phone) {
     let page = page();
     let page = fs::read_to_string(page.trim_start_matches("file://")).unwrap();
@@ -103,7 +103,7 @@ fn at_the_door(name: &str) -> (Folder, Teacher, Phone) {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_phone_joins_a_class_and_votes_by_its_soft_keyboard() {
+fn a_phone_joins_a_class_and_votes_with_its_soft_keyboard() {
     let (folder, teacher, mut phone) = at_the_door("page-soft-keyboard");
     phone.open_keyboard("code");
     phone.insert(&teacher.code.to_lowercase());
@@ -126,7 +126,7 @@ fn a_phone_joins_a_class_and_votes_by_its_soft_keyboard() {
     phone.insert("30");
     phone.edit("insertNewline");
     phone.expect("How sure are you?");
-    assert_eq!(phone.typing_into(), "", "the keyboard makes room");
+    assert_eq!(phone.typing_into(), "", "the keyboard closes");
     phone.go_on();
     phone.expect("Your vote is in.");
     teacher.wait_for("1 of 1 have voted");
@@ -144,7 +144,7 @@ fn a_phone_joins_a_class_and_votes_by_its_soft_keyboard() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn enter_leads_from_field_to_field_and_the_keyboard_stays_open() {
+fn enter_moves_from_field_to_field_and_the_keyboard_stays_open() {
     let (_folder, teacher, mut phone) = at_the_door("page-soft-enter");
     phone.open_keyboard("code");
     phone.insert(&teacher.code);
@@ -152,7 +152,7 @@ fn enter_leads_from_field_to_field_and_the_keyboard_stays_open() {
     assert_eq!(phone.typing_into(), "name");
     phone.insert("Bo");
     phone.enter();
-    assert_eq!(phone.typing_into(), "", "the keyboard makes room");
+    assert_eq!(phone.typing_into(), "", "the keyboard closes");
     phone.press("Join the class");
     phone.expect("You are in, Bo.");
 }
@@ -171,7 +171,7 @@ fn a_word_that_is_still_being_composed_is_sent_with_the_form() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn fast_typing_arrives_once() {
+fn quickly_typed_letters_arrive_exactly_once() {
     let (_folder, teacher, mut phone) = at_the_door("page-soft-slow");
     phone.open_keyboard("code");
     phone.insert(&teacher.code);
@@ -192,7 +192,7 @@ fn fast_typing_arrives_once() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_field_shows_what_the_game_has_taken() {
+fn a_field_shows_only_the_accepted_text() {
     let (_folder, _teacher, mut phone) = at_the_door("page-soft-long");
     phone.open_keyboard("name");
     phone.insert(&"x".repeat(500));
@@ -211,7 +211,7 @@ fn a_field_shows_what_the_game_has_taken() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn the_keyboard_of_the_menu_stays_open_and_each_letter_counts_once() {
+fn the_keyboard_of_the_menu_stays_open_and_each_letter_arrives_once() {
     let mut phone = Phone::sized(SMALL, &page(), "lab");
     phone.press("☰");
     phone.press("Show the keyboard");

@@ -1,6 +1,6 @@
-//! Every tape of the project plays in the page as it plays here: the same letters in the
-//! same cells, and the same words in the page's elements, wherever it takes a screenshot,
-//! expects or refuses something.
+//! Every tape of the project plays in the page as in the native program: whenever a tape takes a
+//! screenshot, expects or refuses something, the cells have the same letters, and the page's
+//! elements have the same text.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,8 +15,8 @@ use crate::browser::{Browser, page, wait_until_ready};
 use crate::chromium::Chromium;
 use crate::firefox::Firefox;
 
-/// Gives the commands one after the other. For each screen painted it returns the letters of
-/// its cells, its blocks, and the text of the elements that the page makes of them.
+/// Runs the commands one after the other. For each screen painted it returns the letters of its
+/// cells, its blocks, and the text of the elements that the page makes of them.
 const PLAY: &str = "
     const screens = [];
     const shown = ['title', 'status', 'screen', 'layer'].map((id) => document.getElementById(id));
@@ -39,7 +39,7 @@ const PLAY: &str = "
         }
         lines.push(line);
       }
-      // None are told where they are as on the last screen, or where there are none.
+      // The sheets are omitted if they are the same as on the last screen or if there are none.
       if (reply.painted.sheets) window.carrom.show(reply.painted.sheets);
       screens.push({
         cells: lines.join('\\n'),
@@ -56,14 +56,14 @@ fn tapes() -> Vec<PathBuf> {
         .map(|file| file.unwrap().path());
     let mut tapes: Vec<_> = files
         .filter(|path| path.extension().is_some_and(|it| it == "tape"))
-        // A page is one device.
+        // A page is a single device.
         .filter(|path| !fs::read_to_string(path).unwrap().contains("\nAt \""))
         .collect();
     tapes.sort();
     tapes
 }
 
-/// A tape in a charset and at a size, which takes a picture before everything it judges.
+/// A tape with this charset and size, which takes a screenshot before each of its checks.
 fn tape(path: &Path, charset: &str, size: &str) -> Tape {
     let text = fs::read_to_string(path).unwrap();
     let mut lines: Vec<String> = Vec::new();
@@ -81,13 +81,13 @@ fn tape(path: &Path, charset: &str, size: &str) -> Tape {
     Tape::parse(&lines.join("\n")).unwrap_or_else(|error| panic!("{path:?}:{error}"))
 }
 
-/// What a screen shows: the letter of each cell, and the texts of its blocks.
+/// The contents of a screen: the letter of each cell, and the texts of its blocks.
 struct Shown {
     cells: String,
     texts: Vec<String>,
 }
 
-/// The screens of a tape as they are here.
+/// The screens of a tape in the native program.
 fn here(tape: &Tape) -> Vec<Shown> {
     let screens = play(tape, cli::open).unwrap_or_else(|error| panic!("{error}"));
     let lines = |cells: &ratatui::buffer::Buffer| {
@@ -103,7 +103,7 @@ fn here(tape: &Tape) -> Vec<Shown> {
     shown.collect()
 }
 
-/// The texts of blocks, each in one piece whatever its colours.
+/// The texts of blocks, each joined into one piece regardless of its colours.
 fn texts(blocks: &Value) -> Vec<String> {
     match blocks {
         Value::String(text) => vec![text.clone()],
@@ -113,7 +113,7 @@ fn texts(blocks: &Value) -> Vec<String> {
         }
         Value::Array(all) => all.iter().flat_map(texts).collect(),
         Value::Object(fields) => {
-            // The page shows a link in the place of a command.
+            // The page shows a link instead of a command.
             let hidden = ["is", "kind", "role", "key", "command", "address"];
             let fields = fields
                 .iter()
@@ -124,13 +124,13 @@ fn texts(blocks: &Value) -> Vec<String> {
     }
 }
 
-/// Letters and digits alone: the page capitalises its buttons and spaces its parts in its own way.
+/// Only the letters and digits, because the page capitalises and spaces its elements differently.
 fn letters(text: &str) -> String {
     let letters = text.chars().filter(|letter| letter.is_alphanumeric());
     letters.flat_map(char::to_lowercase).collect()
 }
 
-/// The same as a page is told it.
+/// The instructions of a tape as commands for the page.
 fn commands(tape: &Tape) -> Vec<Value> {
     let mut size = (80, 24);
     let mut commands = vec![json!({
@@ -198,17 +198,17 @@ fn commands(tape: &Tape) -> Vec<Value> {
                 commands.push(json!({ "do": "pass", "ms": time.as_secs_f64() * 1e3 }));
             }
             Instruction::Screenshot(_) => commands.push(json!({ "do": "paint" })),
-            // A picture was taken just before.
+            // The screenshot taken just before is compared.
             Instruction::Expect(_) | Instruction::Refuse(_) => {}
             Instruction::At(_) | Instruction::Reach(..) => {
-                unreachable!("a tape of several devices is not played in a page")
+                unreachable!("a tape with several devices cannot be played in a page")
             }
         }
     }
     commands
 }
 
-/// What stands behind the # of a page for these arguments of the command line.
+/// The part after # of the page's address for these command-line arguments.
 fn fragment(arguments: &str) -> String {
     let mut parts: Vec<String> = vec!["charset=ascii".into(), "color=none".into()];
     let mut seed = None;
@@ -225,7 +225,7 @@ fn fragment(arguments: &str) -> String {
             "--charset" | "--color" | "--palette" => {
                 parts.push(format!("{}={}", &word[2..], value()));
             }
-            other if other.starts_with("--") => panic!("{other} has no place in a link"),
+            other if other.starts_with("--") => panic!("{other} cannot be part of a link"),
             name => {
                 let named = words.next_if(|next| !next.starts_with("--"));
                 screen = Some(named.map_or(name.to_owned(), |it| format!("{name}={it}")));
@@ -233,12 +233,12 @@ fn fragment(arguments: &str) -> String {
         }
     }
     parts.extend(seed.map(|seed| format!("seed={seed}")));
-    // Teams belong to the class that stands before them.
+    // Teams follow the class that they belong to.
     parts.splice(0..0, screen);
     parts.join("&")
 }
 
-/// Plays a tape here and there, and says where the first screen differs.
+/// Plays a tape natively and in the page, and reports the first screen that differs.
 fn compare(
     browser: &mut dyn Browser,
     path: &Path,
@@ -270,7 +270,7 @@ fn compare(
         let elements = letters(found["elements"].as_str().unwrap_or_default());
         if let Some(lost) = there.iter().find(|text| !elements.contains(&letters(text))) {
             return Err(format!(
-                "{screen}: no element says {lost:?}, but {elements}"
+                "{screen}: no element contains {lost:?}: {elements}"
             ));
         }
     }
@@ -278,8 +278,8 @@ fn compare(
     Ok(())
 }
 
-/// Whether two screens are the same, but for one cell of dots at most: the library of each
-/// machine rounds angles in its own way, and the last bit may move a dot of a curve.
+/// Whether two screens are the same except for at most one cell of dots: math libraries round
+/// angles differently, and the last bit can move a dot of a curve.
 fn is_alike(one: &str, other: &str) -> bool {
     let is_dots = |letter: char| ('\u{2800}'..'\u{2900}').contains(&letter);
     let pairs = one.chars().zip(other.chars());
@@ -290,7 +290,7 @@ fn is_alike(one: &str, other: &str) -> bool {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn every_tape_plays_in_chromium_as_here() {
+fn every_tape_plays_in_chromium_as_in_the_program() {
     let (page, mut chromium) = (page(), Chromium::start((1280, 800), false));
     chromium.open(&page);
     wait_until_ready(&mut chromium);
@@ -310,7 +310,7 @@ fn every_tape_plays_in_chromium_as_here() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn some_tapes_play_in_firefox_as_here() {
+fn some_tapes_play_in_firefox_as_in_the_program() {
     let page = page();
     let mut firefox = Firefox::start();
     firefox.open(&page);

@@ -1,14 +1,14 @@
-//! By touch alone, on an upright phone: what a finger does, and nothing else.
+//! The page used by touch alone, on an upright phone.
 
 use serde_json::{Value, json};
 
 use crate::browser::{Browser, SCREEN, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// A phone with the page open, and a finger.
+/// A phone on which the page is open, used with a finger.
 pub(crate) struct Phone(pub(crate) Chromium);
 
-/// Windows of phones, a tablet and a computer, of phones also held on their side.
+/// Window sizes of phones, upright and on their side, of a tablet and of a computer.
 const SIZES: [(u32, u32); 6] = [
     (320, 568),
     (390, 664),
@@ -25,14 +25,14 @@ impl Phone {
         Self::sized(UPRIGHT, page, fragment)
     }
 
-    /// The same with a window of this size.
+    /// Opens the page in a window of this size.
     pub(crate) fn sized(size: (u32, u32), page: &str, fragment: &str) -> Self {
         let mut phone = Self(Chromium::start(size, true));
         phone.go_to(page, fragment);
         phone
     }
 
-    /// Opens the page anew at a place.
+    /// Reopens the page at a route.
     pub(crate) fn go_to(&mut self, page: &str, fragment: &str) {
         self.0.open("about:blank");
         self.0.open(&format!("{page}#{fragment}"));
@@ -45,7 +45,7 @@ impl Phone {
         std::thread::sleep(std::time::Duration::from_millis(120));
     }
 
-    /// The letters on the screen, row by row.
+    /// The text on the screen, line by line.
     fn screen(&mut self) -> Vec<String> {
         let screen = self.0.run(SCREEN, &[]);
         screen
@@ -85,7 +85,7 @@ impl Phone {
         self.wait();
     }
 
-    /// The middle of what a script finds, brought into sight.
+    /// The centre of the element that a script finds, scrolled into view.
     fn middle(&mut self, script: &str, words: &str) -> Option<[f64; 2]> {
         let script = format!(
             "const seen = (it) => it.getClientRects().length > 0;
@@ -102,14 +102,14 @@ impl Phone {
         let place = self.0.run(&script, &[Value::from(words)]);
         let [x, y, scrolled] = [0, 1, 2].map(|i| place[i].as_f64());
         if scrolled != Some(0.0) {
-            // A finger would find what it sees, which has not moved yet.
+            // A person would tap only after the scrolling has ended.
             self.wait();
             self.wait();
         }
         Some([x?, y?])
     }
 
-    /// Taps a button by what is written on it or by its key; says whether it is there.
+    /// Taps the button with this text or key; returns whether there is one.
     pub(crate) fn button(&mut self, label: &str) -> bool {
         let script = "
             const all = [...over.querySelectorAll('button')].filter(seen);
@@ -120,7 +120,7 @@ impl Phone {
         place.map(|at| self.tap(at)).is_some()
     }
 
-    /// Taps what is likeliest to be done; says whether there is anything.
+    /// Taps the main button; returns whether there is one.
     pub(crate) fn go_on(&mut self) -> bool {
         let script = "
             const all = over.querySelectorAll('#keys .primary, .answers button');
@@ -139,7 +139,7 @@ impl Phone {
         self.0.run(script, &[])
     }
 
-    /// Does something until these words are there.
+    /// Repeats an action until the page shows a text.
     pub(crate) fn until(&mut self, words: &str, mut act: impl FnMut(&mut Self) -> bool) {
         for _ in 0..1000 {
             if self.shows(words) {
@@ -152,7 +152,7 @@ impl Phone {
         panic!("no \"{words}\":\n{}", self.screen().join("\n"));
     }
 
-    /// Taps the first of what can be chosen on which these words stand; says whether it is there.
+    /// Taps the first option that contains this text; returns whether there is one.
     pub(crate) fn choose(&mut self, words: &str) -> bool {
         let script = "
             const all = [...over.querySelectorAll('.choice')].filter(seen);
@@ -161,8 +161,8 @@ impl Phone {
         place.map(|at| self.tap(at)).is_some()
     }
 
-    /// Taps the first empty field, or the first of all, and types there by the keyboard that
-    /// comes up; says whether there is a field.
+    /// Taps the first empty field, or else the first field, and types with the keyboard that
+    /// appears; returns whether there is a field.
     pub(crate) fn type_in(&mut self, text: &str) -> bool {
         let script = "
             const all = [...over.querySelectorAll('.field input')].filter(seen);
@@ -177,7 +177,7 @@ impl Phone {
         true
     }
 
-    /// Taps the field of this number and types there.
+    /// Taps the field with this number and types there.
     pub(crate) fn type_into(&mut self, number: usize, text: &str) {
         let script = "return [...over.querySelectorAll('.field input')].filter(seen)[words]";
         let place = self.middle(script, &number.to_string()).expect("a field");
@@ -187,7 +187,7 @@ impl Phone {
         self.wait();
     }
 
-    /// Taps the field of this name.
+    /// Taps the field with this name.
     pub(crate) fn tap_field(&mut self, name: &str) {
         let script = "
             const all = [...over.querySelectorAll('.field input')].filter(seen);
@@ -196,7 +196,7 @@ impl Phone {
         self.tap(place);
     }
 
-    /// The place of the window at a share of the width and the height of the picture.
+    /// The point in the window at these fractions of the picture's width and height.
     pub(crate) fn place(&mut self, [across, down]: [f64; 2]) -> [f64; 2] {
         let script = "
             const canvas = document.querySelector('#screen canvas');
@@ -208,7 +208,7 @@ impl Phone {
         [left + across * width, top + down * height]
     }
 
-    /// Drags over the picture, from one share of its width and height to another.
+    /// Drags over the picture; the points are given as fractions of its width and height.
     pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|it| self.place(it));
         self.touch("touchStart", &[from]);
@@ -217,15 +217,15 @@ impl Phone {
             let at = [0, 1].map(|i| from[i] + share * (to[i] - from[i]));
             self.touch("touchMove", &[at]);
         }
-        // The finger comes to rest. Lifted in the midst of the movement it would be a fling to the
-        // browser, which takes the next tap for the end of that.
+        // The finger must come to rest. If it were lifted while moving, the browser would see a
+        // fling and take the next tap as its end.
         self.wait();
         self.touch("touchMove", &[to]);
         self.touch("touchEnd", &[]);
         self.wait();
     }
 
-    /// No part of the page is cut off at a side, no button among them.
+    /// Asserts that no part of the page, and no button, is cut off at a side.
     pub(crate) fn assert_fits(&mut self) {
         let script = "
             const screen = document.getElementById('screen');
@@ -240,7 +240,7 @@ impl Phone {
         );
     }
 
-    /// No letter is smaller than can be read.
+    /// Asserts that no letter is too small to read.
     pub(crate) fn assert_legible(&mut self) {
         let script = "
             const small = [...document.querySelectorAll('#game *, dialog[open] *')].filter((it) =>
@@ -252,7 +252,7 @@ impl Phone {
     }
 }
 
-/// Every screen, held upright and on its side: nothing is cut off, and no button beside it.
+/// On every screen, upright and on its side, nothing is cut off, including the buttons.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn no_screen_scrolls_sideways() {
@@ -260,7 +260,7 @@ fn no_screen_scrolls_sideways() {
     for size in SIZES {
         let chromium = Chromium::start(size, true);
         let mut phone = Phone(chromium);
-        // The keys lead to what can be reached from there; a first Tab is the browser's.
+        // The keys lead to the states of each screen; the first Tab is handled by the browser.
         for (screen, keys) in [
             ("home", "? Escape s Enter"),
             ("lab", "Enter Enter Enter"),
@@ -289,7 +289,7 @@ fn no_screen_scrolls_sideways() {
     }
 }
 
-/// A whole mixed round: every form of question is answered by tapping, dragging and typing.
+/// In a whole mixed round, every form of question is answered by tapping, dragging and typing.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_mixed_round_is_played_by_touch_alone() {
@@ -299,7 +299,7 @@ fn a_mixed_round_is_played_by_touch_alone() {
         phone.expect(&format!("question {question} of 10"));
         phone.assert_fits();
         answer(&mut phone);
-        // How sure, then on to the next question.
+        // Chooses the confidence, then goes to the next question.
         phone.expect("How sure");
         assert!(phone.choose("think so"));
         let next = match question {
@@ -310,8 +310,8 @@ fn a_mixed_round_is_played_by_touch_alone() {
     }
 }
 
-/// Gives some answer to the question on the screen: what can be dragged is dragged, and what
-/// is left open then is typed.
+/// Gives some answer to the question on the screen: rays are dragged if possible, and fields that
+/// are still empty are filled in.
 pub(crate) fn answer(phone: &mut Phone) {
     let has_choices = phone.choose("A ");
     for step in 0..6 {
@@ -331,7 +331,7 @@ pub(crate) fn answer(phone: &mut Phone) {
     }
 }
 
-/// A chapter: its pages by a button, its figure dragged.
+/// A chapter: its pages are turned with a button, and its figure is dragged.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_chapter_is_read_by_touch_alone() {
@@ -353,11 +353,11 @@ fn a_chapter_is_read_by_touch_alone() {
     assert_ne!(
         phone.0.run(script, &[]),
         before,
-        "the finger moves the point"
+        "the finger must move the point"
     );
 }
 
-/// A level: aimed by the finger, said, and watched to its end.
+/// A level is aimed with the finger, predicted and watched to its end.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_level_is_played_by_touch_alone() {
@@ -366,7 +366,7 @@ fn a_level_is_played_by_touch_alone() {
     phone.choose("Dead stop");
     phone.until("Predict both paths", Phone::go_on);
     assert!(phone.shows("45.0"));
-    // A little beside the coin's middle, so that it is hit, but not head-on.
+    // Aims slightly beside the coin's centre, so that the hit is not head-on.
     phone.drag([0.5, 0.6], [0.65, 0.395]);
     assert!(!phone.shows("45.0"), "the finger aims");
     phone.press("predict both paths");
@@ -381,8 +381,8 @@ fn a_level_is_played_by_touch_alone() {
     phone.expect("shot 1:");
 }
 
-/// A board of carrom against the computer, from the break to its last coin: the first stroke
-/// aimed by the finger, the others as the hints say.
+/// A board of carrom against the computer, from the break to the last coin: the first stroke is
+/// aimed with the finger, the others follow the hints.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_board_of_carrom_is_played_by_touch_alone() {
@@ -407,8 +407,8 @@ fn a_board_of_carrom_is_played_by_touch_alone() {
             return phone.go_on();
         }
         strokes += 1;
-        assert!(strokes < 100, "the board has no end");
-        // Where to look, which way, how exactly; then the aim is set so.
+        assert!(strokes < 100, "the board does not end");
+        // The hints show the target, then the direction, then the exact stroke, which is then set.
         phone.until("Set it so", |phone| phone.button("h"));
         phone.press("set it so");
         phone.press("strike")

@@ -1,7 +1,7 @@
-//! All that carrom is for, from a class to a stroke: by touch alone on phones and a tablet with
-//! the bars of their browsers, and by keyboard alone on a computer, also at 200 % zoom.
-//! `CARROM_TEST_SHOTS` names a folder for pictures of every step, which people look at, and for what
-//! a screen reader is given there.
+//! All main tasks in carrom, from joining a class to playing a stroke: by touch alone on phones and
+//! a tablet, in windows reduced by the browser's bars, and by keyboard alone on a computer, also at
+//! 200 % zoom. `CARROM_TEST_SHOTS` is a folder for screenshots of every step, for people to look
+//! at, and for the text that a screen reader gets.
 
 use std::path::Path;
 use std::{env, fs};
@@ -15,7 +15,7 @@ use crate::folder::Folder;
 use crate::teacher::{Teacher, kept};
 use crate::touch::{Phone, answer};
 
-/// A visitor with one pair of hands, and where pictures of the visit go.
+/// A visitor on one device, and the screenshots of the visit.
 struct Visit {
     phone: Phone,
     name: String,
@@ -33,7 +33,8 @@ impl Visit {
         }
     }
 
-    /// At a zoom, which makes CSS pixels larger and leaves fewer of them in the window.
+    /// A visit by keyboard at this zoom, which makes CSS pixels larger, so that fewer fit in the
+    /// window.
     fn by_keyboard(width: u32, height: u32, zoom: u32) -> Self {
         let mut chromium = Chromium::start((width, height), false);
         let seen = json!({
@@ -49,7 +50,7 @@ impl Visit {
         }
     }
 
-    /// What is shown is whole and legible, and a picture of it is kept.
+    /// Asserts that nothing is cut off or illegible, and saves a screenshot.
     fn look(&mut self, what: &str) {
         self.phone.wait();
         self.phone.assert_fits();
@@ -71,7 +72,7 @@ impl Visit {
         write("txt", &spoken(&tree));
     }
 
-    /// Presses keys of a real keyboard, written as for a tape.
+    /// Presses keys of a real keyboard, written as in a tape.
     fn keys(&mut self, keys: &str) {
         let mut rest = keys;
         while let Some(first) = rest.chars().next() {
@@ -106,7 +107,7 @@ impl Visit {
         }
     }
 
-    /// Fills the fields of rays in.
+    /// Fills in the fields for the rays.
     fn say(&mut self, angles: [&str; 2]) {
         for (number, angle) in angles.into_iter().enumerate() {
             if self.has_keyboard {
@@ -118,7 +119,7 @@ impl Visit {
         }
     }
 
-    /// Does what is likeliest.
+    /// Takes the main action.
     fn go_on(&mut self) -> bool {
         if self.has_keyboard {
             self.keys("<Enter>");
@@ -183,11 +184,11 @@ impl Visit {
         self.phone.expect("Your vote is in.");
     }
 
-    /// A round of the quiz to its end.
+    /// Plays a round of the quiz to its end.
     fn round(&mut self, code: &str, end: &str) {
         self.phone.go_to(&page(), &format!("quiz={code}"));
         for question in 1.. {
-            assert!(question < 20, "{code} has no end");
+            assert!(question < 20, "{code} does not end");
             self.phone.expect(&format!("question {question} of"));
             self.look("question");
             self.answer();
@@ -217,7 +218,7 @@ impl Visit {
         self.look("round");
     }
 
-    /// Some answer to the question on the screen.
+    /// Gives some answer to the question on the screen.
     fn answer(&mut self) {
         if !self.has_keyboard {
             return answer(&mut self.phone);
@@ -230,7 +231,7 @@ impl Visit {
         }
     }
 
-    /// A shot in the lab, its offset and the predicted rays dragged.
+    /// Plays a shot in the lab; its offset and the predicted rays are dragged.
     fn lab(&mut self) {
         self.phone.go_to(&page(), "lab");
         self.look("lab");
@@ -253,7 +254,7 @@ impl Visit {
         self.look("lab-shown");
     }
 
-    /// The value in the field of this name.
+    /// The value in the field with this name.
     fn field(&mut self, name: &str) -> Value {
         let script = "
             const all = [...document.querySelectorAll('.field input')];
@@ -261,7 +262,7 @@ impl Visit {
         self.phone.0.run(script, &[name.into()])
     }
 
-    /// The first stroke of a board.
+    /// Plays the first stroke of a board.
     fn stroke(&mut self) {
         self.phone.go_to(&page(), "table&seed=3");
         self.look("table");
@@ -280,7 +281,7 @@ impl Visit {
         self.look("table-next");
     }
 
-    /// A level, said and watched.
+    /// Predicts and watches a level.
     fn level(&mut self) {
         self.phone.go_to(&page(), "level=dead-stop");
         self.until("Predict both paths");
@@ -306,7 +307,7 @@ impl Visit {
         self.look("level-told");
     }
 
-    /// A chapter to its last page.
+    /// Reads a chapter to its last page.
     fn chapter(&mut self) {
         self.phone.go_to(&page(), "lesson=1");
         for page in 0..40 {
@@ -323,7 +324,7 @@ impl Visit {
                 self.phone.go_on();
             }
         }
-        panic!("the chapter has no end");
+        panic!("the chapter does not end");
     }
 
     fn whole(mut self) {
@@ -337,7 +338,7 @@ impl Visit {
     }
 }
 
-/// The nodes of an accessibility tree that have a name: role, name and value of each.
+/// The role, name and value of each node of an accessibility tree that has a name.
 fn spoken(tree: &Value) -> String {
     let nodes = tree["nodes"].as_array().into_iter().flatten();
     let lines = nodes.filter_map(|node| {

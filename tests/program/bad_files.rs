@@ -1,4 +1,4 @@
-//! Files that are no good, each with the messages that it must give.
+//! Invalid files, each with the message that it must cause.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,17 +8,17 @@ use std::process::{Command, Output};
 use carrom::files::FileError;
 use proptest::prelude::*;
 
-/// A folder of bad files: `NAME.expected` is the message for `NAME.ENDING`, or for the
-/// folder `NAME`.
+/// A folder of invalid files: `NAME.expected` is the message for `NAME.ENDING`, or for the folder
+/// `NAME`.
 pub(crate) struct BadFiles {
-    /// Its name below `tests`.
+    /// The folder's path below `tests`.
     pub(crate) folder: &'static str,
-    /// How the names of the files end.
+    /// The extension of the files.
     pub(crate) ending: &'static str,
 }
 
 impl BadFiles {
-    /// The folder.
+    /// The path of the folder.
     pub(crate) fn path(&self) -> PathBuf {
         Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("tests")
@@ -34,7 +34,7 @@ impl BadFiles {
             .expect("carrom runs")
     }
 
-    /// The names of the messages without their ending.
+    /// The names of the message files without their extension.
     pub(crate) fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(self.path()).unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -51,14 +51,14 @@ impl BadFiles {
         expected
     }
 
-    /// The message that must be given for a name.
+    /// The expected message for a name.
     pub(crate) fn expected(&self, name: &str) -> String {
         let path = self.path().join(format!("{name}.expected"));
         fs::read_to_string(path).unwrap().trim_end().to_owned()
     }
 
-    /// Gives each file or folder to a command, which must tell its message and leave with
-    /// 2. What it printed otherwise is given to `printed`, with whether it read a file.
+    /// Runs a command with each file or folder. It must print the expected message and exit with
+    /// status 2. `printed` is given the standard output, and whether the argument is a file.
     pub(crate) fn each(&self, command: [&str; 2], printed: impl Fn(&str, bool, &[u8])) {
         for name in self.names() {
             let file = format!("{name}.{}", self.ending);
@@ -72,20 +72,20 @@ impl BadFiles {
     }
 }
 
-/// Standard error without the name of the program before the message.
+/// The message on standard error, without the program's name before it.
 pub(crate) fn message(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
     let text = text.trim_end();
     text.strip_prefix("carrom: ").unwrap_or(text).to_owned()
 }
 
-/// How many files these errors are of.
+/// The number of files with these errors.
 pub(crate) fn files(errors: &[FileError]) -> usize {
     let files: BTreeSet<_> = errors.iter().map(|error| &error.file).collect();
     files.len()
 }
 
-/// A good file of a folder with a stretch of it replaced by a `piece`.
+/// A valid file from a folder, with a part of it replaced with a `piece`.
 pub(crate) fn mutated(
     folder: &str,
     piece: impl Strategy<Value = String>,

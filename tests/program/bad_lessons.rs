@@ -1,5 +1,5 @@
-//! Files that are no chapters: each gives its message with file and line, exit status
-//! 2, and nothing else; the rest of the chapters still open.
+//! Files that are not chapters. Each causes only its own message, with file and line, and exit
+//! status 2; the other chapters still open.
 //!
 //! `tests/bad-lessons/NAME.expected` is the message for `NAME.md`.
 
@@ -18,16 +18,16 @@ const BAD: BadFiles = BadFiles {
 };
 
 #[test]
-fn every_bad_file_gives_its_message() {
+fn every_invalid_chapter_causes_its_message() {
     BAD.each(["lesson", "check"], |_, _, _| {});
 }
 
 #[test]
-fn the_rest_of_the_book_opens_beside_bad_files() {
+fn the_other_chapters_open_despite_invalid_files() {
     let mut library = ChapterLibrary::embedded();
     let own = library.chapters.len();
     library.add_dir(&BAD.path());
-    // Those that are only too long for a small screen can be read.
+    // Chapters that are only too long for a small screen can be read.
     let readable = ["too-long", "formula-too-wide"];
     assert_eq!(library.chapters.len(), own + readable.len());
     let bad = bad_files::files(&library.problems);
@@ -39,7 +39,7 @@ fn the_rest_of_the_book_opens_beside_bad_files() {
     assert!(screen.contains("left out"), "{screen}");
     game.press("<End>");
     let screen = game.screen();
-    // The message is broken where the folder's name leaves room.
+    // The length of the folder's name determines where the message is wrapped.
     assert!(
         screen.contains("what is wrong") && screen.contains("expected"),
         "{screen}"
@@ -49,7 +49,7 @@ fn the_rest_of_the_book_opens_beside_bad_files() {
 }
 
 #[test]
-fn the_chapters_in_the_program_are_good() {
+fn the_built_in_chapters_are_valid() {
     let output = BAD.carrom(&["lesson", "check"]);
     assert_eq!(message(&output), "");
     assert_eq!(output.status.code(), Some(0));
@@ -68,7 +68,7 @@ fn a_missing_file_is_named() {
 }
 
 #[test]
-fn figures_are_pictures_without_a_terminal() {
+fn figures_are_drawn_without_a_terminal() {
     for figure in [
         "lab", "split", "triangle", "frames", "curves", "angles", "energy", "worked", "solve",
         "foil", "shots",
@@ -95,7 +95,7 @@ fn figures_are_pictures_without_a_terminal() {
     assert_eq!(output.status.code(), Some(2));
 }
 
-/// A chapter with a stretch of it replaced.
+/// A chapter with a part of it replaced.
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
     let piece = prop_oneof![
         "[0-9.eE+-]{0,6}",
@@ -113,7 +113,7 @@ fn is_chapter_or_message(bytes: &[u8], whole: bool) -> Result<(), TestCaseError>
         Ok(chapter) => {
             prop_assert!(!chapter.pages.is_empty());
             if whole {
-                // Every page can be set.
+                // The layout of every page must succeed.
                 let _ = check(&chapter);
             }
         }

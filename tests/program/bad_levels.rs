@@ -1,5 +1,5 @@
-//! Files that are no levels: each gives one message that names file, line, field
-//! and what was expected, exit status 2, and nothing else.
+//! Files that are not levels. Each causes only one message, with file, line, field and what was
+//! expected, and exit status 2.
 //!
 //! `tests/bad-levels/NAME.expected` is the message for `NAME.toml`, or for the
 //! folder `NAME`.
@@ -17,14 +17,14 @@ const BAD: BadFiles = BadFiles {
 };
 
 #[test]
-fn every_bad_file_gives_its_message() {
+fn every_invalid_level_causes_its_message() {
     BAD.each(["level", "check"], |name, is_file, printed| {
         assert!(!is_file || printed.is_empty(), "{name}");
     });
 }
 
 #[test]
-fn a_bad_scene_is_refused_by_simulate_with_the_same_message() {
+fn simulate_refuses_an_invalid_scene_with_the_same_message() {
     let name = "negative-mass.toml";
     let output = BAD.carrom(&["simulate", name, "--json"]);
     assert_eq!(output.status.code(), Some(2));
@@ -33,11 +33,11 @@ fn a_bad_scene_is_refused_by_simulate_with_the_same_message() {
 }
 
 #[test]
-fn ten_megabytes_of_noise_give_one_message() {
+fn ten_megabytes_of_random_bytes_cause_one_message() {
     let folder = Folder::new("noise");
     let mut state = 1_u64;
     let noise: Vec<u8> = std::iter::repeat_with(|| {
-        // Knuth's linear congruential generator: any noise will do.
+        // Knuth's linear congruential generator; any random bytes would do.
         state = state
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
@@ -51,7 +51,7 @@ fn ten_megabytes_of_noise_give_one_message() {
     assert_eq!(output.stdout, b"");
     let expected = format!("{name}:1: expected a file of at most 1 MiB, found more");
     assert_eq!(message(&output), expected);
-    // Noise of a size that is looked at.
+    // Random bytes of a size that is still parsed.
     let fault = Level::read("noise", &noise[..1 << 20]).unwrap_err();
     assert!(fault.to_string().starts_with("noise:1: "), "{fault}");
 }
@@ -64,17 +64,17 @@ fn a_missing_file_is_named() {
 }
 
 #[test]
-fn a_bad_file_does_not_keep_the_rest_of_a_folder_from_opening() {
+fn the_other_files_in_a_folder_open_despite_an_invalid_one() {
     let mut library = LevelLibrary::default();
     library.add_dir(&BAD.path());
-    // The folder of two levels with one id gives one level and one fault.
+    // The folder with two levels that have the same id gives one level and one error.
     assert_eq!(library.packs.len(), 1);
     assert_eq!(library.packs[0].name, "duplicate-id");
     assert_eq!(library.packs[0].levels.len(), 1);
     assert_eq!(bad_files::files(&library.problems), BAD.names().len());
 }
 
-/// A level file with a stretch of it replaced.
+/// A level file with a part of it replaced.
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
     let piece = prop_oneof![
         "[0-9.eE+-]{0,6}",
@@ -89,7 +89,7 @@ fn mutated() -> impl Strategy<Value = Vec<u8>> {
 fn is_level_or_message(bytes: &[u8]) -> Result<(), TestCaseError> {
     match Level::read("level", bytes) {
         Ok(level) => {
-            // A level can be played, if only until there are too many events.
+            // A level can be played, at least until there are too many events.
             if let Ok(shot) = level.aimed(&level.solution).play(Patience::AKey) {
                 prop_assert_eq!(judge(&level, &shot).findings.len(), level.goals.len());
             }

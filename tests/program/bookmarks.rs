@@ -1,5 +1,4 @@
-//! The place in each chapter is kept: until the next time, for each player, whatever has
-//! become of the chapter meanwhile.
+//! The position in each chapter is saved for each player, even if the chapter changes.
 
 use std::fs;
 use std::path::Path;
@@ -28,7 +27,7 @@ fn settings(player: &str) -> Settings {
     }
 }
 
-/// The contents, or a chapter, by its number from 1, as a player opens it.
+/// Opens the contents, or a chapter by its number from 1, for a player.
 fn open(folder: &Path, player: &str, chapter: Option<usize>) -> Headless {
     let place = chapter.map_or(Route::Learn, |number| Route::Chapter { number: number - 1 });
     let app = App::new(place, settings(player), 1);
@@ -37,23 +36,23 @@ fn open(folder: &Path, player: &str, chapter: Option<usize>) -> Headless {
 
 fn shows(game: &mut Headless, text: &str) {
     let screen = game.screen();
-    assert!(screen.contains(text), "{text} is not to be seen:\n{screen}");
+    assert!(screen.contains(text), "{text} is not shown:\n{screen}");
 }
 
-/// All answers that are kept in a folder.
+/// The number of answers stored in a folder.
 fn attempts(folder: &Path) -> usize {
     open(folder, "anyone", None).attempts().len()
 }
 
 #[test]
-fn a_chapter_opens_the_next_time_where_it_was_left() {
+fn a_chapter_reopens_where_it_was_left() {
     let folder = Folder::new("bookmarks-place");
     let mut game = open(folder.path(), "Ada", Some(2));
     shows(&mut game, "page 1 of 5");
     game.press("2<Enter>nn");
     shows(&mut game, "page 3 of 5");
     drop(game);
-    // Straight to the chapter, and by way of the contents.
+    // Open the chapter directly, and from the contents.
     let mut game = open(folder.path(), "Ada", Some(2));
     shows(&mut game, "page 3 of 5");
     let mut game = open(folder.path(), "Ada", None);
@@ -65,7 +64,7 @@ fn a_chapter_opens_the_next_time_where_it_was_left() {
     shows(&mut game, "page 3 of 5");
     game.press("bb");
     shows(&mut game, "+ Along the line");
-    // Asked again, it is still to be answered the next time.
+    // After "ask again", the question is still open the next time.
     game.press("r");
     drop(game);
     let mut game = open(folder.path(), "Ada", Some(2));
@@ -75,7 +74,7 @@ fn a_chapter_opens_the_next_time_where_it_was_left() {
 }
 
 #[test]
-fn a_chapter_read_to_its_end_begins_at_its_first_page() {
+fn a_finished_chapter_opens_at_its_first_page() {
     let folder = Folder::new("bookmarks-end");
     let mut game = open(folder.path(), "Ada", Some(2));
     game.press("nnnnn");
@@ -89,7 +88,7 @@ fn a_chapter_read_to_its_end_begins_at_its_first_page() {
 }
 
 #[test]
-fn a_dial_keeps_its_value() {
+fn the_value_of_a_dial_is_saved() {
     let folder = Folder::new("bookmarks-dial");
     for leave in ["<Escape>", "n"] {
         let mut game = open(folder.path(), "Ada", Some(3));
@@ -117,14 +116,14 @@ fn each_player_has_bookmarks_of_their_own() {
     shows(&mut open(folder.path(), "Ada", Some(2)), "page 3 of 5");
     shows(&mut open(folder.path(), "Bo", Some(2)), "page 2 of 5");
     shows(&mut open(folder.path(), "球", Some(2)), "page 1 of 5");
-    // What one of them forgets the other still has.
+    // Deleting one player's bookmarks leaves the other's.
     open(folder.path(), "Ada", None).press("Ay");
     shows(&mut open(folder.path(), "Ada", Some(2)), "page 1 of 5");
     shows(&mut open(folder.path(), "Bo", Some(2)), "page 2 of 5");
 }
 
 #[test]
-fn a_chapter_is_forgotten_and_so_are_all() {
+fn the_bookmarks_of_one_chapter_or_of_all_can_be_deleted() {
     let folder = Folder::new("bookmarks-reset");
     for chapter in [1, 2, 3] {
         open(folder.path(), "Ada", Some(chapter)).press("2<Enter>n");
@@ -154,7 +153,7 @@ fn a_chapter_is_forgotten_and_so_are_all() {
         game.press("A");
         assert!(!game.screen().contains("Forget"), "there is nothing left");
     }
-    // From within a chapter.
+    // Delete it from within a chapter.
     let mut game = open(folder.path(), "Ada", Some(3));
     game.press("nnRy");
     shows(&mut game, "page 1 of");
@@ -170,7 +169,7 @@ const HEADER: &str = "+++\nformat = 1\ntitle = \"Mine\"\nabout = \"A\"\n+++\n";
 const ASKED: &str =
     ":::choice\nWhich one?\n- [ ] This.\n  Said to this.\n- [x] That.\n  Said to that.\n:::\n\n";
 
-/// A chapter of one's own with these pages, opened at its place.
+/// Opens the player's own chapter with these pages, at its bookmark.
 fn own(folder: &Path, pages: &str) -> Headless {
     let file = folder.join("77-mine.md");
     fs::write(&file, format!("{HEADER}{pages}")).unwrap();
@@ -188,7 +187,7 @@ fn own(folder: &Path, pages: &str) -> Headless {
 }
 
 #[test]
-fn a_chapter_that_was_changed_opens_all_the_same() {
+fn a_chapter_that_has_changed_still_opens() {
     let text = "Text.\n\n";
     let one = format!("# One\n{text}");
     let two = format!("# Two\n{ASKED}");
@@ -219,7 +218,7 @@ fn a_chapter_that_was_changed_opens_all_the_same() {
         let mut game = own(folder.path(), &pages);
         shows(&mut game, page);
         assert_eq!(game.screen().contains("Said to that."), answered, "{pages}");
-        // All of it can be read, and be done.
+        // The chapter can be read to the end, and is then done.
         game.press(&"b".repeat(5));
         for key in ["1", "<Enter>", "n"].repeat(5) {
             // In the contents that key takes the next step, out of the chapters.
@@ -234,7 +233,7 @@ fn a_chapter_that_was_changed_opens_all_the_same() {
         }
         game.press("e");
         shows(&mut game, "1 of 1 chapters done");
-        // Back to what it was: what fits it is there again.
+        // If the chapter is restored, the bookmarks that fit it are shown again.
         let mut game = own(folder.path(), &before);
         game.press("<Escape>");
         shows(&mut game, "of 3");
@@ -293,13 +292,13 @@ fn without_storage_data_is_kept_in_memory() {
     for store in [Store::in_folder(&file), Store::nowhere()] {
         let app = App::new(Route::Chapter { number: 1 }, settings("Ada"), 1);
         let mut game = Headless::keeping(app, 80, 24, store);
-        shows(&mut game, "What you do cannot be saved");
+        shows(&mut game, "Your progress cannot be saved");
         game.press("x");
         shows(&mut game, "page 1 of 5");
         game.press("2<Enter>nn");
         assert!(
             !game.screen().contains("cannot be saved"),
-            "it is told once"
+            "the notice is shown once"
         );
         game.press("<Escape>");
         shows(&mut game, "read 3 of 5");
@@ -310,8 +309,8 @@ fn without_storage_data_is_kept_in_memory() {
     }
 }
 
-/// Turns the pages of the third chapter to and fro, answering what is asked, and says how
-/// many pages it has turned.
+/// Turns the pages of the third chapter back and forth, answers its questions, and reports how many
+/// pages it has turned.
 #[test]
 fn child_reads() {
     let Some((folder, words)) = child::told() else {
@@ -320,7 +319,7 @@ fn child_reads() {
     let chapter = words[1].parse().unwrap();
     let mut game = open(&folder, &words[0], Some(chapter));
     for number in 1..=words[2].parse().unwrap() {
-        // A number, a line of a choice, or a ray and then the other.
+        // Answers a number, a choice, or one ray and then the other.
         while game.screen().contains("n skip") {
             game.press("1<Enter>");
         }
@@ -334,7 +333,7 @@ fn child_reads() {
     }
 }
 
-/// What is kept of a player's chapters.
+/// The bookmarks of a player.
 fn marks(
     folder: &Path,
     player: &str,
@@ -352,9 +351,9 @@ fn marks(
 }
 
 #[test]
-fn four_who_read_at_once_lose_nothing() {
+fn four_readers_at_once_lose_nothing() {
     let folder = Folder::new("bookmarks-four");
-    // Two of them are one player, in different chapters and in the same.
+    // Three of them are the same player: one in another chapter, two in the same chapter.
     let readers = [("Ada", "1"), ("Ada", "2"), ("Ada", "2"), ("球", "2")];
     let start = |(name, chapter)| {
         Player::start(
@@ -392,15 +391,18 @@ fn a_killed_chapter_reopens_at_the_page_last_seen() {
         let turned = player.kill(chance.random_range(1..6), &mut chance).unwrap();
         let now = marks(folder.path(), "Ada")[&chapter.id].page(chapter);
         let pages = chapter.pages.len();
-        // It may have turned one page more than it had time to say.
+        // The process may have turned one more page than it had time to report.
         let expected = [turned, turned + 1].map(|turned| (at + turned) % pages);
-        assert!(expected.contains(&now), "from {at} by {turned} to {now}");
+        assert!(
+            expected.contains(&now),
+            "from page {at} by {turned} pages to page {now}"
+        );
     }
 }
 
 #[cfg(unix)]
 #[test]
-fn the_real_game_opens_tomorrow_where_it_was_left_today() {
+fn the_real_game_in_a_terminal_reopens_where_it_was_left() {
     let folder = Folder::new("bookmarks-pty");
     let data = folder.path().to_str().unwrap();
     let start = |arguments: &[&str]| {

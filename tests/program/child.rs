@@ -1,4 +1,4 @@
-//! The test program run again as a process of its own, which plays until it is killed.
+//! Runs the test program again as a separate process, which plays until it is killed.
 
 use std::env;
 use std::io::{BufRead, BufReader, Write};
@@ -9,19 +9,19 @@ use rand_pcg::Pcg64;
 
 const FOLDER: &str = "CARROM_CHILD_FOLDER";
 const WORDS: &str = "CARROM_CHILD_WORDS";
-/// What stands before each number that is said.
+/// The prefix of each number that the process reports.
 const SAID: &str = "said ";
 
-/// A process that does something again and again, and says a number each time as soon as
-/// the screen shows that it is done.
+/// A process that repeats an action, and reports a number each time as soon as the screen shows the
+/// result.
 pub(crate) struct Player {
     child: Child,
     said: BufReader<ChildStdout>,
 }
 
 impl Player {
-    /// Runs the test of this name (with its module: `kill::child_plays`) alone, which finds
-    /// `folder` and `words` by [`told`].
+    /// Runs only the test with this name (including its module: `kill::child_plays`), which gets
+    /// `folder` and `words` from [`told`].
     pub(crate) fn start(test: &str, folder: &Path, words: &[&str]) -> Self {
         let mut child = Command::new(env::current_exe().unwrap())
             .args([test, "--exact", "--nocapture"])
@@ -35,7 +35,7 @@ impl Player {
         Self { child, said }
     }
 
-    /// The next number that is said; `None` once there will be no more.
+    /// The next number that it reports; `None` at the end of its output.
     pub(crate) fn next(&mut self) -> Option<usize> {
         loop {
             let mut line = String::new();
@@ -48,12 +48,12 @@ impl Player {
         }
     }
 
-    /// Kills it after so many numbers, a moment later, and gives the last one it said.
+    /// Kills it shortly after this many numbers, and returns the last number that it reported.
     pub(crate) fn kill(mut self, numbers: usize, chance: &mut Pcg64) -> Option<usize> {
         let mut last = None;
         for _ in 0..numbers {
             last = self.next();
-            assert!(last.is_some(), "it ended by itself");
+            assert!(last.is_some(), "the process ended too early");
         }
         wait_a_moment(chance);
         self.child.kill().unwrap();
@@ -61,7 +61,7 @@ impl Player {
         self.rest().or(last)
     }
 
-    /// Waits until it ends by itself, and gives the last number it said.
+    /// Waits until it ends, and returns the last number that it reported.
     pub(crate) fn end(mut self) -> Option<usize> {
         let last = self.rest();
         assert!(self.child.wait().unwrap().success());
@@ -73,22 +73,22 @@ impl Player {
     }
 }
 
-/// Up to 20 ms, in which anything may be going on.
+/// Waits up to 20 ms, so that the process is killed at a random moment.
 fn wait_a_moment(chance: &mut Pcg64) {
     use rand::RngExt;
     let moment = std::time::Duration::from_micros(chance.random_range(0..20_000));
     std::thread::sleep(moment);
 }
 
-/// What a [`Player`] was started with; `None` when the test is run as a test, which has
-/// nothing to do then.
+/// The folder and the words that a [`Player`] was started with; `None` in an ordinary test run, in
+/// which the test does nothing.
 pub(crate) fn told() -> Option<(PathBuf, Vec<String>)> {
     let folder = env::var_os(FOLDER)?;
     let words = env::var(WORDS).unwrap();
     Some((folder.into(), words.lines().map(str::to_owned).collect()))
 }
 
-/// Says a number to whoever started the [`Player`].
+/// Reports a number to the process that started the [`Player`].
 pub(crate) fn say(number: usize) {
     println!("{SAID}{number}");
     std::io::stdout().flush().unwrap();

@@ -1,11 +1,11 @@
-//! The command line: what it prints, where, and with which exit status.
+//! The command line: its output and its exit status.
 
 use std::fs;
 use std::process::{Command, Output, Stdio};
 
 use crate::folder::Folder;
 
-/// Runs carrom without a terminal, with nothing to read.
+/// Runs carrom without a terminal and with empty input.
 fn carrom(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(arguments)
@@ -22,12 +22,12 @@ fn err(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
-/// Where something of this name is in a folder, or will be.
+/// The path of this name in a folder.
 fn within(folder: &Folder, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().into()
 }
 
-/// The names of all that is in a folder.
+/// The names of everything in a folder.
 fn names(folder: &Folder) -> Vec<String> {
     let mut names: Vec<_> = fs::read_dir(folder.path())
         .unwrap()
@@ -38,10 +38,10 @@ fn names(folder: &Folder) -> Vec<String> {
 }
 
 #[test]
-fn the_glossary_is_printed_whole_or_by_term() {
+fn the_glossary_is_printed_completely_or_by_term() {
     let all = out(&carrom(&["glossary", "--charset", "unicode"]));
     assert!(all.contains("impact angle, α, in °\n"), "{all}");
-    // A symbol alone means its own entry; words also longer terms that contain them.
+    // A symbol selects only its own entry; words also select longer terms that contain them.
     let json = out(&carrom(&["glossary", "θ₁", "--json"]));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let entries = json["entries"].as_array().unwrap();
@@ -55,7 +55,7 @@ fn the_glossary_is_printed_whole_or_by_term() {
 }
 
 #[test]
-fn without_a_terminal_there_is_a_message() {
+fn running_without_a_terminal_prints_a_message() {
     for arguments in [
         &[][..],
         &["learn"],
@@ -69,7 +69,7 @@ fn without_a_terminal_there_is_a_message() {
         assert_eq!(out(&output), "");
         let message = err(&output);
         assert!(
-            message.starts_with("carrom: a terminal is needed, and standard input is not one"),
+            message.starts_with("carrom: a terminal is needed, but standard input is not one"),
             "{message}"
         );
         assert!(
@@ -81,7 +81,7 @@ fn without_a_terminal_there_is_a_message() {
 }
 
 #[test]
-fn commands_without_a_screen_have_no_plain_lines() {
+fn commands_without_a_screen_refuse_plain_mode() {
     for arguments in [["keys", "--plain"], ["man", "--plain"]] {
         let output = carrom(&arguments);
         assert_eq!(output.status.code(), Some(2));
@@ -90,7 +90,7 @@ fn commands_without_a_screen_have_no_plain_lines() {
 }
 
 #[test]
-fn help_and_version_are_no_failure() {
+fn help_and_version_exit_with_status_0() {
     let output = carrom(&["--help"]);
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(err(&output), "");
@@ -192,7 +192,7 @@ fn a_tape_writes_its_screenshots() {
 }
 
 #[test]
-fn options_outside_a_tape_stand_where_it_says_nothing() {
+fn options_of_the_command_apply_unless_the_tape_sets_them() {
     let folder = Folder::new("outer");
     let tape = folder.file("a.tape", b"Run \"--charset ascii\"\nType \"?\"\n");
     let output = carrom(&["tape", &tape, "--charset", "unicode", "--seed", "3"]);
@@ -214,7 +214,7 @@ fn a_tape_that_fails_writes_nothing() {
 }
 
 #[test]
-fn a_tape_that_cannot_be_used_is_named_with_its_line() {
+fn an_invalid_tape_is_reported_with_its_line() {
     let folder = Folder::new("unusable");
     let noise: Vec<u8> = (0..10 << 20)
         .map(|i: u32| (i.wrapping_mul(i) >> 7) as u8)
@@ -248,7 +248,7 @@ fn a_tape_that_cannot_be_used_is_named_with_its_line() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_named() {
+fn a_folder_that_cannot_be_written_to_is_reported() {
     let folder = Folder::new("readonly");
     let tape = folder.file("a.tape", b"Screenshot home\n");
     let output = carrom(&["tape", &tape, "--out", &format!("{tape}/shots")]);
@@ -260,11 +260,11 @@ fn a_folder_that_cannot_be_written_is_named() {
     );
 }
 
-/// A game that was exported once and for all.
+/// A pinned exported game, which never changes.
 const GAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/saves/format-1.toml");
 
 #[test]
-fn an_exported_game_is_played_again_to_the_last_bit() {
+fn an_exported_game_is_replayed_bit_for_bit() {
     let text = carrom(&["replay", GAME]);
     assert!(text.status.success(), "{}", err(&text));
     assert!(out(&text).contains("   1  South strikes at "));
@@ -285,7 +285,7 @@ fn a_game_that_cannot_be_replayed_ends_with_status_2_and_the_line() {
     let other = game.replacen("[0.8135039368984194,", "[1.8135039368984194,", 1);
     for (content, expected) in [
         (other.as_str(), ":41: end: expected the moves to lead to "),
-        ("format = 2", ":1: format: 2 is newer than the 1 "),
+        ("format = 3", ":1: format: 3 is newer than 2, "),
         ("hello", ":1: "),
     ] {
         let file = folder.file("game.toml", content.as_bytes());
@@ -303,7 +303,7 @@ fn a_game_that_cannot_be_replayed_ends_with_status_2_and_the_line() {
 }
 
 #[test]
-fn a_tape_keeps_its_games_only_where_it_is_told_to() {
+fn a_tape_saves_its_games_only_with_a_data_folder() {
     let folder = Folder::new("tape-saves");
     let tape = folder.file(
         "game.tape",
@@ -320,7 +320,7 @@ fn a_tape_keeps_its_games_only_where_it_is_told_to() {
     let exported =
         fs::read_to_string(folder.path().join("data/exports/carrom-game-1.toml")).unwrap();
     assert_eq!(saved, exported);
-    // The same again in a folder of its own gives the same bytes.
+    // The same tape with another folder gives the same bytes.
     let again = folder.path().join("again");
     let again = again.to_str().unwrap();
     assert!(
@@ -332,7 +332,7 @@ fn a_tape_keeps_its_games_only_where_it_is_told_to() {
     assert_eq!(saved, twin);
 }
 
-/// A folder with two good questions in one file and a file with a belief nobody holds.
+/// A folder with a file of two valid questions, and a file with an unknown misconception.
 const OWN_CONCEPTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
 
 #[test]
@@ -352,14 +352,14 @@ fn a_teachers_own_questions_are_checked() {
     let good = format!("{OWN_CONCEPTS}/our-marbles.toml");
     let output = carrom(&["concept", "check", &good]);
     assert_eq!((output.status.code(), err(&output).as_str()), (Some(0), ""));
-    // What is in the program is good, too.
+    // The built-in questions are valid too.
     let output = carrom(&["concept", "check"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     assert_eq!(out(&output).lines().count(), 110);
 }
 
 #[test]
-fn a_right_choice_that_gives_itself_away_is_reported_with_its_place() {
+fn a_right_choice_that_gives_itself_away_is_reported_with_its_line() {
     let folder = Folder::new("cli-concepts");
     let path = within(&folder, "mine.toml");
     let good = fs::read_to_string(format!("{OWN_CONCEPTS}/our-marbles.toml")).unwrap();
@@ -369,9 +369,9 @@ fn a_right_choice_that_gives_itself_away_is_reported_with_its_place() {
     assert_eq!(output.status.code(), Some(2));
     assert!(out(&output).contains("our-marbles-head-on: NOT GOOD: mine, easy"));
     let message = err(&output);
-    let wanted = format!("{path}:21: our-marbles-head-on.right: expected a choice of the length");
+    let wanted = format!("{path}:21: our-marbles-head-on.right: expected a choice about as long");
     assert!(message.contains(&wanted), "{message}");
-    // The id of a question in the program is taken.
+    // The id of a built-in question cannot be used.
     fs::write(
         &path,
         good.replace("our-marbles-head-on", "sideways-balances"),
@@ -379,13 +379,13 @@ fn a_right_choice_that_gives_itself_away_is_reported_with_its_place() {
     .unwrap();
     let message = err(&carrom(&["concept", "check", &path]));
     assert!(
-        message.contains("mine.toml:21: ") && message.contains("expected an id of its own"),
+        message.contains("mine.toml:21: ") && message.contains("expected a unique id"),
         "{message}"
     );
 }
 
 #[test]
-fn the_code_of_own_questions_needs_their_folder() {
+fn the_code_of_a_teachers_own_questions_requires_their_folder() {
     let folder = Folder::new("cli-own");
     let to = within(&folder, "sheets");
     let output = carrom(&["worksheet", "--code", "own-7", "--out", &to]);

@@ -1,7 +1,7 @@
-//! A whole school at one host: the real program in a terminal of its own, a `carrom join` in
-//! another, a page in Chromium where `CARROM_TEST_PAGE` names one, and some two hundred devices,
-//! good and bad. What it measures is printed:
-//! `cargo test --test program crowd -- --ignored --nocapture`.
+//! A whole school at one host: the real program in a terminal, a `carrom join` in another terminal,
+//! a page in Chromium if `CARROM_TEST_PAGE` names one, and about two hundred well-behaved and
+//! misbehaving devices. The test prints what it measures: `cargo test --test program crowd --
+//! --ignored --nocapture`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -25,16 +25,16 @@ use crate::pty::{Pty, carrom};
 use crate::pupil::{Pupil, connect_from};
 use crate::seen_devices::{self, SeenDevice};
 
-/// Questions of the round.
+/// The number of questions in the round.
 const QUESTIONS: usize = 10;
 
-/// A port that is free just now.
+/// A port that is currently free.
 fn free_port() -> u16 {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     listener.local_addr().unwrap().port()
 }
 
-/// The round as it is on the disk.
+/// The round stored on the disk.
 fn kept(folder: &Path) -> ClassRound {
     let bytes = fs::read(folder.join("classes/class-1.toml")).unwrap();
     ClassRound::read("kept", &bytes, &Arc::default()).unwrap()
@@ -43,8 +43,8 @@ fn kept(folder: &Path) -> ClassRound {
 /// The code of the class.
 const DOOR: &str = "BCDFGH";
 
-/// Keeps a round of this code in which one pupil was, who does not come back: a host offers it, and
-/// its door has a known code.
+/// Stores a stopped round with this code and one pupil, who does not come back. A host offers to
+/// continue it, and the class has a known code.
 fn stop_a_round(folder: &Path, code: &str) {
     let mut round = ClassRound::with_devices(Code::parse(code).unwrap()).of_class("10b");
     round.open(DOOR.parse().unwrap(), None);
@@ -59,7 +59,8 @@ fn stop_a_round(folder: &Path, code: &str) {
     fs::write(folder.join("classes/class-1.toml"), round.text().unwrap()).unwrap();
 }
 
-/// A host in a terminal that takes up the round that was stopped; without a port where it was.
+/// A host in a terminal that continues the stopped round. Without a given port, the host uses the
+/// round's earlier port.
 fn host(folder: &Path, port: Option<u16>) -> Pty {
     let port = port.map(|port| port.to_string());
     let mut arguments = vec!["class", "--host", "--data-dir", folder.to_str().unwrap()];
@@ -77,16 +78,16 @@ fn host(folder: &Path, port: Option<u16>) -> Pty {
     pty
 }
 
-/// What devices report: how long something took.
+/// The report of a device: how long something took.
 #[derive(Debug)]
 enum Report {
     Joined(Duration),
     Acknowledged(Duration),
-    /// The device shows the step of this name of this question.
+    /// The device has shown this step of this question since this time.
     Shows(u64, String, Instant),
 }
 
-/// A vote on whatever is asked.
+/// A random vote that fits the question.
 fn vote_on(state: &serde_json::Value, chance: &mut Pcg64) -> String {
     let form = &state["question"]["form"];
     if form.get("rays").is_some() {
@@ -101,7 +102,7 @@ fn vote_on(state: &serde_json::Value, chance: &mut Pcg64) -> String {
     }
 }
 
-/// A good device: it votes whenever it may, after a moment, and reports.
+/// A good device, which votes after a moment whenever it can, and reports.
 fn good(port: u16, number: u8, spread: Duration, reports: &Sender<Report>) {
     let mut chance = Pcg64::seed_from_u64(number.into());
     let start = Instant::now();
@@ -130,7 +131,7 @@ fn good(port: u16, number: u8, spread: Duration, reports: &Sender<Report>) {
     }
 }
 
-/// A device that joins and then reads a byte now and then, or nothing.
+/// A device that joins and then reads one byte now and then, or nothing.
 fn slow(port: u16, name: &str, reads: bool, over: &AtomicBool) {
     let Ok(mut pupil) = Pupil::join_from(2, port, DOOR, name, None) else {
         return;
@@ -144,10 +145,10 @@ fn slow(port: u16, name: &str, reads: bool, over: &AtomicBool) {
     }
 }
 
-/// The address of those who want to be in the way, as of [`connect_from`].
+/// The address of the hostile devices, for [`connect_from`].
 const HOSTILE: u8 = 3;
 
-/// Somebody who wants to be in the way.
+/// A hostile device.
 fn hostile(port: u16, kind: usize, over: &AtomicBool) {
     let mut held = Vec::new();
     while !over.load(Ordering::SeqCst) {
@@ -158,19 +159,19 @@ fn hostile(port: u16, kind: usize, over: &AtomicBool) {
         let _ = match kind {
             // Large frames.
             0 => Pupil::dial(port).and_then(|mut it| it.say(&"x".repeat(10_000_000))),
-            // Connections that say nothing, for ever.
+            // Connections that send nothing and stay open.
             1 => {
                 held.push(stream);
                 held.drain(..held.len().saturating_sub(200));
                 Ok(())
             }
-            // Noise.
+            // Random bytes.
             2 => stream.write_all(&[0xa5; 4096]),
-            // Heads that never end.
+            // Request heads that never end.
             3 => stream
                 .write_all(b"GET / HTTP/1.1\r\nX: y")
                 .map(|()| held.push(stream)),
-            // Codes at random.
+            // Wrong codes.
             _ => Pupil::join_from(HOSTILE, port, "BCDFGJ", "x", None).map(drop),
         };
         held.drain(..held.len().saturating_sub(200));
@@ -178,7 +179,7 @@ fn hostile(port: u16, kind: usize, over: &AtomicBool) {
     }
 }
 
-/// Processor time in seconds, and the most memory in megabytes, of a process.
+/// The processor time of a process in seconds, and its largest memory use in megabytes.
 fn used(pid: i32) -> (f64, f64) {
     let stat = fs::read_to_string(format!("/proc/{pid}/stat")).unwrap();
     let fields: Vec<&str> = stat
@@ -212,7 +213,7 @@ fn print(what: &str, times: &mut [Duration]) {
     );
 }
 
-/// A device with a screen, and how long that took to show what it should.
+/// A device with a screen, and the times until it showed votes and steps.
 struct SeenTimes {
     name: &'static str,
     device: Box<dyn SeenDevice>,
@@ -231,7 +232,8 @@ impl SeenTimes {
     }
 }
 
-/// Plays the round with so many good devices and the others; prints what it took.
+/// Plays the round with this many good devices, and with bad ones if `bad`; prints the measured
+/// times.
 fn play(devices: u8, bad: bool) {
     let folder = Folder::new("crowd");
     let port = free_port();
@@ -281,8 +283,8 @@ fn play(devices: u8, bad: bool) {
     let mut seen = Vec::new();
     let mut acknowledged = Vec::new();
     let start = Instant::now();
-    // Past the door, then six steps a question; on devices nobody only predicts.
-    // What a screen says at each; how the truth is told differs from question to question.
+    // After the waiting room, each question has six steps on devices. Each step has a text that its
+    // screen shows; the right answer has none, because it differs from question to question.
     let steps = [
         ("describe", "Read it with the class"),
         ("first-vote", "Enter: then "),
@@ -323,7 +325,7 @@ fn play(devices: u8, bad: bool) {
     let took = start.elapsed();
     let (cpu, memory) = used(pty.pid());
     let all = if bad {
-        ", 20 slow, 1 deaf, 5 hostile"
+        ", 20 slow, 1 that reads nothing, 5 hostile"
     } else {
         ""
     };
@@ -345,7 +347,7 @@ fn play(devices: u8, bad: bool) {
         "host: {cpu:.1} s of processor time in {:.0} s, {memory:.0} MB at most",
         took.as_secs_f64()
     );
-    // Nothing that was acknowledged is lost.
+    // No acknowledged vote is lost.
     let round = kept(folder.path());
     let votes = |question| [Vote::First, Vote::Second].map(|it| round.voted(question, it));
     for question in 0..QUESTIONS {
@@ -372,34 +374,33 @@ fn play(devices: u8, bad: bool) {
 }
 
 #[test]
-#[ignore = "measures: some minutes"]
+#[ignore = "measures times; takes some minutes"]
 fn two_hundred_devices_vote() {
     play(198, false);
 }
 
 #[test]
-#[ignore = "measures: some minutes"]
-fn two_hundred_devices_vote_beside_slow_and_hostile_ones() {
+#[ignore = "measures times; takes some minutes"]
+fn two_hundred_devices_vote_alongside_slow_and_hostile_ones() {
     play(198, true);
 }
 
-/// A small crowd, so that this is tried with every change.
+/// A small crowd, so that this runs with every change.
 #[test]
-fn a_few_devices_vote_beside_slow_and_hostile_ones() {
+fn a_few_devices_vote_alongside_slow_and_hostile_ones() {
     play(12, true);
 }
 
 /// Devices that vote while their host is killed.
 const VOTERS: usize = 12;
-/// Votes are counted in thousandths of a degree: an angle has a limit.
+/// A vote's number is sent as an angle in thousandths of a degree, because angles are limited.
 const COUNTS_PER_DEGREE: f64 = 1000.0;
 
-/// The votes of which a device heard that they are in: the last number that it said to each
-/// question at each vote.
+/// The acknowledged votes: the last number of each device for each question and vote.
 type Acknowledged = Arc<Mutex<BTreeMap<(usize, &'static str, usize), u32>>>;
 
-/// A device that votes without end. Its host may be gone: it comes back by itself, to its own place,
-/// and reports that.
+/// A device that votes again and again. If it loses its host, it reconnects by itself, gets its own
+/// seat again, and reports that.
 fn voter(port: u16, number: usize, known: &Acknowledged, back: &Sender<usize>, over: &AtomicBool) {
     let mut chance = Pcg64::seed_from_u64(number as u64);
     let name = format!("Pupil {number}");
@@ -425,7 +426,8 @@ fn voter(port: u16, number: usize, known: &Acknowledged, back: &Sender<usize>, o
                     Err(_) => break,
                 },
             };
-            // Each says a larger number than all before, so that an older one would be seen.
+            // Each vote has a larger number than all earlier ones, so that the test notices an
+            // older vote.
             count += 1;
             let angle = f64::from(count) / COUNTS_PER_DEGREE;
             if pupil.vote(&format!("rays 1 {angle}")).is_err() {
@@ -443,14 +445,14 @@ fn voter(port: u16, number: usize, known: &Acknowledged, back: &Sender<usize>, o
     }
 }
 
-/// The number that a voter has said.
+/// The number in a vote.
 fn number_in(said: &str) -> Option<u32> {
     let angle: f64 = said.rsplit_once(' ')?.1.parse().ok()?;
     Some((COUNTS_PER_DEGREE * angle).round() as u32)
 }
 
-/// Goes on from a place to the next vote, if there is one; gives the number of its question, and what
-/// devices call it.
+/// Continues from this step to the next vote, if there is one; returns the number of its question,
+/// and its title on devices.
 fn to_the_next_vote(
     pty: &mut Pty,
     from: ClassPlace,
@@ -461,7 +463,7 @@ fn to_the_next_vote(
         ClassStep::Describe => ("\r", here, "have voted", "- your vote -"),
         ClassStep::FirstVote => ("\r\r", here, "have voted again", "- your second vote -"),
         _ if here == questions => return None,
-        // The shot, the scores, the next question, its first vote.
+        // The keys skip the shot, the scores and the description of the next question.
         _ => ("\r\x1b[F\r\r\r", here + 1, "have voted", "- your vote -"),
     };
     pty.press(keys);
@@ -471,11 +473,11 @@ fn to_the_next_vote(
     Some((question, title))
 }
 
-/// Killed in the midst of a round, again and again (`CARROM_KILLS` times), and started again as
-/// docs/class.md says: `carrom class --host`, Enter. The host has every vote of which a device heard
-/// that it is in, and all devices come back by themselves, a `carrom join` among them.
+/// The host is killed `CARROM_KILLS` times during a round, and restarted each time as in
+/// docs/class.md: `carrom class --host`, Enter. It still has every acknowledged vote, and all
+/// devices reconnect by themselves, including a `carrom join`.
 #[test]
-fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
+fn a_host_that_is_killed_during_a_round_loses_no_vote() {
     let kills = std::env::var("CARROM_KILLS").ok();
     let kills: usize = kills.and_then(|it| it.parse().ok()).unwrap_or(6);
     let questions = kills.div_ceil(3) + 1;
@@ -501,10 +503,10 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
     let (mut votes, mut has_voted) = (0, false);
     let mut steps = BTreeSet::new();
     for kill in 0..=kills {
-        // Only the first time its port has to be said.
+        // The port has to be given only the first time.
         let start = Instant::now();
         let mut pty = host(folder.path(), (kill == 0).then_some(port));
-        // Everybody comes back.
+        // All devices reconnect.
         let mut away: BTreeSet<usize> = (0..VOTERS).collect();
         while !away.is_empty() {
             away.remove(&heard.recv_timeout(Duration::from_secs(30)).unwrap());
@@ -513,11 +515,15 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
         terminal.wait_until("the host", |screen| !screen.contains("out of reach"));
         back.push(start.elapsed());
         let round = kept(folder.path());
-        assert_eq!(round.teams().len(), VOTERS + 2, "nobody came as a stranger");
+        assert_eq!(
+            round.teams().len(),
+            VOTERS + 2,
+            "no device got a second seat"
+        );
         assert_eq!(round.dropped_votes(), 0);
         let place = round.place();
         steps.insert((place.question, place.step as usize));
-        // What is on the disk is the last that was in, or one that was just on its way.
+        // The vote on the disk is the last acknowledged one, or a later one that was being sent.
         for (&(question, vote, number), last) in &*known.lock().unwrap() {
             let name = format!("Pupil {number}");
             let person = round.teams().iter().position(|it| *it == name).unwrap();
@@ -525,7 +531,7 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
             let said = said.and_then(|said| number_in(&said.to_text()));
             assert!(
                 said >= Some(*last),
-                "kill {kill}: {name} heard that {last} is in, {said:?} is there"
+                "kill {kill}: vote {last} of {name} was acknowledged, {said:?} is stored"
             );
             votes += 1;
         }
@@ -535,7 +541,7 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
             pty.wait();
             break;
         }
-        // On with the round, where it was.
+        // Continue the round at the same step.
         pty.press("\r");
         if has_voted {
             terminal.wait_for("Your vote is in.");
@@ -552,7 +558,8 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
         pty.signal(Signal::KILL);
         pty.wait();
         if kill % 4 == 1 {
-            // A teacher who has to look for the command: devices have tried in vain meanwhile.
+            // The teacher may need time to find the command; meanwhile the devices cannot
+            // reconnect.
             terminal.wait_for("out of reach");
             thread::sleep(Duration::from_secs(1));
         }
@@ -563,7 +570,7 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
     }
     let slowest = back.iter().max().unwrap();
     println!(
-        "{kills} kills at {} steps, {votes} votes looked up, none lost; from the start of the \
+        "{kills} kills at {} steps, {votes} votes checked, none lost; from the start of the \
          program until all were back {slowest:?} at most",
         steps.len()
     );

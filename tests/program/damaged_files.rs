@@ -1,6 +1,6 @@
-//! Damaged files of every kind that carrom opens: each is read, or refused in words.
-//! `cargo test --test program damaged_files -- --nocapture` prints how many of each kind; with
-//! `--include-ignored` those of 1,300.
+//! Damaged files of every kind that carrom opens: each is read, or refused with a message.
+//! `cargo test --test program damaged_files -- --nocapture` prints how many of each kind;
+//! `--include-ignored` adds a run with 1,300 files.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -20,17 +20,17 @@ use crate::damage::change;
 use crate::folder::Folder;
 use crate::handed_in::hand_in;
 
-/// What came of a file: `None` if it was read, else what carrom says of it.
+/// The result for a file: `None` if it was read, otherwise carrom's message.
 type Refusal = Option<String>;
 
-/// Sound files, and how carrom opens one.
+/// Undamaged files of one kind, and how carrom opens one.
 struct Kind {
     name: &'static str,
     models: Vec<Vec<u8>>,
     open: fn(&Folder, &[u8]) -> Refusal,
 }
 
-/// All files below a folder of the project whose names end like this and contain that.
+/// All files below a folder of the project whose names end with `ending` and contain `part`.
 fn files(folder: &str, ending: &str, part: &str) -> Vec<Vec<u8>> {
     fn add(found: &mut Vec<Vec<u8>>, folder: &Path, ending: &str, part: &str) {
         let entries = fs::read_dir(folder).unwrap();
@@ -52,7 +52,7 @@ fn files(folder: &str, ending: &str, part: &str) -> Vec<Vec<u8>> {
     found
 }
 
-/// Runs carrom; a refusal is what it says on standard error, and names this file.
+/// Runs carrom; a refusal is its message on standard error, which must name this file.
 fn run(arguments: &[&str], file: &str) -> Refusal {
     let output = Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(arguments)
@@ -72,19 +72,19 @@ fn run(arguments: &[&str], file: &str) -> Refusal {
     }
 }
 
-/// Runs a command for the file of this name.
+/// Runs a command for a file with this name and these bytes.
 fn check(folder: &Folder, command: &[&str], name: &str, bytes: &[u8]) -> Refusal {
     let path = folder.file(name, bytes);
     run(&[command, &[&path]].concat(), name)
 }
 
-/// Opens the game with this file in its folder for data; a refusal is on the first screen.
+/// Opens the game with this file in its data folder; a refusal is a notice on the first screen.
 fn first_screen(folder: &Folder, name: &str, bytes: &[u8]) -> Refusal {
     folder.file(name, bytes);
     let data = folder.path().display();
     let app = cli::open(&format!("--data-dir '{data}' --charset ascii")).unwrap();
     let screen = Headless::new(app, 100, 60).screen();
-    // The note at the foot of the screen is all there is in a frame.
+    // The notice at the bottom of the screen is in a frame.
     let note = screen
         .lines()
         .skip_while(|line| !line.contains("please note"));
@@ -92,7 +92,7 @@ fn first_screen(folder: &Folder, name: &str, bytes: &[u8]) -> Refusal {
     (!note.is_empty()).then(|| note.join("\n"))
 }
 
-/// What a store says of what is asked of the file of this name in its folder for data.
+/// A store's refusal of a request about the file with this name in its data folder.
 fn kept(folder: &Folder, name: &str, bytes: &[u8], request: StoreRequest) -> Refusal {
     let path = folder.path().join(name);
     fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -119,7 +119,7 @@ fn kinds() -> Vec<Kind> {
                     "progress.db",
                 );
                 let mended = kept(folder, "progress.db", bytes, StoreRequest::Recall(None));
-                // What can be printed can be opened.
+                // A database that can be printed can also be opened.
                 assert!(printed.is_some() || mended.is_none(), "{mended:?}");
                 mended
             },
@@ -198,7 +198,7 @@ fn kinds() -> Vec<Kind> {
     ]
 }
 
-/// The bytes of a sound database.
+/// The bytes of an undamaged database.
 fn database() -> Vec<u8> {
     let folder = Folder::new("damaged-database");
     let mut store = Store::in_folder(folder.path()).timeless();
@@ -210,11 +210,11 @@ fn database() -> Vec<u8> {
     fs::read(folder.path().join("progress.db")).unwrap()
 }
 
-/// Damages so many files of each kind.
+/// Damages `each` files of each kind.
 fn damage(each: usize) {
     let mut chance = Pcg64Mcg::seed_from_u64(23);
     let mut counts = BTreeMap::new();
-    println!("| files | damaged | read | refused in words |\n|---|---:|---:|---:|");
+    println!("| files | damaged | read | refused with a message |\n|---|---:|---:|---:|");
     for kind in kinds() {
         for model in &kind.models {
             assert_eq!(
@@ -247,7 +247,7 @@ fn damage(each: usize) {
     assert!(counts.values().all(|refused| *refused > 0), "{counts:?}");
 }
 
-/// A message is made of lines that a terminal and a person can read.
+/// Asserts that a message has only lines that a terminal and a person can read.
 fn assert_clear(message: &str) {
     let strange = |c: char| c != '\n' && (c.is_control() || c == '\u{202e}');
     assert!(!message.contains(strange), "{message:?}");
@@ -256,12 +256,12 @@ fn assert_clear(message: &str) {
 }
 
 #[test]
-fn damaged_files_are_read_or_refused_in_words() {
+fn damaged_files_are_read_or_refused_with_a_message() {
     damage(13);
 }
 
 #[test]
 #[ignore = "damages 1,300 files"]
-fn thirteen_hundred_damaged_files_are_read_or_refused_in_words() {
+fn thirteen_hundred_damaged_files_are_read_or_refused_with_a_message() {
     damage(130);
 }

@@ -1,5 +1,5 @@
-//! What once held the keys for a minute: the way out is always open. How soon it is taken is
-//! printed, not asserted: `cargo test --test program freeze -- --nocapture`.
+//! Cases that once blocked the keys for a minute: it must always be possible to quit. How long that
+//! takes is printed, not asserted: `cargo test --test program freeze -- --nocapture`.
 
 use std::fmt::Write;
 use std::process::{Command, Stdio};
@@ -10,8 +10,8 @@ use rustix::process::Signal;
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
-/// A pack of 36 discs that touch, of masses over eleven powers of ten, and a striker. To work
-/// out whose push goes how far through it takes many thousand steps at each blow.
+/// A level with a striker and 36 discs that touch, whose masses range over many powers of ten.
+/// Calculating how an impact spreads through them requires many thousands of steps.
 fn heavy_work() -> Folder {
     let mut level = String::from(
         "format = 1\n[level]\nid = \"heavy\"\ntitle = \"Heavy work\"\nhints = [\"a\", \"b\", \"c\"]\n\
@@ -36,7 +36,7 @@ fn heavy_work() -> Folder {
     folder
 }
 
-/// Waits until carrom is left in this way and the terminal is as it was.
+/// Quits carrom in this `way`, and waits until it has ended and the terminal is restored.
 fn leave(mut pty: Pty, when: &str, way: impl FnOnce(&mut Pty), status: u32) {
     let start = Instant::now();
     way(&mut pty);
@@ -52,7 +52,7 @@ fn ctrl_c(pty: &mut Pty) {
     pty.press("\x03");
 }
 
-/// The level that is heavy work, being aimed.
+/// The heavy level, ready to aim.
 fn aiming(folder: &Folder) -> Pty {
     let levels = folder.path().to_str().unwrap();
     let mut pty = Pty::start(carrom(&["levels", "--levels", levels]));
@@ -64,23 +64,23 @@ fn aiming(folder: &Folder) -> Pty {
 }
 
 #[test]
-fn a_level_that_is_heavy_work_is_aimed_and_left() {
+fn a_player_can_aim_in_a_heavy_level_and_quit() {
     let folder = heavy_work();
     let mut pty = aiming(&folder);
-    // Each of these once took a second.
+    // Each of these key presses once took a second.
     pty.press(&"\x1b[C".repeat(50));
     leave(pty, "a heavy level, aimed 50 times", ctrl_c, 0);
     let mut pty = aiming(&folder);
     pty.press(&"\x1b[C".repeat(50));
     pty.press(" ");
-    pty.wait_until("the shot, or why there is none", |screen| {
+    pty.wait_until("the shot, or an error", |screen| {
         screen.contains("shot 1") || screen.contains("cannot be played")
     });
     leave(pty, "a heavy level, shot", ctrl_c, 0);
 }
 
 #[test]
-fn a_level_that_is_heavy_work_is_checked() {
+fn a_heavy_level_can_be_checked() {
     let folder = heavy_work();
     let start = Instant::now();
     let checked = Command::new(env!("CARGO_BIN_EXE_carrom"))
@@ -98,7 +98,7 @@ fn a_level_that_is_heavy_work_is_checked() {
 }
 
 #[test]
-fn a_flood_of_keys_is_drawn_and_left() {
+fn the_screen_is_drawn_during_a_burst_of_keys_and_carrom_can_quit() {
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));
     pty.wait_for("question 1 of 10");
     let pictures = |pty: &Pty| {
@@ -106,31 +106,34 @@ fn a_flood_of_keys_is_drawn_and_left() {
         bytes.windows(8).filter(|it| it == b"\x1b[?2026h").count()
     };
     let before = pictures(&pty);
-    // Most of a megabyte is still to be read when the first pictures of it are drawn.
+    // The first frames are drawn while most of a megabyte is still unread.
     for _ in 0..16 {
         pty.press(&"7\x7f".repeat(1 << 15));
     }
-    assert!(pictures(&pty) > before, "nothing was drawn meanwhile");
-    leave(pty, "a flood of keys, Ctrl+C behind it", ctrl_c, 0);
+    assert!(
+        pictures(&pty) > before,
+        "nothing was drawn during the burst"
+    );
+    leave(pty, "a burst of keys, then Ctrl+C", ctrl_c, 0);
 }
 
 #[test]
-fn a_signal_ends_a_flood_of_keys() {
+fn a_signal_ends_carrom_during_a_burst_of_keys() {
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));
     pty.wait_for("question 1 of 10");
     pty.press(&"7\x7f".repeat(1 << 19));
     leave(
         pty,
-        "a flood of keys, a signal",
+        "a burst of keys, then a signal",
         |pty| pty.signal(Signal::TERM),
         128 + 15,
     );
 }
 
-/// A paste whose end is lost, or that is larger than anybody means, held all keys: Ctrl+C was
-/// taken for a part of it.
+/// A paste whose end was lost, or that was very large, once blocked all keys: Ctrl+C was read as
+/// part of it.
 #[test]
-fn a_paste_without_an_end_is_left_by_ctrl_c() {
+fn ctrl_c_quits_during_an_endless_paste() {
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));
     pty.wait_for("question 1 of 10");
     pty.press("\x1b[200~");
@@ -141,14 +144,14 @@ fn a_paste_without_an_end_is_left_by_ctrl_c() {
 }
 
 #[test]
-fn a_paste_beyond_the_limit_is_cut_at_once() {
+fn a_paste_beyond_the_limit_is_truncated_at_once() {
     let mut pty = Pty::start(carrom(&["class"]));
     pty.wait_for("carrom : class");
-    // Its end never comes, and nothing of it is shown until it is cut.
+    // The end of the paste never comes, and its text is shown only once it is truncated.
     pty.press("\x1b[200~Ants\nBees\n");
     pty.press(&"\n".repeat(1 << 17));
     pty.wait_for("Bees");
-    leave(pty, "a paste that was cut", ctrl_c, 0);
+    leave(pty, "a truncated paste", ctrl_c, 0);
 }
 
 #[test]

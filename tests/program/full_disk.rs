@@ -1,4 +1,4 @@
-//! A disk without room for more: carrom says so, and leaves no part of a file there.
+//! A full disk: carrom reports it, and leaves no partial file there.
 
 use std::env;
 use std::fs::{self, File};
@@ -13,15 +13,15 @@ use rusqlite::Connection;
 
 use crate::folder::Folder;
 
-/// Names the folder of the small disk to a test that runs there.
+/// The environment variable with the folder of the small disk.
 const DISK: &str = "CARROM_TEST_DISK";
-/// Bytes of that disk.
+/// The size of that disk in bytes.
 const SIZE: u64 = 2 << 20;
-/// 2026-11-21.
+/// Noon of 2026-11-21, UTC.
 const NOON_S: i64 = 1_795_262_400;
 
-/// Runs the test of this name once more, in a process that has a small disk of its own; there
-/// it gets the folder of that disk.
+/// Runs the test with this name again in a process with its own small disk. In that process,
+/// returns the folder of the disk.
 fn on_a_small_disk(test: &str) -> Option<String> {
     if let Ok(disk) = env::var(DISK) {
         return Some(disk);
@@ -42,12 +42,12 @@ fn on_a_small_disk(test: &str) -> Option<String> {
             assert!(output.status.success(), "{said}");
             assert!(said.contains("1 passed"), "{said}");
         }
-        _ => println!("not tried: this system lets nobody mount a disk of their own"),
+        _ => println!("skipped: this system does not allow users to mount a disk"),
     }
     None
 }
 
-/// Fills the disk but for so many bytes.
+/// Fills the disk except for this many bytes.
 fn fill(disk: &Path, free: u64) {
     let _ = fs::remove_file(disk.join("filler"));
     let mut filler = File::create(disk.join("filler")).unwrap();
@@ -82,7 +82,7 @@ fn stars(store: &mut Store) -> Result<usize, String> {
     }
 }
 
-/// A database of about a sixth of the disk.
+/// An undamaged database that fills about a sixth of the disk.
 fn sound(folder: &Path) -> Vec<u8> {
     star(&mut Store::in_folder(folder).timeless(), "level-0").unwrap();
     let path = folder.join("progress.db");
@@ -96,8 +96,8 @@ fn sound(folder: &Path) -> Vec<u8> {
     fs::read(path).unwrap()
 }
 
-/// The names of what is on the disk, other than the filler, the locks and what SQLite keeps
-/// beside a database.
+/// The names of the files on the disk, except the filler, the locks and SQLite's files beside a
+/// database.
 fn names(disk: &Path) -> Vec<String> {
     let entries = fs::read_dir(disk).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -110,9 +110,8 @@ fn names(disk: &Path) -> Vec<String> {
 }
 
 #[test]
-fn a_full_disk_is_named_whatever_there_is_no_room_for() {
-    let Some(disk) =
-        on_a_small_disk("full_disk::a_full_disk_is_named_whatever_there_is_no_room_for")
+fn a_full_disk_is_reported_for_every_kind_of_write() {
+    let Some(disk) = on_a_small_disk("full_disk::a_full_disk_is_reported_for_every_kind_of_write")
     else {
         return;
     };
@@ -145,8 +144,8 @@ fn a_full_disk_is_named_whatever_there_is_no_room_for() {
 }
 
 #[test]
-fn a_copy_that_a_full_disk_cuts_short_is_removed() {
-    let Some(disk) = on_a_small_disk("full_disk::a_copy_that_a_full_disk_cuts_short_is_removed")
+fn a_copy_that_does_not_fit_on_the_disk_is_removed() {
+    let Some(disk) = on_a_small_disk("full_disk::a_copy_that_does_not_fit_on_the_disk_is_removed")
     else {
         return;
     };
@@ -165,9 +164,9 @@ fn a_copy_that_a_full_disk_cuts_short_is_removed() {
 }
 
 #[test]
-fn a_mend_that_a_full_disk_cuts_short_leaves_the_damaged_file_alone() {
+fn a_repair_that_does_not_fit_on_the_disk_leaves_the_damaged_file_unchanged() {
     let Some(disk) = on_a_small_disk(
-        "full_disk::a_mend_that_a_full_disk_cuts_short_leaves_the_damaged_file_alone",
+        "full_disk::a_repair_that_does_not_fit_on_the_disk_leaves_the_damaged_file_unchanged",
     ) else {
         return;
     };
@@ -194,7 +193,7 @@ fn a_mend_that_a_full_disk_cuts_short_leaves_the_damaged_file_alone() {
             Err(message) => {
                 failed += 1;
                 println!("{tenths} tenths: {message}");
-                // Without room for what is beside it SQLite does not even open it.
+                // Without room for its other files, SQLite does not even open the database.
                 unrepaired +=
                     usize::from(message.contains("it is damaged and could not be repaired"));
                 assert!(

@@ -1,4 +1,4 @@
-//! What a class hands in, put together: 32 files, some of them odd.
+//! Combines the hand-ins of a class: 32 files, some of them with problems.
 
 use std::fs;
 use std::path::Path;
@@ -24,8 +24,8 @@ fn stderr(done: &Output) -> String {
     String::from_utf8_lossy(&done.stderr).into_owned()
 }
 
-/// Thirty-two files: 28 pupils, of whom two are called Ada and two have handed in twice, and two
-/// files that are damaged.
+/// Writes thirty-two files: from 28 pupils, of whom two are called Ada and two have handed in
+/// twice, and two that are damaged or too new.
 fn class(folder: &Path) {
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
     for index in 1..=28 {
@@ -38,7 +38,7 @@ fn class(folder: &Path) {
         let text = hand_in(index, &name, 10, right).text().unwrap();
         write(&format!("{index:02}.json"), &text);
     }
-    // Once more with nothing new, and a first hand-in of half of it.
+    // One hand-in repeated without new answers, and an earlier one with half of the answers.
     write(
         "29-again.json",
         &hand_in(4, "Pupil 04", 10, 4).text().unwrap(),
@@ -62,7 +62,7 @@ fn records(path: &Path) -> (Vec<String>, Vec<csv::StringRecord>) {
 }
 
 #[test]
-fn a_class_of_32_is_gathered_into_tables() {
+fn thirty_two_hand_ins_are_combined_into_tables() {
     let folder = Folder::new("gather");
     let handed_in = folder.path().join("handed-in");
     fs::create_dir(&handed_in).unwrap();
@@ -76,13 +76,13 @@ fn a_class_of_32_is_gathered_into_tables() {
     ]);
     let told = String::from_utf8(done.stderr).unwrap();
     assert!(done.status.success(), "{told}");
-    // Each odd file is named, with what is odd about it.
+    // Each file with a problem is named, along with the problem.
     let lines: Vec<&str> = told.lines().collect();
     assert_eq!(lines.len(), 5, "{told}");
     for (file, words) in [
         ("02.json", "another Ada"),
-        ("29-again.json", "nothing in it is new"),
-        ("30-half.json", "nothing in it is new"),
+        ("29-again.json", "no new answers"),
+        ("30-half.json", "no new answers"),
         ("31-cut.json", "damaged"),
         ("32-newer.json", "newer"),
     ] {
@@ -99,7 +99,7 @@ fn a_class_of_32_is_gathered_into_tables() {
     assert_eq!(&named("Ada")[column("mixed-7 right")], "1");
     assert_eq!(&named("Ada (2)")[column("mixed-7 right")], "2");
     assert!(pupils.iter().any(|row| &row[0] == "'=Söhne()"));
-    // Twice the same answers are ten answers.
+    // The same ten answers handed in twice are counted once.
     assert_eq!(&named("Pupil 04")[column("answered")], "10");
     assert_eq!(&named("Pupil 05")[column("mixed-7 right")], "5");
     assert_eq!(&named("Pupil 10")[column("share_right")], "1.000");
@@ -107,8 +107,8 @@ fn a_class_of_32_is_gathered_into_tables() {
     assert_eq!(items.len(), 10);
     let column = |name: &str| heads.iter().position(|head| head == name).unwrap();
     for (number, item) in items.iter().enumerate() {
-        // Who has `right` answers has the first so many; question 1 is right for all but those
-        // with a multiple of eleven.
+        // A pupil with `right` right answers has the first `right` questions right; question 1 is
+        // right for all pupils except those whose index is a multiple of eleven.
         let right = (1..=28).filter(|index| index % 11 > number).count();
         assert_eq!(&item[column("answered")], "28");
         let share = right as f64 / 28.0;
@@ -138,14 +138,14 @@ fn the_gradebook_has_a_page_for_every_pupil() {
     assert_eq!(all(".sheet"), 3 + 28);
     assert_eq!(all("script, img, link"), 0);
     assert_eq!(all(".notes li"), 5);
-    // It is not written over without being told so.
+    // An existing file is not replaced without --force.
     let again = carrom(&arguments);
     assert!(!again.status.success() && String::from_utf8_lossy(&again.stderr).contains("--force"));
 }
 
-/// Whoever is on the list of the class and has handed in nothing is named, and nobody else.
+/// Of the class list, only pupils who have handed in nothing are listed.
 #[test]
-fn missing_pupils_of_the_class_list_are_listed() {
+fn pupils_on_the_class_list_without_a_hand_in_are_listed() {
     let folder = Folder::new("gather-list");
     let handed_in = folder.path().join("handed-in");
     fs::create_dir(&handed_in).unwrap();
@@ -153,7 +153,7 @@ fn missing_pupils_of_the_class_list_are_listed() {
         let text = hand_in(1, name, 2, 1).text().unwrap();
         fs::write(handed_in.join(file), text).unwrap();
     }
-    // As a spreadsheet saves it: a mark at its beginning, line ends of Windows, rows without a name.
+    // As saved by a spreadsheet: a byte order mark, Windows line ends, and rows without a name.
     let list = folder.file("list.txt", "\u{feff}ADA\r\nBo\r\n\r\n zoë söhne \r\nCy\r\n");
     let out = folder.path().join("class.html");
     let gather = |list: &str| {
@@ -166,11 +166,11 @@ fn missing_pupils_of_the_class_list_are_listed() {
     let (status, told) = gather(&list);
     assert_eq!(status, Some(0), "{told}");
     assert!(
-        told.contains("2 of the class list handed in nothing: Bo, Cy"),
+        told.contains("2 pupils on the class list handed in nothing: Bo, Cy"),
         "{told}"
     );
     assert!(fs::read_to_string(&out).unwrap().contains("Bo, Cy"));
-    // A list that is not there is said, and nothing is written in its place.
+    // A missing list is reported, and nothing is written.
     let (status, told) = gather("no-such-list.txt");
     assert_eq!(status, Some(2), "{told}");
     assert!(told.contains("no-such-list.txt"), "{told}");
@@ -210,18 +210,18 @@ fn a_hand_in_is_read_back() {
     assert_eq!((read.name.as_str(), read.class.as_str()), ("Ada", "10b"));
     let rights: Vec<bool> = read.attempts.iter().map(|it| it.right).collect();
     assert_eq!(rights, [true, true, false]);
-    // Written and read again it is the same.
+    // Writing and reading it again changes nothing.
     assert_eq!(HandIn::read(read.text().unwrap().as_bytes()), Ok(read));
-    // Nothing to hand in is said.
+    // A player without answers gets a message.
     let nobody = carrom(&["hand-in", "--player", "Nobody", "--data-dir", data]);
     assert_eq!(nobody.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&nobody.stderr).contains("no answer"));
 }
 
-/// A gradebook parsed all answers of a pupil again for every cell: with as many rounds as
-/// this it took minutes.
+/// A gradebook once parsed all answers of a pupil again for every cell, which took minutes with
+/// this many rounds.
 #[test]
-fn a_hand_in_of_many_rounds_is_gathered_in_seconds() {
+fn a_hand_in_with_many_rounds_is_gathered_in_seconds() {
     const ROUNDS: u64 = 4_000;
     let folder = Folder::new("gather-many-rounds");
     let handed_in = folder.path().join("handed-in");
@@ -251,7 +251,7 @@ fn a_hand_in_of_many_rounds_is_gathered_in_seconds() {
 }
 
 #[test]
-fn no_bytes_break_the_reader() {
+fn any_bytes_are_either_read_as_a_hand_in_or_refused() {
     let text = hand_in(1, "Ada", 2, 1).text().unwrap();
     for end in 0..text.len() - 1 {
         if let Some(cut) = text.get(..end) {
@@ -269,7 +269,7 @@ fn no_bytes_break_the_reader() {
     }
 }
 
-/// The CSV of a folder with this one hand-in, if it was gathered, and what was said.
+/// Gathers a folder with this one hand-in; returns the CSV, if it was written, and the messages.
 fn gathered(bytes: &[u8]) -> (Option<String>, String) {
     let folder = Folder::new("gather-one");
     fs::write(folder.path().join("one.json"), bytes).unwrap();
@@ -279,21 +279,21 @@ fn gathered(bytes: &[u8]) -> (Option<String>, String) {
     (fs::read_to_string(out).ok(), stderr(&done))
 }
 
-/// A hand-in of one answer with something in it put in another's place.
+/// A hand-in of one answer, with one string replaced with another.
 fn changed(before: &str, after: &str) -> Vec<u8> {
     let text = hand_in(1, "Ada", 1, 1).text().unwrap();
     assert!(text.contains(before), "{before}");
     text.replace(before, after).into_bytes()
 }
 
-/// Whether a cell does anything in a spreadsheet or a terminal.
+/// Whether a cell has an effect in a spreadsheet or a terminal.
 fn is_hostile(cell: &str) -> bool {
     let orders = |c: char| c.is_control() || ('\u{202a}'..='\u{202e}').contains(&c);
     cell.trim_start().starts_with(['=', '+', '@', '-']) && cell.parse::<f64>().is_err()
         || cell.contains(orders)
 }
 
-/// Formulas and orders as they stand in JSON.
+/// Formulas and control characters, as written in JSON.
 const HOSTILE: [&str; 8] = [
     "=HYPERLINK(\\\"http://x.invalid\\\")",
     "=cmd|'/c calc'!A1",
@@ -306,7 +306,7 @@ const HOSTILE: [&str; 8] = [
 ];
 
 #[test]
-fn a_hand_in_with_a_formula_for_a_round_or_a_topic_is_refused() {
+fn a_hand_in_with_a_formula_as_a_round_or_a_topic_is_refused() {
     let sound = hand_in(1, "Ada", 1, 1).text().unwrap();
     let topic = sound.split("\"topic\": \"").nth(1).unwrap();
     let topic = topic.split('"').next().unwrap();
@@ -325,10 +325,10 @@ fn a_hand_in_with_a_formula_for_a_round_or_a_topic_is_refused() {
     }
 }
 
-/// What a teacher's own questions and chapters are about is free, so it has to be harmless
-/// wherever it is written; so do names and classes.
+/// Topics of a teacher's own questions and chapters may be any text, and so may names and classes,
+/// so they must be harmless in every table.
 #[test]
-fn no_text_of_a_hand_in_becomes_a_formula_in_any_table() {
+fn no_text_in_a_hand_in_becomes_a_formula_in_any_table() {
     for hostile in HOSTILE {
         let text = hand_in(1, "Ada", 1, 1).text().unwrap();
         let value: serde_json::Value = serde_json::from_str(&text).unwrap();
@@ -419,7 +419,7 @@ fn an_answer_out_of_range_or_of_the_wrong_kind_is_refused() {
         let said = read.expect_err(changed);
         assert!(said.contains("answer 1 is impossible"), "{changed}: {said}");
     }
-    // Numbers that JSON cannot have.
+    // Numbers that are not valid in JSON.
     let number = sound["credit"].to_string();
     for no_number in ["1e999", "NaN", "Infinity"] {
         let bytes = changed(
@@ -431,7 +431,7 @@ fn an_answer_out_of_range_or_of_the_wrong_kind_is_refused() {
     }
 }
 
-/// What any question of any family can bring about is taken, and a teacher's own questions too.
+/// Answers to questions of every family are accepted, including a teacher's own questions.
 #[test]
 fn answers_of_every_family_are_handed_in_and_read() {
     let rounds = Family::ALL

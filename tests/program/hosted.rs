@@ -1,5 +1,5 @@
-//! A class on its own devices over real connections: the app of the teacher without a
-//! terminal, the server, and devices that are good, slow, clumsy or hostile.
+//! A class on its own devices over real connections: the teacher's app without a terminal, the
+//! server, and good, slow, faulty and hostile devices.
 
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
@@ -21,7 +21,7 @@ use crate::handed_in::hand_in;
 use crate::pupil::{Pupil, answer, connect};
 use crate::teacher::{Teacher, kept};
 
-/// What is served in place of the page.
+/// The page that is served in this test.
 const STUB: &str = "<html lang=\"en\"><meta http-equiv=\"Content-Security-Policy\" \
                     content=\"default-src 'none'; connect-src 'none'\">a page</html>";
 
@@ -62,7 +62,7 @@ fn a_vote_is_on_the_disk_before_it_is_confirmed() {
         }
     }
     teacher.wait_for("20 of 20 have voted");
-    // It is taken back.
+    // The pupil withdraws a vote.
     pupils[3].vote("").unwrap();
     assert_eq!(
         (
@@ -71,7 +71,7 @@ fn a_vote_is_on_the_disk_before_it_is_confirmed() {
         ),
         ("", 19)
     );
-    // What is no vote on this question, or on another one, changes nothing.
+    // Text that is not a vote on this question changes nothing.
     for said in ["choice 1", "rays 1 2 3", "x", "number 3"] {
         pupils[4].vote(said).unwrap();
         assert!(pupils[4].text("first").contains("rays "), "{said}");
@@ -79,9 +79,9 @@ fn a_vote_is_on_the_disk_before_it_is_confirmed() {
     assert_eq!(kept(&folder).voted(0, Vote::First), 19);
 }
 
-/// Such a vote once ended the host at the next step, and again whenever the round was taken up.
+/// Such a vote once crashed the host at the next step, and again whenever the round was continued.
 #[test]
-fn a_vote_for_a_choice_that_is_not_there_ends_no_host() {
+fn a_vote_for_a_missing_choice_does_not_crash_the_host() {
     let folder = Folder::new("hosted-misfit");
     let teacher = Teacher::with_round(&folder, STUB, "concept-1");
     teacher.press("<Enter><Enter>", "have voted");
@@ -101,7 +101,7 @@ fn a_vote_for_a_choice_that_is_not_there_ends_no_host() {
     bo.hear_until(|state| state["step"] == "talk").unwrap();
     assert_eq!(bo.state["spread"][0], 1);
     assert_eq!(bo.state.get("misfit"), None);
-    // Only what fits is on the disk.
+    // Only valid votes are on the disk.
     let text = fs::read_to_string(folder.path().join("classes/class-1.toml")).unwrap();
     assert!(
         text.contains("choice 1") && !text.contains("choice 9"),
@@ -109,7 +109,7 @@ fn a_vote_for_a_choice_that_is_not_there_ends_no_host() {
     );
     assert!(!text.contains("number 1"), "{text}");
     assert_eq!(kept(&folder).voted(0, Vote::First), 1);
-    // A vote that fits is taken as before.
+    // A valid vote is accepted as before.
     teacher.press("<Enter>", "have voted again");
     bo.hear_until(|state| state["step"] == "second-vote")
         .unwrap();
@@ -121,7 +121,7 @@ fn a_vote_for_a_choice_that_is_not_there_ends_no_host() {
     );
 }
 
-/// It was at the first free port from 8090 on, and devices called the old one in vain.
+/// A round was once resumed at the first free port from 8090 on, where its devices did not find it.
 #[test]
 fn a_round_is_resumed_at_the_port_where_its_devices_look_for_it() {
     let free = || std::net::TcpListener::bind("0.0.0.0:0").unwrap();
@@ -133,7 +133,7 @@ fn a_round_is_resumed_at_the_port_where_its_devices_look_for_it() {
             address: Some(SocketAddrV4::new(Ipv4Addr::LOCALHOST, before)),
         });
         let HostNews::Opened(Ok(door)) = host.take_news().remove(0) else {
-            panic!("it is not open");
+            panic!("the server is not open");
         };
         assert_eq!(door.code.to_string(), "BCDFGH");
         let ports: Vec<u16> = door.addresses.iter().map(|it| it.port()).collect();
@@ -141,12 +141,12 @@ fn a_round_is_resumed_at_the_port_where_its_devices_look_for_it() {
         ports[0]
     };
     let before = port_of(&free());
-    // Twice, as after a crash.
+    // Open it twice, as after a crash.
     assert_eq!([opened(None, before), opened(None, before)], [before; 2]);
-    // Another program has it now.
+    // Another program uses the port now.
     let taken = free();
     assert_ne!(opened(None, port_of(&taken)), port_of(&taken));
-    // What the teacher asks for comes first.
+    // The port that the teacher requests has priority.
     let wanted = port_of(&free());
     assert_eq!(opened(Some(wanted), before), wanted);
 }
@@ -165,13 +165,13 @@ fn a_returning_pupil_gets_the_same_seat() {
         ("Ada", Some(1))
     );
     assert!(back.text("first").starts_with("rays "));
-    // A second tab takes the place of the first one.
+    // A second tab replaces the first one.
     let mut first = back;
     let second = Pupil::join(teacher.port, &teacher.code, "Ada", Some(&seat)).unwrap();
     assert_eq!(second.text("name"), "Ada");
     first.hear().unwrap();
     assert_eq!(first.why(), Some("elsewhere"));
-    // Her name is no key to her place, nor is a token that nobody has.
+    // Ada's name does not give access to her seat, and neither does an invented token.
     let thief = teacher.join("ADA");
     assert_eq!(
         (thief.text("name").as_str(), thief.text("first").as_str()),
@@ -199,26 +199,26 @@ fn nobody_gets_in_without_the_code() {
     for guess in tries {
         let (why, took) = guess.join().unwrap();
         assert_eq!(why.as_deref(), Some("code"));
-        // At this rate the six letters take years.
+        // At this rate, guessing the six letters takes years.
         assert!(took >= Duration::from_secs(1));
     }
     for code in ["", "BCDFG", "😀😀😀😀😀😀", "' OR 1=1"] {
         let pupil = Pupil::join(teacher.port, code, "x", None).unwrap();
         assert_eq!(pupil.why(), Some("code"), "{code}");
     }
-    // As people type it.
+    // The code as people type it.
     let code = teacher.code.to_lowercase();
     let spaced = format!(" {} {}", &code[..3], &code[3..]);
     let pupil = Pupil::join(teacher.port, &spaced, "Ada", None).unwrap();
     assert_eq!(pupil.text("name"), "Ada");
 }
 
-/// Guesses run at once and again by new connections, from one device; 1,277 a second were looked
-/// at. Another one that mistypes gets in meanwhile, and so does one behind the same router that was
-/// in already.
+/// One device guesses codes over many new connections at once; 1,277 a second were once checked.
+/// Meanwhile another device that mistypes the code can join, and so can a device behind the same
+/// router that had joined before.
 #[cfg(target_os = "linux")]
 #[test]
-fn codes_are_guessed_slowly_however_many_connections_try() {
+fn guessing_codes_is_slow_over_any_number_of_connections() {
     let folder = Folder::new("hosted-guesses");
     let teacher = start(&folder);
     let ada = teacher.join("Ada");
@@ -241,7 +241,7 @@ fn codes_are_guessed_slowly_however_many_connections_try() {
         heard.collect()
     });
     let said = |why: &str| heard.iter().filter(|it| it.as_deref() == Some(why)).count();
-    // Sixty, and one for every ten seconds that it took.
+    // Sixty at once, and one more every ten seconds.
     assert!((60..=63).contains(&said("code")), "{heard:?}");
     assert_eq!(said("code") + said("later"), 120);
     assert_eq!(guess(1, &teacher.code).as_deref(), Some("later"));
@@ -251,11 +251,11 @@ fn codes_are_guessed_slowly_however_many_connections_try() {
     assert_eq!(guess(2, &teacher.code), None);
 }
 
-/// 246 seats were taken from one address in 0.6 s, and somebody who really came heard that the class
-/// is full.
+/// One address once took 246 seats in 0.6 s, and a real pupil was refused because the class was
+/// full.
 #[cfg(target_os = "linux")]
 #[test]
-fn one_device_does_not_fill_the_class() {
+fn one_device_cannot_fill_the_class() {
     let folder = Folder::new("hosted-full");
     let teacher = start(&folder);
     let mut seats = Vec::new();
@@ -272,7 +272,7 @@ fn one_device_does_not_fill_the_class() {
     assert!((60..=most).contains(&seats.len()), "{}", seats.len());
     let newcomer = Pupil::join_from(2, teacher.port, &teacher.code, "Ada", None).unwrap();
     assert_eq!(newcomer.text("name"), "Ada");
-    // Whoever comes back takes no new seat.
+    // A returning device takes no new seat.
     for (number, seat) in seats.iter().enumerate().take(20) {
         let back = Pupil::join(teacher.port, &teacher.code, "x", Some(seat)).unwrap();
         assert_eq!(back.text("name"), format!("Nobody {number}"));
@@ -281,7 +281,7 @@ fn one_device_does_not_fill_the_class() {
 }
 
 #[test]
-fn names_of_any_signs_stay_names() {
+fn names_with_any_characters_stay_names() {
     let folder = Folder::new("hosted-names");
     let teacher = start(&folder);
     for (name, shown) in [
@@ -308,7 +308,7 @@ fn names_of_any_signs_stay_names() {
     }
     assert_eq!(teacher.join(&"x".repeat(10_000)).why(), Some("format"));
     assert_eq!(teacher.join(&"x".repeat(500)).text("name"), "x".repeat(24));
-    // In a table a name is a text and no formula; in the file it is what it was.
+    // In a table a name is plain text and not a formula; in the file it is unchanged.
     let round = kept(&folder);
     let table = carrom::class::answers_csv(&round, "").unwrap();
     assert!(
@@ -350,7 +350,7 @@ fn an_invalid_message_ends_the_connection() {
         let why = said(std::slice::from_ref(&bad));
         assert!(matches!(why.as_deref(), Some("format") | None), "{why:?}");
     }
-    // Random bytes, and half a head.
+    // Random bytes, and an incomplete request head.
     for bytes in [
         &b"\xff\xfe\x00\x01\r\n\r\n"[..],
         &[7; 9000],
@@ -368,7 +368,7 @@ fn an_invalid_message_ends_the_connection() {
 }
 
 #[test]
-fn only_the_served_page_talks_to_the_class() {
+fn only_the_served_page_can_connect_to_the_class() {
     let folder = Folder::new("hosted-origin");
     let teacher = start(&folder);
     let request = |path: &str, host: &str, more: &str| {
@@ -403,7 +403,7 @@ fn only_the_served_page_talks_to_the_class() {
 }
 
 #[test]
-fn a_thousand_connections_keep_nobody_out() {
+fn pupils_can_join_alongside_a_thousand_connections() {
     let folder = Folder::new("hosted-thousand");
     let teacher = start(&folder);
     let mut early = teacher.join("Early");
@@ -437,7 +437,7 @@ fn removed_pupils_and_refused_newcomers_are_told_why() {
     let mut bo = teacher.join("Bo");
     bo.vote("rays 1 2").unwrap();
     teacher.press("w", "no vote yet");
-    // The one who has not voted stands first.
+    // Pupils who have not voted are listed first.
     teacher.press("x", "Remove Ada");
     teacher.press("y", "1 in, 1 on the list");
     ada.hear().unwrap();
@@ -448,10 +448,10 @@ fn removed_pupils_and_refused_newcomers_are_told_why() {
     let bo = Pupil::join(teacher.port, &teacher.code, "Bo", Some(&seat)).unwrap();
     assert!(
         bo.text("first").starts_with("rays "),
-        "who was in comes back all the same"
+        "a pupil who had joined can return"
     );
     teacher.press("c", "1 in");
-    // As soon as the door is open again.
+    // Newcomers can join as soon as the round is open again.
     let mut stranger = teacher.join("Bob");
     while stranger.why() == Some("closed") {
         stranger = teacher.join("Bob");
@@ -476,7 +476,7 @@ fn a_hand_in_is_on_the_disk_before_it_is_confirmed() {
     let folder = Folder::new("hosted-hand-in");
     let teacher = start(&folder);
     let mut ada = teacher.join("Ada");
-    // Whoever the file says that it is of.
+    // The name in the file does not matter.
     let mut half = hand_in(1, "Bo", 10, 4);
     "9a".clone_into(&mut half.class);
     half.attempts.truncate(5);
@@ -495,16 +495,17 @@ fn a_hand_in_is_on_the_disk_before_it_is_confirmed() {
     {
         use std::os::unix::fs::PermissionsExt;
         let mode = fs::metadata(&files[0]).unwrap().permissions().mode();
-        assert_eq!(mode & 0o777, 0o600, "for the teacher alone");
+        assert_eq!(mode & 0o777, 0o600, "only the teacher can read it");
     }
-    // The same once more is one file; more is another one, and the first stays as it was.
+    // The same hand-in again is one file; one with more answers is another file, and the first
+    // stays unchanged.
     ada.hand_in(&half.value().unwrap()).unwrap();
     assert_eq!(handed_in(&folder).len(), 1);
     let whole = hand_in(1, "Ada", 10, 4).value().unwrap();
     assert_eq!(ada.hand_in(&whole).unwrap(), json!({"Ok": 10}));
     assert_eq!(handed_in(&folder).len(), 2);
     assert_eq!(fs::read(&files[0]).unwrap(), first);
-    // Who comes back hears that it was taken.
+    // A returning pupil sees that the hand-in was accepted.
     let seat = ada.text("seat");
     let back = Pupil::join(teacher.port, &teacher.code, "Ada", Some(&seat)).unwrap();
     assert_eq!(back.state["handed"], json!({"n": 3, "kept": {"Ok": 10}}));
@@ -534,7 +535,7 @@ fn an_invalid_hand_in_is_not_stored() {
         assert_eq!(bo.hand_in(&bad).unwrap(), json!({"Err": "format"}));
     }
     assert_eq!(handed_in(&folder), Vec::<PathBuf>::new());
-    // Too large, or before whoever it is has come in: it ends the talk, and nobody else's.
+    // A hand-in that is too large, or that is sent before joining, ends only its own connection.
     let said = |mut pupil: Pupil, file: &Value| {
         let saying = json!({"t": "hand-in", "n": 1, "file": file});
         let _ = pupil.say(&saying.to_string());

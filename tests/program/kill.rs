@@ -1,5 +1,5 @@
-//! Carrom is killed at any moment of a game, and loses at most the stroke in motion; of a
-//! round of a class, and loses no vote that was seen.
+//! carrom is killed at any moment. A game loses at most the stroke in motion, and a class's round
+//! loses no vote that was shown as saved.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -22,12 +22,12 @@ use crate::child::{self, Player};
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
-/// The keys from the page of a new game to one of two people.
+/// The keys from the page of a new game to a game for two people.
 const TWO_PEOPLE: &str = "<Down><Down><Down><Left><Left><Enter>";
-/// The keys to the game that was played last.
+/// The keys that open the game that was played last.
 const RESUME: &str = "s<Enter>";
 
-/// A player of a game that these keys lead to.
+/// Starts a player in the game that these keys lead to.
 fn start(folder: &Path, seed: u64, keys: &str) -> Player {
     Player::start("kill::child_plays", folder, &[&seed.to_string(), keys])
 }
@@ -50,7 +50,7 @@ fn games(folder: &Path) -> BTreeMap<String, SavedGame> {
     read.collect()
 }
 
-/// The number in `stroke 7 of 7` on the screen, while the last one is watched.
+/// The number in `stroke 7 of 7` on the screen, while the last stroke is shown.
 fn stroke(screen: &str) -> Option<usize> {
     let after = screen.split("- stroke ").nth(1)?;
     let mut words = after.split_whitespace();
@@ -58,8 +58,7 @@ fn stroke(screen: &str) -> Option<usize> {
     (of == "of" && number == all).then(|| number.parse().ok())?
 }
 
-/// Plays until it is killed, and says the number of each stroke as soon as it is on the
-/// screen.
+/// Plays until it is killed, and reports the number of each stroke as soon as it is on the screen.
 #[test]
 fn child_plays() {
     let Some((folder, words)) = child::told() else {
@@ -77,7 +76,7 @@ fn child_plays() {
     let mut chance = Pcg64::seed_from_u64(seed);
     loop {
         if !game.screen().contains("Space strike") {
-            // On from the end of a stroke or a board.
+            // Continue after the end of a stroke or a board.
             game.press("<Enter>");
             continue;
         }
@@ -96,7 +95,7 @@ fn a_game_that_is_killed_sixty_times_loses_at_most_the_stroke_in_motion() {
     for kill in 0..60 {
         let keys = if before > 0 { RESUME } else { TWO_PEOPLE };
         let player = start(folder.path(), kill, keys);
-        // Now and then before it has done anything at all.
+        // Sometimes kill it before it has done anything.
         let strokes = if kill % 10 == 9 {
             0
         } else {
@@ -109,7 +108,7 @@ fn a_game_that_is_killed_sixty_times_loses_at_most_the_stroke_in_motion() {
         assert!(games.len() <= 1, "a game has lost its file");
         assert!(
             kept == said || kept == said + 1,
-            "{said} were struck, {kept} are kept"
+            "{said} strokes were shown, {kept} are saved"
         );
         before = kept;
     }
@@ -139,7 +138,7 @@ fn two_killed_games_harm_neither_each_other_nor_older_games() {
         for (kept, said) in kept.into_iter().zip(said) {
             assert!(
                 kept == said || kept == said + 1,
-                "{said} were struck, {kept} are kept"
+                "{said} strokes were shown, {kept} are saved"
             );
         }
         before.extend(now);
@@ -147,7 +146,7 @@ fn two_killed_games_harm_neither_each_other_nor_older_games() {
 }
 
 #[test]
-fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
+fn the_real_game_in_a_terminal_continues_after_being_killed() {
     let folder = Folder::new("killed-pty");
     let data = folder.path().to_str().unwrap();
     let mut chance = Pcg64::seed_from_u64(3);
@@ -155,13 +154,13 @@ fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
     for run in 0..8 {
         let mut pty = Pty::start(carrom(&["table", "--seed", "3", "--data-dir", data]));
         pty.wait_for("a new game");
-        // Less motion, so that strokes are over at once; that is kept from run to run.
+        // With reduced motion strokes end at once; this setting is saved for the next run.
         pty.press(if run == 0 { "Ms" } else { "s" });
         if before == 0 {
             pty.wait_for("There are none yet");
             pty.press("\x1b");
             pty.wait_for("a new game");
-            // North: not the computer but another person.
+            // North is another person instead of the computer.
             pty.press("\x1b[B\x1b[B\x1b[B\x1b[D\x1b[D\r");
         } else {
             pty.wait_for("Enter: resume");
@@ -176,7 +175,7 @@ fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
             pty.press("\r");
         }
         pty.wait_for("Space strike");
-        // In the middle of the next.
+        // Kill it during the next stroke.
         pty.press("90 ");
         thread::sleep(Duration::from_micros(chance.random_range(0..30_000)));
         pty.signal(Signal::KILL);
@@ -190,13 +189,13 @@ fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
             .unwrap();
         assert!(
             kept == said || kept == said + 1,
-            "{said} were struck, {kept} are kept"
+            "{said} strokes were shown, {kept} are saved"
         );
         before = kept;
     }
 }
 
-/// The angle of the striker that each team said first, in degrees as it was typed.
+/// The striker's angle in each team's first vote, in degrees as typed.
 fn first_votes(folder: &Path) -> Vec<Option<u32>> {
     let request = StoreCall {
         ticket: 0,
@@ -226,10 +225,10 @@ fn first_votes(folder: &Path) -> Vec<Option<u32>> {
         .collect()
 }
 
-/// Killed while votes come in, the program has kept every vote after which the screen
-/// showed the list of the teams again: new ones and changed ones alike.
+/// If the program is killed while teams vote, it has saved every new or changed vote after which
+/// the screen showed the list of teams again.
 #[test]
-fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
+fn a_round_in_a_terminal_that_is_killed_during_votes_loses_no_vote() {
     const TEAMS: usize = 4;
     let folder = Folder::new("class-killed-pty");
     let data = folder.path().to_str().unwrap();
@@ -268,7 +267,7 @@ fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
             pty.wait_until("a booth", in_booth);
             pty.press(&format!("{angle}\r30\r"));
             if vote > 0 && kill % 3 > 0 && chance.random_bool(0.3) {
-                // In the middle of this one.
+                // Kill it during this vote.
                 last = Some((team, angle));
                 break;
             }
@@ -281,7 +280,7 @@ fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
         pty.signal(Signal::KILL);
         pty.wait();
         let now = first_votes(folder.path());
-        // What was not told to be safe may be so all the same.
+        // The unfinished vote may have been saved too.
         if let Some((team, angle)) = last
             && now[team] == Some(angle)
         {
@@ -292,7 +291,7 @@ fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
     assert!(angle > 40);
 }
 
-/// Whether a team is in the booth, where nobody sees what it types.
+/// Whether a team is voting, with hidden input.
 fn in_booth(screen: &str) -> bool {
     screen.contains("what is typed is hidden")
 }

@@ -1,5 +1,5 @@
-//! The program run as a person or a script runs it: its arguments, what it prints, the
-//! files it keeps, and a real terminal; killed at any moment, too.
+//! Runs the program as a person or a script does: its arguments, its output, the files it writes,
+//! and a real terminal; also killed at any moment.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

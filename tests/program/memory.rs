@@ -1,5 +1,5 @@
-//! What was answered is kept: whoever is killed, however many answer at once, whatever
-//! has become of the database.
+//! Answers are saved even if carrom is killed, several players answer at once, or the database is
+//! damaged.
 
 use std::fs;
 use std::path::Path;
@@ -24,7 +24,7 @@ use crate::keys::said;
 #[cfg(unix)]
 use crate::pty::{Pty, carrom as carrom_in_terminal};
 
-/// All answers that are kept in a folder.
+/// All answers that are stored in a folder.
 fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
     let request = StoreCall {
         ticket: 0,
@@ -53,8 +53,8 @@ fn quiz(folder: &Path, player: &str) -> Headless {
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 
-/// Answers the question on the screen, until its explanation is there; the round that
-/// is over gives way to the next.
+/// Answers the question on the screen and waits for its explanation; starts another round when one
+/// is over.
 fn answer(game: &mut Headless) {
     if game.screen().contains("all answered") {
         game.press("n");
@@ -67,8 +67,8 @@ fn answer(game: &mut Headless) {
     );
 }
 
-/// Answers as often as is said, and says the number of each answer as soon as its
-/// explanation is on the screen.
+/// Gives the requested number of answers, and reports the number of each as soon as its explanation
+/// is on the screen.
 #[test]
 fn child_answers() {
     let Some((folder, words)) = child::told() else {
@@ -84,7 +84,7 @@ fn child_answers() {
 }
 
 #[test]
-fn a_hundred_kills_in_the_midst_of_answering_lose_no_answer() {
+fn a_hundred_kills_during_answers_lose_no_answer() {
     let folder = Folder::new("memory-killed");
     let mut chance = Pcg64::seed_from_u64(100);
     let mut before = 0;
@@ -93,10 +93,10 @@ fn a_hundred_kills_in_the_midst_of_answering_lose_no_answer() {
         let answers = chance.random_range(0..4);
         let said = player.kill(answers, &mut chance).unwrap_or(0);
         let now = kept(folder.path(), Some("Ada")).len();
-        // One may have been kept that had no time to be told.
+        // One more answer may have been saved than was reported.
         assert!(
             now == before + said || now == before + said + 1,
-            "kill {kill}: {before} and {said} were answered, {now} are kept"
+            "kill {kill}: {before} and {said} answers were given, {now} are saved"
         );
         before = now;
     }
@@ -104,7 +104,7 @@ fn a_hundred_kills_in_the_midst_of_answering_lose_no_answer() {
 }
 
 #[test]
-fn four_who_answer_at_once_lose_none() {
+fn four_players_who_answer_at_once_lose_no_answer() {
     const EACH: usize = 40;
     let folder = Folder::new("memory-four");
     let names = ["Ada", "Bo", "Ada", "球"];
@@ -120,7 +120,7 @@ fn four_who_answer_at_once_lose_none() {
 }
 
 #[test]
-fn an_answer_is_kept_before_its_explanation_is_seen() {
+fn an_answer_is_saved_before_its_explanation_is_shown() {
     let folder = Folder::new("memory-before");
     let mut game = quiz(folder.path(), "Ada");
     game.press("60<Enter>30<Enter>");
@@ -134,8 +134,8 @@ fn an_answer_is_kept_before_its_explanation_is_seen() {
     assert!((answer["theta1_deg"].as_f64().unwrap().abs() - 60.0).abs() < 1e-9);
 }
 
-/// Plays a round rightly at a time, sure of every other answer and guessing the rest if
-/// so wished.
+/// Plays a round at this time with right answers, all given as sure or, if `guessing`, every other
+/// one as a guess.
 fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
     let round = Round::of(code.clone());
     let place = Route::Quiz { code: Some(code) };
@@ -154,7 +154,7 @@ fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
 }
 
 #[test]
-fn a_right_review_ends_what_was_due() {
+fn topics_are_no_longer_due_after_a_correct_review() {
     const START_S: i64 = 1_800_000_000;
     const DAY_S: i64 = 86_400;
     let folder = Folder::new("memory-review");
@@ -166,7 +166,7 @@ fn a_right_review_ends_what_was_due() {
         let code = Code::parse(code).unwrap();
         play_rightly(folder.path(), code, START_S + day * DAY_S, true);
     }
-    // What was guessed is due at once; what was known, when it has rested for a day.
+    // Guessed topics are due at once, known topics after one day.
     let now_s = START_S + 3 * DAY_S;
     assert!(!due(START_S + DAY_S).now.is_empty());
     let mut before = due(now_s).now;
@@ -182,13 +182,13 @@ fn a_right_review_ends_what_was_due() {
         assert_eq!(due(now_s).now, before);
     }
     assert!(before.is_empty());
-    // They are back when they have rested.
+    // The topics are due again after their interval.
     assert!(!due(now_s + 2 * DAY_S).now.is_empty());
 }
 
 #[cfg(unix)]
 #[test]
-fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
+fn the_real_game_in_a_terminal_saves_every_explained_answer() {
     let folder = Folder::new("memory-pty");
     let data = folder.path().to_str().unwrap();
     let mut chance = Pcg64::seed_from_u64(5);
@@ -202,7 +202,7 @@ fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
             data,
         ]));
         pty.wait_for("question 1 of 10");
-        // Less motion, so that the explanation is there at once.
+        // With reduced motion the explanation is shown at once.
         pty.press("M");
         for number in 1..=chance.random_range(1..4) {
             pty.wait_for(&format!("question {number} of 10"));
@@ -210,7 +210,7 @@ fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
             pty.wait_for("How sure are you?");
             pty.press("2");
             pty.wait_for("contact");
-            // All that the hit tells.
+            // Skip to the end of the hit.
             pty.press("\x1b[F");
             pty.wait_for("of 10 points");
             answered += 1;
@@ -224,13 +224,13 @@ fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
 }
 
 #[test]
-fn a_damaged_database_is_reported_and_the_game_goes_on() {
+fn a_damaged_database_is_reported_and_the_game_continues() {
     let folder = Folder::new("memory-damaged");
     let path = folder.path().join("progress.db");
     let mut game = quiz(folder.path(), "Ada");
     answer(&mut game);
     let mut damaged = fs::read(&path).unwrap();
-    // The page of the first index.
+    // Damage the page of the first index.
     damaged[2 * 4096..3 * 4096].fill(0);
     fs::write(&path, &damaged).unwrap();
     for arguments in [["progress", "--csv"], ["progress", "--json"]] {
@@ -255,7 +255,7 @@ fn a_damaged_database_is_reported_and_the_game_goes_on() {
     assert_eq!(fs::read(aside).unwrap(), damaged);
 }
 
-/// SQLite would wait at a pipe for somebody to write to it.
+/// SQLite would wait for a writer to open a pipe.
 #[cfg(unix)]
 #[test]
 fn a_path_that_is_not_a_file_is_refused_at_once() {
@@ -275,7 +275,7 @@ fn a_path_that_is_not_a_file_is_refused_at_once() {
             "{}",
             game.screen()
         );
-        // Next a folder.
+        // Next, try a folder.
         if path.is_dir() {
             return;
         }
@@ -292,7 +292,7 @@ fn a_failed_save_is_reported_once() {
     let mut game = quiz(&file, "Ada");
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
-    assert!(screen.contains("What you do cannot be saved"), "{screen}");
+    assert!(screen.contains("Your progress cannot be saved"), "{screen}");
     game.press("x<End><Enter>");
     for _ in 0..2 {
         answer(&mut game);
@@ -302,12 +302,12 @@ fn a_failed_save_is_reported_once() {
 }
 
 #[test]
-fn stars_are_there_the_next_time_and_for_their_player_alone() {
+fn stars_are_saved_only_for_the_player_who_won_them() {
     let folder = Folder::new("memory-stars");
     let app_of = |player| {
         let app = app(Route::Levels, player);
         let store = Store::in_folder(folder.path());
-        // What the first screen asks for is asked with the size of the screen.
+        // The first screen sends its requests once it gets the size of the screen.
         let mut game = Headless::keeping(app, 80, 24, store);
         game.press("<Escape>v");
         game
@@ -335,7 +335,7 @@ fn stars_are_there_the_next_time_and_for_their_player_alone() {
     assert_eq!(app_of("Bo").app().shelf().stars(0), 0);
 }
 
-/// Names as no player has them, but a database may.
+/// Names that no player can have, but that a database may contain.
 fn hostile() -> [String; 6] {
     [
         "=HYPERLINK(\"http://x\")".into(),
@@ -411,13 +411,13 @@ fn no_name_breaks_the_screen_the_table_or_json() {
     let read: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(read["summary"]["all"]["attempts"], 1 + hostile().len());
     for (i, name) in hostile().iter().enumerate() {
-        // What is no known topic is shown by the words of its id.
+        // An unknown topic is shown by the words of its id.
         assert_eq!(read["attempts"][i + 1]["topic"], name.replace('-', " "));
     }
 }
 
 #[test]
-fn the_command_line_reports_faults() {
+fn the_command_line_reports_database_errors() {
     let folder = Folder::new("memory-cli");
     let empty = carrom(folder.path(), &["progress", "--csv"]);
     assert_eq!(empty.status.code(), Some(0));
@@ -434,7 +434,7 @@ fn the_command_line_reports_faults() {
     assert!(refused.stdout.is_empty());
     let message = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(
-        message.contains("progress.db") && message.contains("newer carrom"),
+        message.contains("progress.db") && message.contains("newer version of carrom"),
         "{message}"
     );
     assert_eq!(fs::read(folder.path().join("progress.db")).unwrap(), before);
@@ -443,7 +443,7 @@ fn the_command_line_reports_faults() {
 }
 
 #[test]
-fn the_screen_is_worked_by_keys_and_the_mouse() {
+fn the_progress_screen_responds_to_keys_and_the_mouse() {
     let folder = Folder::new("memory-screen");
     let mut game = quiz(folder.path(), "Ada");
     for _ in 0..3 {

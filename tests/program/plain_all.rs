@@ -1,5 +1,5 @@
-//! All screens in plain lines, as a pupil who does not see goes through them: from the first screen
-//! to a shot of the lab, a level that is won, a stroke at the table and a vote in a class.
+//! All screens in plain lines, as a blind pupil uses them: from the first screen to a shot in the
+//! lab, a level that is won, a stroke at the table and a vote in a class.
 
 use std::io::{BufRead, BufReader, Write};
 use std::net::SocketAddr;
@@ -12,10 +12,10 @@ use carrom::class::JoinCode;
 
 use crate::folder::Folder;
 
-/// How long a line may take to be answered on a loaded machine.
+/// How long a reply may take on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The program, talked with line by line.
+/// The program, used line by line.
 struct Talk {
     child: Child,
     input: ChildStdin,
@@ -50,7 +50,7 @@ impl Talk {
         }
     }
 
-    /// Waits for a line with these words.
+    /// Waits for a line that contains these words.
     fn hears(&mut self, words: &str) {
         loop {
             let line = self.lines.recv_timeout(PATIENCE);
@@ -68,7 +68,7 @@ impl Talk {
         writeln!(self.input, "{line}").unwrap();
     }
 
-    /// Says each line once the words before it were heard.
+    /// Sends each line once the words before it have been received.
     fn goes(&mut self, steps: &[(&str, &str)]) {
         for (heard, said) in steps {
             self.hears(heard);
@@ -83,8 +83,8 @@ impl Talk {
     }
 }
 
-/// Makes sure that a line can be read aloud: nothing in it is drawn or set in columns, and it names
-/// no key.
+/// Asserts that a line can be read aloud: it has no drawing characters and no columns, and names no
+/// key.
 fn assert_read(line: &str) {
     let is_read = |c: char| c.is_ascii() && !c.is_control() || c.is_alphanumeric();
     assert!(line.chars().all(is_read), "{line}");
@@ -97,7 +97,7 @@ fn assert_read(line: &str) {
 }
 
 #[test]
-fn from_home_to_a_shot_in_the_lab() {
+fn a_shot_in_the_lab_is_reached_from_home() {
     let folder = Folder::new("plain-lab");
     let mut talk = Talk::begin(&[], &folder);
     talk.goes(&[
@@ -138,7 +138,7 @@ fn a_level_is_won() {
 }
 
 #[test]
-fn a_stroke_at_the_table_and_the_computers_after_it() {
+fn the_computer_strikes_after_a_stroke_at_the_table() {
     let folder = Folder::new("plain-table");
     let mut talk = Talk::begin(&["table", "--seed", "3"], &folder);
     talk.goes(&[
@@ -152,13 +152,13 @@ fn a_stroke_at_the_table_and_the_computers_after_it() {
     talk.leaves();
 }
 
-/// Teacher and pupil both read lines; the class is the same as on screens.
+/// The teacher and the pupil both use plain lines; the class is the same as on screens.
 #[test]
-fn a_vote_in_a_class_that_is_hosted_in_lines_too() {
+fn a_class_is_hosted_and_votes_in_plain_lines() {
     let (host_folder, folder) = (Folder::new("plain-host"), Folder::new("plain-join"));
     let class = ["class", "--host", "--code", "from-angle2-7"];
     let mut host = Talk::begin(&class, &host_folder);
-    host.hears("Nobody is in yet.");
+    host.hears("Nobody has joined yet.");
     let mut addresses = host
         .said
         .iter()

@@ -1,11 +1,11 @@
-//! Playing without much thought.
+//! Random play.
 
 use carrom::game::{Call, Game, Move, Rules, Strike};
 use glam::DVec2;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// Makes a move that can be made, nearly always a hard stroke, and gives it.
+/// Makes a random legal move, nearly always a hard stroke, and returns it.
 pub(crate) fn random_move(game: &mut Game, chance: &mut Pcg64) -> Move {
     loop {
         let lines = game.base_lines();

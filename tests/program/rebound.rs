@@ -1,4 +1,4 @@
-//! Keys of the player's own, from a file to the screen.
+//! The player's own keys, from a file to the screen.
 
 use std::process::Command;
 
@@ -15,14 +15,14 @@ fn lab(folder: &Folder) -> Headless {
 }
 
 #[test]
-fn a_key_of_the_players_own_works_and_the_help_says_so() {
+fn the_players_own_key_works_and_is_shown_in_the_help() {
     let folder = Folder::new("rebound");
     let text = "format = 1\n[keys]\n\"lab.next-set\" = [\"z\"]\n";
     folder.file("keys.toml", text);
     let mut game = lab(&folder);
     let before = game.screen();
     game.press("s");
-    assert_eq!(game.screen(), before, "the usual key does it no more");
+    assert_eq!(game.screen(), before, "the default key no longer works");
     game.press("z");
     assert_ne!(game.screen(), before);
     assert!(game.screen().contains("z pieces"));
@@ -56,7 +56,7 @@ fn a_bad_file_is_reported_line_by_line_and_the_default_keys_are_used() {
 }
 
 #[test]
-fn keys_that_scrolled_the_lab_alone_scroll_every_panel() {
+fn keys_that_once_scrolled_only_the_lab_scroll_every_panel() {
     let folder = Folder::new("rebound-scroll");
     let text = "format = 1\n[keys]\n\"lab.scroll\" = [\"F9\", \"F10\"]\n";
     folder.file("keys.toml", text);
@@ -68,7 +68,7 @@ fn keys_that_scrolled_the_lab_alone_scroll_every_panel() {
 }
 
 #[test]
-fn the_printed_table_is_a_file_of_keys_itself() {
+fn the_printed_key_table_is_a_valid_key_file() {
     let folder = Folder::new("rebound-all");
     let path = folder.path().to_str().unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_carrom"))

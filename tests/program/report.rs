@@ -1,5 +1,4 @@
-//! The report of what a player has done, whoever the player is and whatever was done:
-//! read back by real parsers.
+//! The report on a player's progress, for any name and any answers, read back by real parsers.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -82,7 +81,7 @@ fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
     store.answer(&StoreCall { ticket: 0, request }).done
 }
 
-/// What a store has of a player who answered six questions and won a level.
+/// A store's data about a player who answered six questions and won a level.
 fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
     let mut store = Store::in_folder(folder);
     for number in 1..=6 {
@@ -136,7 +135,8 @@ fn with_marks<'a>(
     })
 }
 
-/// The elements of a document in their order, and the text of the first of a kind.
+/// The elements of a document in order, and a function that returns the text of the first match for
+/// a selector.
 fn read_html(html: &str) -> (Vec<String>, impl Fn(&str) -> String + use<>) {
     let document = Html::parse_document(html);
     let mut elements = Vec::new();
@@ -158,7 +158,7 @@ fn read_html(html: &str) -> (Vec<String>, impl Fn(&str) -> String + use<>) {
     (elements, text)
 }
 
-/// The tags of a document in their order, and its first text.
+/// The tags of a document in order, and its first text.
 fn read_markdown(text: &str) -> (Vec<String>, String) {
     let (mut tags, mut first) = (Vec::new(), String::new());
     let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_MATH;
@@ -194,7 +194,7 @@ fn no_name_breaks_a_report() {
         assert_eq!(found, elements, "{name:?}");
         assert_eq!(text("h1"), shown);
         assert_eq!(text("title"), format!("{shown}: glancing collisions"));
-        // What is no known topic is shown by the words of its id.
+        // An unknown topic is shown by the words of its id.
         assert_eq!(text("tbody td"), clean(&name.replace('-', " "), 40));
         let (found, first) = read_markdown(&report.markdown("pictures"));
         assert_eq!(found, tags, "{name:?}");
@@ -272,7 +272,7 @@ fn no_name_breaks_a_screen() {
     }
 }
 
-/// An answer of the kind that a checkpoint asks for.
+/// An answer of the kind that a checkpoint requires.
 fn fitting(checkpoint: &Checkpoint) -> Response {
     match checkpoint.asked {
         CheckpointKind::Rays => Response::Rays(Rays::new(1.0, 0.5)),
@@ -281,7 +281,7 @@ fn fitting(checkpoint: &Checkpoint) -> Response {
     }
 }
 
-/// All pages of a chapter seen and answered, the first so many questions rightly.
+/// A bookmark with all pages of a chapter seen and answered, the first `right` questions correctly.
 fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
     let mut mark = Bookmark::default();
     let mut asked = 0;
@@ -301,7 +301,7 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
 }
 
 #[test]
-fn chapters_stand_in_the_report_as_they_do_in_learn() {
+fn the_report_lists_chapters_as_learn_does() {
     let chapters = &lessons::ChapterLibrary::embedded_once().chapters;
     let (first, second) = (&chapters[0], &chapters[1]);
     let marks = BTreeMap::from([
@@ -315,7 +315,8 @@ fn chapters_stand_in_the_report_as_they_do_in_learn() {
     let report = with_marks("Ada", &history, &[], &marks);
     let html = report.html();
     let text: String = Html::parse_document(&html).root_element().text().collect();
-    // Done is what has been read and answered, whether right or not, as Learn counts it.
+    // As in Learn, a chapter is done once it is read and answered, whether the answers are right or
+    // not.
     assert!(text.contains(&format!("1 of {}chapters done", chapters.len())));
     let (pages, asked) = (first.pages.len(), first.checkpoints());
     let row = format!("{}{pages} of {pages}2 of {asked}", first.title);
@@ -328,7 +329,7 @@ fn chapters_stand_in_the_report_as_they_do_in_learn() {
 }
 
 #[test]
-fn a_mean_error_needs_three_angles() {
+fn a_mean_error_requires_three_angles() {
     let of = |angles: u32| {
         let attempts = (1..=5).map(|i| Attempt {
             error_deg: (i <= angles).then_some(12.0),
@@ -346,7 +347,7 @@ fn a_mean_error_needs_three_angles() {
 }
 
 #[test]
-fn a_player_without_answers_gets_a_page_that_says_so() {
+fn the_report_of_a_player_without_answers_explains_that_there_are_none() {
     let history = History::default();
     let report = report("Ada", &history, &[]);
     assert!(report.pictures().is_empty());
@@ -358,7 +359,7 @@ fn a_player_without_answers_gets_a_page_that_says_so() {
 }
 
 #[test]
-fn one_answer_makes_a_report() {
+fn one_answer_is_enough_for_a_report() {
     for error_deg in [None, Some(0.0), Some(180.0)] {
         let one = Attempt {
             error_deg,
@@ -384,7 +385,7 @@ fn one_answer_makes_a_report() {
 }
 
 #[test]
-fn thousands_of_answers_fit_the_page_too() {
+fn a_report_on_thousands_of_answers_fits_on_one_page() {
     let library = lessons::ChapterLibrary::embedded_once();
     let attempts: Vec<_> = (0..5_000_u32)
         .map(|i| {
@@ -414,10 +415,10 @@ fn thousands_of_answers_fit_the_page_too() {
     let report = with_marks("Ada", &history, &[], &marks);
     let html = report.html();
     let (elements, _) = read_html(&html);
-    // What is cut keeps the page one page, and its file small.
+    // Shortened tables keep the report on one page and the file small.
     assert!(elements.iter().filter(|it| *it == "tr").count() <= 35);
     assert!(html.len() < 60_000, "{}", html.len());
-    assert!(html.contains("and 46 more"), "56 topics are met, 10 shown");
+    assert!(html.contains("and 46 more"), "10 of 56 topics are shown");
     let first: f64 = (0..10).map(|i| 40.0 / (1.0 + f64::from(i) / 500.0)).sum();
     let first = format!("{:.1}° → ", first / 10.0);
     assert!(html.contains(&first), "{first}");
@@ -458,7 +459,7 @@ fn a_report_is_written_to_the_given_path() {
         let pictures: Vec<_> = tags.iter().filter(|it| it.ends_with(".svg")).collect();
         assert_eq!(pictures.len(), 3);
         for picture in pictures {
-            // Addresses have blanks and brackets in percent.
+            // Spaces and brackets are percent-encoded in URLs.
             let place = picture
                 .replace("%20", " ")
                 .replace("%28", "(")
@@ -468,7 +469,7 @@ fn a_report_is_written_to_the_given_path() {
             roxmltree::Document::parse(&svg).unwrap();
         }
     }
-    // Somebody else has done nothing, and that is no error.
+    // Another player has no answers, which is not an error.
     let output = carrom(
         &["progress", "--report", "d.md"],
         folder.path(),

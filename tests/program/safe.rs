@@ -1,4 +1,4 @@
-//! Nothing that is given plays tricks on the terminal, and what cannot be used is said.
+//! No input can control the terminal, and input that cannot be used is reported.
 
 use std::fs;
 use std::process::{Command, Output, Stdio};
@@ -66,7 +66,7 @@ fn no_escape_sequence_reaches_the_terminal() {
     }
 }
 
-/// What stands in a database, which anybody can change, gives no orders either.
+/// The contents of a database, which anyone can change, cannot control them either.
 #[test]
 fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     let folder = Folder::new("safe-answers");
@@ -112,7 +112,7 @@ fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     }
 }
 
-/// A line of a file may be a megabyte of noise; nobody wants to read it in a message.
+/// A line of a file may be a megabyte of random text, which must not appear in a message.
 #[test]
 fn no_message_quotes_more_than_200_characters_of_a_line() {
     let folder = Folder::new("safe-quotes");
@@ -245,7 +245,7 @@ fn a_byte_order_mark_is_skipped() {
 }
 
 #[test]
-fn a_name_is_its_visible_letters() {
+fn only_names_with_visible_characters_are_accepted() {
     let folder = Folder::new("safe-name");
     let data = folder.path().to_str().unwrap();
     for (name, good) in [
@@ -282,13 +282,13 @@ fn the_printed_screen_is_what_the_terminal_shows() {
 }
 
 #[test]
-fn the_expected_input_is_named() {
+fn messages_name_the_expected_input() {
     for (arguments, expected) in [
         (&["quiz", "--code", "mixed61-7"][..], "1 to 60 questions"),
         (&["quiz", "--code", "review-7"], "a review has no code"),
         (
             &["quiz", "--code", "hits12-7"],
-            "no number of questions for ten hits",
+            "expected no number of questions in the code of ten hits",
         ),
         (
             &["quiz", "--code", "7", "--seed", "5"],
@@ -322,10 +322,10 @@ fn the_expected_input_is_named() {
     }
 }
 
-/// What is no file in a folder of chapters is no chapter, and is not passed over.
+/// Anything in a folder of chapters that is not a file is reported, not ignored.
 #[cfg(unix)]
 #[test]
-fn a_path_that_is_not_a_file_is_named() {
+fn a_message_names_a_path_that_is_not_a_file() {
     let folder = Folder::new("safe-odd");
     folder.file("01-a.md", CHAPTER);
     let link = |to: &str, name: &str| {
@@ -339,7 +339,7 @@ fn a_path_that_is_not_a_file_is_named() {
     let said = said(&output);
     for part in [
         "a: good",
-        "02-b.md: expected a file, found a link that leads nowhere",
+        "02-b.md: expected a file, found a broken link",
         "03-c.md: expected a file",
         "04-d.md: expected a file, found a folder",
     ] {

@@ -1,6 +1,6 @@
-//! Databases damaged in hundreds of ways: every row that SQLite can still find by its key is in
-//! the new file, and the damaged one is kept. `cargo test --test program salvage -- --nocapture`
-//! prints the figures; with `--include-ignored` those of a thousand.
+//! Databases damaged in hundreds of ways: every row that SQLite can still find by its key is in the
+//! new file, and the damaged file is kept. `cargo test --test program salvage -- --nocapture`
+//! prints the numbers; `--include-ignored` adds a run with a thousand databases.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -21,11 +21,11 @@ use rusqlite::{Connection, OpenFlags, params_from_iter};
 
 use crate::folder::Folder;
 
-/// Bytes of a page of a database.
+/// The size of a database page in bytes.
 const PAGE: usize = 4096;
-/// Answers of a database.
+/// The number of answers in a database.
 const ANSWERS: i64 = 3000;
-/// The tables, and what their rows are known by.
+/// The tables, and the columns of their keys.
 const TABLES: [(&str, &[&str]); 4] = [
     ("attempt", &["id"]),
     ("star", &["player", "pack", "level"]),
@@ -42,7 +42,7 @@ fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
     store.answer(&StoreCall { ticket: 0, request }).done
 }
 
-/// Opens a database so that what can be read of it can be, even of one that was cut off.
+/// Opens a database so that as much as possible can be read, even if it is truncated.
 fn reader(path: &Path) -> Connection {
     let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
     let address = format!("file:{}?immutable=1", path.display());
@@ -53,7 +53,7 @@ fn reader(path: &Path) -> Connection {
     database
 }
 
-/// The keys of all rows of a sound database, by the table.
+/// The keys of all rows of an undamaged database, by table.
 fn keys(path: &Path) -> Vec<Keys> {
     let database = reader(path);
     let of_table = |(table, key): (&'static str, &'static [&'static str])| {
@@ -65,7 +65,7 @@ fn keys(path: &Path) -> Vec<Keys> {
     TABLES.into_iter().map(of_table).collect()
 }
 
-/// The rows that SQLite finds when it is asked for each alone, by its key.
+/// The rows that SQLite finds if each is requested separately by its key.
 fn found(path: &Path, keys: &[Keys]) -> Rows {
     let database = reader(path);
     let mut found = Rows::new();
@@ -89,8 +89,8 @@ fn found(path: &Path, keys: &[Keys]) -> Rows {
     found
 }
 
-/// A database as some years of school may leave it: thousands of answers, of which some are
-/// longer than a page, some chapters, some levels.
+/// A database as it is after some years of school: thousands of answers, some of them longer than a
+/// page, some chapters and some levels.
 fn sound(folder: &Path) -> Vec<u8> {
     let mut store = Store::in_folder(folder).timeless();
     let round = Round::hits(7);
@@ -121,7 +121,7 @@ fn sound(folder: &Path) -> Vec<u8> {
     };
     ask(&mut store, mark);
     drop(store);
-    // More of the same, without coming to the disk for each; a long answer is enough of that.
+    // Adds more answers in one transaction, which is faster; a few long answers are enough.
     let path = folder.join("progress.db");
     let more = Connection::open(&path).unwrap();
     more.execute_batch(&format!(
@@ -149,23 +149,23 @@ fn sound(folder: &Path) -> Vec<u8> {
     fs::read(path).unwrap()
 }
 
-/// What became of damaged databases.
+/// The results for damaged databases.
 #[derive(Debug, Default)]
 struct Figures {
     databases: usize,
     mended: usize,
     refused: usize,
-    /// Rows that can be found by their keys in the damaged file.
+    /// The number of rows that can be found by their keys in the damaged files.
     readable: usize,
-    /// Those of them that are there afterwards, as they were found.
+    /// The number of these rows that are unchanged in the new files.
     saved: usize,
-    /// Rows that are there afterwards and could not be found.
+    /// The number of rows in the new files that could not be found by their keys.
     beyond: usize,
-    /// The least that was saved of one database, of 1.
+    /// The smallest share of rows saved from one database, 0 to 1.
     worst: f64,
 }
 
-/// Damages databases until there are so many.
+/// Damages this many databases and checks what is saved.
 fn campaign(
     name: &str,
     databases: usize,
@@ -195,7 +195,7 @@ fn campaign(
         let answer = store.answer(&StoreCall { ticket: 0, request });
         match (&answer.done, &answer.notice) {
             (StoreReply::Recalled(Ok(_)), Some(notice)) if !notice.contains("is repaired") => {
-                // Every page is sound, but a flipped bit has made an answer impossible.
+                // No page is damaged, but a flipped bit has made an answer impossible.
                 assert!(notice.contains("left out"), "{notice}");
             }
             (StoreReply::Recalled(Ok(_)), Some(notice)) => {
@@ -210,7 +210,7 @@ fn campaign(
             _ => {
                 figures.refused += 1;
                 let is_changed = fs::read(&path).unwrap() != damaged;
-                assert!(!is_changed, "what is refused is not changed");
+                assert!(!is_changed, "a refused file is not changed");
                 println!(
                     "{name} {number} refused, {} readable: {:?}",
                     before.len(),
@@ -253,8 +253,8 @@ fn campaign(
     figures
 }
 
-/// The notice of a mended database says how many answers it lacks, unless it says that there may
-/// be more. Where bits are flipped, an id may be wrong and so the count.
+/// The notice about a repaired database gives the number of lost answers, unless more may be lost.
+/// After flipped bits, an id may be wrong, and so may the number.
 fn assert_counted(notice: &str, mended: &Path) {
     let there: i64 = reader(mended)
         .query_row("SELECT count(*) FROM attempt", [], |row| row.get(0))
@@ -271,7 +271,7 @@ fn assert_counted(notice: &str, mended: &Path) {
     }
 }
 
-/// Makes pages noise or nothing.
+/// Overwrites pages with random bytes or zeros.
 fn spoil(bytes: &mut [u8], pages: &[usize], chance: &mut Pcg64Mcg) {
     let is_noise = chance.random_bool(0.3);
     for page in pages {
@@ -283,7 +283,7 @@ fn spoil(bytes: &mut [u8], pages: &[usize], chance: &mut Pcg64Mcg) {
     }
 }
 
-/// So many pages of those that begin like this, or of all.
+/// Up to `most` random pages of this kind, or of any kind.
 fn pages(bytes: &[u8], kind: Option<u8>, most: usize, chance: &mut Pcg64Mcg) -> Vec<usize> {
     let pages = 0..bytes.len() / PAGE;
     let is_it = |page: &usize| kind.is_none_or(|kind| bytes[page * PAGE] == kind);
@@ -291,14 +291,13 @@ fn pages(bytes: &[u8], kind: Option<u8>, most: usize, chance: &mut Pcg64Mcg) -> 
     pages.sample(chance, most).copied().collect()
 }
 
-/// Damages so many databases of each kind.
+/// Damages `each` databases in each way.
 fn damage_of_all_kinds(each: usize) {
     println!(
-        "| damage | databases | mended | refused | rows readable by key | of them saved | share | \
+        "| damage | databases | repaired | refused | rows readable by key | of these saved | share | \
          worst database | saved beyond |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|"
     );
-    // The kinds of pages are 10 at the bottom of an index or of a table without ids, 13 at the
-    // bottom of a table.
+    // Kinds of pages: 10 is a leaf of an index or of a table without ids, 13 a leaf of a table.
     let mut all = Vec::new();
     for (seed, most) in [(1, 1), (2, 5), (3, 20), (4, 50)] {
         let name = format!("{most} of the pages of answers");
@@ -339,11 +338,11 @@ fn damage_of_all_kinds(each: usize) {
             flip(bytes, most, chance);
         },
     ));
-    all.push(campaign("cut off", each, 9, |bytes, chance| {
+    all.push(campaign("truncated", each, 9, |bytes, chance| {
         bytes.truncate(chance.random_range(PAGE..bytes.len()));
     }));
     all.push(campaign(
-        "cut off, pages and bits",
+        "truncated, damaged pages and flipped bits",
         each,
         10,
         |bytes, chance| {
@@ -356,7 +355,7 @@ fn damage_of_all_kinds(each: usize) {
     ));
     let sum = |what: fn(&Figures) -> usize| all.iter().map(what).sum::<usize>();
     println!(
-        "{} databases, {} mended, {} refused: {} of {} rows saved",
+        "{} databases, {} repaired, {} refused: {} of {} rows saved",
         sum(|it| it.databases),
         sum(|it| it.mended),
         sum(|it| it.refused),
@@ -389,7 +388,7 @@ fn rows_between_damaged_pages_of_a_thousand_databases_are_saved() {
 }
 
 #[test]
-fn printing_a_damaged_database_says_that_carrom_repairs_it() {
+fn printing_a_damaged_database_announces_the_repair() {
     let folder = Folder::new("salvage-printed");
     let mut damaged = sound(folder.path());
     let page = (1..).find(|page| damaged[page * PAGE] == 13).unwrap();
@@ -407,7 +406,14 @@ fn printing_a_damaged_database_says_that_carrom_repairs_it() {
         assert!(message.contains("it is damaged"), "{message}");
         let hint = "carrom repairs it when you next open the game";
         assert!(message.contains(hint), "{message}");
-        assert!(fs::read(&path).unwrap() == damaged, "it is not changed");
+        assert!(
+            fs::read(&path).unwrap() == damaged,
+            "the database is not changed"
+        );
     }
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "the lock");
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        2,
+        "the database and the lock"
+    );
 }

@@ -1,5 +1,4 @@
-//! Saved games: what is written is read again, nothing else is, and no game harms
-//! another.
+//! Saved games: what is written is read back, nothing else is accepted, and no game harms another.
 
 use std::fs;
 use std::path::Path;
@@ -21,7 +20,7 @@ use rand_pcg::Pcg64;
 use crate::folder::Folder;
 use crate::play::random_move;
 
-/// A game of so many moves.
+/// A game with this many moves.
 fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
     let mut chance = Pcg64::seed_from_u64(seed);
     let mut record = Record::new(setup);
@@ -88,17 +87,18 @@ fn readable(store: &mut Store) -> Vec<(String, SavedGame)> {
 }
 
 #[test]
-fn a_game_is_read_as_it_was_written_bit_for_bit() {
+fn a_game_is_read_back_bit_for_bit() {
     for (rules, hands) in [
         (Rules::Tournament, Hands::Two),
         (Rules::Tournament, Hands::Four),
         (Rules::Friendly, Hands::Two),
         (Rules::Practice, Hands::Two),
     ] {
-        for seed in [None, Some(7), Some(u64::MAX)] {
+        for (seed, restitution) in [(None, 1.0), (Some(7), 0.85), (Some(u64::MAX), 0.0)] {
             let setup = GameSetup {
                 rules,
                 hands,
+                restitution,
                 seed,
                 ..GameSetup::default()
             };
@@ -113,45 +113,88 @@ fn a_game_is_read_as_it_was_written_bit_for_bit() {
 }
 
 #[test]
-fn a_beginning_of_a_game_is_refused() {
+fn a_truncated_game_is_refused() {
     let text = saved(friendly(1), 12, 1).text().unwrap();
     let bytes = text.as_bytes();
     for length in 0..bytes.len() - 1 {
         let fault = SavedGame::read("game", &bytes[..length]).expect_err("a part");
         assert!(fault.to_string().starts_with("game:"), "{fault}");
     }
-    // Without its last line break nothing is missing.
+    // A missing last line break does not matter.
     assert!(SavedGame::read("game", &bytes[..bytes.len() - 1]).is_ok());
 }
 
-/// The game of `tests/saves/format-N.toml`, for the next N: 30 strokes of two people.
+/// Prints the game for `tests/saves/format-N.toml`, for the next N: 30 strokes of two people.
 #[test]
-#[ignore = "prints the file for a new format: cargo test --test saves -- --ignored --nocapture"]
+#[ignore = "prints the file for a new format: cargo test --test program print_a_game -- --ignored --nocapture"]
 fn print_a_game_to_pin() {
-    let mut game = saved(friendly(1), 30, 1);
+    let setup = GameSetup {
+        restitution: 0.85,
+        ..friendly(1)
+    };
+    let mut game = saved(setup, 30, 1);
     game.player = "Ada".into();
     assert_eq!(game.record.strokes(), 30);
     print!("{}", game.text().unwrap());
 }
 
-/// Should this fail because the engine now plays a stroke differently in some bit,
-/// every game that anybody has saved is lost: mend the engine, or let the old format
-/// go on with the old one.
+/// If this fails because the engine now plays a stroke that differs in even one bit, every saved
+/// game is lost. Correct the engine, or keep the old engine for the old format.
 #[test]
 fn a_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/format-1.toml");
     let (saved, game) = SavedGame::read("format-1.toml", bytes).unwrap();
     assert_eq!(saved.player, "Ada");
     assert_eq!(saved.record.strokes(), 30);
-    assert_eq!(saved.text().unwrap().as_bytes(), bytes);
+    assert_eq!(saved.record.setup().restitution, 1.0);
     assert_eq!(Fingerprint::of(&game), saved.end);
-    // A name that nobody can see was a name then.
+    // Saved again, it is the same game.
+    let text = saved.text().unwrap();
+    let again = SavedGame::read("again", text.as_bytes()).unwrap();
+    assert_eq!(again, (saved, game));
+    // Invisible names were accepted in that version.
     let text = String::from_utf8_lossy(bytes).replace("\"Ada\"", "\"\u{3164}\"");
     let (saved, _) = SavedGame::read("format-1.toml", text.as_bytes()).unwrap();
     assert_eq!(saved.player, "No name");
 }
 
-/// Files that are no games of ours, and the message each must give.
+#[test]
+fn a_game_of_the_second_format_still_opens_with_its_restitution() {
+    let text = include_str!("../saves/format-2.toml");
+    let (saved, game) = SavedGame::read("format-2.toml", text.as_bytes()).unwrap();
+    assert_eq!(saved.record.strokes(), 30);
+    assert_eq!(saved.record.setup().restitution, 0.85);
+    assert_eq!(saved.text().unwrap(), text);
+    assert_eq!(Fingerprint::of(&game), saved.end);
+    // With another restitution the same strokes lead to another end.
+    let elastic = text.replacen("restitution = 0.85, ", "", 1);
+    assert_ne!(elastic, text);
+    assert!(SavedGame::read("elastic", elastic.as_bytes()).is_err());
+}
+
+#[test]
+fn an_impossible_restitution_is_refused() {
+    let text = include_str!("../saves/format-2.toml");
+    for (value, found) in [
+        ("nan", "nan"),
+        ("inf", "inf"),
+        ("-0.1", "-0.1"),
+        ("1.0001", "1.0001"),
+        ("\"0.85\"", "the text \"0.85\""),
+        ("[0.85]", "[0.85]"),
+        ("true", "true"),
+    ] {
+        let text = text.replacen("0.85", value, 1);
+        let error = SavedGame::read("game.toml", text.as_bytes()).unwrap_err();
+        let expected = format!(
+            "game.toml:8: setup.restitution: expected a coefficient of restitution from 0 to 1, \
+             found {found}"
+        );
+        assert_eq!(error.to_string(), expected);
+    }
+}
+
+/// Files that are not saved games, each with its expected message.
 fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
     let good = saved(friendly(2), 3, 2).text().unwrap();
     let with = |from: &str, to: &str| {
@@ -167,12 +210,12 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "empty",
             vec![],
-            "line 1: format: expected a saved game with `format = 1`, found nothing",
+            "line 1: format: expected a saved game with `format = 2`, found nothing",
         ),
         (
             "foreign",
             b"[package]\nname = \"x\"\n".to_vec(),
-            "line 1: format: expected a saved game with `format = 1`, found nothing",
+            "line 1: format: expected a saved game with `format = 2`, found nothing",
         ),
         ("other", b"%PDF-1.7 \x00\x01".to_vec(), "line 1: "),
         (
@@ -182,13 +225,13 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         ),
         (
             "newer",
-            b"format = 2\nwhatever = true\n".to_vec(),
-            "line 1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
+            b"format = 3\nwhatever = true\n".to_vec(),
+            "line 1: format: 3 is newer than 2, the latest this version reads; a newer version may open it",
         ),
         (
             "format-text",
-            with("format = 1", "format = \"1\""),
-            "line 2: format: expected a saved game with `format = 1`, found the text \"1\"",
+            with("format = 2", "format = \"2\""),
+            "line 2: format: expected a saved game with `format = 2`, found the text \"2\"",
         ),
         (
             "latin",
@@ -248,7 +291,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
 }
 
 #[test]
-fn a_bad_file_gives_a_message_and_is_left_alone_and_all_others_go_on() {
+fn an_invalid_file_is_reported_and_left_unchanged_and_the_others_can_be_used() {
     let folder = Folder::new("bad-saves");
     let mut store = Store::in_folder(folder.path());
     let good = saved(friendly(3), 5, 3);
@@ -257,7 +300,7 @@ fn a_bad_file_gives_a_message_and_is_left_alone_and_all_others_go_on() {
     for (name, bytes, _) in bad() {
         fs::write(games.join(format!("{name}.toml")), bytes).unwrap();
     }
-    // Nor is what only looks like a game in anybody's way.
+    // Folders that are named like a game are ignored.
     fs::create_dir(games.join("a-folder.toml")).unwrap();
     fs::write(games.join("notes.txt"), "mine").unwrap();
 
@@ -274,7 +317,7 @@ fn a_bad_file_gives_a_message_and_is_left_alone_and_all_others_go_on() {
         };
         assert!(reason.contains(&format!("{name}.toml:")), "{reason}");
     }
-    // A game goes on, another begins: every other file stays as it is.
+    // One game continues and another begins; every other file stays unchanged.
     let longer = saved(friendly(3), 6, 3);
     save(&mut store, 1, &longer);
     save(&mut other, 2, &good);
@@ -336,7 +379,7 @@ fn a_game_resumed_twice_keeps_both_continuations() {
 }
 
 #[test]
-fn many_at_once_do_not_harm_each_other() {
+fn many_games_saved_at_once_do_not_harm_each_other() {
     let folder = Folder::new("many-saves");
     let games: Vec<_> = (0..4).map(|seed| saved(friendly(seed), 4, seed)).collect();
     thread::scope(|scope| {
@@ -372,7 +415,7 @@ fn many_at_once_do_not_harm_each_other() {
     assert_eq!(leftovers(folder.path()), Vec::<String>::new());
 }
 
-/// Files in the folder of games that are no games.
+/// The files in the folder of games that are not games.
 fn leftovers(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder.join("games")).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -400,7 +443,7 @@ fn an_export_never_replaces_another() {
 }
 
 #[test]
-fn a_game_that_is_removed_is_gone_and_only_that() {
+fn only_the_removed_game_is_deleted() {
     let folder = Folder::new("removed-save");
     for mut store in [Store::in_folder(folder.path()), Store::in_memory()] {
         for ticket in 1..=3 {
@@ -429,9 +472,9 @@ fn table(store: Store) -> Headless {
 }
 
 #[test]
-fn a_failed_save_is_reported_once_and_the_game_goes_on() {
+fn a_failed_save_is_reported_once_and_the_game_continues() {
     let folder = Folder::new("no-saves");
-    // A file where the folder should be: nobody can write there, not even root.
+    // A file has the name of the folder, so that nobody, not even root, can write there.
     let in_the_way = folder.path().join("games");
     fs::write(&in_the_way, "in the way").unwrap();
     let mut game = table(Store::in_folder(folder.path()));
@@ -442,7 +485,7 @@ fn a_failed_save_is_reported_once_and_the_game_goes_on() {
     assert!(!told(&mut game), "{}", game.screen());
     assert!(game.screen().contains("stroke 2 of 2"), "{}", game.screen());
     assert_eq!(fs::read_to_string(&in_the_way).unwrap(), "in the way");
-    // Once the way is free, all of it is kept.
+    // Once the file is removed, the whole game is saved.
     fs::remove_file(&in_the_way).unwrap();
     game.press("<Enter>100 ");
     let kept = readable(&mut Store::in_folder(folder.path()));
@@ -450,7 +493,7 @@ fn a_failed_save_is_reported_once_and_the_game_goes_on() {
 }
 
 #[test]
-fn a_game_is_left_and_resumed_where_it_was() {
+fn a_game_is_resumed_where_it_was_left() {
     let folder = Folder::new("resumed");
     let mut game = table(Store::in_folder(folder.path()));
     game.press("<Enter> <Enter>260 <Enter>100 <Enter>");
@@ -458,7 +501,7 @@ fn a_game_is_left_and_resumed_where_it_was() {
     game.press("<Escape>y");
     assert!(game.screen().contains("a new game"), "{}", game.screen());
 
-    // Another day.
+    // Resume it on another day.
     let mut game = table(Store::in_folder(folder.path()).timeless());
     game.press("s");
     assert!(game.screen().contains("board 1, 3"), "{}", game.screen());
@@ -469,7 +512,7 @@ fn a_game_is_left_and_resumed_where_it_was() {
     assert_eq!(kept.len(), 1);
     assert_eq!(kept[0].1.record.strokes(), 4);
 
-    // Stroke by stroke.
+    // Replay it stroke by stroke.
     game.press("v");
     for stroke in 1..=4 {
         let expected = format!("stroke {stroke} of 4");
@@ -478,7 +521,7 @@ fn a_game_is_left_and_resumed_where_it_was() {
     }
     assert!(game.screen().contains("strength"), "{}", game.screen());
 
-    // Removed only when that is confirmed.
+    // A game is deleted only after confirmation.
     game.press("<Escape>ysd");
     assert!(
         game.screen().contains("Delete this game"),
@@ -496,7 +539,7 @@ fn a_game_is_left_and_resumed_where_it_was() {
 }
 
 #[test]
-fn unreadable_games_are_listed_with_their_reason() {
+fn unreadable_games_are_listed_with_the_reason() {
     let folder = Folder::new("unreadable");
     let games = folder.path().join("games");
     fs::create_dir_all(&games).unwrap();
@@ -514,12 +557,12 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn any_bytes_are_a_game_or_a_message(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+    fn random_bytes_are_refused_as_a_game(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
         prop_assert!(SavedGame::read("any", &bytes).is_err());
     }
 
     #[test]
-    fn a_damaged_game_is_a_message_or_leads_to_the_same_end(
+    fn a_damaged_game_is_refused_or_leads_to_the_same_end(
         at in any::<prop::sample::Index>(),
         byte: u8,
         cut in 0..3usize,

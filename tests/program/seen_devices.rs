@@ -1,4 +1,4 @@
-//! Devices with a screen that somebody looks at: carrom in a terminal, the page in Chromium.
+//! Devices whose screens the test reads: carrom in a terminal, the page in Chromium.
 
 use std::time::{Duration, Instant};
 
@@ -10,9 +10,9 @@ use crate::pty::Pty;
 
 /// How long a screen may take to show something.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// How long a vote may take to be in before the next key is tried.
+/// How long to wait for a vote to be saved before trying the next key.
 const SOON: Duration = Duration::from_millis(300);
-/// What a device shows of a vote that is on the disk.
+/// The text for a vote that is on the disk.
 const IN: &str = "Your vote is in.";
 
 pub(crate) trait SeenDevice {
@@ -33,9 +33,11 @@ pub(crate) trait SeenDevice {
         }
     }
 
-    /// Votes on whatever is asked; gives the time from the last key until it is seen to be in.
+    /// Votes on the current question; returns the time from the last key until the screen shows
+    /// that the vote is saved.
     fn vote(&mut self) -> Duration {
-        // A choice, or else one number or two; then how sure. Whatever was asked, it is in then.
+        // These keys answer a choice, or one or two numbers, and then the confidence, so they fit
+        // every question.
         let keys = [("a10\r", SOON), ("10\r", SOON), ("\r", PATIENCE)];
         for (keys, patience) in keys {
             keys.chars().for_each(|key| self.press(&key.to_string()));
@@ -73,7 +75,7 @@ impl SeenDevice for Chromium {
     }
 }
 
-/// The page of a host, in Chromium, joined.
+/// The page of a host in Chromium, after joining.
 pub(crate) fn browser(port: u16, code: &str, name: &str) -> Chromium {
     let mut chromium = Chromium::start((1000, 700), false);
     chromium.open(&format!("http://127.0.0.1:{port}/#code={code}"));

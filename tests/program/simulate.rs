@@ -1,4 +1,4 @@
-//! `carrom simulate` plays scenes whose outcome the closed forms give.
+//! `carrom simulate` plays scenes whose outcomes follow from closed formulas.
 
 use std::io::Write;
 use std::process::{Command, Stdio};
@@ -7,8 +7,8 @@ use serde_json::Value;
 
 const G: f64 = 9.80665;
 
-/// A file of format 1 as the first version wrote it. It is to be read for good, so
-/// it must never be changed.
+/// A file of format 1 as the first version wrote it. It must always be readable, so it must never
+/// be changed.
 const PINNED: &str = r#"
 format = 1
 [board]                     # all optional; these are the defaults
@@ -87,7 +87,8 @@ fn one_disc_slides_to_a_stop() {
 #[test]
 fn a_file_of_the_first_format_opens_and_hits_both_cushions() {
     let report = json(PINNED);
-    // Three and a bit runs of the board: each cushion takes a fifth of the speed.
+    // The disc crosses the board a little more than three times; each cushion removes a fifth of
+    // its speed.
     assert_eq!(
         kinds(&report),
         ["cushion", "cushion", "cushion", "cushion", "rest"]
@@ -106,10 +107,10 @@ fn a_file_of_the_first_format_opens_and_hits_both_cushions() {
     near(&report["energy_before_j"], 0.12);
 }
 
-/// Offset half of r1 + r2: the coin goes on at 30 degrees with three quarters of the
-/// energy, the striker at 60 degrees with one quarter.
+/// The offset is half of r1 + r2: the coin leaves at 30 degrees with three quarters of the energy,
+/// the striker at 60 degrees with one quarter.
 #[test]
-fn a_glancing_hit_ends_where_the_closed_forms_say() {
+fn a_glancing_hit_ends_where_the_formulas_predict() {
     let scene = r#"
         format = 1
         [[disc]]
@@ -154,14 +155,15 @@ fn a_pocketed_disc_is_reported() {
     let report = json(&scene);
     assert_eq!(kinds(&report), ["pocket"]);
     assert_eq!(report["final"][0]["state"], "pocketed");
-    // It falls as its centre comes within 22.25 mm of the pocket's, on the diagonal.
+    // The disc is pocketed when its centre is within 22.25 mm of the pocket's centre, on the
+    // diagonal.
     let fell = 370.0 - 22.25 - 22.25 * 0.5_f64.sqrt();
     near(&report["final"][0]["at_mm"][0], fell);
     near(&report["final"][0]["at_mm"][1], fell);
 }
 
 #[test]
-fn the_table_for_people_has_the_same_contents() {
+fn the_printed_table_has_the_event_and_the_energies() {
     let text = simulate(&PINNED.replace("speed = 4.0", "speed = 1.0"), &[]);
     let lines: Vec<_> = text
         .lines()

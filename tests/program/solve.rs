@@ -1,4 +1,4 @@
-//! `carrom solve` driven as a command.
+//! `carrom solve` as a command.
 
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
@@ -31,7 +31,7 @@ fn printed(args: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Exit code and answers of a batch.
+/// The exit code and the answers of a batch.
 fn batch(input: &[u8]) -> (Option<i32>, Vec<Value>) {
     let output = solve(&["--batch"], input);
     assert!(output.stderr.is_empty(), "{output:?}");
@@ -64,7 +64,7 @@ fn close(value: &Value, expected: f64) {
 const MARBLES: &str = r#"{"m1_g":20,"m2_g":40,"u1":[3,0],"alpha_deg":45}"#;
 
 #[test]
-fn the_published_example() {
+fn the_published_example_is_solved() {
     let marbles = answer(MARBLES);
     assert_eq!(marbles["hit"], true);
     for (field, expected) in [("v1", [1.0, 2.0]), ("v2", [1.0, -1.0])] {
@@ -84,7 +84,7 @@ fn the_published_example() {
 }
 
 #[test]
-fn the_fields_stand_in_their_order() {
+fn the_fields_have_a_fixed_order() {
     let output = solve(&["--batch"], MARBLES.as_bytes());
     let text = String::from_utf8(output.stdout).unwrap();
     let fields = [
@@ -118,7 +118,7 @@ fn a_head_on_hit_has_no_angle_and_no_nan() {
 }
 
 #[test]
-fn a_miss_leaves_the_velocities_as_they_were() {
+fn a_miss_leaves_the_velocities_unchanged() {
     let line = r#"{"m1_g":15,"m2_g":15,"u1":[0.1,0.7],"u2":[0.3,-0.2],"offset_mm":40,"r1_mm":20.65,"r2_mm":15.9}"#;
     let missed = answer(line);
     assert_eq!(missed["hit"], false);
@@ -129,7 +129,7 @@ fn a_miss_leaves_the_velocities_as_they_were() {
 }
 
 #[test]
-fn a_graze_is_a_hit_that_does_nothing() {
+fn a_graze_is_a_hit_that_changes_nothing() {
     let line = r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"offset_mm":36.55,"r1_mm":20.65,"r2_mm":15.9}"#;
     let grazed = answer(line);
     assert_eq!(grazed["hit"], true);
@@ -138,7 +138,7 @@ fn a_graze_is_a_hit_that_does_nothing() {
 }
 
 #[test]
-fn offset_and_angle_are_two_ways_to_say_the_same() {
+fn an_offset_and_its_impact_angle_give_the_same_answer() {
     let by_offset =
         answer(r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"offset_mm":15,"r1_mm":14.1,"r2_mm":15.9}"#);
     let by_angle = answer(r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#);
@@ -148,15 +148,16 @@ fn offset_and_angle_are_two_ways_to_say_the_same() {
 }
 
 #[test]
-fn discs_that_stick_share_a_velocity_and_turn() {
+fn discs_that_stick_share_a_velocity_and_rotate() {
     let stuck = answer(
         r#"{"m1_g":10,"m2_g":10,"u1":[3,0],"offset_mm":10,"r1_mm":10,"r2_mm":10,"stick":true}"#,
     );
     assert_eq!(stuck["v1"], json!([1.5, 0.0]));
     assert_eq!(stuck["v1"], stuck["v2"]);
     close(&stuck["spin_rad_s"], 50.0);
-    // The centres go round with ω r = 0.5 m/s, across the line that joins them, which
-    // lies at 30° to the motion: 0.25 m/s along it and 0.25 √3 m/s across.
+    // The centres move around the centre of mass at ω r = 0.5 m/s, perpendicular to the line
+    // between them. That line is at 30° to the motion, so the components are 0.25 m/s along the
+    // motion and 0.25 √3 m/s perpendicular to it.
     close(&stuck["centre_v1"][0], 1.75);
     close(&stuck["centre_v2"][0], 1.25);
     close(&stuck["centre_v1"][1], 0.25 * 3.0_f64.sqrt());
@@ -166,7 +167,7 @@ fn discs_that_stick_share_a_velocity_and_turn() {
     assert_eq!(answer(MARBLES).get("spin_rad_s"), None);
 }
 
-/// `spin_rad_s` counts clockwise; the other one agrees with the axes.
+/// `spin_rad_s` is positive clockwise; `spin_ccw_rad_s` agrees with the axes.
 #[test]
 fn the_anticlockwise_spin_gives_the_velocities_of_the_centres() {
     for offset in [10.0, -10.0, 0.0] {
@@ -175,8 +176,9 @@ fn the_anticlockwise_spin_gives_the_velocities_of_the_centres() {
         let spin = stuck["spin_ccw_rad_s"].as_f64().unwrap();
         close(&stuck["spin_rad_s"], -spin);
         assert!(spin * offset <= 0.0 && (spin != 0.0 || offset == 0.0));
-        // The relative velocity of the centres is ω × (their distance), which is the line of
-        // impact times r1 + r2: 22 mm, its component across the motion the offset.
+        // The relative velocity of the centres is ω × (the vector between them). This vector is
+        // along the line of impact and r1 + r2 = 22 mm long; its component perpendicular to the
+        // motion is the offset.
         let [along, across] = [(22.0_f64.powi(2) - offset * offset).sqrt(), -offset];
         let part = |name: &str, i: usize| stuck[name][i].as_f64().unwrap();
         for (i, expected) in [-spin * across * 1e-3, spin * along * 1e-3]
@@ -231,7 +233,7 @@ fn an_answer_lists_what_it_assumes_and_ignores() {
         let answer = answer(&format!("{{{given},{rest}}}"));
         assert_eq!(answer["assumed"], json!(expected), "{rest}");
     }
-    // The radii that are assumed are those that are used.
+    // The assumed radii are the ones that are used.
     let radii = r#""r1_mm":15.9,"r2_mm":15.9"#;
     let stick = r#""alpha_deg":30,"u2":[0,0],"stick":true"#;
     assert_eq!(
@@ -241,7 +243,7 @@ fn an_answer_lists_what_it_assumes_and_ignores() {
 }
 
 #[test]
-fn the_command_line_says_which_values_it_fills_in() {
+fn the_command_line_lists_the_values_that_it_assumes() {
     let args = ["--alpha-deg", "30", "--stick", "--restitution", "0.5"];
     let text = words(&printed(&args));
     let said = "Assumed: m1 = 15 g; m2 = 15 g; u1 = 4 m/s; target at rest; restitution ignored, \
@@ -255,7 +257,7 @@ fn the_command_line_says_which_values_it_fills_in() {
     assert_eq!(json["assumed"][1], "u1 = 4 m/s");
 }
 
-/// Help and guide name every field of an answer, and the way each sign counts.
+/// The help and the guide describe every field of an answer and every sign convention.
 #[test]
 fn the_signs_are_documented() {
     let help = words(&printed(&["--help"]));
@@ -276,8 +278,8 @@ fn the_signs_are_documented() {
 }
 
 #[test]
-fn numbers_read_back_to_the_same_bits() {
-    // The velocities of a miss come out as they went in, through text both ways.
+fn numbers_are_read_back_bit_for_bit() {
+    // A miss does not change the velocities, which are written as text and read back.
     let speeds: [f64; 6] = [
         0.1,
         1.0 / 3.0,
@@ -295,7 +297,7 @@ fn numbers_read_back_to_the_same_bits() {
 }
 
 #[test]
-fn a_batch_keeps_its_order_and_goes_on_after_a_bad_line() {
+fn a_batch_keeps_its_order_and_continues_after_an_invalid_line() {
     let mut input = String::new();
     for line in 1..=2000 {
         if line % 7 == 0 {
@@ -432,8 +434,8 @@ fn refusals_name_the_field() {
 }
 
 #[test]
-fn noise_is_refused_briefly_and_the_run_goes_on() {
-    // A cheap generator, so that the noise is the same every time.
+fn random_lines_are_refused_briefly_and_the_run_continues() {
+    // A simple generator, so that the random bytes are the same every time.
     let mut state = 7_u32;
     let mut noise: Vec<u8> = std::iter::repeat_with(|| {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -459,7 +461,7 @@ fn noise_is_refused_briefly_and_the_run_goes_on() {
     assert_eq!(answers[4]["hit"], true);
 }
 
-/// A program at the other end of a pipe gets its answer without closing its end.
+/// A program at the other end of a pipe gets each answer before it closes the pipe.
 #[test]
 fn an_answer_does_not_wait_for_the_end_of_input() {
     use std::io::{BufRead, BufReader};
@@ -482,7 +484,7 @@ fn an_answer_does_not_wait_for_the_end_of_input() {
 }
 
 #[test]
-fn one_object_on_demand() {
+fn json_prints_one_object() {
     let text = printed(&[
         "--m1-g",
         "20",
@@ -501,7 +503,7 @@ fn one_object_on_demand() {
 }
 
 #[test]
-fn the_worked_solution_fills_the_numbers_in() {
+fn the_worked_solution_substitutes_the_numbers() {
     let text = printed(&[
         "--m1-g",
         "20",
@@ -527,13 +529,13 @@ fn the_worked_solution_fills_the_numbers_in() {
     }
 }
 
-/// A text on one line, wherever it was wrapped.
+/// Wrapped text joined into one line.
 fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[test]
-fn the_worked_solution_speaks_of_what_is_special() {
+fn the_worked_solution_mentions_special_cases() {
     let offset = |mm: &'static str| ["--r1-mm", "20.65", "--r2-mm", "15.9", "--offset-mm", mm];
     for (args, part) in [
         (
@@ -572,7 +574,7 @@ fn the_worked_solution_speaks_of_what_is_special() {
         ),
     ] {
         let text = printed(args);
-        // No sign without a spelling in ASCII: those become question marks.
+        // Every symbol must have an ASCII spelling; without one it would become a question mark.
         let text = text.replace("at which impact angle?", "");
         let unwrapped = words(&text);
         assert!(unwrapped.contains(part), "{args:?}: {part}\n{text}");
@@ -584,7 +586,7 @@ fn the_worked_solution_speaks_of_what_is_special() {
 }
 
 #[test]
-fn bad_arguments_are_refused_by_name() {
+fn invalid_arguments_are_refused_by_name() {
     for (args, said) in [
         (
             &["--alpha-deg", "95"][..],

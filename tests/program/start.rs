@@ -1,4 +1,4 @@
-//! What a teacher begins with: the examples, a file of one's own, the guides.
+//! What a teacher starts with: the examples, a new file, and the guides.
 
 use std::fs;
 use std::path::Path;
@@ -18,7 +18,7 @@ fn carrom(folder: &Folder, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// What it prints when it has done what it was asked for.
+/// The output of a successful command.
 pub(crate) fn done(folder: &Folder, arguments: &str) -> String {
     let output = carrom(folder, arguments);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -26,7 +26,7 @@ pub(crate) fn done(folder: &Folder, arguments: &str) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// What it says when it refuses.
+/// The message of a command that fails with this status.
 pub(crate) fn refused(folder: &Folder, arguments: &str, status: i32) -> String {
     let output = carrom(folder, arguments);
     assert_eq!(output.status.code(), Some(status), "{arguments}");
@@ -63,7 +63,7 @@ fn every_example_passes_the_check_that_its_readme_names() {
 }
 
 #[test]
-fn a_new_file_passes_its_check_under_the_longest_name_too() {
+fn a_new_file_passes_its_check_even_with_the_longest_name() {
     let folder = Folder::new("new");
     let longest = "a-name-of-thirty-two-letters-all";
     assert_eq!(longest.len(), 32);
@@ -100,7 +100,7 @@ fn a_new_file_passes_its_check_under_the_longest_name_too() {
 }
 
 #[test]
-fn the_guides_lead_to_one_another() {
+fn the_guides_link_to_one_another() {
     let folder = Folder::new("guides");
     let list = done(&folder, "guide");
     let pages = done(&folder, "guide --out guides");

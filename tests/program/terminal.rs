@@ -1,5 +1,5 @@
-//! carrom in a real terminal: it starts, plays, follows the window, and leaves the
-//! terminal as it was, however it ends.
+//! carrom in a real terminal: it starts, plays, follows the window's size, and restores the
+//! terminal however it ends.
 
 use std::env;
 use std::process;
@@ -33,7 +33,7 @@ fn it_starts_plays_and_quits() {
     let mut pty = started(carrom(&[]));
     pty.press("?");
     pty.wait_for("help: home");
-    // A click outside everything, a turn of the wheel and a paste do no harm.
+    // A click outside everything, a turn of the wheel and a paste have no effect.
     pty.press("\x1b[<0;1;1M\x1b[<0;1;1m\x1b[<64;5;5M\x1b[200~pasted\x1b[201~");
     pty.press(" ");
     pty.wait_until("the help page to close", |screen| {
@@ -53,7 +53,7 @@ fn control_c_leaves() {
 }
 
 #[test]
-fn it_follows_the_window() {
+fn it_follows_the_size_of_the_window() {
     let mut pty = started(carrom(&[]));
     for (columns, rows) in [(100, 30), (60, 20), (120, 40)] {
         pty.resize(columns, rows);
@@ -104,7 +104,7 @@ fn a_signal_ends_it_and_the_terminal_is_restored() {
 fn it_can_be_ended_in_the_middle_of_a_hit() {
     let mut pty = started(carrom(&["lab"]));
     let before = pictures(&pty);
-    // On to the prediction, past both rays, and off.
+    // Continue to the prediction, set both rays, and start the hit.
     pty.press("\r60\r30\r");
     pty.wait_until("the discs to move", |_| pictures(&pty) > before + 10);
     pty.signal(Signal::TERM);
@@ -112,12 +112,12 @@ fn it_can_be_ended_in_the_middle_of_a_hit() {
     pty.assert_restored();
 }
 
-/// How many pictures were drawn.
+/// The number of frames that were drawn.
 fn pictures(pty: &Pty) -> usize {
     count(pty, "\x1b[?2026h")
 }
 
-/// How often a code was written.
+/// How many times a code was written.
 fn count(pty: &Pty, code: &str) -> usize {
     String::from_utf8_lossy(&pty.bytes()).matches(code).count()
 }
@@ -127,19 +127,19 @@ fn a_closed_window_ends_it() {
     for command in [carrom(&[]), child("animated")] {
         let mut pty = started(command);
         pty.hang_up("?");
-        // It may notice by the signal or, in the middle of a picture, by itself.
+        // carrom may notice the signal or, during a frame, the write error.
         let status = pty.wait();
         assert!(status == 129 || status == 1, "{status}");
     }
 }
 
 #[test]
-fn a_fault_restores_the_terminal_and_is_reported() {
+fn a_panic_restores_the_terminal_and_is_reported() {
     let folder = Folder::new("fault");
     let mut command = child("moody");
     command.env("CARROM_PTY_FOLDER", folder.path());
     let mut pty = started(command);
-    // That of a thread that does not draw is only noted down.
+    // A panic in a thread that does not draw is only written to the report.
     pty.press("w");
     let report = folder.path().join("crash.log");
     pty.wait_until("a report", |_| report.exists());
@@ -161,7 +161,7 @@ fn a_fault_restores_the_terminal_and_is_reported() {
 }
 
 #[test]
-fn a_stuck_app_is_ended_too() {
+fn a_stuck_app_is_terminated() {
     let mut pty = started(child("moody"));
     pty.press("s");
     pty.signal(Signal::TERM);
@@ -193,12 +193,12 @@ fn it_can_be_stopped_and_continued() {
         pty.wait_for("carrom : home");
         pty.assert_taken();
     }
-    // It is not asked about this one, so it can only put things right afterwards.
+    // A process cannot handle this signal, so carrom can restore the terminal only afterwards.
     kill_process(process, Signal::STOP).unwrap();
     let before = pictures(&pty);
     pty.wait_for("stopped ");
     pty.press("\n");
-    pty.wait_until("another picture", |_| pictures(&pty) > before);
+    pty.wait_until("another frame", |_| pictures(&pty) > before);
     pty.wait_for("carrom : home");
     pty.assert_taken();
     pty.press("q");
@@ -206,7 +206,7 @@ fn it_can_be_stopped_and_continued() {
     pty.assert_restored();
 }
 
-/// The number of the process, from the line `process N`.
+/// The id of the process, from the line `process N`.
 fn process_in(bytes: &[u8]) -> Pid {
     let text = String::from_utf8_lossy(bytes);
     let (_, after) = text.split_once("process ").unwrap();
@@ -215,7 +215,7 @@ fn process_in(bytes: &[u8]) -> Pid {
 }
 
 #[test]
-fn a_key_to_stop_is_ignored_where_nobody_could_continue_it() {
+fn ctrl_z_is_ignored_if_no_shell_could_continue_carrom() {
     let mut pty = started(carrom(&[]));
     pty.press("\x1a?");
     pty.wait_for("help: home");
@@ -225,11 +225,11 @@ fn a_key_to_stop_is_ignored_where_nobody_could_continue_it() {
 }
 
 #[test]
-fn pictures_are_synchronized_and_at_most_sixty_a_second() {
+fn frames_are_synchronized_and_at_most_sixty_per_second() {
     let mut pty = started(child("animated"));
     let (start, before) = (Instant::now(), pictures(&pty));
     thread::sleep(Duration::from_secs(1));
-    // Keys do not make it draw more often.
+    // Keys must not make it draw more often.
     (0..200).for_each(|_| pty.press("x"));
     pty.press("q");
     assert_eq!(pty.wait(), 0);
@@ -238,9 +238,9 @@ fn pictures_are_synchronized_and_at_most_sixty_a_second() {
     let most = start.elapsed().as_secs_f64() / FRAME.as_secs_f64() + 2.0;
     assert!(
         (1.0..most).contains(&(drawn as f64)),
-        "{drawn} pictures, at most {most}"
+        "{drawn} frames, at most {most}"
     );
-    // The guard ends one more, in case a picture was under way.
+    // The guard ends one extra frame, in case a frame was in progress.
     assert_eq!(pictures(&pty) + 1, count(&pty, "\x1b[?2026l"));
 }
 
@@ -257,7 +257,7 @@ fn without_colour_bold_and_reverse_survive() {
 }
 
 #[test]
-fn a_terminal_that_cannot_place_text_is_refused() {
+fn a_terminal_that_cannot_position_text_is_refused() {
     let mut command = carrom(&[]);
     command.env("TERM", "dumb");
     let mut pty = Pty::start(command);
@@ -266,7 +266,7 @@ fn a_terminal_that_cannot_place_text_is_refused() {
     pty.assert_restored();
 }
 
-/// This test program once more, to play an app of its own in a terminal.
+/// Runs this test program again, to play its own app in a terminal.
 fn child(role: &str) -> CommandBuilder {
     let this = env::current_exe().unwrap();
     let arguments = ["terminal::child_plays", "--exact", "--nocapture"];
@@ -275,7 +275,7 @@ fn child(role: &str) -> CommandBuilder {
     command
 }
 
-/// What [`child`] runs; nothing when run as a test.
+/// The test that [`child`] runs; it does nothing in an ordinary test run.
 #[test]
 fn child_plays() {
     let Some(role) = env::var_os("CARROM_PTY_CHILD") else {
@@ -294,15 +294,15 @@ fn child_plays() {
     }
 }
 
-/// Always moving, or given to moods: `w` makes another thread panic, `p` panics, `s`
-/// never comes back.
+/// An app that is always moving, or that misbehaves: `w` makes another thread panic, `p` panics,
+/// `s` never returns.
 #[derive(Default)]
 struct Restless {
     moves: bool,
     steps: u32,
 }
 
-/// What `q` does.
+/// The action of `q`.
 #[derive(Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 enum RestlessAction {
     /// quit
@@ -360,11 +360,11 @@ impl Screen for Restless {
 }
 
 #[test]
-fn the_computer_thinks_beside_the_screen() {
+fn the_screen_stays_responsive_while_the_computer_thinks() {
     let mut pty = started(carrom(&["table", "--seed", "11"]));
     pty.press("\r");
     pty.wait_for("You break, white");
-    // A break too soft to pocket anything, watched at its end at once.
+    // A break that is too soft to pocket anything; the animation is skipped to its end.
     pty.press(&format!("M{} ", "-".repeat(30)));
     pty.wait_for("(law 21)");
     pty.press("\r");

@@ -1,5 +1,5 @@
-//! What cannot be kept is kept as soon as that is possible, seen in a real terminal: on a disk
-//! that is full for a while, and beside a program that holds the database for a minute.
+//! Answers that cannot be saved are saved as soon as possible, in a real terminal: on a disk that
+//! is full for a while, and while another program locks the database for a minute.
 
 use std::fs;
 use std::path::Path;
@@ -14,11 +14,11 @@ use rusqlite::Connection;
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom, command};
 
-/// How long the database is held.
+/// How long the database is locked.
 const HELD: Duration = Duration::from_secs(60);
 
-/// Runs carrom with its data on a small disk of its own, and does what files in `$2` tell: it
-/// fills the disk, frees it, and in the end copies the database to where it can be read.
+/// Runs carrom with its data on a small disk. Files in `$2` are signals to fill the disk and to
+/// free it; at the end the script copies the database to `$2`, where it can be read.
 const ON_A_SMALL_DISK: &str = "
     mount -t tmpfs -o size=512k tmpfs \"$1\" || exit 77
     (
@@ -32,18 +32,16 @@ const ON_A_SMALL_DISK: &str = "
     cp \"$1\"/progress.db* \"$2\"
 ";
 
-/// Answers the question of this number, and reads what is told of it.
+/// Answers the question with this number, and reads the explanation.
 fn answer(pty: &mut Pty, number: u32) {
     pty.wait_for(&format!("question {number} of 10"));
     pty.press("60\r30\r");
     pty.wait_for("How sure are you?");
     pty.press("2");
-    pty.wait_until("what comes of it", |screen| {
-        !screen.contains("How sure are you?")
-    });
+    pty.wait_until("the result", |screen| !screen.contains("How sure are you?"));
     if pty.screen().contains("please note") {
         pty.press("x");
-        pty.wait_until("the question below", |screen| {
+        pty.wait_until("the notice to close", |screen| {
             !screen.contains("please note")
         });
     }
@@ -51,9 +49,9 @@ fn answer(pty: &mut Pty, number: u32) {
     pty.wait_for("of 10 points");
 }
 
-/// Waits until everything is kept, and leaves.
+/// Waits until everything is saved, and quits.
 fn leave(mut pty: Pty) {
-    pty.wait_until("all to be kept", |screen| {
+    pty.wait_until("everything to be saved", |screen| {
         !screen.contains("not saved") && !screen.contains("saving ..")
     });
     pty.press("\x03");
@@ -61,7 +59,7 @@ fn leave(mut pty: Pty) {
     pty.assert_restored();
 }
 
-/// The numbers of the questions that were answered, as they are kept.
+/// The numbers of the questions whose answers are stored.
 fn kept(folder: &Path) -> Vec<u32> {
     let request = StoreRequest::Recall(None);
     let mut store = Store::in_folder(folder).only_looking();
@@ -72,15 +70,15 @@ fn kept(folder: &Path) -> Vec<u32> {
 }
 
 #[test]
-fn answers_given_while_the_disk_is_full_are_saved_when_it_is_not() {
+fn answers_given_while_the_disk_is_full_are_saved_afterwards() {
     let can_mount = Command::new("unshare")
         .args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"])
         .output();
     if !can_mount.is_ok_and(|tried| tried.status.success()) {
-        println!("not tried: this system lets nobody mount a disk of his own");
+        println!("skipped: this system does not allow users to mount a disk");
         return;
     }
-    let (disk, told) = (Folder::new("owed-disk"), Folder::new("owed-told"));
+    let (disk, told) = (Folder::new("unsaved-disk"), Folder::new("unsaved-told"));
     let [disk, told] = [&disk, &told].map(|it| it.path().to_str().unwrap());
     let program = env!("CARGO_BIN_EXE_carrom");
     let arguments = [
@@ -111,8 +109,8 @@ fn answers_given_while_the_disk_is_full_are_saved_when_it_is_not() {
 
 #[test]
 #[ignore = "takes a minute"]
-fn answers_given_while_the_database_is_held_are_saved_when_it_is_free() {
-    let folder = Folder::new("owed-held");
+fn answers_given_while_the_database_is_locked_are_saved_afterwards() {
+    let folder = Folder::new("unsaved-held");
     let data = folder.path().to_str().unwrap();
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7", "--data-dir", data]));
     answer(&mut pty, 1);
@@ -123,7 +121,7 @@ fn answers_given_while_the_database_is_held_are_saved_when_it_is_free() {
         pty.press("\r");
         answer(&mut pty, number);
     }
-    // As soon as it was waited for long enough.
+    // This notice is shown once carrom has waited long enough.
     pty.wait_for("not saved: 7");
     thread::sleep(HELD.saturating_sub(start.elapsed()));
     pty.wait_for("not saved: 7");

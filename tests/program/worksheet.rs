@@ -1,4 +1,4 @@
-//! Worksheets: the questions of a round and their key, on paper.
+//! Worksheets: the questions of a round and their answer key, on paper.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,7 +13,7 @@ use scraper::{Html, Selector};
 
 use crate::folder::Folder;
 
-/// A round of each kind and of each topic.
+/// One round of each kind and of each topic.
 fn rounds() -> impl Iterator<Item = Round> {
     let topics = CourseKind::topics().map(|family| format!("{}-5", family.id()));
     let mixed = ["mixed12-7", "mixed1-3", "quick-5", "exam-3", "7"].map(str::to_owned);
@@ -24,18 +24,18 @@ fn rounds() -> impl Iterator<Item = Round> {
 fn select(page: &Html, selector: &str) -> Vec<String> {
     let selector = Selector::parse(selector).unwrap();
     let found = page.select(&selector);
-    // Where a line may not break there is a blank of its own kind.
+    // A line must not break at a no-break space.
     let text = found.map(|it| it.text().collect::<String>());
     text.map(|it| it.replace('\u{a0}', " ")).collect()
 }
 
-/// Words in one line.
+/// The text on one line.
 fn line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[test]
-fn the_sheet_asks_what_the_code_asks_and_tells_no_answer() {
+fn the_sheet_has_the_questions_of_the_code_and_no_answers() {
     for round in rounds() {
         let sheet = Worksheet::new(&round, None);
         let (html, markdown) = (sheet.sheet_html(), sheet.sheet_markdown("pictures"));
@@ -75,7 +75,7 @@ fn the_sheet_asks_what_the_code_asks_and_tells_no_answer() {
 }
 
 #[test]
-fn the_key_holds_every_truth_and_every_belief() {
+fn the_key_has_all_right_answers_and_all_misconceptions() {
     for round in rounds() {
         let sheet = Worksheet::new(&round, None);
         let page = Html::parse_document(&sheet.key_html());
@@ -100,7 +100,7 @@ fn the_key_holds_every_truth_and_every_belief() {
                 assert!(plain.contains(&line(&belief.says)), "{plain}");
             }
         }
-        // Choices that follow no known misconception have their own row, with what can be told.
+        // Choices without a known misconception have their own row with a general reply.
         for question in round.questions() {
             for (choice, reply) in &question.replies {
                 let said = question.form.words(&Response::Choice(*choice));
@@ -116,7 +116,7 @@ fn the_key_holds_every_truth_and_every_belief() {
 }
 
 #[test]
-fn nothing_is_loaded_nothing_runs_and_every_number_is_one() {
+fn nothing_is_loaded_nothing_runs_and_every_number_is_finite() {
     for round in rounds() {
         let sheet = Worksheet::new(&round, None);
         for html in [sheet.sheet_html(), sheet.key_html(), sheet.html_with_key()] {
@@ -152,8 +152,7 @@ fn the_same_code_and_title_give_the_same_bytes() {
     assert_eq!(documents(), documents());
 }
 
-/// The text of a Markdown document, each block a line; the pictures in it; and what else
-/// there is that is no text.
+/// The text of a Markdown document with one line per block, its pictures, and its other elements.
 fn read(document: &str) -> (String, Vec<String>, BTreeSet<String>) {
     let (mut text, mut pictures, mut others) = (String::new(), Vec::new(), BTreeSet::new());
     let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH;
@@ -173,12 +172,12 @@ fn read(document: &str) -> (String, Vec<String>, BTreeSet<String>) {
             }
         }
     }
-    // Where a line may not break there is a blank of its own kind.
+    // A line must not break at a no-break space.
     (text.replace('\u{a0}', " "), pictures, others)
 }
 
 #[test]
-fn a_title_is_text_whatever_is_in_it() {
+fn any_title_is_shown_as_plain_text() {
     let round = Round::of(Code::parse("quick-1").unwrap());
     let usual = read(&Worksheet::new(&round, None).sheet_markdown("p")).2;
     let many = "x".repeat(10_000);
@@ -215,7 +214,7 @@ fn a_title_is_text_whatever_is_in_it() {
     }
 }
 
-/// Where something of this name is in a folder, or will be.
+/// The path of this name in a folder.
 fn within(folder: &Folder, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().into()
 }
@@ -234,7 +233,7 @@ fn err(output: &Output) -> String {
 }
 
 #[test]
-fn files_are_written_and_none_is_replaced_unasked() {
+fn existing_worksheets_are_replaced_only_with_force() {
     let folder = Folder::new("files");
     let out = within(&folder, "new/sheets");
     let ask = ["--seed", "7", "--count", "12", "--out", &out];
@@ -249,7 +248,7 @@ fn files_are_written_and_none_is_replaced_unasked() {
     let at = |name: &str| fs::read_to_string(Path::new(&out).join(name)).unwrap();
     assert_eq!(at("worksheet.html"), sheet.sheet_html());
     assert_eq!(at("key.html"), sheet.key_html());
-    // Every picture that is named is there.
+    // Every picture that is referenced exists.
     for name in ["worksheet.md", "key.md"] {
         let pictures = read(&at(name)).1;
         assert!(!pictures.is_empty());
@@ -257,7 +256,7 @@ fn files_are_written_and_none_is_replaced_unasked() {
             assert!(at(&picture).contains("<svg "));
         }
     }
-    // Once more: nothing changes, unless it is asked for.
+    // A second run changes nothing without --force.
     fs::write(Path::new(&out).join("key.md"), "mine").unwrap();
     fs::remove_file(Path::new(&out).join("worksheet.html")).unwrap();
     let output = worksheet(&ask);
@@ -277,7 +276,7 @@ fn files_are_written_and_none_is_replaced_unasked() {
 }
 
 #[test]
-fn a_code_and_a_title_and_one_document() {
+fn one_document_can_have_a_code_a_title_and_the_key() {
     let folder = Folder::new("code");
     let out = within(&folder, "a");
     let arguments = [
@@ -298,7 +297,7 @@ fn a_code_and_a_title_and_one_document() {
     assert!(!folder.path().join("a/key.html").exists());
 }
 
-/// What a teacher types for a title is the title, in the Markdown of sheet and key too.
+/// A typed title is shown literally in the Markdown of the sheet and the key too.
 #[test]
 fn a_title_is_escaped_in_markdown() {
     let folder = Folder::new("title");
@@ -340,7 +339,7 @@ fn a_title_is_escaped_in_markdown() {
 }
 
 #[test]
-fn an_impossible_action_is_reported() {
+fn invalid_options_are_reported() {
     let folder = Folder::new("wrong");
     let out = within(&folder, "out");
     fs::write(folder.path().join("file"), "").unwrap();
@@ -414,8 +413,8 @@ fn browse(browser: &str, folder: &Folder, arguments: &[&str]) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// Heights of what must not be cut, in CSS pixels, written into the page in place of it.
-/// A sheet is as wide on the screen as on paper.
+/// A script that replaces the page with the heights of the unbreakable blocks in CSS pixels. A
+/// sheet is as wide on the screen as on paper.
 const MEASURE: &str = "<script>addEventListener('load', () => {
   const found = [...document.querySelectorAll('.question, .worked, figure, tr')];
   const lines = found.map(it => {
@@ -428,13 +427,13 @@ const MEASURE: &str = "<script>addEventListener('load', () => {
   document.body.innerText = lines.join('\\n') + '\\n';
 });</script></body>";
 
-/// Height of a page of A4 between its margins, 270 mm, in CSS pixels.
+/// The height of an A4 page between its margins (270 mm), in CSS pixels.
 const PAGE: f64 = 270.0 / 25.4 * 96.0;
 
 #[test]
-fn printed_on_a4_nothing_is_cut_and_the_key_begins_a_page() {
+fn printing_on_a4_splits_no_block_and_the_key_starts_a_page() {
     let Some(browser) = browser() else {
-        eprintln!("no chromium on this machine: worksheets were not printed");
+        eprintln!("skipped: Chromium was not found, so worksheets were not printed");
         return;
     };
     let folder = Folder::new("print");
@@ -442,7 +441,7 @@ fn printed_on_a4_nothing_is_cut_and_the_key_begins_a_page() {
         let round = Round::of(Code::parse(code).unwrap());
         let html = Worksheet::new(&round, None).html_with_key();
         let page = within(&folder, "page.html");
-        // A browser keeps what is not to be broken on one page, if it fits on one.
+        // A browser keeps an unbreakable block on one page if the block fits on a page.
         let policy = html.find("<meta http-equiv").unwrap();
         let end = policy + html[policy..].find('>').unwrap() + 1;
         let measured = format!("{}{}", &html[..policy], &html[end..]).replace("</body>", MEASURE);
@@ -470,13 +469,13 @@ fn printed_on_a4_nothing_is_cut_and_the_key_begins_a_page() {
     }
 }
 
-/// Looks at the text of each printed page, where there is a tool that reads it.
+/// Checks the text of each printed page, if a tool to read it is installed.
 fn pages(pdf: &str, questions: usize) {
     let Ok(output) = Command::new("pdftotext")
         .args(["-layout", pdf, "-"])
         .output()
     else {
-        eprintln!("no pdftotext on this machine: printed pages were not read");
+        eprintln!("skipped: pdftotext was not found, so printed pages were not read");
         return;
     };
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -487,7 +486,7 @@ fn pages(pdf: &str, questions: usize) {
     let sure = |page: &&str| page.matches("How sure?").count();
     let asked: Vec<_> = pages[..key].iter().map(sure).collect();
     assert_eq!(asked.iter().sum::<usize>(), questions);
-    // No page without a question, and not many more pages than they need.
+    // Every page has a question, and there are not many more pages than necessary.
     assert!(asked.iter().all(|count| *count > 0), "{asked:?}");
     assert!(key <= 1 + questions / 2, "{key} pages for {questions}");
     assert_eq!(pages[key..].iter().map(sure).sum::<usize>(), 0);
@@ -499,7 +498,7 @@ fn written(arguments: &[&str]) {
 }
 
 #[test]
-fn another_version_asks_the_same_with_other_numbers() {
+fn another_version_has_the_same_questions_with_other_numbers() {
     for round in rounds() {
         let other = round.version(2);
         assert_eq!(
@@ -515,7 +514,7 @@ fn another_version_asks_the_same_with_other_numbers() {
             assert_eq!(forms[0], forms[1]);
             fresh += usize::from((&one.text, &one.form) != (&two.text, &two.form));
         }
-        // A topic may have no other question; that is rare.
+        // A topic may have no other question, but that is rare.
         assert!(
             10 * fresh >= 9 * round.questions().len(),
             "{}: {fresh}",
@@ -525,7 +524,7 @@ fn another_version_asks_the_same_with_other_numbers() {
 }
 
 #[test]
-fn versions_are_sheets_with_keys_of_their_own() {
+fn each_version_has_its_own_sheet_and_key() {
     let folder = Folder::new("versions");
     let out = folder.path().to_str().unwrap();
     written(&[
@@ -544,7 +543,7 @@ fn versions_are_sheets_with_keys_of_their_own() {
         let upper = letter.to_uppercase();
         assert!(sheet.contains(&format!("mixed-7, version {upper}")));
         assert!(sheet.contains("size: letter"));
-        // Only the first is what the code opens.
+        // The code opens only the first version on a screen.
         assert_eq!(sheet.contains("carrom quiz --code mixed-7"), on_screen);
         assert!(read(&format!("key-{letter}.md")).contains(&format!("version {upper}")));
         assert!(read(&format!("worksheet-{letter}.md")).contains(&format!("pictures-{letter}/")));
@@ -553,7 +552,7 @@ fn versions_are_sheets_with_keys_of_their_own() {
 }
 
 #[test]
-fn cards_are_four_to_a_sheet() {
+fn a_sheet_has_four_cards() {
     let folder = Folder::new("cards");
     written(&["--cards", "3", "--out", folder.path().to_str().unwrap()]);
     let page = fs::read_to_string(folder.path().join("cards.html")).unwrap();
@@ -561,9 +560,9 @@ fn cards_are_four_to_a_sheet() {
     assert_eq!(cards, ["A", "B", "C", "D"].repeat(3));
 }
 
-/// The command on a sheet of own questions opens the round, wherever the folder is.
+/// The command on a sheet of a teacher's own questions opens the round from any folder.
 #[test]
-fn the_command_on_a_sheet_of_own_questions_has_their_folder() {
+fn the_command_on_a_sheet_of_a_teachers_own_questions_gives_their_folder() {
     let folder = Folder::new("own sheet");
     let mine = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
     let copy = folder.path().join("my own");
@@ -587,7 +586,7 @@ fn the_command_on_a_sheet_of_own_questions_has_their_folder() {
     assert_eq!(words[at + 1], concepts);
 }
 
-/// A number and its unit, or an equation, are on one line.
+/// A number and its unit stay on one line, and so does an equation.
 #[test]
 fn no_line_breaks_before_a_unit() {
     let round = Round::of(Code::parse("mixed12-7").unwrap());

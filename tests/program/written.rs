@@ -1,4 +1,4 @@
-//! Files that carrom writes: none is replaced unasked, and none is left in part.
+//! Files that carrom writes: none is replaced without --force, and none is left incomplete.
 
 use std::fs;
 use std::path::Path;
@@ -21,7 +21,7 @@ fn err(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
-/// All files in a folder and the folders in it, with what they hold.
+/// All files in a folder and its subfolders, with their contents.
 fn all(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -37,7 +37,7 @@ fn all(folder: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 #[test]
-fn reports_and_figures_are_replaced_with_force_alone() {
+fn reports_and_figures_are_replaced_only_with_force() {
     let folder = Folder::new("written");
     for (arguments, file) in [
         (&["progress", "--report", "a.html"][..], "a.html"),
@@ -61,9 +61,9 @@ fn reports_and_figures_are_replaced_with_force_alone() {
     assert!(!folder.path().join("no").exists());
 }
 
-/// The folder of the pictures too belongs to whoever made it.
+/// Existing files in the folder of the pictures are protected too.
 #[test]
-fn pictures_beside_a_report_are_not_replaced_unasked() {
+fn pictures_beside_a_report_are_replaced_only_with_force() {
     let folder = Folder::new("written-pictures");
     let round = ["quiz", "--plain", "--code", "quick-3", "--data-dir", "data"];
     let mut child = Command::new(env!("CARGO_BIN_EXE_carrom"))
@@ -75,7 +75,7 @@ fn pictures_beside_a_report_are_not_replaced_unasked() {
         .unwrap();
     let mut said = child.stdin.take().unwrap();
     for _ in 0..40 {
-        // It may be over before.
+        // The program may have ended already.
         let _ = std::io::Write::write_all(&mut said, b"1\n");
     }
     drop(said);
@@ -94,7 +94,7 @@ fn pictures_beside_a_report_are_not_replaced_unasked() {
 }
 
 #[test]
-fn a_worksheet_leaves_nothing_of_the_one_before() {
+fn a_worksheet_leaves_no_file_of_the_previous_one() {
     let folder = Folder::new("written-worksheet");
     let sheet = |arguments: &[&str]| {
         let all = [&["worksheet", "--seed", "7", "--out", "w"], arguments].concat();
@@ -125,10 +125,10 @@ fn all_names(folder: &Path) -> Vec<String> {
     names.collect()
 }
 
-/// No disk can be filled here, so files may not become larger than 4 kB.
+/// The test cannot fill a disk, so it limits the size of files instead.
 #[cfg(unix)]
 #[test]
-fn on_a_full_disk_everything_stays_as_it_was() {
+fn a_failed_write_leaves_everything_unchanged() {
     let folder = Folder::new("written-full");
     let path = folder.path();
     fs::write(path.join("a.html"), "old").unwrap();
@@ -155,10 +155,10 @@ fn on_a_full_disk_everything_stays_as_it_was() {
     assert!(!path.join("new").exists());
 }
 
-/// What takes what is written to it is no file that could be replaced.
+/// A device is written to directly and never replaced.
 #[cfg(unix)]
 #[test]
-fn a_device_is_written_to() {
+fn output_to_a_device_is_written_directly() {
     let folder = Folder::new("written-device");
     let figure = ["figure", "lab", "--svg", "/dev/null"];
     let output = carrom(folder.path(), &figure);
@@ -167,7 +167,7 @@ fn a_device_is_written_to() {
     assert!(output.stdout.starts_with(b"<svg"), "{}", err(&output));
 }
 
-/// A link is followed, and stays one.
+/// A link is followed, and stays a link.
 #[cfg(unix)]
 #[test]
 fn the_target_of_a_link_is_replaced() {

@@ -1,5 +1,5 @@
-//! What is sent to a pupil's device while a question is open: all that is seen, and nothing
-//! of the answer.
+//! The message to a pupil's device while a question is open: it contains everything that is shown,
+//! and nothing about the answer.
 
 use carrom::class::{AskedQuestion, RevealedTruth};
 use carrom::quiz::{Dice, Difficulty, Family, Form, Illustration, Measure, Question, Rays};
@@ -7,7 +7,7 @@ use carrom::widgets::{Charset, Depth, Look, Palette, Theme, draw_question};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Questions of every family and every written item.
+/// Questions of every family, including every question in words.
 fn all() -> Vec<Question> {
     let mut all = Vec::new();
     for (family, difficulty) in Family::ALL
@@ -26,7 +26,7 @@ fn all() -> Vec<Question> {
     all
 }
 
-/// The same question with another answer, and nothing to be said to any.
+/// The same question with another right answer and without feedback.
 fn otherwise(question: &Question) -> Question {
     let mut other = question.clone();
     other.beliefs.clear();
@@ -55,7 +55,7 @@ fn messages_do_not_depend_on_the_answer() {
     for question in &all {
         let message = sent(question);
         assert_eq!(message, sent(&otherwise(question)), "{}", question.text);
-        // Neither is it there by another way.
+        // The message contains no feedback either.
         for says in question.beliefs.iter().map(|it| it.says.as_str()) {
             assert!(!message.contains(says), "{says}");
         }
@@ -72,10 +72,10 @@ fn messages_do_not_depend_on_the_answer() {
     }
 }
 
-/// A number that is asked for is in no figure of the message, unless the text or the picture
-/// gives it, too.
+/// No figure in the message is the number that the question asks for, unless the text also contains
+/// it.
 #[test]
-fn no_figure_that_is_sent_is_the_number_that_is_asked_for() {
+fn no_figure_in_the_message_is_the_right_number() {
     for question in all() {
         let Form::Number { quantity, truth } = &question.form else {
             continue;
@@ -128,8 +128,8 @@ fn a_device_shows_what_the_board_shows() {
         let [here, there_too] = [&question, &there].map(drawn);
         let pairs = here.content().iter().zip(there_too.content());
         let apart = pairs.filter(|(a, b)| a != b).count();
-        // Of a hit that was seen only the angles are sent: a dot may lie on the other side of
-        // its edge by the last bit of a sine.
+        // For a collision that has happened only the angles are sent, so a dot may be on the other
+        // side of an edge because of the last bit of a sine.
         let most = match question.picture {
             Illustration::After { .. } => 12,
             _ => 0,
@@ -140,7 +140,7 @@ fn a_device_shows_what_the_board_shows() {
             question.family.id(),
             question.text
         );
-        // Once it is told, all of the truth is there.
+        // Once the answer is revealed, the message contains the whole answer.
         let told = RevealedTruth::new(&question, question.why.clone(), Some(10.0));
         let told = serde_json::to_string(&told).unwrap();
         let told: RevealedTruth = serde_json::from_str(&told).unwrap();

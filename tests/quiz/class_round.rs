@@ -1,4 +1,4 @@
-//! A class round without a screen: votes, scores, what is kept and what is taken home.
+//! A class round without a screen: votes, scores, the saved file and the exported tables.
 
 use std::sync::Arc;
 
@@ -13,8 +13,8 @@ fn round(code: &str, teams: &[&str]) -> ClassRound {
     ClassRound::new(Code::parse(code).unwrap(), names)
 }
 
-/// Three teams: one always right, one that follows a misconception first and is right
-/// after talking, one that always follows the misconception.
+/// Three teams: one is always right, one first follows a misconception and is right after the
+/// discussion, and one always follows the misconception.
 fn played() -> ClassRound {
     let mut round = round("mixed-7", &["Ants", "=Bees", "Cats, \"C\""]);
     for i in 0..round.questions().len() {
@@ -43,21 +43,21 @@ fn the_second_vote_scores_and_the_first_is_kept() {
         assert!((first - 1.0 / 3.0).abs() < 1e-12 && (second - 2.0 / 3.0).abs() < 1e-12);
         let held = round.questions()[item.question].beliefs[0].misconception;
         assert_eq!(item.commonest, Some((held, 2)));
-        // Of the two that were wrong one has gained all there was.
+        // One of the two teams that were wrong changed to the right answer.
         assert!((item.gain.unwrap() - 0.5).abs() < 1e-12);
         assert_eq!(item.changed, Some([1, 0]));
         let all = item.counts.iter().map(|(_, counts)| *counts);
         let sum = all.fold([0, 0], |sum, it| [sum[0] + it[0], sum[1] + it[1]]);
         assert_eq!(sum, [3, 3]);
-        // Three are too few to say what tells them apart.
+        // Three teams are too few for a discrimination index.
         assert_eq!(item.discrimination, None);
     }
 }
 
-/// Ten on devices, half of them always right: what one question tells, the others tell too. Their
-/// number is what it takes to say so.
+/// Ten people on devices, half of them always right: every question discriminates equally. Ten is
+/// the smallest number for which the index is calculated.
 #[test]
-fn ten_are_enough_to_tell_them_apart() {
+fn ten_people_are_enough_for_a_discrimination_index() {
     let devices = |people: usize| {
         let mut round = ClassRound::with_devices(Code::parse("mixed-7").unwrap());
         round.open(JoinCode::of(7), None);
@@ -108,7 +108,7 @@ fn a_saved_round_is_resumed() {
     assert_eq!(again.begun(), round.questions().len());
 }
 
-/// What the class is called is kept, and stands at the end of each row of both tables.
+/// The name of the class is saved, and is at the end of each row of both tables.
 #[test]
 fn the_name_of_the_class_is_in_its_file_and_its_tables() {
     let named = played().of_class(" 10b\u{202e} \"x\" ");
@@ -182,10 +182,10 @@ fn a_bad_file_gives_a_message() {
     assert!(ClassRound::read("noise", &noise, &Arc::default()).is_err());
 }
 
-/// A vote that fits no question once kept the whole round from being opened, or ended carrom
+/// A vote that fits no question once prevented the whole round from opening, or made carrom crash
 /// when the round was shown.
 #[test]
-fn a_poisoned_vote_is_dropped_and_its_round_still_opens() {
+fn an_impossible_vote_is_dropped_and_its_round_still_opens() {
     let questions = [
         "first = [\"choice 1\", \"choice 99\"]\nsecond = [\"\", \"choice 18446744073709551615\"]",
         "first = [\"number 3\", \"rays NaN 3\"]\nsecond = []",
@@ -211,11 +211,11 @@ fn a_poisoned_vote_is_dropped_and_its_round_still_opens() {
         round.ballot(2, 1).vote(Vote::First),
         Some(Response::Choice(1))
     );
-    // What is written from now on is whole.
+    // The file that is written next contains no impossible votes.
     let text = round.text().unwrap();
     let again = ClassRound::read("again", text.as_bytes(), &Arc::default()).unwrap();
     assert_eq!(again.dropped_votes(), 0);
-    // Other changes that cannot be are still faults.
+    // Other impossible changes are still errors.
     let with = |line: &str| {
         let text = format!("{text}[[then]]\nchange = '{line}'\n");
         ClassRound::read("bad", text.as_bytes(), &Arc::default())
@@ -234,7 +234,7 @@ fn a_poisoned_vote_is_dropped_and_its_round_still_opens() {
     }
 }
 
-/// What was appended last may have been written in part.
+/// The line that was appended last may be incomplete.
 #[test]
 fn a_round_that_was_being_written_opens_without_its_last_line() {
     let mut round = ClassRound::with_devices(Code::parse("concept-1").unwrap());
@@ -265,9 +265,9 @@ fn a_round_that_was_being_written_opens_without_its_last_line() {
     assert_eq!(read.voted(0, Vote::First), 1);
 }
 
-/// A file holds a round as the changes that lead to it, whatever others have led there.
+/// A file stores a round as changes that lead to it, which need not be the changes that were made.
 #[test]
-fn a_round_of_any_history_is_read_as_it_was_written() {
+fn a_round_with_any_history_is_read_back_as_it_was_written() {
     let names = ["Ada", "ada", "Bo", "Bo 2", "Zo\u{eb}", "'\"\\", "=1+1"];
     let mut state = 7_u64;
     let mut below = |most: usize| {
@@ -316,10 +316,10 @@ fn a_round_of_any_history_is_read_as_it_was_written() {
     assert!(done > 1000, "{done} changes");
 }
 
-/// Names without a visible letter once were names; a file that holds some opens, and they can be
-/// told apart.
+/// Names without a visible letter were once allowed; files that contain them still open, and the
+/// people get different names.
 #[test]
-fn names_that_nobody_can_see_are_refused_but_their_files_open() {
+fn invisible_names_are_refused_but_files_that_contain_them_open() {
     for name in [
         "\u{2800}",
         "\u{3164}",
@@ -364,7 +364,7 @@ fn a_vote_of_another_kind_is_refused() {
     assert!(!round.is_begun());
 }
 
-/// Pupils on devices choose their names, and a file that was changed holds any.
+/// Pupils on devices choose their names, and an edited file may contain any name.
 #[test]
 fn no_name_or_class_becomes_a_formula_in_a_class_table() {
     let hostile = [
@@ -398,7 +398,7 @@ fn no_name_or_class_becomes_a_formula_in_a_class_table() {
 }
 
 #[test]
-fn the_tables_can_be_read_back_and_hold_no_formula() {
+fn the_tables_can_be_read_back_and_contain_no_formula() {
     let round = played();
     let answers = answers_csv(&round, "2026-11-22").unwrap();
     let rows: Vec<csv::StringRecord> = csv::Reader::from_reader(answers.as_bytes())

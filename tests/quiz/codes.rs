@@ -1,11 +1,10 @@
-//! Codes of rounds: the same code brings the same questions on every machine and in every
-//! version.
+//! Codes of rounds: the same code gives the same questions on every machine and in every version.
 
 use std::fmt::Write;
 
 use carrom::quiz::{Code, Difficulty, Family, Form, MIN_SEPARATION, Question, Round};
 
-/// All of a question that a player reads, with what it is answered by.
+/// The text of a question that a player reads, with the right answer.
 fn written(question: &Question) -> String {
     let form = &question.form;
     let mut text = format!(
@@ -23,11 +22,11 @@ fn written(question: &Question) -> String {
     text
 }
 
-/// Should one of these change, then codes that are on paper and in the heads of friends
-/// would bring other questions: a new kind of course is needed instead. (The texts may be
-/// mended; figures, families, order and choices may not.)
+/// If one of these changed, codes that have been printed or shared would give different questions.
+/// A new kind of course is required instead. (Texts may be improved; figures, families, order and
+/// choices must not change.)
 #[test]
-fn a_code_is_always_the_same_round() {
+fn a_code_always_gives_the_same_round() {
     let rounds = [
         "quick-7",
         "mixed-7",
@@ -62,7 +61,7 @@ fn a_code_determines_the_whole_round() {
 }
 
 #[test]
-fn a_mixed_round_asks_no_question_twice_and_no_family_before_all_have_come() {
+fn a_mixed_round_repeats_no_question_and_no_family_before_all_have_been_used() {
     for seed in 0..60 {
         let round = Round::of(Code::parse(&format!("mixed-{seed}")).unwrap());
         let families: Vec<Family> = round.questions().iter().map(|it| it.family).collect();
@@ -80,8 +79,8 @@ fn a_mixed_round_asks_no_question_twice_and_no_family_before_all_have_come() {
     }
 }
 
-/// Machines may differ in the last bit of a sine. Whether a question is clear enough to be
-/// asked must not hang on it.
+/// Machines may differ in the last bit of a sine. Whether a question is clear enough to be asked
+/// must not depend on it.
 #[test]
 fn no_question_depends_on_the_last_bit() {
     for family in Family::ALL {

@@ -1,10 +1,11 @@
-//! Finding out what somebody believes, and the mixed course in which every misconception is
-//! met: the same everywhere, and right about answers that follow one belief.
+//! The course that finds out what somebody believes, and the mixed course that tests for every
+//! misconception: both are the same on every machine, and name the misconception that answers
+//! follow.
 
 use carrom::progress::{Attempt, Summary};
 use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round};
 
-/// Answers a round by its code to the end.
+/// Answers the round with this code to the end.
 fn play(code: &str, answer: impl Fn(&Question) -> Response) -> (Round, Vec<Answer>) {
     let mut round = Round::of(Code::parse(code).unwrap());
     let mut answers = Vec::new();
@@ -23,7 +24,7 @@ fn look_back((round, answers): &(Round, Vec<Answer>)) -> Summary<'static> {
     Summary::new(Vec::leak(answered.map(attempt).collect()))
 }
 
-/// What somebody says who holds this, and is right otherwise.
+/// The answers of somebody who holds this misconception and otherwise answers correctly.
 fn holding(misconception: Misconception) -> impl Fn(&Question) -> Response {
     move |question| {
         let mut held = question.beliefs.iter();
@@ -37,7 +38,7 @@ fn right(question: &Question) -> Response {
 }
 
 #[test]
-fn the_same_answers_bring_the_same_questions() {
+fn the_same_answers_lead_to_the_same_questions() {
     for seed in [0, 7, 1234] {
         let code = format!("find-out-{seed}");
         let swapped = || play(&code, holding(Misconception::Swapped));
@@ -45,7 +46,7 @@ fn the_same_answers_bring_the_same_questions() {
         let (first, other) = (swapped().0, play(&code, right).0);
         assert_eq!(first.questions()[0], other.questions()[0]);
         assert_ne!(first.questions()[1..], other.questions()[1..]);
-        // What was answered already is never asked for again, nor does it change.
+        // Questions that were already answered are neither repeated nor changed.
         let (mut again, answers) = swapped();
         let before = again.clone();
         again.go_on(&answers);
@@ -89,7 +90,7 @@ fn consistent_wrong_answers_name_a_misconception_and_right_ones_none() {
             assert!((3..=12).contains(&summary.attempts.len()));
             let finding = summary.finding();
             assert!(finding[0].contains(misconception.name()), "{finding:?}");
-            // The answers that say so are named by their numbers.
+            // The finding lists the numbers of the questions that show it.
             let shows = |(_, it): &(usize, &Attempt)| it.shows() == Some(misconception);
             for (number, _) in (1..).zip(summary.attempts).filter(shows) {
                 assert!(finding[1].contains(&number.to_string()), "{finding:?}");
@@ -103,7 +104,7 @@ fn consistent_wrong_answers_name_a_misconception_and_right_ones_none() {
     }
 }
 
-/// A slip of algebra is called one: nobody believes it.
+/// A slip in algebra is called a slip, because nobody believes it.
 #[test]
 fn a_slip_is_not_reported_as_a_belief() {
     let finding = |misconception| {
@@ -122,14 +123,14 @@ fn a_slip_is_not_reported_as_a_belief() {
 }
 
 #[test]
-fn a_shorter_round_to_find_out_is_no_longer_than_its_code_says() {
+fn a_shorter_diagnosis_has_as_many_questions_as_its_code_says() {
     let (round, answers) = play("find-out4-7", right);
     assert_eq!((round.questions().len(), answers.len()), (4, 4));
 }
 
-/// In twenty questions there are answers enough to name each that is common.
+/// Twenty questions give enough answers to name each common misconception.
 #[test]
-fn a_mixed_round_meets_every_common_misconception_often_enough() {
+fn a_mixed_round_tests_every_common_misconception_often_enough() {
     for seed in 0..40 {
         let round = Round::of(Code::parse(&format!("even20-{seed}")).unwrap());
         assert_eq!(round.questions().len(), 20);
@@ -153,7 +154,7 @@ fn a_mixed_round_meets_every_common_misconception_often_enough() {
 }
 
 #[test]
-fn a_check_asks_what_can_show_it() {
+fn a_check_asks_questions_that_can_show_the_misconception() {
     for &misconception in Misconception::ALL {
         for seed in 0..3 {
             let code = format!("{}-{seed}", misconception.id());
@@ -161,7 +162,7 @@ fn a_check_asks_what_can_show_it() {
             assert_eq!(round.code().to_string(), code);
             assert_eq!(round.questions().len(), 2, "{code}");
             assert_ne!(round.questions()[0].text, round.questions()[1].text);
-            // What was split from it is asked by its code as before.
+            // Its code still tests for the misconceptions that were split from it.
             let is_it =
                 |it: Misconception| it == misconception || it.in_codes() == Some(misconception);
             for question in round.questions() {

@@ -1,8 +1,8 @@
-//! Which answers fit the form of a question.
+//! Which answers the form of a question accepts.
 
 use carrom::quiz::{Code, Form, Rays, Response, Round};
 
-/// The forms of many rounds, each with what is said to it in earnest: the truth, and what
+/// The forms of many rounds, each with realistic answers: the right one, and those that
 /// misconceptions lead to.
 fn asked() -> Vec<(Form, Vec<Response>)> {
     let codes = (1..=60)
@@ -18,7 +18,7 @@ fn asked() -> Vec<(Form, Vec<Response>)> {
 }
 
 #[test]
-fn every_form_accepts_its_truth_and_its_beliefs_however_they_are_kept() {
+fn every_form_accepts_its_true_answer_and_those_of_misconceptions_also_when_stored() {
     for (form, said) in asked() {
         for said in said {
             assert!(form.accepts(&said), "{said:?} {form:?}");
@@ -29,7 +29,7 @@ fn every_form_accepts_its_truth_and_its_beliefs_however_they_are_kept() {
 }
 
 #[test]
-fn no_form_accepts_what_is_out_of_its_range_or_of_another_kind() {
+fn no_form_accepts_an_answer_out_of_range_or_of_another_kind() {
     let mut kinds = [0; 4];
     for (form, _) in asked() {
         let kind = match form {

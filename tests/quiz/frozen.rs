@@ -1,13 +1,13 @@
-//! Two kinds of snapshots of the questions that seeds and codes bring.
+//! Two kinds of snapshots of the questions that seeds and codes give.
 //!
-//! The draws are a format: a code must bring the same round in every version. One hash a family
-//! holds all of them but the words: figures, truth, the order of the choices, what misconceptions
-//! answer. None of these hashes may ever change. A misconception counts as existing codes count it,
-//! for one that was split keeps its draws. With `CARROM_QUESTIONS` set to a folder, what is
-//! hashed is written there, one JSON object a line and one file a family, so that two versions can
-//! be compared.
+//! The draws are a format: a code must give the same round in every version. One hash per family
+//! covers everything except the texts: figures, the right answer, the order of the choices and the
+//! answers of misconceptions. None of these hashes may ever change. Misconceptions are counted as
+//! existing codes count them, because one that was split keeps its draws. If `CARROM_QUESTIONS` is
+//! set to a folder, the hashed data are written there, one JSON object per line and one file per
+//! family, so that two versions can be compared.
 //!
-//! The words may change; each change is seen in one text file a family.
+//! The texts may change; each change shows up in one snapshot with a section per family.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -18,7 +18,7 @@ use carrom::quiz::{
 };
 use serde_json::{Value, json};
 
-/// Numbers are held to twelve figures: machines differ in the last bit of a sine.
+/// Numbers are compared to twelve figures, because machines differ in the last bit of a sine.
 fn number(x: f64) -> Value {
     if x.abs() < 1e-12 {
         return json!("0");
@@ -66,7 +66,7 @@ fn picture(picture: &Illustration) -> Value {
         }),
         Illustration::After { collision: it } => json!({ "after": collision(it) }),
         Illustration::Tracks { rutherford, angles } => json!({
-            // In femtometres, for what is nearly nothing is written as nothing.
+            // In femtometres, because a number near 0 is written as 0.
             "approach": number(1e15 * rutherford.head_on_approach),
             "angles": angles.map(number),
         }),
@@ -93,7 +93,7 @@ fn form(form: &Form) -> Value {
     }
 }
 
-/// All of a question but its words.
+/// All of a question except its texts.
 fn drawn(question: &Question) -> Value {
     let mut replies: BTreeSet<usize> = question.replies.keys().copied().collect();
     let mut beliefs: Vec<Value> = Vec::new();
@@ -107,7 +107,7 @@ fn drawn(question: &Question) -> Value {
             (None, Response::Choice(choice)) => {
                 replies.insert(choice);
             }
-            (None, _) => panic!("{}: codes do not know it", it.misconception.id()),
+            (None, _) => panic!("{}: unknown to codes", it.misconception.id()),
         }
     }
     json!({
@@ -122,8 +122,8 @@ fn drawn(question: &Question) -> Value {
     })
 }
 
-/// The questions of a family, one a line: with the draws each took, and what the dice
-/// bring next.
+/// The questions of a family, one per line, each with the number of draws it took and the next
+/// number of the dice.
 fn lines(family: Family, seeds: u64) -> String {
     let mut text = String::new();
     for (difficulty, seed) in Difficulty::ALL
@@ -143,14 +143,15 @@ fn lines(family: Family, seeds: u64) -> String {
     text
 }
 
-/// FNV-1a of 64 bits.
+/// The 64-bit FNV-1a hash.
 fn hash(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     })
 }
 
-/// A text under a name, and its hash; written to a file where that is wanted.
+/// The hash of a text, after the text's name. The text is written to a file if `CARROM_QUESTIONS`
+/// is set.
 fn kept(name: &str, text: &str) -> String {
     if let Some(folder) = std::env::var_os("CARROM_QUESTIONS") {
         let path = PathBuf::from(folder).join(format!("{name}.jsonl"));
@@ -159,11 +160,11 @@ fn kept(name: &str, text: &str) -> String {
     format!("{name} {:016x}", hash(text))
 }
 
-/// The families whose codes are about. One that is added later is frozen once it is published,
-/// in a snapshot of its own.
+/// The number of families with published codes. A family that is added later is frozen once it is
+/// published, in a separate snapshot.
 const FROZEN: usize = 17;
 
-/// The hash of every family with so many seeds at each difficulty.
+/// The hash of every family with this many seeds at each difficulty.
 fn families(seeds: u64) -> String {
     let (first, second): (Vec<_>, Vec<_>) = Family::ALL[..FROZEN]
         .iter()
@@ -192,14 +193,14 @@ fn a_seed_always_gives_the_same_question() {
     insta::assert_snapshot!("families", families(500));
 }
 
-/// Four times as many: for whoever changes what draws a question.
+/// Four times as many seeds, to be run after changes to the drawing of questions.
 #[test]
 #[ignore = "takes as long as all other tests of the quiz; CI runs it"]
 fn two_thousand_seeds_always_give_the_same_questions() {
     insta::assert_snapshot!("two-thousand", families(2_000));
 }
 
-/// The rounds of these codes, one a line.
+/// The rounds of these codes, one per line.
 fn rounds(codes: &[&str]) -> String {
     let mut text = String::new();
     for code in codes {
@@ -242,7 +243,7 @@ fn a_code_of_the_even_course_always_gives_the_same_round() {
     insta::assert_snapshot!("codes-even", kept("codes-even", &text));
 }
 
-/// The words of a question, each with what they are for.
+/// The texts of a question, each with its role.
 fn words(question: &Question) -> Vec<(String, &str)> {
     let mut words = vec![
         ("asks".to_owned(), question.text.as_str()),
@@ -258,8 +259,8 @@ fn words(question: &Question) -> Vec<(String, &str)> {
     words
 }
 
-/// A text with every number as its form: "18.0°" and "7.5°" are both "#.0°", so that what
-/// differs in figures alone is the same text.
+/// A text with every number replaced by its format: "18.0°" and "7.5°" both become "#.0°", so that
+/// texts that differ only in figures are equal.
 fn without_figures(text: &str) -> String {
     let mut result = String::new();
     let mut decimals = false;
@@ -277,9 +278,9 @@ fn without_figures(text: &str) -> String {
     result
 }
 
-/// Those of the written questions stand in `assets/concepts`.
+/// The texts of questions in words are in `assets/concepts` and are left out.
 #[test]
-fn the_words_of_each_family() {
+fn the_words_of_each_family_are_unchanged() {
     let mut text = String::new();
     let written = [Family::Concept, Family::Ideas];
     let families = Family::ALL.iter().filter(|it| !written.contains(it));

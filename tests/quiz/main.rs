@@ -1,5 +1,5 @@
-//! The quiz without a screen: every family of questions, whole rounds, their codes, and a
-//! round of a class.
+//! The quiz without a screen: every family of questions, whole rounds, their codes, and class
+//! rounds.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -1,20 +1,21 @@
-//! How hard the texts are to read: the Flesch–Kincaid grade, which is about the number of school
-//! years that a reader needs. Formulas, numbers, tables, headings and directives are left out.
+//! How hard the texts are to read: the Flesch–Kincaid grade, which is roughly the number of years
+//! of schooling that a reader needs. Formulas, numbers, tables, headings and directives are left
+//! out.
 
 use std::fs;
 use std::path::Path;
 
 use carrom::quiz::{Dice, Difficulty, Family, concepts};
 
-/// Short words of formulas and units.
+/// Short words in formulas, and units.
 const SYMBOLS: [&str; 9] = ["mm", "kg", "fm", "mj", "ms", "mev", "sin", "cos", "tan"];
 
-/// Words in which two vowels beside each other are two syllables.
+/// Parts of words in which two adjacent vowels are two syllables.
 const APART: [&str; 9] = [
     "ia", "iu", "area", "idea", "being", "going", "ratio", "react", "create",
 ];
 
-/// A word in small letters; `None` for a part of a formula, a number or a unit.
+/// A word in lower case; `None` for a part of a formula, a number or a unit.
 fn word(token: &str) -> Option<String> {
     let token = token.trim_matches(|c: char| !c.is_alphanumeric() && c != '°');
     let word = token.to_lowercase();
@@ -24,7 +25,7 @@ fn word(token: &str) -> Option<String> {
     (!is_left_out && word.chars().all(is_word)).then_some(word)
 }
 
-/// Syllables, counted by groups of vowels without silent endings.
+/// The number of syllables, counted as groups of vowels without silent endings.
 fn syllables(word: &str) -> usize {
     let of_part = |part: &str| {
         let is_vowel = |c: char| "aeiouy".contains(c);
@@ -111,7 +112,7 @@ fn paragraphs(chapter: &str) -> Vec<String> {
     paragraphs.iter().map(without).collect()
 }
 
-/// Fails unless the grade is at most so high; prints it.
+/// Prints a grade; returns a message if it is more than `most`.
 fn assert_readable(name: &str, grade: f64, most: f64) -> Option<String> {
     println!("{name:<40}{grade:5.1}");
     (grade > most).then(|| format!("{name}: grade {grade:.1}, more than {most}"))

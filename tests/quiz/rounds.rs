@@ -1,5 +1,5 @@
-//! Rounds of the quiz over thousands of seeds: the truth is the truth, every
-//! misconception is known by its answer, every text can be read.
+//! Rounds of the quiz over thousands of seeds: the true answer is right, every misconception is
+//! recognised by its answer, and every text is readable.
 
 use std::sync::LazyLock;
 
@@ -25,7 +25,7 @@ fn drawn() -> impl Iterator<Item = Hit> {
     (0..SEEDS).flat_map(hits).map(|(_, hit)| hit)
 }
 
-/// The rays that are true for a question of this family.
+/// The true rays of a question.
 fn truth(question: &Question) -> Rays {
     match question.form.truth() {
         Response::Rays(rays) => rays,
@@ -41,7 +41,7 @@ fn side(question: &Question) -> f64 {
     }
 }
 
-/// What misconceptions make of a question, with the ray that gives each away.
+/// The rays that misconceptions lead to, with the ray that reveals each by itself.
 fn beliefs(question: &Question) -> impl Iterator<Item = (Misconception, Rays, Option<Ray>)> {
     question.beliefs.iter().map(|belief| match belief.said {
         Response::Rays(rays) => (belief.misconception, rays, belief.telltale),
@@ -58,20 +58,20 @@ fn turn(a: DVec2, b: DVec2) -> Option<f64> {
     (b.length() > 1e-9 * a.length()).then(|| a.perp_dot(b).atan2(a.dot(b)))
 }
 
-/// Where the two go, by an impulse along the line of centres.
+/// Where the two discs go, calculated from an impulse along the line of centres.
 fn by_impulse(question: &Hit) -> Rays {
     let (m1, r1, m2, r2) = match question.pieces {
         Pieces::Equal => (15.0, 15.0, 15.0, 15.0),
         Pieces::Tournament => (15.0, 20.65, 5.5, 15.9),
         Pieces::Marbles => (20.0, 12.4, 40.0, 15.6),
-        Pieces::Own { .. } => unreachable!("no round asks about own pieces"),
+        Pieces::Own { .. } => unreachable!("no round asks about discs set in the lab"),
     };
     let u = question.speed * DVec2::from_angle(question.direction_deg.to_radians());
     let sine = match question.given {
         ImpactPoint::Angle { alpha_deg } => alpha_deg.to_radians().sin(),
         ImpactPoint::Offset { offset_mm } => offset_mm / (r1 + r2),
     };
-    // The target's centre lies `sine` of the way to the right of the path.
+    // The target's centre lies to the right of the path by `sine` times the contact distance.
     let right = DVec2::new(u.y, -u.x) / question.speed;
     let normal = u / question.speed * (1.0 - sine * sine).sqrt() + right * sine;
     let impulse = (1.0 + question.restitution) * u.dot(normal) / (1.0 / m1 + 1.0 / m2);
@@ -82,7 +82,7 @@ fn by_impulse(question: &Hit) -> Rays {
 }
 
 #[test]
-fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
+fn the_true_rays_follow_from_an_impulse_along_the_line_of_centres() {
     for question in drawn() {
         let gap = question.truth().gap(&by_impulse(&question));
         assert!(gap < 1e-9, "{question:?}: off by {gap}");
@@ -103,7 +103,7 @@ fn the_right_answer_earns_full_credit_and_is_never_diagnosed() {
 }
 
 #[test]
-fn each_misconception_is_known_by_its_answer() {
+fn each_misconception_is_recognised_by_its_answer() {
     let mut met = [0; ALL.len()];
     for question in questions() {
         for belief in &question.beliefs {
@@ -117,12 +117,12 @@ fn each_misconception_is_known_by_its_answer() {
         }
     }
     for (misconception, times) in ALL.into_iter().zip(met) {
-        assert!(times > 100, "{misconception:?} was met {times} times");
+        assert!(times > 100, "{misconception:?} occurred {times} times");
     }
 }
 
 #[test]
-fn a_slip_of_the_hand_changes_no_diagnosis() {
+fn a_small_inaccuracy_changes_no_diagnosis() {
     let slip = 0.99 * RIGHT_DEG.to_radians();
     let nudged = |rays: Rays, a: f64, b: f64| Rays {
         striker: rays.striker.map(|angle| angle + a * slip),
@@ -142,7 +142,7 @@ fn a_slip_of_the_hand_changes_no_diagnosis() {
 }
 
 #[test]
-fn one_ray_that_gives_a_misconception_away_is_enough() {
+fn one_ray_that_reveals_a_misconception_is_enough() {
     for question in questions().take(2_000) {
         for (_, held, telltale) in beliefs(question) {
             let Some(ray) = telltale else {
@@ -165,7 +165,7 @@ fn one_ray_that_gives_a_misconception_away_is_enough() {
     }
 }
 
-/// As long as the panel beside the picture can take, even spelt out in ASCII.
+/// Fails unless the text fits the panel beside the picture, even spelt out in ASCII.
 fn assert_readable(text: &str, lines: usize) {
     for stranger in ["NaN", "inf", "-0.0", "  ", " -1", "{", "}"] {
         assert!(!text.contains(stranger), "{stranger:?} in {text:?}");
@@ -181,7 +181,7 @@ fn assert_readable(text: &str, lines: usize) {
 }
 
 #[test]
-fn every_text_can_be_read() {
+fn every_text_is_readable_and_fits() {
     let angles = [
         None,
         Some(-3.0),
@@ -208,7 +208,7 @@ fn every_text_can_be_read() {
 }
 
 #[test]
-fn a_round_is_ten_different_questions() {
+fn a_round_has_ten_different_questions() {
     let mut left = 0;
     for (seed, round) in (0..).zip(ROUNDS.iter()) {
         assert_eq!(round.code().seed, seed);
@@ -218,12 +218,13 @@ fn a_round_is_ten_different_questions() {
             left += usize::from(side(question) < 0.0);
         }
     }
-    // Nine questions in ten have a side; five standard deviations about a half.
+    // Nine questions in ten have a side. The range is five standard deviations around a half of
+    // these.
     assert!((8_660..9_340).contains(&left), "{left}");
 }
 
 #[test]
-fn a_code_is_always_the_same_round() {
+fn a_code_always_gives_the_same_round() {
     let rounds = [0, 1, 7, 42, 999_999, u64::MAX].map(|seed| {
         let round = Round::hits(seed);
         let questions = round.questions().iter().map(|question| {
@@ -235,7 +236,7 @@ fn a_code_is_always_the_same_round() {
     insta::assert_snapshot!("rounds", rounds.join("\n"));
 }
 
-/// The answers to a round as they are kept.
+/// The summary of the answers to a round.
 fn summary(round: &Round, answers: &[Answer]) -> Summary<'static> {
     let answered = (1..).zip(round.questions().iter().zip(answers));
     let attempt = |(number, (question, answer)): (u32, (&Question, &Answer))| {
@@ -245,7 +246,7 @@ fn summary(round: &Round, answers: &[Answer]) -> Summary<'static> {
 }
 
 #[test]
-fn a_round_of_one_belief_names_it() {
+fn a_round_answered_according_to_one_misconception_names_it() {
     for misconception in ALL {
         for round in &ROUNDS[..50] {
             let answers: Vec<Answer> = round
@@ -258,13 +259,13 @@ fn a_round_of_one_belief_names_it() {
                 .collect();
             let summary = summary(round, &answers);
             let met = round.questions().len() - summary.right();
-            // One answer alone names nothing.
+            // A single answer is not enough to name a misconception.
             if met > 1 {
                 assert_eq!(summary.most_held(), Some((misconception, met)));
             } else {
                 assert_eq!(summary.most_held(), None);
             }
-            // The points are the sum of those of the questions, below zero too.
+            // The points are the sum of the points of all questions, including negative ones.
             let each = summary.attempts.iter().map(Attempt::earned);
             let sum: f64 = each.sum();
             assert!((summary.points() - sum).abs() < 0.051 * answers.len() as f64);
@@ -274,7 +275,7 @@ fn a_round_of_one_belief_names_it() {
 }
 
 #[test]
-fn the_summary_of_a_perfect_round_and_of_none() {
+fn the_summaries_of_a_perfect_round_and_of_no_answers_are_right() {
     let round = Round::hits(3);
     let answers: Vec<Answer> = round.questions().iter().map(|q| sure(truth(q))).collect();
     let summary = summary(&round, &answers);

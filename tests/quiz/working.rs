@@ -1,15 +1,15 @@
-//! The working in explanations, calculated again: what is printed gives what is printed.
+//! The working in explanations, calculated again: the printed steps must give the printed results.
 
 use std::collections::BTreeMap;
 
 use carrom::quiz::{Dice, Difficulty, Family};
 
-/// Seeds asked at each difficulty.
+/// How many seeds are tried at each difficulty.
 const SEEDS: u64 = 400;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Token {
-    /// A number and its decimals.
+    /// A number and its number of decimals.
     Number(f64, i32),
     Function(char),
     Root(f64),
@@ -17,13 +17,13 @@ enum Token {
     Sign(char),
     Degrees,
     Percent,
-    /// A quantity without a value here.
+    /// A quantity whose value is unknown here.
     Symbol,
     /// A word, or a mark that ends the working.
     End,
 }
 
-/// The tokens of a text with the values of θ₁ and θ₂, each with where it begins.
+/// The tokens of a text with these values of θ₁ and θ₂, each with its position.
 fn tokens(text: &str, readings: [Option<f64>; 2]) -> Vec<(usize, Token)> {
     const FIXED: [(&str, Option<Token>); 31] = [
         ("g m/s", None),
@@ -210,7 +210,7 @@ fn agree(value: f64, (x, half): (f64, f64)) -> bool {
     (value - x).abs() <= half * (1.0 + 1e-9) + 1e-12
 }
 
-/// How many equations of a text are between numbers; a message for the first that is wrong.
+/// The number of equations between numbers in a text, or a message about the first wrong one.
 fn check_equations(text: &str, readings: [Option<f64>; 2]) -> Result<usize, String> {
     let tokens = tokens(text, readings);
     let mut checked = 0;
@@ -231,7 +231,7 @@ fn check_equations(text: &str, readings: [Option<f64>; 2]) -> Result<usize, Stri
     Ok(checked)
 }
 
-/// What follows a mark in a text, up to where the working ends: the value of its last side.
+/// The value of the last side of the equation that follows a mark in a text.
 fn last_side(text: &str, mark: &str, readings: [Option<f64>; 2]) -> Option<f64> {
     let (_, after) = text.split_once(mark)?;
     let tokens = tokens(after, readings);
@@ -240,7 +240,7 @@ fn last_side(text: &str, mark: &str, readings: [Option<f64>; 2]) -> Option<f64> 
     sides.map(bare).rev().find_map(|side| value(&side))
 }
 
-/// The same for an angle that is found from its sine, cosine or tangent.
+/// Like [`check_equations`], for angles that are found from a sine, cosine or tangent.
 fn check_inverses(text: &str) -> Result<usize, String> {
     type Inverse = fn(f64) -> f64;
     const INVERSES: [(&str, Inverse, &str); 7] = [
@@ -268,7 +268,7 @@ fn check_inverses(text: &str) -> Result<usize, String> {
         let tokens = tokens(angle, [None; 2]);
         let angle = tokens.split(|(_, token)| *token == Token::End).next();
         let angle = angle.and_then(|it| printed(&bare(it))).ok_or(text)?;
-        // Of a tangent below 0 the angle is obtuse.
+        // An angle with a negative tangent is obtuse.
         let found = match inverse(side).to_degrees() {
             below if below < 0.0 => below + 180.0,
             found => found,
@@ -344,12 +344,16 @@ fn printed_steps_give_the_printed_result() {
     assert!(wrong.is_empty(), "{}: {first:#?}", wrong.len());
     for family in Family::ALL {
         let found = checked.get(family.id()).copied().unwrap_or(0);
-        assert!(found >= 50, "{}: {found} of all checked", family.id());
+        assert!(
+            found >= 50,
+            "{}: only {found} equations checked",
+            family.id()
+        );
     }
 }
 
 #[test]
-fn the_checker_finds_faults() {
+fn the_checker_finds_wrong_equations() {
     let none = [None; 2];
     for (good, equations) in [
         ("So 90° − 35.0° = 55.0°.", 1),

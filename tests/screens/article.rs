@@ -1,5 +1,5 @@
-//! What the chapters owe: every figure of the article that they follow, and every equation
-//! that it lost, is to be seen on a page, and each figure there is the engine's.
+//! The chapters are complete: every number in the article that they follow, and every equation that
+//! it lacks, is shown on a page, and the engine computes each number.
 
 use std::collections::BTreeMap;
 
@@ -25,11 +25,11 @@ const OFFSET: &str = "the-impact-parameter";
 const REAL: &str = "A real striker";
 const FAST: &str = "Which way, how fast?";
 
-/// A figure as it stands in the chapter's file, where the engine computes it again when
-/// the file is read, and as it is said on the screen.
+/// A number as it is written in the chapter's file, where the engine checks it when the file is
+/// read, and as the screen shows it.
 type Figure = (&'static str, &'static str);
 
-/// The figures that the article quotes, by chapter and page.
+/// The numbers that the article quotes, by chapter and page.
 const FIGURES: [(&str, &str, &[Figure]); 11] = [
     // 15 g on 15 g at 4 m/s and 30°: 2 m/s at 60°, 2√3 m/s at 30°, 90° apart.
     (
@@ -79,10 +79,13 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
             ("{v2: 1.41}", "about 1.41 m/s"),
             ("{theta1_deg marbles: 63.4}", "gives 63.4°"),
             ("{theta2_deg marbles: 45}", "at 45°."),
-            ("{separation_deg marbles: 108.4}", "them: 108.4°"),
+            (
+                "{separation_deg marbles: 108.4}",
+                "between the paths is 108.4°",
+            ),
         ],
     ),
-    // Equal masses share the energy half and half at α = 45°.
+    // Equal masses share the energy equally at α = 45°.
     (
         SPEEDS,
         "Half and half",
@@ -99,7 +102,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
         "From the offset",
         &[("{theta1_deg radius: 60}", "deflected by 60°")],
     ),
-    // What the article leaves out: masses as on a real board.
+    // Numbers that the article omits: masses as on a real board.
     (
         OFFSET,
         REAL,
@@ -110,7 +113,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
         "The greatest deflection",
         &[("{largest_deflection_deg real: 21.5}", "21.5°, at α = 34°")],
     ),
-    // Rutherford's 1/sin⁴, and what was counted.
+    // Rutherford's 1/sin⁴, and the measured counts.
     (
         ATOM,
         "How many, and where",
@@ -135,8 +138,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
     ),
 ];
 
-/// The equations that the article refers to and does not show, by the chapters and pages
-/// where they are set.
+/// The equations that the article refers to but does not show, by chapter and page.
 const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     (
         "momentum-is-a-vector",
@@ -227,7 +229,7 @@ const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     ),
 ];
 
-/// What a page shows, before its question is answered and after.
+/// What a page shows before and after its question is answered.
 #[derive(Default)]
 struct Seen {
     /// The text in one line.
@@ -236,7 +238,7 @@ struct Seen {
     rows: Vec<String>,
 }
 
-/// The text on a screen: what stands in the last of the frames side by side.
+/// The text on a screen: the content of the rightmost frame.
 fn text_on(screen: &str) -> Vec<String> {
     let rows: Vec<Vec<char>> = screen.lines().map(|row| row.chars().collect()).collect();
     let corners = [['+', '+'], ['╮', '╭']];
@@ -253,7 +255,7 @@ fn text_on(screen: &str) -> Vec<String> {
     text.map(|row| row.trim().to_owned()).collect()
 }
 
-/// Every page of every chapter as it is drawn, by chapter and title.
+/// The drawn pages of all chapters, by chapter and title.
 fn walk(charset: Charset) -> BTreeMap<(String, String), Seen> {
     let mut pages = BTreeMap::new();
     for (number, chapter) in ChapterLibrary::embedded_once().chapters.iter().enumerate() {
@@ -305,7 +307,7 @@ fn source(id: &str, title: &str) -> String {
 }
 
 #[test]
-fn every_figure_of_the_article_is_seen_where_it_belongs() {
+fn every_number_of_the_article_is_shown_on_its_page() {
     for charset in [Charset::Unicode, Charset::Ascii] {
         let pages = walk(charset);
         for (id, title, figures) in FIGURES {
@@ -314,16 +316,16 @@ fn every_figure_of_the_article_is_seen_where_it_belongs() {
                 let said = charset.text(said);
                 assert!(
                     seen.contains(&*said),
-                    "{id}, {title}: {said} is not to be seen in\n{seen}"
+                    "{id}, {title}: {said} is not shown in\n{seen}"
                 );
             }
         }
     }
 }
 
-/// A figure is computed if the chapter does not open with any other in its place.
+/// A number counts as computed if the chapter is refused with a different number.
 #[test]
-fn every_figure_of_the_article_is_computed() {
+fn every_number_of_the_article_is_computed() {
     let figures = FIGURES.iter().flat_map(|(id, title, figures)| {
         figures
             .iter()
@@ -360,7 +362,7 @@ fn formulas(blocks: &[TextBlock]) -> impl Iterator<Item = &Formula> {
 }
 
 #[test]
-fn every_equation_that_the_article_lost_is_seen() {
+fn every_equation_that_the_article_lacks_is_shown() {
     for charset in [Charset::Unicode, Charset::Ascii] {
         let pages = walk(charset);
         for (id, title, equations) in EQUATIONS {
@@ -377,7 +379,7 @@ fn every_equation_that_the_article_lost_is_seen() {
                 let set: Vec<_> = set.iter().map(|row| row.trim()).collect();
                 assert!(
                     seen.windows(set.len()).any(|rows| rows == set),
-                    "{id}, {title}: {equation} is not to be seen in\n{}",
+                    "{id}, {title}: {equation} is not shown in\n{}",
                     seen.join("\n")
                 );
             }
@@ -385,7 +387,8 @@ fn every_equation_that_the_article_lost_is_seen() {
     }
 }
 
-/// No number beside them says whether the equations that give an angle are the engine's.
+/// The chapters print no number that would show whether the equations for an angle agree with the
+/// engine.
 #[test]
 fn the_equations_of_the_angle_agree_with_the_engine() {
     let disc = Disc::from_g_mm(15.0, 15.0);

@@ -17,7 +17,7 @@ use carrom::widgets::Charset;
 use crate::folder::Folder;
 use crate::keys;
 
-/// The keys with which a team says this; a choice is one key.
+/// The keys with which a team enters this answer; a choice is one key.
 fn said(form: &Form, said: &Response) -> String {
     let keys = keys::said(form, said);
     match form {
@@ -52,12 +52,12 @@ fn records(text: &str) -> Vec<csv::StringRecord> {
     reader.records().map(Result::unwrap).collect()
 }
 
-/// The only file of `folder` whose name begins so.
+/// The only file in `folder` whose name begins with `name`.
 fn exported(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join("exports").join(name)).unwrap()
 }
 
-/// The rounds that are kept.
+/// The saved rounds.
 fn kept(folder: &Path) -> Vec<ClassRound> {
     let request = StoreCall {
         ticket: 0,
@@ -72,10 +72,10 @@ fn kept(folder: &Path) -> Vec<ClassRound> {
     }
 }
 
-/// Three teams: one always right; one that follows a misconception and is right after
-/// talking; one that follows it throughout.
+/// Of three teams, one is always right, one follows a misconception until the discussion, and one
+/// follows it throughout.
 #[test]
-fn three_teams_play_a_round_to_its_tables() {
+fn three_teams_play_a_round_and_get_its_tables() {
     let folder = Folder::new("class-round");
     let code = "mixed-7";
     let mut game = class(folder.path(), code, &["Ants", "=Bees()", "Cats"]);
@@ -144,13 +144,13 @@ fn three_teams_play_a_round_to_its_tables() {
     let items = records(&exported(folder.path(), "class-items-1.csv"));
     assert_eq!(items.len(), round.questions().len());
     for (row, question) in items.iter().zip(round.questions()) {
-        // 3 votes, one of them right; after talking two.
+        // 3 votes, one of them right; two are right after the discussion.
         assert_eq!((&row[6], &row[7]), ("3", "0.333"));
         assert_eq!((&row[10], &row[11]), ("3", "0.667"));
         let held = question.beliefs[0].misconception.id();
         assert_eq!((&row[15], &row[16]), (held, "2"));
     }
-    // None of it is a player's own record.
+    // None of the votes is recorded as a player's own answer.
     assert!(game.attempts().is_empty());
 }
 
@@ -169,7 +169,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
         game.screen()
     );
     game.press("<Enter>100<Enter>-100<Enter>");
-    // Talk, second vote, shot, scores.
+    // The discussion, the second vote, the shot, the scores.
     game.press("<Enter><Enter><Enter>");
     if !game.screen().contains("after talking") {
         game.press("<End>");
@@ -184,7 +184,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
         (before[0] - 10.0).abs() < 1e-9 && before[1] < 1.0,
         "{before:?}"
     );
-    // From the next question back to the first one, to its first vote.
+    // These keys go from the next question back to the first vote on the first one.
     game.press("<Enter>");
     assert!(game.screen().contains("question 2 of 2"));
     game.press("[");
@@ -196,16 +196,19 @@ fn going_back_corrects_a_vote_and_the_scores() {
         game.screen()
     );
     game.press("2");
-    assert!(!game.screen().contains("100.0"), "the class sees it");
+    assert!(
+        !game.screen().contains("100.0"),
+        "the class must not see the vote"
+    );
     game.press("v");
     assert!(
         game.screen().contains("100.0"),
-        "its own vote, to be corrected"
+        "the team corrects its own vote"
     );
     game.press(&truth);
     let after = points(folder.path());
     assert!((after[1] - 10.0).abs() < 1e-9, "{after:?}");
-    // A vote can be taken back altogether.
+    // A vote can be withdrawn.
     game.press("<Up>x");
     assert!(game.screen().contains("2 Bees [ ]"), "{}", game.screen());
     game.press("]");
@@ -214,14 +217,14 @@ fn going_back_corrects_a_vote_and_the_scores() {
         "{}",
         game.screen()
     );
-    // And never to what has not been reached.
+    // The key never leads to a question that has not been reached.
     game.press("]]");
     assert!(game.screen().contains("question 2 of 2"));
 }
 
-/// A tap on the words of a choice is the vote for it, on whichever page of the question it stands.
+/// A tap on the text of a choice is a vote for it, on every page of the question.
 #[test]
-fn a_tap_on_a_choice_is_the_vote_for_it() {
+fn a_tap_on_a_choice_is_a_vote_for_it() {
     let code = "concept1-4";
     let round = ClassRound::new(Code::parse(code).unwrap(), vec!["A".into()]);
     let Form::Choice { options, .. } = &round.questions()[0].form else {
@@ -253,11 +256,11 @@ fn a_tap_on_a_choice_is_the_vote_for_it() {
             last_page = last_page.max(page);
         }
     }
-    assert!(last_page > 0, "all choices stand on the first page");
+    assert!(last_page > 0, "all choices are on the first page");
 }
 
 #[test]
-fn a_pause_is_blank_until_someone_goes_on() {
+fn a_pause_is_blank_until_somebody_continues() {
     let folder = Folder::new("class-pause");
     let mut game = class(folder.path(), "7", &["Ants"]);
     game.press("<Enter>");
@@ -278,7 +281,7 @@ fn a_pause_is_blank_until_someone_goes_on() {
         game.press("p");
     }
     game.press("p");
-    // In the middle of a vote, too.
+    // The screen is also blank in the middle of a vote.
     game.press("<Enter><Enter><Enter>40");
     let before = game.screen();
     game.press("pp");
@@ -292,7 +295,7 @@ fn a_killed_round_is_resumed_where_it_was_left() {
     let mut game = class(folder.path(), "7", &teams);
     game.press("<Enter><Enter><Enter>");
     game.press("<Enter>60<Enter>30<Enter>");
-    // Nothing is done at the end of the process: after each vote it is all there.
+    // Nothing is saved at the end of the process: everything is saved after each vote.
     let rounds = kept(folder.path());
     assert_eq!(rounds.len(), 1);
     assert_eq!(rounds[0].voted(0, Vote::First), 1);
@@ -312,11 +315,11 @@ fn a_killed_round_is_resumed_where_it_was_left() {
     assert!(screen.contains("> 3 Cats"), "{screen}");
     game.press("<Enter>10<Enter>20<Enter><Enter>");
     assert!(game.screen().contains("Find someone"));
-    // It goes on in the same file.
+    // The resumed round is saved in the same file.
     let rounds = kept(folder.path());
     assert_eq!((rounds.len(), rounds[0].voted(0, Vote::First)), (1, 3));
     assert_eq!(rounds[0].place().step, ClassStep::Talk);
-    // And can be removed.
+    // The round can be removed.
     let mut game = class(folder.path(), "quick-1", &[]);
     game.press("<End><Enter>dn");
     assert_eq!(kept(folder.path()).len(), 1);
@@ -326,7 +329,7 @@ fn a_killed_round_is_resumed_where_it_was_left() {
 }
 
 #[test]
-fn a_damaged_file_is_reported_and_left_alone() {
+fn a_damaged_file_is_reported_and_not_changed() {
     let folder = Folder::new("class-damaged");
     fs::create_dir_all(folder.path().join("classes")).unwrap();
     let file = folder.path().join("classes/class-1.toml");
@@ -341,7 +344,7 @@ fn a_damaged_file_is_reported_and_left_alone() {
 }
 
 #[test]
-fn hostile_names_break_neither_screen_nor_table() {
+fn hostile_names_damage_neither_screen_nor_table() {
     let endless = "x".repeat(10_000);
     let names = [
         "\u{202e}txet \u{5d0}\u{5d1}\u{5d2}",
@@ -408,10 +411,10 @@ fn teams_are_added_changed_and_removed() {
     assert!(game.screen().contains("team 2  Beet"), "{}", game.screen());
     game.press("<Delete>");
     assert!(!game.screen().contains("Beet"));
-    // A slip is put right where it is.
+    // A typing error can be corrected in place.
     game.press("<Home><Delete>K<End>");
     assert!(game.screen().contains("team 2  Kats"), "{}", game.screen());
-    // Two of the same name are refused, and so is a code that is none.
+    // Two teams with the same name are refused, and so is an invalid code.
     game.press("<Down>ants<PageDown><PageDown><Up><Up><Up><Enter>");
     assert!(game.screen().contains("twice"), "{}", game.screen());
     game.press("<Home><Down><Down>2<PageDown><PageDown><Up><Up><Up><Up>seven<Enter><Enter>");
@@ -426,7 +429,7 @@ fn teams_are_added_changed_and_removed() {
         "{}",
         game.screen()
     );
-    // Names can be pasted, one a line; more than eight are not.
+    // Names can be pasted, one per line, up to eight.
     let mut game = Headless::from(cli::open("class").unwrap());
     game.input(&Input::Paste("A\nB\n\nC\nD\nE\nF\nG\nH\nI\nJ".into()));
     let screen = game.screen();
@@ -443,7 +446,7 @@ fn arguments_are_checked() {
     assert!(wrong("class --teams A,a").contains("found \"a\" twice"));
     assert!(wrong("class --teams ,").contains("found none"));
     assert!(wrong("class --palette pink").contains("pink"));
-    // An earlier round may be one on devices.
+    // The port is accepted, because an earlier round may be on devices.
     assert_eq!(wrong("class --port 9000"), "");
     let mut game = Headless::from(cli::open("class --teams A,B --code quick-7").unwrap());
     assert!(game.screen().contains("> Start"), "{}", game.screen());
@@ -452,7 +455,7 @@ fn arguments_are_checked() {
 }
 
 #[test]
-fn one_key_makes_it_light_and_dark_again() {
+fn one_key_switches_to_light_and_back_to_dark() {
     use carrom::widgets::Palette;
     let mut game = Headless::from(cli::open("class --teams A --code 7 --palette light").unwrap());
     assert_eq!(game.app().settings().palette, Palette::Light);
@@ -463,7 +466,7 @@ fn one_key_makes_it_light_and_dark_again() {
 }
 
 #[test]
-fn escape_asks_once_there_is_a_vote() {
+fn escape_asks_for_confirmation_once_there_is_a_vote() {
     let mut game = Headless::from(cli::open("class --teams A --code 7").unwrap());
     game.press("<Enter><Enter><Enter><Enter>1<Enter>2<Enter>");
     game.press("<Escape>");
@@ -478,10 +481,10 @@ fn escape_asks_once_there_is_a_vote() {
     assert!(game.screen().contains("carrom : home"));
 }
 
-/// A class plays questions of the teacher's own, and takes the round up again; once their
-/// files have changed it is refused, for the votes would be on other questions.
+/// A class plays a teacher's own questions and can resume the round. Once their files have changed,
+/// the round is refused, because the votes would be on other questions.
 #[test]
-fn a_round_of_own_questions_is_resumed_while_they_are_the_same() {
+fn a_round_of_own_questions_is_resumed_if_they_are_unchanged() {
     let folder = Folder::new("class-own");
     let mine = folder.path().join("mine");
     fs::create_dir_all(&mine).unwrap();
@@ -524,12 +527,12 @@ fn a_round_of_own_questions_is_resumed_while_they_are_the_same() {
     game.press("<End><Enter>");
     let screen = game.screen();
     assert!(
-        screen.contains("cannot be read") && screen.contains("files have changed"),
+        screen.contains("cannot be read") && screen.contains("changed"),
         "{screen}"
     );
 }
 
-/// While a round cannot be saved, nobody is told that it is kept.
+/// While a round cannot be saved, carrom does not claim that it is saved.
 #[test]
 fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     let folder = Folder::new("class-unsaved");
@@ -545,11 +548,11 @@ fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     assert!(!screen.contains("kept"), "{screen}");
     game.press("ne");
     assert!(exported(folder.path(), "class-answers-1.csv").contains("Ants"));
-    // Once it can be saved, it is, and that is said.
+    // Once the round can be saved, carrom saves it and reports this.
     fs::remove_file(folder.path().join("classes")).unwrap();
     game.press("<Down><Enter><Escape>");
     let screen = game.screen();
-    assert!(screen.contains("Then it is saved"), "{screen}");
+    assert!(screen.contains("It is saved, and"), "{screen}");
     assert_eq!(kept(folder.path()).len(), 1);
 }
 
@@ -567,7 +570,7 @@ fn a_round_changed_by_another_carrom_moves_to_a_new_file() {
 }
 
 #[test]
-fn a_long_code_is_never_half_shown() {
+fn a_long_code_is_never_shown_in_part() {
     let folder = Folder::new("class-code");
     let code = "unequal-masses60-18446744073709551615";
     let mut game = class(folder.path(), code, &["Ants"]);
@@ -581,7 +584,8 @@ fn a_long_code_is_never_half_shown() {
     assert!(first.ends_with(".."), "{first}");
 }
 
-/// A class of 32 with cards: the teacher counts and types, nothing else; and its tables.
+/// A class of 32 votes with cards: the teacher only counts them and types the numbers. The tables
+/// agree.
 #[test]
 fn a_class_of_32_votes_with_cards_by_keys_alone() {
     let folder = Folder::new("class-cards");
@@ -593,7 +597,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
         let choices = round.choices(i);
         let truth = question.form.truth();
         let right = choices.iter().position(|it| *it == truth).unwrap();
-        // Sixteen are right at first, and twenty-eight after talking.
+        // Sixteen are right at first, and twenty-eight after the discussion.
         let counts = |of_right: usize| -> String {
             let others = choices.len() - 1;
             let counts = (0..choices.len()).map(|choice| {
@@ -612,7 +616,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
         };
         game.press("<Enter><Enter>");
         assert!(game.screen().contains("Count A B"), "{}", game.screen());
-        // Too few numbers are not taken.
+        // Too few numbers are refused.
         game.press("32<Enter>");
         assert!(
             game.screen().contains("a number for each of A to"),
@@ -624,7 +628,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
         assert!(game.screen().contains("32 in all"), "{}", game.screen());
         game.press("<Enter>");
         let screen = game.screen();
-        assert!(screen.contains("talking helps most now"), "{screen}");
+        assert!(screen.contains("discussion helps most now"), "{screen}");
         game.press("<Enter>");
         game.press(&counts(28));
         game.press("<Enter>");
@@ -647,28 +651,28 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
             (&row[6], &row[7], &row[10], &row[11]),
             ("32", "0.500", "32", "0.875")
         );
-        // Of what could be gained three quarters were; nobody knows who changed.
+        // The gain is three quarters of the possible one; the changed votes are unknown.
         assert_eq!((&row[17], &row[18], &row[19]), ("0.750", "", ""));
         assert!(
             row[20].contains(": 16") && row[21].contains(": 28"),
             "{row:?}"
         );
     }
-    // What the class held is told of all votes, for nobody knows whose they were.
+    // The misconceptions are counted over all votes, because nobody knows whose they were.
     game.press("<Enter><Enter>");
     let screen = game.screen();
     assert!(
-        screen.contains("How many of all votes fit it") && screen.contains("votes: "),
+        screen.contains("The number of votes") && screen.contains("votes: "),
         "{screen}"
     );
-    // They tell how each pupil did, so they are for the teacher alone.
+    // Only the teacher can read the tables, because they contain each pupil's results.
     #[cfg(unix)]
     for table in ["class-items-1.csv", "class-answers-1.csv"] {
         use std::os::unix::fs::PermissionsExt;
         let about = fs::metadata(folder.path().join("exports").join(table)).unwrap();
         assert_eq!(about.permissions().mode() & 0o777, 0o600, "{table}");
     }
-    // Counted hands have no names, and so no rows.
+    // Counted hands have no names and therefore no rows.
     assert!(records(&exported(folder.path(), "class-answers-1.csv")).is_empty());
     let kept = kept(folder.path());
     assert_eq!((kept.len(), kept[0].voted(0, Vote::Second)), (1, 32));

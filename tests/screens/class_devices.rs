@@ -22,9 +22,9 @@ use crate::folder::Folder;
 
 const TAPE: &str = include_str!("../classes/devices.tape");
 
-/// Screens and tables alike, byte by byte.
+/// The screens and the tables are identical, byte by byte.
 #[test]
-fn a_tape_plays_a_class_and_is_the_same_every_time() {
+fn a_tape_plays_a_class_with_the_same_result_every_time() {
     let (run, steps) = TAPE.split_at(TAPE.find("Expect").unwrap());
     for set in [
         "Set Size 80x24\nSet Charset ascii\n",
@@ -70,8 +70,8 @@ fn pupil(name: &str, class: &Classroom) -> App {
     App::new(place, settings, 7)
 }
 
-/// A class at its door, kept in `folder`, and a pupil who has answered a question alone, has come
-/// back and has not handed it in.
+/// A class in its lobby, saved in `folder`, and a pupil who has answered a question alone, has come
+/// back and has not handed the answer in.
 fn answered_alone(folder: &Folder) -> (Classroom, Who) {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
@@ -83,7 +83,7 @@ fn answered_alone(folder: &Folder) -> (Classroom, Who) {
     let app = pupil("Ada", &class);
     let ada = class.add("Ada", app, 80, 24);
     press(&mut class, ada, "<Enter>", "You are in, Ada.");
-    // There is nothing yet.
+    // There is nothing to hand in yet.
     assert!(!class.game(ada).screen().contains("hand in"));
     press(&mut class, ada, "<Escape>y", "Back to your class");
     press(&mut class, ada, "b<Enter>", "question 1");
@@ -122,7 +122,7 @@ fn answers_given_alone_are_handed_in_by_a_key() {
     assert_eq!((files.len(), files[0].attempts.len()), (1, 1));
     assert_eq!((&*files[0].name, &*files[0].class), ("Ada", "10b"));
     press(&mut class, Who::Host, "w", "1 handed in");
-    // Again and again: it stays one file, and there is an end to it.
+    // Repeated hand-ins are kept in one file, and their number is limited.
     for _ in 1..20 {
         press(&mut class, ada, "hy", "Handed in: 1 answer.");
     }
@@ -132,7 +132,7 @@ fn answers_given_alone_are_handed_in_by_a_key() {
 }
 
 #[test]
-fn a_hand_in_in_transit_is_sent_again_after_the_host_was_lost() {
+fn an_unconfirmed_hand_in_is_sent_again_after_the_connection_was_lost() {
     let folder = Folder::new("hand-in-lost");
     let (mut class, ada) = answered_alone(&folder);
     class.reach(ada, false);
@@ -144,7 +144,7 @@ fn a_hand_in_in_transit_is_sent_again_after_the_host_was_lost() {
     assert_eq!(handed_in(&folder).len(), 1);
 }
 
-/// Nothing was kept, and both are told so.
+/// Nothing was saved, and both the pupil and the teacher see a message.
 #[test]
 fn a_failed_save_is_reported_on_both_sides() {
     let folder = Folder::new("hand-in-full");
@@ -155,15 +155,16 @@ fn a_failed_save_is_reported_on_both_sides() {
         &mut class,
         Who::Host,
         "",
-        "What a pupil handed in cannot be saved",
+        "A pupil's hand-in cannot be saved",
     );
     fs::remove_file(folder.path().join("handed-in")).unwrap();
     press(&mut class, ada, "hy", "Handed in: 1 answer.");
 }
 
-/// The teacher looks up a term while a pupil joins, and a pupil while the round begins.
+/// The teacher looks up a term while a pupil joins, and a pupil looks one up while the round
+/// begins.
 #[test]
-fn a_class_goes_on_under_the_glossary() {
+fn a_class_continues_while_the_glossary_is_open() {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
@@ -182,7 +183,7 @@ fn a_class_goes_on_under_the_glossary() {
     assert!(!class.game(ada).screen().contains("You are in, Ada."));
 }
 
-/// The place in the middle of this text on a screen.
+/// The cell in the middle of this text on a screen.
 fn place(screen: &str, text: &str) -> (u16, u16) {
     let rows = screen.lines().enumerate();
     let mut found = rows.filter_map(|(row, line)| Some((row, line.split_once(text)?.0)));
@@ -198,8 +199,8 @@ fn tap(class: &mut Classroom, who: Who, at: (u16, u16)) {
     class.settle();
 }
 
-/// While the host was out of reach, a notice stood above the question, and a tap counted its rows
-/// wrong: on B it chose C, and on a heading it cast the vote.
+/// While the host was out of reach, a notice was shown above the question, and taps were assigned
+/// to the wrong rows: a tap on B chose C, and a tap on a heading cast the vote.
 #[test]
 fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
     for (columns, rows) in [(80, 24), (60, 40), (120, 30), (60, 20)] {
@@ -230,7 +231,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
             assert_eq!(screen.contains("Trying"), !is_in, "{screen}");
             let mut tapped = 0;
             for (letter, _) in choices(&screen) {
-                // What was chosen before may have scrolled it elsewhere.
+                // The previous choice may have scrolled this one.
                 let screen = class.game(ada).screen();
                 let drawn = choices(&screen).into_iter().find(|(it, _)| *it == letter);
                 let Some((_, at)) = drawn else { continue };
@@ -242,7 +243,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
                     chosen.contains(&format!("{letter}: ")),
                     "{letter}:\n{chosen}"
                 );
-                // A heading is no answer; what is drawn is.
+                // A tap on a heading does not give an answer.
                 tap(&mut class, ada, place(&chosen, "How sure"));
                 let same = class.game(ada).screen();
                 assert!(same.contains("How sure"), "a heading votes:\n{same}");
@@ -250,7 +251,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
             }
             assert!(tapped >= 2, "{tapped}:\n{screen}");
         }
-        // The confidence that is seen is the one that is voted.
+        // The vote has the confidence that the screen shows.
         let seen = choices(&class.game(ada).screen());
         tap(&mut class, ada, seen[1].1);
         let screen = class.game(ada).screen();
@@ -262,10 +263,10 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
     }
 }
 
-/// A round whose file holds a vote that fits nothing, as an earlier carrom has kept it, once ended
-/// carrom again whenever it was taken up.
+/// A round whose file contained a vote that did not fit its question, saved by an earlier version,
+/// once crashed carrom whenever it was resumed.
 #[test]
-fn a_poisoned_round_is_resumed_without_its_poisoned_votes() {
+fn a_round_with_invalid_votes_is_resumed_without_them() {
     let folder = Folder::new("class-poisoned");
     fs::create_dir_all(folder.path().join("classes")).unwrap();
     let file = folder.path().join("classes/class-1.toml");
@@ -287,7 +288,7 @@ fn a_poisoned_round_is_resumed_without_its_poisoned_votes() {
     let app = pupil("Ada", &class);
     let ada = class.add("Ada", app, 80, 24);
     press(&mut class, ada, "<Enter>", "You are in, Ada.");
-    // The first key puts the notice away.
+    // The first key closes the notice.
     press(&mut class, Who::Host, "<Enter>", "the code of this class");
     press(&mut class, Who::Host, "<Enter>", "Find someone who");
     press(&mut class, ada, "", "Talk: find someone");
@@ -298,7 +299,7 @@ fn a_poisoned_round_is_resumed_without_its_poisoned_votes() {
     );
 }
 
-/// A class at its door in memory, with these pupils.
+/// A class in its lobby, in memory, with these pupils.
 fn gathering(names: &[&str]) -> (Classroom, Vec<Who>) {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
@@ -317,7 +318,7 @@ fn gathering(names: &[&str]) -> (Classroom, Vec<Who>) {
     (class, pupils)
 }
 
-/// Leaving the list began the round.
+/// Leaving the list used to begin the round.
 #[test]
 fn leaving_the_list_of_names_in_the_lobby_does_not_start_the_round() {
     let (mut class, pupils) = gathering(&["Ada"]);
@@ -327,13 +328,13 @@ fn leaving_the_list_of_names_in_the_lobby_does_not_start_the_round() {
         press(&mut class, pupils[0], "", "the round begins soon");
     }
     press(&mut class, Who::Host, "<Enter>", "the vote");
-    // Once the round is on, the list leads back to the question.
+    // Once the round has begun, the list leads back to the question.
     press(&mut class, Who::Host, "w", "no vote yet");
     press(&mut class, Who::Host, "<Escape>", "the vote");
     press(&mut class, pupils[0], "", "Read it with the class");
 }
 
-/// The list stayed as it was when it was opened.
+/// The list used to stay in the state in which it was opened.
 #[test]
 fn the_list_of_participants_is_live() {
     let (mut class, pupils) = gathering(&["Ada", "Bo"]);
@@ -343,7 +344,7 @@ fn the_list_of_participants_is_live() {
     let cy = class.add("Cy", app, 80, 24);
     press(&mut class, cy, "<Enter>", "your vote");
     press(&mut class, Who::Host, "", "Cy ");
-    // The mark stays at whom it was at, though those who have voted go to the end.
+    // The mark stays on the same pupil, although those who have voted move to the end.
     press(&mut class, Who::Host, "<Down>", "> Bo");
     press(
         &mut class,
@@ -360,9 +361,9 @@ fn the_list_of_participants_is_live() {
     press(&mut class, Who::Host, "", "no vote yet, away");
 }
 
-/// A question that is answered later is about whom it named.
+/// A confirmation applies to the pupil whom it named, even if it is answered later.
 #[test]
-fn the_one_who_was_asked_about_is_removed_though_others_vote_meanwhile() {
+fn the_named_pupil_is_removed_even_if_others_vote_before_the_confirmation() {
     let (mut class, pupils) = gathering(&["Ada", "Bo", "Cy"]);
     press(&mut class, Who::Host, "<Enter><Enter>w", "no vote yet");
     press(&mut class, Who::Host, "x", "Remove Ada");
@@ -377,7 +378,7 @@ fn the_one_who_was_asked_about_is_removed_though_others_vote_meanwhile() {
     press(&mut class, pupils[1], "", "your vote");
 }
 
-/// Coming back with the same name was enough.
+/// A removed pupil used to be able to return with the same name.
 #[test]
 fn a_removed_pupil_stays_out_until_let_in() {
     let (mut class, pupils) = gathering(&["Ada", "Bo"]);
@@ -390,7 +391,7 @@ fn a_removed_pupil_stays_out_until_let_in() {
         press(&mut class, ada, "<Enter>", "Your teacher has removed you");
         press(&mut class, Who::Host, "", "1 in, 1 on the list");
     }
-    // A device that has forgotten who it was, too.
+    // A device that has lost its seat token is also refused.
     let app = pupil("ADA", &class);
     let again = class.add("ADA", app, 80, 24);
     press(&mut class, again, "<Enter>", "Your teacher has removed you");
@@ -401,9 +402,9 @@ fn a_removed_pupil_stays_out_until_let_in() {
     press(&mut class, Who::Host, "", "2 in, 2 on the list");
 }
 
-/// One key, however many they are; they may come again.
+/// One key removes any number of pupils, who may join again.
 #[test]
-fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
+fn one_key_removes_all_pupils_who_are_away_and_never_voted() {
     let (mut class, pupils) = gathering(&["Ada", "Bo", "Cy", "Di"]);
     press(
         &mut class,
@@ -435,9 +436,9 @@ fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
     press(&mut class, pupils[2], "", "your vote");
 }
 
-/// It was said to be tried again and again.
+/// The device used to show that it was still trying to reconnect.
 #[test]
-fn a_device_does_not_say_out_of_reach_after_the_round_is_over() {
+fn a_device_does_not_report_a_lost_host_after_the_round_is_over() {
     let (mut class, pupils) = gathering(&["Ada"]);
     class.game(Who::Host).press("<Enter><Enter>");
     class.settle();
@@ -462,8 +463,7 @@ fn a_device_does_not_say_out_of_reach_after_the_round_is_over() {
     assert!(!screen.contains("out of reach"), "{screen}");
 }
 
-/// A class that is kept in `folder`: its round of this code, its name, and these pupils, who come
-/// in.
+/// A class saved in `folder`, with this code, this name, and these pupils, who join.
 fn hosted(folder: &Folder, code: Option<&str>, name: &str, pupils: &[&str]) -> Classroom {
     let place = Route::Host {
         code: code.map(|code| Code::parse(code).unwrap()),
@@ -488,7 +488,7 @@ fn files_of_classes(folder: &Folder) -> usize {
         .count()
 }
 
-/// Goes on through all questions, whoever votes.
+/// Continues through all questions, even if nobody votes.
 fn play_to_the_end(class: &mut Classroom) {
     for _ in 0..40 {
         if class.game(Who::Host).screen().contains("for a spreadsheet") {
@@ -499,9 +499,9 @@ fn play_to_the_end(class: &mut Classroom) {
     panic!("no end:\n{}", class.game(Who::Host).screen());
 }
 
-/// Whoever had started carrom again after a crash had to look for the round in a list.
+/// After a crash, the teacher used to have to look for the round in a list.
 #[test]
-fn a_round_that_was_stopped_is_offered_when_the_class_is_hosted_again() {
+fn an_interrupted_round_is_offered_when_the_class_is_hosted_again() {
     let folder = Folder::new("class-stopped");
     let mut class = hosted(&folder, Some("from-angle2-7"), "10b", &["Ada", "Bo"]);
     let code = class.code();
@@ -513,7 +513,7 @@ fn a_round_that_was_stopped_is_offered_when_the_class_is_hosted_again() {
         "60<Enter>30<Enter><Enter>",
         "Your vote is in",
     );
-    // It is gone, as if it were killed.
+    // The teacher's carrom ends as if it were killed.
     drop(class);
     for [width, height] in [[80, 24], [60, 20], [120, 40]] {
         let mut class = hosted(&folder, None, "", &[]);
@@ -527,49 +527,63 @@ fn a_round_that_was_stopped_is_offered_when_the_class_is_hosted_again() {
             .join(" ");
         assert!(words.contains("10b stopped at question 1"), "{screen}");
         assert!(words.contains("2 pupils"), "{screen}");
-        assert_eq!(class.code(), None, "nobody comes in before that is decided");
+        assert_eq!(
+            class.code(),
+            None,
+            "nobody can join before the teacher has decided"
+        );
     }
     let mut class = hosted(&folder, None, "", &[]);
     press(&mut class, Who::Host, "<Enter>", "the code of this class");
     assert_eq!(class.code(), code);
     press(&mut class, Who::Host, "", "0 of 2 are in");
     press(&mut class, Who::Host, "<Enter>", "1 of 1 have voted");
-    assert_eq!(files_of_classes(&folder), 1, "it goes on in its file");
+    assert_eq!(
+        files_of_classes(&folder),
+        1,
+        "the resumed round keeps its file"
+    );
 }
 
-/// What is offered could be what is meant, and is not over.
+/// A round is offered only if it could be the intended one and is not over.
 #[test]
 fn a_round_that_is_over_or_of_another_class_is_not_offered() {
     let folder = Folder::new("class-not-offered");
     drop(hosted(&folder, Some("from-angle2-7"), "10b", &["Ada"]));
     for (code, name, shows) in [
-        // The same class and the same questions, as in the history of a shell.
+        // The same class and the same questions, as when a command is repeated from the shell's
+        // history.
         (Some("from-angle2-7"), "10b", "10b stopped at"),
         (Some("from-angle2-7"), "", "10b stopped at"),
         (None, "10b", "10b stopped at"),
         (None, "", "10b stopped at"),
         (Some("from-angle2-8"), "10b", "the code of this class"),
         (Some("from-angle2-7"), "11a", "the code of this class"),
-        (None, "11a", "devices of their own"),
+        (None, "11a", "pupils' own devices"),
     ] {
         let mut class = hosted(&folder, code, name, &[]);
         press(&mut class, Who::Host, "", shows);
     }
-    // Another one begins, and both are there.
+    // Another round begins, and both are saved.
     let mut class = hosted(&folder, Some("from-angle2-7"), "10b", &[]);
-    press(&mut class, Who::Host, "<Down><Enter>", "Nobody is in yet");
+    press(
+        &mut class,
+        Who::Host,
+        "<Down><Enter>",
+        "Nobody has joined yet",
+    );
     let app = pupil("Bo", &class);
     let bo = class.add("Bo", app, 80, 24);
     press(&mut class, bo, "<Enter>", "You are in, Bo.");
     assert_eq!(files_of_classes(&folder), 2);
-    // It is played to its end and left.
+    // The round is played to its end and left.
     play_to_the_end(&mut class);
     press(&mut class, Who::Host, "<Escape>", "");
     let mut class = hosted(&folder, None, "10b", &[]);
-    press(&mut class, Who::Host, "", "devices of their own");
+    press(&mut class, Who::Host, "", "pupils' own devices");
 }
 
-/// Each time a door was opened a round was there, with nobody in it.
+/// carrom used to save a round without participants each time joining was opened.
 #[test]
 fn a_round_that_nobody_joined_leaves_no_file() {
     let folder = Folder::new("class-nobody");
@@ -583,7 +597,7 @@ fn a_round_that_nobody_joined_leaves_no_file() {
     drop(class);
 }
 
-/// There was nothing but the code and the first names.
+/// The list used to show only the code and the first names.
 #[test]
 fn the_list_of_earlier_rounds_shows_class_date_and_head_count() {
     let folder = Folder::new("class-earlier");
@@ -615,9 +629,9 @@ fn the_list_of_earlier_rounds_shows_class_date_and_head_count() {
     press(&mut class, Who::Host, "", "Ada, Bo, Cy");
 }
 
-/// Their devices call where the round was.
+/// Pupils' devices look for the round at its old address.
 #[test]
-fn the_teacher_is_told_when_a_round_has_another_address_than_before() {
+fn the_teacher_is_warned_if_a_round_has_a_new_address() {
     let folder = Folder::new("class-moved");
     drop(hosted(&folder, Some("from-angle2-7"), "10b", &["Ada"]));
     let file = folder.path().join("classes/class-1.toml");
@@ -633,7 +647,7 @@ fn the_teacher_is_told_when_a_round_has_another_address_than_before() {
     }
 }
 
-/// A host at the first vote of its round, to which devices come by the thousand.
+/// A host at the first vote of its round, which thousands of devices try to join.
 struct Crowd {
     host: Headless,
     lines: ConnectionId,
@@ -660,7 +674,8 @@ impl Crowd {
         Self { host, lines, now_s }
     }
 
-    /// Somebody new comes from an address; gives their connection, and whoever is sent away.
+    /// A newcomer joins from an address. Returns their connection, and the connections that are
+    /// refused.
     fn come(&mut self, address: u32) -> (ConnectionId, Vec<(ConnectionId, Refusal)>) {
         self.lines += 1;
         let line = self.lines;
@@ -680,7 +695,7 @@ impl Crowd {
         (line, sent_away.collect())
     }
 
-    /// So many come from addresses of their own, and are in.
+    /// This many newcomers, each with a different address, join.
     fn fill(&mut self, count: u32) {
         for address in 1000..1000 + count {
             assert_eq!(self.come(address).1, []);
@@ -707,17 +722,17 @@ impl Crowd {
     }
 }
 
-/// They filled the class at once.
+/// One address used to be able to fill the class at once.
 #[test]
-fn new_seats_of_one_address_come_back_with_time() {
+fn new_seats_for_one_address_become_available_with_time() {
     let mut crowd = Crowd::new();
-    // A class behind one router, and half of it once more.
+    // A class of 40 is behind one router, and half of the pupils join again.
     for _ in 0..60 {
         assert_eq!(crowd.come(1).1, []);
     }
     let (line, sent_away) = crowd.come(1);
     assert_eq!(sent_away, [(line, Refusal::Later)]);
-    assert_eq!(crowd.come(2).1, [], "another device is let in");
+    assert_eq!(crowd.come(2).1, [], "another address can still join");
     for _ in 0..30 {
         crowd.now_s += 2;
         assert_eq!(crowd.come(1).1, []);
@@ -726,14 +741,14 @@ fn new_seats_of_one_address_come_back_with_time() {
     crowd.shows("0 of 91 have voted");
 }
 
-/// There was no room for anybody, though nobody was there.
+/// A class could be full although nobody was connected.
 #[test]
 fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() {
     let mut crowd = Crowd::new();
     crowd.fill(250);
     crowd.vote(2);
     let (line, sent_away) = crowd.come(9);
-    assert_eq!(sent_away, [(line, Refusal::Full)], "all are there");
+    assert_eq!(sent_away, [(line, Refusal::Full)], "everybody is connected");
     for away in [1, 2, 3] {
         crowd.hear(HostNews::Gone(away));
     }
@@ -742,11 +757,11 @@ fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() 
     assert_eq!(crowd.come(9).1, []);
     let (line, sent_away) = crowd.come(9);
     assert_eq!(sent_away, [(line, Refusal::Full)]);
-    // Whoever has voted keeps the seat, and the vote.
+    // A pupil who has voted keeps the seat and the vote.
     crowd.shows("1 of 250 have voted");
 }
 
-/// The class was full for good as long as that device stayed.
+/// The class used to stay full as long as that device stayed.
 #[test]
 fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
     let mut crowd = Crowd::new();
@@ -756,11 +771,11 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
         assert_eq!(crowd.come(1).1, []);
     }
     crowd.vote(250);
-    // Not for itself.
+    // The device does not get one of its own seats.
     crowd.now_s += 2;
     let (line, sent_away) = crowd.come(1);
     assert_eq!(sent_away, [(line, Refusal::Full)]);
-    // Until it holds half of all seats.
+    // It loses seats until it has half of them.
     for newcomer in 0..105 {
         let displaced = 249 - ConnectionId::from(newcomer);
         assert_eq!(crowd.come(2000 + newcomer).1, [(displaced, Refusal::Full)]);
@@ -770,9 +785,9 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
     crowd.shows("1 of 250 have voted");
 }
 
-/// Nobody has to do anything: it goes on as soon as it is their turn.
+/// The pupil does not have to do anything: the device joins as soon as it is allowed.
 #[test]
-fn a_device_that_is_to_come_later_says_so_and_tries_again() {
+fn a_device_that_has_to_wait_says_so_and_tries_again() {
     let place = Route::Join {
         address: Some("192.168.43.117:8090".into()),
         code: Some(JoinCode::of(7)),
@@ -792,7 +807,7 @@ fn a_device_that_is_to_come_later_says_so_and_tries_again() {
         let no = JoinNews::Heard(r#"{"t":"no","why":"later"}"#.into());
         game.input(&Input::Joined(no));
         let screen = game.screen();
-        assert!(screen.contains("again by itself"), "{screen}");
+        assert!(screen.contains("automatically"), "{screen}");
         assert_eq!(game.take_join_calls(), []);
         game.pass(Duration::from_secs(6));
     }

@@ -1,6 +1,6 @@
-//! A screen with its colours as text: its rows, then a map of letters for what is drawn,
-//! one for what lies behind it, one for the weight, and a legend that says which roles
-//! and which colour a letter stands for. Plain text on the background is left blank.
+//! A screen with its colours as text: its rows, then maps of letters for the foreground, the
+//! background and the weight, and a legend that lists the roles and the colour of each letter.
+//! Plain text on the background is left blank.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -10,18 +10,18 @@ use carrom::widgets::{Role, Theme};
 use ratatui::buffer::Cell;
 use ratatui::style::{Color, Modifier};
 
-/// One letter a role, in the order of [`Role::ALL`].
+/// One letter per role, in the order of [`Role::ALL`].
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-/// Stands for a colour that is no role's: a mixture, listed on its own.
+/// The letter for a colour that no role has: a mixture, which is listed separately.
 const MIXED: char = '*';
 
-/// Which letters stand for the colours of a screen.
+/// The letters for the colours of a screen.
 struct Legend {
     theme: Theme,
 }
 
 impl Legend {
-    /// The letter of a colour: that of the first role that has it.
+    /// The letter for a colour: the letter of the first role that has this colour.
     fn letter(&self, colour: Color) -> char {
         let mut roles = Role::ALL.iter().copied().zip(LETTERS.chars());
         let found = roles.find(|(role, _)| self.theme.colour(*role) == colour);
@@ -38,7 +38,7 @@ impl Legend {
         format!("{} {}", hex(colour), names.join(" "))
     }
 
-    /// The letter for what is drawn in a cell; a blank where it is plain text.
+    /// The letter for the foreground of a cell; blank for plain text.
     fn front(&self, cell: &Cell) -> char {
         if cell.symbol() == " " || cell.fg == self.theme.colour(Role::Text) {
             return ' ';
@@ -46,7 +46,7 @@ impl Legend {
         self.letter(cell.fg)
     }
 
-    /// The letter for what lies behind it; a blank where that is the background.
+    /// The letter for the background of a cell; blank for the usual background.
     fn behind(&self, cell: &Cell) -> char {
         if cell.bg == self.theme.colour(Role::Background) {
             return ' ';
@@ -55,7 +55,7 @@ impl Legend {
     }
 }
 
-/// The letter of a cell's weight; `+` where it has several.
+/// The letter for a cell's weight; `+` if it has several.
 fn weight(cell: &Cell) -> char {
     match cell.modifier {
         Modifier::BOLD => 'b',

@@ -1,4 +1,4 @@
-//! What holds on every screen, whatever is typed and whatever size it has.
+//! Properties of every screen, for any input and any size.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-/// Every place, and a round of the quiz of every kind and about every topic.
+/// Every route, and a round of the quiz of every kind and on every topic.
 fn places() -> Vec<Route> {
     let mut places = vec![
         Route::Home,
@@ -50,7 +50,7 @@ fn places() -> Vec<Route> {
     places
 }
 
-/// Whether a screen shows a nought with a sign, as "-0.0".
+/// Whether a screen shows a zero with a sign, such as "-0.0".
 pub(crate) fn shows_negative_nothing(screen: &str) -> bool {
     screen.match_indices(['-', '−']).any(|(at, sign)| {
         let after = &screen[at + sign.len()..];
@@ -113,7 +113,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn nothing_typed_and_no_size_makes_it_panic(
+    fn no_input_and_no_size_makes_the_app_panic(
         place in prop::sample::select(places()),
         unicode: bool,
         seed: u64,
@@ -156,7 +156,7 @@ fn every_screen_and_its_help_are_printable_ascii() {
     }
 }
 
-/// The keys to each step of a class round of three teams, from one to the next.
+/// The keys that lead from one step of a class round of three teams to the next.
 const CLASS: [&str; 12] = [
     "<Enter>",
     "z",
@@ -182,7 +182,7 @@ fn class(code: &str, charset: Charset) -> Headless {
 }
 
 #[test]
-fn every_step_of_a_class_round_is_whole_in_ascii() {
+fn every_step_of_a_class_round_is_complete_in_ascii() {
     for code in ["7", "speeds1-7", "from-picture1-7", "quick-3"] {
         for (columns, rows) in [(60, 20), (80, 24), (97, 31), (120, 40), (300, 100)] {
             let mut game = class(code, Charset::Ascii);
@@ -204,7 +204,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn any_step_of_a_class_round_takes_any_key_at_any_size(
+    fn any_step_of_a_class_round_accepts_any_key_at_any_size(
         code in prop::sample::select(vec!["quick-3", "mixed-7", "speeds1-7", "7"]),
         unicode: bool,
         steps in 0..CLASS.len(),
@@ -227,7 +227,7 @@ proptest! {
 }
 
 #[test]
-fn escape_leads_home_and_q_out() {
+fn escape_leads_home_and_q_quits() {
     for place in places() {
         let mut game = opened(place.clone(), Charset::Ascii, 1);
         for _ in 0..6 {

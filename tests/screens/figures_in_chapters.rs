@@ -1,6 +1,6 @@
-//! Each number that a sentence of a chapter names without having the engine print it, computed
-//! from the engine and from the data behind the figures. Whoever changes a sentence, a figure or
-//! the physics sees here what no longer agrees.
+//! Each number that a chapter's text contains but the engine does not print, computed from the
+//! engine and from the data of the figures. If a sentence, a figure or the physics changes, these
+//! tests show what no longer agrees.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -21,9 +21,9 @@ use glam::DVec2;
 struct Claim {
     /// Number of the chapter.
     chapter: usize,
-    /// The words around it, and the number in square brackets.
+    /// The text around the number, which is in square brackets.
     words: &'static str,
-    /// What it is.
+    /// The computed value.
     is: f64,
 }
 
@@ -33,7 +33,7 @@ impl Claim {
         self.words.replace(['[', ']'], "")
     }
 
-    /// The number, and to which unit it is rounded.
+    /// The number, and the unit to which it is rounded.
     fn says(&self) -> (f64, f64) {
         let (_, rest) = self.words.split_once('[').unwrap();
         let (said, _) = rest.split_once(']').unwrap();
@@ -50,7 +50,7 @@ impl Claim {
         }
         let digits = said.replace(' ', "").replace('−', "-");
         let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
-        // A thousand is round.
+        // A number that ends in three zeros is rounded to thousands.
         let zeros = match digits.ends_with("000") {
             true => 3,
             false => 0,
@@ -60,8 +60,8 @@ impl Claim {
     }
 }
 
-/// Numbers that nothing is computed from: years, what a legend says, what was measured by others.
-const NAMED: [&str; 24] = [
+/// Numbers that cannot be computed: years, numbers in a legend, measurements by others.
+const NAMED: [&str; 25] = [
     "(A real coin has a mass of about 5.5 g;",
     "a real coin: 5.5 g,",
     "a target of 25 g,",
@@ -77,8 +77,9 @@ const NAMED: [&str; 24] = [
     "The same: 1 in 8000.",
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",
-    "Head-on, 15 g hits 15 g at rest,",
-    "Two head-on collisions, 15 g each,",
+    "A 15 g striker at",
+    "hits a 15 g coin at rest head-on",
+    "Compare two head-on collisions of 15 g discs",
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",
     "their thin gold foil of 0.21 micrometres",
@@ -108,7 +109,7 @@ fn energy_share(outcome: &CollisionOutcome, mass_g: f64, speed: f64) -> f64 {
     0.5 * mass_g / 1000.0 * speed * speed / outcome.energy_before
 }
 
-/// α-particles of radium C on the gold foil of 1913, as the figure of chapter 10 throws them.
+/// α-particles of radium C on the gold foil of 1913, as in the figure of chapter 10.
 fn gold_foil(energy: f64, thickness: f64) -> ScatteringLaw {
     let foil = Foil {
         metal: METALS[0],
@@ -120,14 +121,14 @@ fn gold_foil(energy: f64, thickness: f64) -> ScatteringLaw {
     }
 }
 
-/// How many times as many a small screen counts at the first angle, in degrees, as at the other.
+/// The ratio of the counts on a small screen at the first and at the second angle, in degrees.
 fn on_the_screen(at_deg: f64, than_at_deg: f64) -> f64 {
     let law = gold_foil(RADIUM_C_ENERGY, 2.1e-7);
     let count = |deg| law.share_per_steradian(rad_from_deg(deg)).unwrap();
     count(at_deg) / count(than_at_deg)
 }
 
-/// How many times as many a beam that has changed turns into a small screen at 60°.
+/// The factor by which a changed beam changes the count on a small screen at 60°.
 fn at_60(changed: ScatteringLaw) -> f64 {
     let at = |law: ScatteringLaw| law.share_per_steradian(rad_from_deg(60.0)).unwrap();
     at(changed) / at(gold_foil(RADIUM_C_ENERGY, 2.1e-7))
@@ -151,7 +152,7 @@ fn claims() -> Vec<Claim> {
         "three times the mass, so it has a [third] of the speed",
         10.0 / 30.0,
     );
-    // As on the table, in a contact of a millisecond.
+    // The friction of the table, during a contact of a millisecond.
     let slowing = 0.12 * 9.80665;
     claim(1, "may slow a disc by [1.2] m/s in a second.", slowing);
     claim(1, "that is only [0.0012] m/s.", slowing / 1000.0);
@@ -218,8 +219,8 @@ fn claims() -> Vec<Claim> {
         "the heavy puck keeps a [third] of its velocity",
         along(&heavy) / came,
     );
-    // Rolling balls keep their spin in the collision and roll again in the end: 5/7 of the
-    // velocity after it, and 2/7 of the velocity before it.
+    // Rolling balls keep their spin in the collision and finally roll again: 5/7 of the velocity
+    // after it, and 2/7 of the velocity before it.
     let ball = equal(30.0);
     claim(
         6,
@@ -312,7 +313,7 @@ fn claims() -> Vec<Claim> {
         "Twice the thickness of the foil: [twice] the count.",
         at_60(thicker),
     );
-    // What was counted in 1913.
+    // The counts of 1913.
     let angles = geiger_marsden().unwrap();
     let (most, least) = (angles.last().unwrap(), angles[0]);
     let (low, high) = Series::new(&angles, |angle| angle.gold).unwrap().band();
@@ -378,7 +379,7 @@ fn claims() -> Vec<Claim> {
     claims
 }
 
-/// The chapters, their words parted by single blanks, and the numbers of their shots.
+/// The chapters with single blanks between words, and the numbers of their shots.
 fn chapters() -> BTreeMap<usize, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
     let files = fs::read_dir(folder)
@@ -400,14 +401,14 @@ fn on_one_line(text: &str) -> String {
 }
 
 #[test]
-fn every_claim_stands_in_its_chapter_and_is_true() {
+fn every_claim_is_in_its_chapter_and_is_true() {
     let chapters = chapters();
     for claim in claims() {
         let Claim { chapter, words, is } = claim;
         let text = on_one_line(&chapters[&chapter]);
         assert!(
             text.contains(&claim.sentence()),
-            "chapter {chapter} no longer says: {words}"
+            "chapter {chapter} does not contain: {words}"
         );
         let (says, unit) = claim.says();
         let off = (is - says).abs();
@@ -418,7 +419,7 @@ fn every_claim_stands_in_its_chapter_and_is_true() {
     }
 }
 
-/// The numbers in a text, in their order, each with the words before it.
+/// The numbers in a text, in order, each with the text before it.
 fn numbers(text: &str) -> Vec<(f64, &str)> {
     let is_part = |c: char| c.is_ascii_digit() || c == '.';
     let mut numbers = Vec::new();
@@ -434,7 +435,7 @@ fn numbers(text: &str) -> Vec<(f64, &str)> {
     numbers
 }
 
-/// The text outside and inside of all pairs of these signs.
+/// The text outside and the text inside all pairs of these signs.
 fn parted(text: &str, [open, close]: [&str; 2]) -> (String, String) {
     let (mut outside, mut inside) = (String::new(), String::new());
     let mut rest = text;
@@ -447,7 +448,7 @@ fn parted(text: &str, [open, close]: [&str; 2]) -> (String, String) {
     (outside + rest, inside)
 }
 
-/// The text without the number behind this word, as in "chapter 3".
+/// The text without the number after this word, as in "chapter 3".
 fn unnumbered(text: &str, word: &str) -> String {
     let mut parts = text.split(word);
     let mut kept = parts.next().unwrap_or_default().to_owned();
@@ -457,10 +458,10 @@ fn unnumbered(text: &str, word: &str) -> String {
     kept
 }
 
-/// No number stands in a sentence that is neither printed by the engine, nor given by a shot of
-/// the chapter, nor claimed here.
+/// Every number in a sentence is printed by the engine, given by a shot of the chapter, or claimed
+/// here.
 #[test]
-fn no_number_stands_alone() {
+fn every_number_has_a_source() {
     for (chapter, text) in chapters() {
         let (_, rest) = text.split_once("+++").unwrap();
         let (header, body) = rest.split_once("+++").unwrap();
@@ -495,25 +496,25 @@ fn no_number_stands_alone() {
             let near: Vec<&str> = near.into_iter().rev().collect();
             assert!(
                 given.contains(&number),
-                "chapter {chapter}: who says that this is right? … {}",
+                "chapter {chapter}: this number has no source: … {}",
                 near.join(" ")
             );
         }
     }
 }
 
-/// What the chapter and the quiz say of a small screen, in the bars of the figure itself: a beam
-/// so large that chance hardly matters falls as the law does.
+/// The bars of the figure agree with what the chapter and the quiz say about a small screen: the
+/// counts of a beam so large that chance hardly matters follow the law.
 #[test]
-fn the_bars_of_the_beam_fall_as_the_text_says() {
+fn the_bars_of_the_beam_agree_with_the_text() {
     let law = gold_foil(RADIUM_C_ENERGY, 2.1e-7);
     assert!(matches!(law.target, BeamTarget::Coulomb { .. }));
     let counts = Counts::expected(&law, 1_000_000_000_000);
     let screen = |bin: usize| counts[bin] / CountedFor::Steradian.in_bin(bin);
     let ring = |bin: usize| counts[bin] / CountedFor::Ring.in_bin(bin);
     let at = |deg: f64| (deg / deg_from_rad(BIN_WIDTH)) as usize;
-    // From the bin of 15° to that of 150°: 2999 on the screen, but for the width of the bins; in
-    // rings only about half of that.
+    // From the bin of 15° to that of 150° the counts on the screen fall by a factor of 2999, apart
+    // from the effect of the bins' width; in rings only by about half of that.
     let [on_screen, in_rings] = [
         screen(at(16.0)) / screen(at(151.0)),
         ring(at(16.0)) / ring(at(151.0)),
@@ -527,7 +528,7 @@ fn the_bars_of_the_beam_fall_as_the_text_says() {
         (0.5..0.7).contains(&(in_rings / on_screen)),
         "{in_rings} {on_screen}"
     );
-    // At half of an angle, in rings half as wide.
+    // At half the angle, in rings half as wide.
     let share = |from: usize, to: usize| counts[from..to].iter().sum::<f64>();
     let size = |from, to| {
         (from..to)

@@ -17,7 +17,7 @@ fn foil(predict: bool, seed: u64) -> Headless {
     Headless::new(App::new(Route::Foil, settings, seed), 100, 30)
 }
 
-/// The page of the beam, set to 10 to the power of `exponent` particles.
+/// The page of the beam, set to `10^exponent` particles.
 fn beam(exponent: u32, predict: bool, seed: u64) -> Headless {
     let mut game = foil(predict, seed);
     game.press("<Tab><Down><Down><Down><Down><Down><Left><Left><Left>");
@@ -44,13 +44,13 @@ fn a_beam_of_a_hundred_million_runs_to_its_end() {
     assert_eq!(game.app().wake(), Some(Duration::ZERO));
     assert!(game.settle(LONG));
     assert_eq!(number(&mut game, "thrown"), 100_000_000);
-    // 854 are expected; five standard deviations.
+    // The expected count is 854; the tolerance is five standard deviations.
     let back = number(&mut game, "|| counted ");
     assert!((708..1000).contains(&back), "{back}");
 }
 
 #[test]
-fn escape_stops_a_beam_at_once_and_enter_lets_it_go_on() {
+fn escape_stops_a_beam_at_once_and_enter_continues_it() {
     let mut game = beam(8, false, 1);
     game.key(Key::Enter);
     game.pass(FRAME * 20);
@@ -63,13 +63,13 @@ fn escape_stops_a_beam_at_once_and_enter_lets_it_go_on() {
     game.key(Key::Enter);
     game.pass(FRAME * 20);
     assert!(number(&mut game, "sent so far") > stopped);
-    // Twice: once to stop, once to leave.
+    // The first Escape stops the beam, the second leaves.
     game.press("<Escape><Escape>");
     assert!(game.screen().contains("carrom : home"));
 }
 
 #[test]
-fn a_beam_rests_while_another_page_is_looked_at() {
+fn a_beam_pauses_while_another_page_is_open() {
     let mut game = beam(8, false, 1);
     game.key(Key::Enter);
     game.pass(FRAME * 5);
@@ -97,14 +97,14 @@ fn a_beam_starts_once_the_share_has_been_predicted() {
     game.key(Key::Enter);
     assert!(game.screen().contains("how many are deflected"));
     assert_eq!(game.app().wake(), None);
-    // Nothing is said before it was chosen.
+    // Nothing is answered before an option is chosen.
     game.press("<Enter><Enter>");
     assert!(game.screen().contains("how many are deflected"));
-    // Half of them.
+    // Option C is half of the particles.
     game.press("c<Enter>");
     assert!(game.settle(LONG));
     assert!(game.screen().contains("59,000"));
-    // Of the next beam it need not be said again; of another kind it must.
+    // The next beam of the same kind needs no new prediction; a beam of another kind does.
     game.key(Key::Enter);
     assert!(game.app().wake().is_some());
     game.press("<Escape><Left><Enter>");
@@ -112,7 +112,7 @@ fn a_beam_starts_once_the_share_has_been_predicted() {
 }
 
 #[test]
-fn hard_targets_send_back_what_the_closed_forms_say() {
+fn hard_targets_scatter_back_as_the_closed_forms_predict() {
     // Spheres: cos² 45°; discs: cos 45°.
     let mut game = foil(false, 1);
     game.press("<Left><Tab><Enter>");
@@ -147,7 +147,7 @@ fn the_mouse_turns_pages_and_drags_the_particle() {
     game.click(tab);
     assert!(game.screen().contains(">counted in 1913"));
     game.click((20, 12));
-    assert!(game.screen().contains("how far off the law"));
+    assert!(game.screen().contains("deviation from the law"));
     let tab = at(&mut game, "a beam");
     game.click(tab);
     game.click((20, 12));
@@ -156,7 +156,7 @@ fn the_mouse_turns_pages_and_drags_the_particle() {
     assert!(game.screen().contains("> G 1 in 10,000"));
 }
 
-/// What was counted in 1913, in full, is on the page.
+/// The page shows the complete counts of 1913.
 #[test]
 fn the_last_page_shows_what_was_counted_and_what_was_not() {
     let mut game = foil(true, 1);
@@ -183,9 +183,9 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
     }
 }
 
-/// Aluminium is too light and too small a nucleus for the law; gold is neither.
+/// An aluminium nucleus is too light and too small for the law; a gold nucleus is neither.
 #[test]
-fn a_light_nucleus_is_warned_about_on_both_pages() {
+fn both_pages_warn_about_a_light_nucleus() {
     for (wide, high) in [(80, 24), (120, 40)] {
         let mut game = Headless::new(App::new(Route::Foil, Settings::default(), 1), wide, high);
         for page in ["<Down>", "<Tab>"] {

@@ -1,4 +1,4 @@
-//! What the player sees of keeping when it does not go as it should.
+//! The messages that the player sees when saving is slow or fails.
 
 use std::fs;
 use std::path::PathBuf;
@@ -48,9 +48,9 @@ fn slow_and_failed_saves_are_reported_each_time() {
     );
     assert!(
         !game.screen().contains("it is locked"),
-        "not in the way each time"
+        "the notice does not appear each time"
     );
-    // After it went well again, another loss is news.
+    // After a successful save, another failure is reported again.
     game.input(&kept(904, 0));
     assert_eq!(head(&mut game), calm);
     game.input(&kept(905, 1));
@@ -58,7 +58,7 @@ fn slow_and_failed_saves_are_reported_each_time() {
     assert!(head(&mut game).contains("not saved: 1"));
 }
 
-/// A store that cannot write for as long as a file stands in its folder's place.
+/// A store that cannot write as long as a file occupies the place of its folder.
 struct Blocked(Folder);
 
 impl Blocked {
@@ -81,7 +81,7 @@ impl Blocked {
         Headless::keeping(app, 80, 24, Store::in_folder(&self.place()).timeless())
     }
 
-    /// The numbers of the questions that were answered, as they are kept.
+    /// The numbers of the answered questions, as they are saved.
     fn kept(&self) -> Vec<u32> {
         let request = StoreRequest::Recall(None);
         let mut store = Store::in_folder(&self.place()).only_looking();
@@ -99,7 +99,7 @@ fn a_round() -> Route {
     Route::Quiz { code }
 }
 
-/// Puts a notice away, if there is one.
+/// Closes a notice, if there is one.
 fn heed(game: &mut Headless) {
     if game.screen().contains("please note") {
         game.press("x");
@@ -131,7 +131,7 @@ fn unsaved_changes_are_saved_later_in_their_order() {
     game.pass(Duration::from_secs(5));
     assert!(!game.screen().contains("not saved"), "{}", game.screen());
     assert_eq!(blocked.kept(), [1, 2, 3]);
-    assert_eq!(game.app().wake(), None, "nothing is left to be tried");
+    assert_eq!(game.app().wake(), None, "no retry is left");
     answer(&mut game);
     assert_eq!(blocked.kept(), [1, 2, 3, 4]);
 }
@@ -171,7 +171,7 @@ fn leaving_with_unsaved_answers_is_confirmed() {
         game.press("n");
         assert_eq!(game.screen(), before);
         game.press(keys);
-        // As soon as all is kept there is nothing to be asked.
+        // As soon as everything is saved, leaving needs no confirmation.
         blocked.free();
         game.pass(Duration::from_secs(5));
         assert!(!game.screen().contains("Leave?"), "{}", game.screen());
@@ -183,5 +183,8 @@ fn leaving_with_unsaved_answers_is_confirmed() {
     let mut game = blocked.game(a_round());
     answer(&mut game);
     game.press("<Ctrl+C><Ctrl+C>");
-    assert!(game.has_quit(), "who asks twice means it");
+    assert!(
+        game.has_quit(),
+        "a second request leaves without confirmation"
+    );
 }

@@ -1,4 +1,4 @@
-//! Every phase of every screen, walked by its own table of keys.
+//! Tests every phase of every screen against its own table of keys.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -29,7 +29,7 @@ impl Moment {
         self.with(Settings::default())
     }
 
-    /// The game of somebody with these settings.
+    /// The game with these settings.
     pub(crate) fn with(&self, settings: Settings) -> Headless {
         (self.game)(settings)
     }
@@ -50,14 +50,14 @@ pub(crate) fn moments() -> impl Iterator<Item = Moment> {
     tour.chain([more])
 }
 
-/// What a search for a stroke found, told whole.
+/// A game that shows the complete hint for a stroke.
 fn a_hint_told() -> Headless {
     let mut game = Headless::from(App::new(Route::Table, Settings::default(), 7));
     game.press("<Enter>hh");
     game
 }
 
-/// A kept game of two computers whose last stroke is played.
+/// A saved game between two computer players whose last stroke is being played.
 fn end_of_a_board(settings: Settings) -> Headless {
     let bytes = include_bytes!("../saves/board-over-1.toml");
     let (saved, _) = SavedGame::read("board-over-1.toml", bytes).unwrap();
@@ -73,7 +73,7 @@ fn end_of_a_board(settings: Settings) -> Headless {
     game
 }
 
-/// The computer's stroke, before it is struck.
+/// The computer's stroke, before it is played.
 fn the_computer_aims() -> Headless {
     let app = App::new(Route::Table, Settings::default(), 7);
     let mut game = Headless::from(app);
@@ -82,8 +82,8 @@ fn the_computer_aims() -> Headless {
     game
 }
 
-/// What can be seen of a game: its cells with their colours, its keys and settings, and
-/// whether it was left or wrote anything.
+/// The visible state of a game: its cells with their colours, its keys and settings, and whether it
+/// was left or wrote anything.
 pub(crate) type Seen = (Buffer, Vec<String>, Settings, bool, usize);
 
 pub(crate) fn seen(game: &mut Headless) -> Seen {
@@ -94,7 +94,7 @@ pub(crate) fn seen(game: &mut Headless) -> Seen {
     (game.buffer().clone(), keys, settings, quit, exports)
 }
 
-/// Whether a key changes anything in a game on a screen of this size, or after another key.
+/// Whether a key changes anything in a game on a screen of this size, optionally after another key.
 fn changes(mut game: Headless, size: (u16, u16), before: Option<Key>, key: Key) -> bool {
     game.resize(size.0, size.1);
     if let Some(before) = before {
@@ -108,8 +108,8 @@ fn changes(mut game: Headless, size: (u16, u16), before: Option<Key>, key: Key) 
     seen(&mut game) != first
 }
 
-/// Whether a row is looked at: what all screens share is found by the same lines on each,
-/// so that once on each will do.
+/// Whether a row is tested. The keys that all screens share are handled by the same code, so one
+/// test per screen is enough.
 fn counts(moment: &Moment, row: &KeyRow<()>) -> bool {
     let own = ["everywhere.back", "everywhere.scroll"].contains(&row.id.as_str());
     own || !row.id.starts_with("everywhere.") || !moment.name.contains(',')
@@ -118,7 +118,7 @@ fn counts(moment: &Moment, row: &KeyRow<()>) -> bool {
 #[test]
 fn each_key_of_each_table_does_something() {
     let mut idle = Vec::new();
-    // A text that fits cannot be scrolled; some of each screen is longer.
+    // A text that fits cannot be scrolled; each screen has some longer texts.
     let mut scrolls = BTreeMap::new();
     for moment in moments() {
         let table = moment.game().app().keys();
@@ -130,8 +130,8 @@ fn each_key_of_each_table_does_something() {
                 continue;
             }
             for key in row.all_keys() {
-                // The mark of a list cannot go up from its first line, but after another of
-                // the moment's keys, most likely one of its row.
+                // The mark of a list cannot move up from its first line, but it can after another
+                // key of the moment, most likely one of the same row.
                 let does = |before| changes(moment.game(), (80, 24), before, key);
                 let mut others = row.all_keys().chain(table.keys());
                 if !does(None) && !others.any(|before| does(Some(before))) {
@@ -147,7 +147,7 @@ fn each_key_of_each_table_does_something() {
 }
 
 #[test]
-fn no_key_outside_of_the_table_does_anything() {
+fn no_key_outside_the_table_does_anything() {
     let named = [
         Key::Up,
         Key::Down,
@@ -174,8 +174,8 @@ fn no_key_outside_of_the_table_does_anything() {
             .copied()
             .filter(|key| table.find(*key).is_none())
             .collect();
-        // Some at a time, since drawing takes longer than a press; none beside those that
-        // might undo what it did.
+        // Several keys are pressed before each drawing, which takes longer than a press; they are
+        // chosen so that none undoes the effect of another.
         for first in 0..9 {
             let some = strange.iter().skip(first).step_by(9);
             some.clone().for_each(|key| game.key(*key));
@@ -210,7 +210,7 @@ fn each_row_is_named_and_explained_and_no_two_share_an_id() {
 }
 
 #[test]
-fn escape_always_goes_back_or_asks() {
+fn escape_always_goes_back_or_asks_for_confirmation() {
     for moment in moments() {
         let mut game = moment.game();
         for presses in 0.. {
@@ -232,8 +232,7 @@ fn escape_always_goes_back_or_asks() {
     }
 }
 
-/// Where the mark of a list stands on the first screen, but not on the second: beside it,
-/// on its line.
+/// The cell beside the mark of a list that is on the first screen but not on the second.
 fn mark(with: &Buffer, without: &Buffer) -> (u16, u16) {
     let marks = |at: &(u16, u16)| with[*at].symbol() == ">" && without[*at].symbol() != ">";
     let cells = with.area.positions().map(|at| (at.x, at.y));
@@ -246,7 +245,7 @@ fn every_list_behaves_the_same_way() {
     let (mut lists, mut clicked) = (0, 0);
     for moment in moments() {
         let table = moment.game().app().keys();
-        // Where a name is typed, Home and End lead to its ends.
+        // While a name is typed, Home and End go to its ends.
         let has = |id: &str| table.rows().iter().any(|row| row.id == id);
         if !has("list.choose") || !has("list.end") {
             continue;
@@ -259,11 +258,15 @@ fn every_list_behaves_the_same_way() {
             seen(&mut game)
         };
         let first = after("<Home>");
-        assert_eq!(after("<Home><Up>"), first, "{name}: it stops at its top");
+        assert_eq!(
+            after("<Home><Up>"),
+            first,
+            "{name}: the mark stops at the top"
+        );
         assert_eq!(
             after("<End><Down>"),
             after("<End>"),
-            "{name}: it stops at its end"
+            "{name}: the mark stops at the end"
         );
         if has("list.page") {
             assert_eq!(after("<Home><PageUp>"), first, "{name}");
@@ -273,7 +276,7 @@ fn every_list_behaves_the_same_way() {
         assert_eq!(
             after("<Home><Enter>"),
             after("<Home><Space>"),
-            "{name}: both open"
+            "{name}: both keys open a line"
         );
         let mut wheel = moment.game();
         wheel.press("<Home>");
@@ -288,10 +291,14 @@ fn every_list_behaves_the_same_way() {
         let mut click = moment.game();
         click.press("<Home>");
         click.click(mark(&second.0, &first.0));
-        assert_eq!(seen(&mut click), second, "{name}: a click chooses");
+        assert_eq!(seen(&mut click), second, "{name}: a click chooses a line");
         click.click(mark(&second.0, &first.0));
         let opened = after("<Home><Down><Enter>");
-        assert_eq!(seen(&mut click), opened, "{name}: a second one opens");
+        assert_eq!(
+            seen(&mut click),
+            opened,
+            "{name}: a second click opens the line"
+        );
     }
     assert!(lists >= 8 && clicked >= 6, "{lists} lists, {clicked}");
 }
@@ -304,7 +311,7 @@ fn each_moment_has_keys_of_its_own() {
         let table = game.app().keys();
         let rows = table.rows().iter().map(|row| (row.id.clone(), row.name));
         let rows: Vec<(String, &str)> = rows.collect();
-        // A vote has the keys of a question of the quiz.
+        // A vote has the same keys as a question of the quiz.
         let screen = game.screen();
         let screen: String = screen.chars().take(18).collect();
         let table = (screen, rows);
@@ -316,7 +323,7 @@ fn each_moment_has_keys_of_its_own() {
 }
 
 #[test]
-fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
+fn a_rebound_key_works_and_is_shown_wherever_its_row_is() {
     let mut met = BTreeSet::new();
     for moment in moments() {
         let table = moment.game().app().keys();
@@ -331,7 +338,7 @@ fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
             if moment.takes_any && matches!(old, Key::Char(_)) {
                 continue;
             }
-            // A key that nothing else has, for the row's first one.
+            // A key that no other row has replaces the first key of the row.
             let keys = std::iter::once(Key::F(9)).chain(row.keys().skip(1));
             let keys = Rebound::from([(id.to_owned(), keys.collect())]);
             let mut rebound = moment.game();
@@ -354,7 +361,7 @@ fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
     }
 }
 
-/// All keys there are, a line each as in `keys.toml`.
+/// All keys, one line each as in `keys.toml`.
 fn all_keys() -> String {
     let mut all = BTreeMap::new();
     let computer_aims = the_computer_aims();
@@ -397,7 +404,7 @@ fn carrom_keys_prints_the_keys_of_all_tables() {
 }
 
 #[test]
-fn every_row_met_on_a_walk_can_be_rebound() {
+fn every_row_found_by_a_random_walk_can_be_rebound() {
     let known: toml::Table = all_keys().parse().unwrap();
     let mut unknown = BTreeMap::new();
     let mut random = Pcg64::seed_from_u64(1);

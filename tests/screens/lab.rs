@@ -11,7 +11,7 @@ use crate::every_screen::shows_negative_nothing;
 
 const LONG: Duration = Duration::from_secs(120);
 
-/// The lab, with nothing to be said before a hit.
+/// The lab without predictions.
 fn lab() -> Headless {
     let settings = Settings {
         predict: false,
@@ -20,7 +20,7 @@ fn lab() -> Headless {
     Headless::new(App::new(Route::Lab, settings, 1), 100, 30)
 }
 
-/// The value beside a name in the panel.
+/// The value of a name in the panel.
 fn beside(game: &mut Headless, name: &str) -> f64 {
     let screen = game.screen();
     let line = screen.lines().find(|line| line.contains(name));
@@ -33,10 +33,10 @@ fn beside(game: &mut Headless, name: &str) -> f64 {
         .unwrap_or_else(|_| panic!("{name}: {value}\n{screen}"))
 }
 
-/// Equal discs of radius r that stick at b = 2r sin α, as seen from their centre of mass:
-/// there ω r = (μ b w / I) r with μ = m/2 and I = m r² + 2 m r² is w sin α / 3.
+/// Equal discs of radius r that stick at b = 2r sin α: in the centre-of-mass frame ω r = (μ b w /
+/// I) r = w sin α / 3, with μ = m/2 and I = m r² + 2 m r².
 #[test]
-fn the_discs_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
+fn discs_that_stick_rotate_about_their_centre_of_mass() {
     for offset_mm in [0.0, 6.0, -15.0, 27.0] {
         let mut game = lab();
         game.press(&format!("b{offset_mm}<Enter><Enter>"));
@@ -80,7 +80,7 @@ fn a_number_out_of_range_shows_the_range() {
 }
 
 #[test]
-fn at_the_end_both_arrows_can_be_seen_and_both_discs_are_whole() {
+fn at_the_end_both_arrows_are_visible_and_both_discs_are_complete() {
     for set in 0..3 {
         for ratio in [0.1, 0.3, 0.5, 0.75, 0.9] {
             let mut game = lab();
@@ -102,8 +102,8 @@ fn at_the_end_both_arrows_can_be_seen_and_both_discs_are_whole() {
             };
             assert_eq!(heads(&end), [1, 1], "{set} {ratio}\n{end}");
             assert_eq!(heads(&end), heads(&contact));
-            // A disc that ran out of the picture would leave its letter outside, or a
-            // rim that is cut off by the frame.
+            // If a disc left the picture, its letter would be outside, or the frame would cut off
+            // its rim.
             let rows = picture(&end);
             let letters = |letter| rows.iter().any(|row| row.contains(letter));
             assert!(letters('S') && letters('C'), "{set} {ratio}\n{end}");
@@ -139,7 +139,7 @@ fn a_negligible_number_has_no_sign() {
     }
 }
 
-/// Says both ways of the worked shot rightly.
+/// Predicts both directions of the worked shot correctly.
 fn say_it_right(game: &mut Headless) {
     game.press("<Enter>60<Enter>30<Enter>");
     assert!(game.settle(LONG));
@@ -159,11 +159,11 @@ fn the_picture_is_live_after_three_right_predictions_and_not_before() {
     }
     assert!(
         !game.screen().contains("60.0"),
-        "it is not live unless asked for"
+        "the picture is live only on request"
     );
     game.press("v");
     assert!(game.screen().contains("live:") && game.screen().contains("60.0"));
-    // α = 45° at b = 30 mm sin 45° = 21.2 mm; what sticks has no curves.
+    // α = 45° at b = 30 mm sin 45° = 21.2 mm; discs that stick have no curves.
     game.press("<Down>45<Enter>");
     assert!(game.screen().contains("45.0 deg") && game.screen().contains("speed, in units"));
     game.press("b");
@@ -172,13 +172,13 @@ fn the_picture_is_live_after_three_right_predictions_and_not_before() {
         "{}",
         game.screen()
     );
-    // A mass to be found is not given away.
+    // The unknown mass is not revealed.
     game.press("bm");
     assert!(!game.screen().contains("live:"), "{}", game.screen());
 }
 
 #[test]
-fn the_labs_set_up_is_kept_but_not_that_of_a_chapter() {
+fn the_set_up_of_the_lab_is_saved_but_not_that_of_a_chapter() {
     let mut game = Headless::new(App::new(Route::Lab, Settings::default(), 1), 80, 24);
     game.press("-12<Enter><Escape>l");
     assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());

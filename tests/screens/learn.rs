@@ -1,4 +1,4 @@
-//! The lessons on the screen: every chapter walked by keys, answers, place, figures.
+//! The chapters on the screen: every chapter read by keys, its answers, bookmark and figures.
 
 use carrom::app::App;
 use carrom::cli;
@@ -26,7 +26,7 @@ fn chapter(name: &str) -> (usize, &'static Chapter) {
 }
 
 #[test]
-fn every_chapter_is_walked_from_first_page_to_last() {
+fn every_chapter_can_be_read_from_first_page_to_last() {
     for (number, chapter) in ChapterLibrary::embedded_once().chapters.iter().enumerate() {
         for charset in [Charset::Ascii, Charset::Unicode] {
             for size in [(80, 24), (120, 40), (60, 20)] {
@@ -64,7 +64,7 @@ fn every_chapter_is_walked_from_first_page_to_last() {
 }
 
 #[test]
-fn an_answer_is_kept_and_explained_at_once() {
+fn an_answer_is_saved_and_explained_at_once() {
     let (number, chapter) = chapter("the-line-of-impact");
     let mut game = open(number, Charset::Ascii, (80, 24));
     assert!(
@@ -85,25 +85,25 @@ fn an_answer_is_kept_and_explained_at_once() {
     for figures in [attempt.answer, attempt.truth] {
         assert_eq!((figures.len(), &figures["choice"]), (1, &2.into()));
     }
-    // Asked again, and answered wrongly this time.
+    // The question is asked again, and this answer is wrong.
     game.press("r1<Enter>s");
     let screen = game.screen();
     assert!(screen.contains("x In the striker"), "{screen}");
     assert!(
         screen.contains("+ Along the line"),
-        "the right one is told too\n{screen}"
+        "the right answer is shown too\n{screen}"
     );
     assert!(!game.attempts()[1].right);
 }
 
 #[test]
-fn the_place_is_kept_and_can_be_reset() {
+fn the_bookmark_is_saved_and_can_be_reset() {
     let (number, chapter) = chapter("the-line-of-impact");
     let mut game = open(number, Charset::Ascii, (80, 24));
     game.press("2<Enter>nn<Escape>");
     let screen = game.screen();
     assert!(screen.contains("read 3 of 5"), "{screen}");
-    assert!(screen.contains("go on at page 3"), "{screen}");
+    assert!(screen.contains("read on at page 3"), "{screen}");
     game.press("<Enter>");
     assert!(game.screen().contains("page 3 of 5"));
     game.press("bb");
@@ -115,7 +115,7 @@ fn the_place_is_kept_and_can_be_reset() {
     game.press("Rn");
     assert!(
         game.screen().contains("page 2 of 5"),
-        "nothing but a yes forgets"
+        "only a confirmation deletes the bookmark"
     );
     game.press("Ry");
     let screen = game.screen();
@@ -134,7 +134,7 @@ fn the_place_is_kept_and_can_be_reset() {
     game.press("n");
     assert!(
         game.app().book().mark(&chapter.id).is_some(),
-        "nothing but a yes forgets"
+        "only a confirmation deletes the bookmark"
     );
     game.press("Ry");
     assert!(game.app().book().mark(&chapter.id).is_none());
@@ -186,7 +186,7 @@ fn the_point_on_the_curves_is_moved_by_keys_and_by_mouse() {
 }
 
 #[test]
-fn a_shot_of_the_players_own_goes_through_the_steps_of_the_proof() {
+fn a_shot_set_by_the_player_goes_through_the_steps_of_the_proof() {
     use carrom::lessons::FigureKind;
     let (number, chapter) = chapter("the-right-angle");
     let mut game = open(number, Charset::Ascii, (80, 24));
@@ -212,12 +212,15 @@ fn a_figure_opens_in_the_lab_and_is_exported() {
     let (number, _) = chapter("the-line-of-impact");
     let mut game = open(number, Charset::Unicode, (80, 24));
     game.press("e");
-    assert!(game.screen().contains("First say"), "nothing is given away");
+    assert!(
+        game.screen().contains("Give your answer first"),
+        "the outcome is not revealed"
+    );
     game.press("2<Enter>e");
     let (name, svg) = &game.exports()[0];
     assert_eq!(name, "carrom-the-line-of-impact-1.svg");
     assert!(svg.contains(">n<") && svg.contains(">t<"));
-    // Told in a box that the next key closes.
+    // The next key closes the notice.
     assert!(
         game.screen()
             .contains("The figure is in carrom-the-line-of-impact-1.svg")
@@ -274,7 +277,7 @@ fn typed_text_is_visible_on_a_small_screen() {
             let keys = game.screen().lines().last().unwrap_or_default().to_owned();
             assert!(keys.contains("Enter") && keys.contains("Esc"), "{keys}");
             if let Some(CheckpointKind::Number { .. } | CheckpointKind::Rays) = asked {
-                // Gives up what was typed.
+                // Escape discards what was typed.
                 game.press("<Escape>");
             }
             answer(&mut game, page);
@@ -306,7 +309,10 @@ fn a_second_try_after_a_hint_earns_half_the_credit() {
     game.press("1<Enter>");
     let screen = game.screen();
     assert!(screen.contains("Not yet. A hint:"), "{screen}");
-    assert!(!screen.contains("Newton"), "the truth waits\n{screen}");
+    assert!(
+        !screen.contains("Newton"),
+        "the right answer is not shown yet\n{screen}"
+    );
     game.press("2<Enter>");
     let screen = game.screen();
     assert!(
@@ -324,7 +330,7 @@ fn a_second_try_after_a_hint_earns_half_the_credit() {
         (mark.right(chapter), mark.right_after_hint(chapter)),
         (1, 1)
     );
-    // Of two rays the right one stays, and a second wrong answer is told.
+    // If one of two rays is right, it stays. After a second wrong answer the right answer is shown.
     game.press("nnn45<Enter>30<Enter>");
     assert!(
         game.screen().contains("The coin is right."),

@@ -39,7 +39,7 @@ fn set(game: &mut Headless, level: &Level) {
     }
 }
 
-/// Shoots, with nothing but straight ahead said of what is asked, and waits.
+/// Shoots, predicts that every disc goes straight ahead, and waits.
 fn shoot(game: &mut Headless) {
     game.key(Key::Enter);
     while game.screen().contains("predict it") {
@@ -63,7 +63,7 @@ fn all_pages(game: &mut Headless) -> String {
 }
 
 #[test]
-fn every_level_is_won_by_its_solution_and_explains_itself_whole() {
+fn every_level_is_won_by_its_solution_and_shows_its_whole_explanation() {
     let shelf = embedded();
     for (number, (_, level)) in shelf.levels().enumerate() {
         for size in [(80, 24), (60, 20)] {
@@ -84,8 +84,8 @@ fn every_level_is_won_by_its_solution_and_explains_itself_whole() {
     }
 }
 
-/// Nothing is said of a ray before it was turned: Enter alone neither makes the shot nor
-/// earns the star for what was said.
+/// A ray does not count as predicted until it has been turned: Enter alone neither makes the shot
+/// nor earns the star for the prediction.
 #[test]
 fn enter_alone_gives_no_answer() {
     let shelf = embedded();
@@ -108,9 +108,9 @@ fn enter_alone_gives_no_answer() {
     assert!(asked > 20);
 }
 
-/// A speed that was chosen holds for the next shot, and in every other level.
+/// The last speed chosen applies to the next shot and to every other level.
 #[test]
-fn the_speed_last_chosen_is_remembered() {
+fn the_last_speed_chosen_is_remembered() {
     let mut game = level(number("follow-on"));
     game.press("p<Enter>");
     assert!(game.screen().contains("real speed"), "{}", game.screen());
@@ -118,8 +118,7 @@ fn the_speed_last_chosen_is_remembered() {
     assert!(game.screen().contains("1/4 speed"), "{}", game.screen());
 }
 
-/// Along the line of impact the other disc leaves: whoever reads the impact angle need
-/// not say anything of it.
+/// The other disc leaves along the line of impact, so the impact angle would reveal its direction.
 #[test]
 fn the_answer_is_not_shown_before_the_question() {
     let mut asked = 0;
@@ -139,7 +138,7 @@ fn the_answer_is_not_shown_before_the_question() {
 }
 
 #[test]
-fn the_last_tries_stand_beside_the_dials() {
+fn the_last_shots_are_listed_beside_the_dials() {
     let mut game = level(number("dead-stop"));
     for angle in ["45", "60", "58"] {
         game.press(&format!("{angle}<Enter>"));
@@ -162,7 +161,7 @@ fn a_level_is_won_by_arrow_keys_alone() {
 }
 
 #[test]
-fn fine_and_big_steps_and_the_ends_of_the_range() {
+fn directions_change_in_fine_or_big_steps_and_stay_in_range() {
     let mut game = level(number("dead-stop"));
     game.press(",");
     assert!(game.screen().contains("45.05 deg"), "{}", game.screen());
@@ -180,7 +179,7 @@ fn fine_and_big_steps_and_the_ends_of_the_range() {
 }
 
 #[test]
-fn a_win_is_shown_at_the_end_and_counts_if_it_is_left_before() {
+fn a_win_is_shown_at_the_end_and_saved_even_if_left_before() {
     let at = number("dead-stop");
     let mut game = level(at);
     game.press("53<Enter><Enter>0<Enter>");
@@ -217,7 +216,7 @@ fn without_predictions_the_player_just_shoots() {
 }
 
 #[test]
-fn a_miss_says_what_was_off_and_keeps_the_aim() {
+fn a_miss_shows_the_missed_goals_and_keeps_the_aim() {
     let mut game = level(number("dead-stop"));
     game.press("47<Enter>");
     shoot(&mut game);
@@ -235,7 +234,7 @@ fn a_miss_says_what_was_off_and_keeps_the_aim() {
 }
 
 #[test]
-fn hints_come_one_by_one() {
+fn hints_are_shown_one_by_one() {
     let shelf = embedded();
     let (_, dead_stop) = shelf.get(number("dead-stop")).unwrap();
     let mut game = level(number("dead-stop"));
@@ -270,7 +269,7 @@ fn the_impact_is_shown_enlarged_with_its_layers() {
 }
 
 #[test]
-fn the_list_shows_what_is_won_and_the_next_level_follows() {
+fn the_list_shows_the_levels_won_and_the_next_level_follows() {
     let shelf = embedded();
     let mut game = open(Route::Levels, Settings::default(), (80, 24));
     let all = shelf.count();
@@ -318,7 +317,7 @@ fn an_unknown_mass_is_shown_after_the_win() {
 }
 
 #[test]
-fn the_mouse_points_the_shot_and_the_wheel_sets_its_strength() {
+fn the_mouse_aims_the_shot_and_the_wheel_sets_its_speed() {
     let mut game = level(number("follow-on"));
     let before = game.screen();
     game.drag((20, 5), (20, 3));
@@ -344,7 +343,7 @@ fn the_disc_is_dragged_along_its_line() {
     assert!(game.screen().contains("50.0 deg"), "the direction stays");
 }
 
-/// A folder of a teacher's own: one good level and two that are not.
+/// A teacher's own folder, with one good level and two invalid ones.
 fn own_levels() -> Folder {
     let folder = Folder::new("levels");
     let good = include_str!("../../levels/first-hits/01-dead-stop.toml");
@@ -358,7 +357,7 @@ fn own_levels() -> Folder {
 }
 
 #[test]
-fn bad_files_of_a_teacher_are_listed_and_the_rest_plays() {
+fn invalid_files_of_a_teacher_are_listed_and_the_rest_can_be_played() {
     let folder = own_levels();
     let arguments = format!("levels --levels '{}'", folder.path().display());
     let mut game = Headless::new(cli::open(&arguments).unwrap(), 80, 40);
@@ -428,7 +427,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn any_keys_at_any_size_draw(
+    fn any_keys_at_any_size_can_be_drawn(
         number in 0usize..embedded().count(),
         keys in keys(),
         sizes in prop::collection::vec((0u16..300, 0u16..100), 1..4),

@@ -29,7 +29,7 @@ fn plain(seed: u64) -> Headless {
     quiz(seed, Charset::Ascii, (80, 24))
 }
 
-/// Where the two truly go.
+/// The true directions of both discs.
 fn truth(question: &Question) -> Rays {
     match question.form.truth() {
         Response::Rays(rays) => rays,
@@ -37,7 +37,7 @@ fn truth(question: &Question) -> Rays {
     }
 }
 
-/// What a misconception answers, where it has a word on the question.
+/// The answer that a misconception leads to, if it applies to the question.
 fn held(question: &Question, i: usize) -> Option<Rays> {
     let belief = |it: &&carrom::quiz::WrongAnswer| it.misconception == ALL[i];
     match question.beliefs.iter().find(belief)?.said {
@@ -46,7 +46,7 @@ fn held(question: &Question, i: usize) -> Option<Rays> {
     }
 }
 
-/// The keys that say these rays, as a player would type them.
+/// The keys that answer with these rays, as a player would type them.
 fn keys(question: &Question, rays: &Rays) -> String {
     let Form::Rays { side, .. } = question.form else {
         panic!("not rays: {question:?}");
@@ -61,14 +61,14 @@ fn keys(question: &Question, rays: &Rays) -> String {
         .concat()
 }
 
-/// Answers the question on the screen and has the outcome told.
+/// Answers the question on the screen and waits for the outcome.
 fn answer(game: &mut Headless, question: &Question, rays: &Rays, confidence: &str) {
     game.press(&keys(question, rays));
     game.press(confidence);
     assert!(game.settle(LONG));
 }
 
-/// The words in a part of the screen, one space between any two.
+/// The words in a part of the screen, separated by single spaces.
 fn region(game: &mut Headless, area: Rect) -> String {
     let buffer = game.buffer();
     let mut text = String::new();
@@ -93,7 +93,7 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Far from every truth and every misconception.
+/// An answer far from every right answer and every misconception.
 const WILD: Rays = Rays::new(-1.3, -1.3);
 
 #[test]
@@ -117,19 +117,16 @@ fn a_round_of_right_answers_earns_all_points() {
             screen.contains("10 of 10 right") && screen.contains("100.0 of 100 points"),
             "{screen}"
         );
-        assert!(
-            screen.contains("Sure 10 times, right 10 of them."),
-            "{screen}"
-        );
+        assert!(screen.contains("Sure 10 times: 10 right."), "{screen}");
         assert!(screen.contains(&format!("code {seed}")), "{screen}");
         assert!(!screen.contains("but wrong"), "{screen}");
     }
 }
 
-/// Every misconception, met in every kind of question it has a word on: its name and
-/// the whole explanation stand on the screen, in both charsets.
+/// For every misconception and every kind of question to which it applies, the screen shows its
+/// name and the whole explanation, in both charsets.
 #[test]
-fn every_misconception_is_named_and_explained_in_whole() {
+fn every_misconception_is_named_and_fully_explained() {
     let mut met = [0; ALL.len()];
     for seed in 0..60 {
         let charset = [Charset::Ascii, Charset::Unicode][seed as usize % 2];
@@ -143,7 +140,7 @@ fn every_misconception_is_named_and_explained_in_whole() {
                 .unwrap();
             met[i] += 1;
             answer(&mut game, question, &rays, "2");
-            // What is typed is the prediction to a tenth of a degree.
+            // The prediction is typed to a tenth of a degree.
             let tenth = |angle: f64| (angle.to_degrees() * 10.0).round() / 10.0;
             let rays = Rays {
                 striker: rays.striker.map(|a| tenth(a).to_radians()),
@@ -164,7 +161,7 @@ fn every_misconception_is_named_and_explained_in_whole() {
 }
 
 #[test]
-fn a_misconception_held_throughout_is_named_in_the_end() {
+fn a_misconception_held_throughout_is_named_at_the_end() {
     let mut game = plain(7);
     for question in Round::hits(7).questions() {
         let copied = held(question, 0);
@@ -248,8 +245,8 @@ fn the_mouse_turns_the_rays() {
             .map_or(after, |(_, last)| last);
         after.split(' ').next().unwrap().parse().unwrap()
     };
-    // The coin lies to the left of a striker that moves to the right: its ray is the
-    // upper one, and up is its own side.
+    // The coin lies to the left of a striker that moves to the right: its ray is the upper one, on
+    // the coin's own side.
     game.drag((43, 9), (33, 3));
     let coin = angle(&mut game, "> coin");
     assert!((30.0..85.0).contains(&coin), "{coin}");
@@ -260,20 +257,20 @@ fn the_mouse_turns_the_rays() {
 }
 
 #[test]
-fn points_count_only_once_the_outcome_is_shown() {
+fn points_are_added_only_after_the_outcome_is_shown() {
     let question = Round::hits(7).questions()[0].clone();
     let mut game = plain(7);
     game.press(&keys(&question, &truth(&question)));
     game.press("3");
     assert!(game.screen().contains("question 1 of 10  0 right"));
     assert!(!panel(&mut game, (80, 24)).contains("of 10 points"));
-    // Neither Space nor Enter tells it at once: they go through what the hit tells.
+    // Neither Space nor Enter shows the outcome at once: they step through the explanation.
     game.press("<Enter> <Enter>");
     assert!(!panel(&mut game, (80, 24)).contains("of 10 points"));
     game.press("<End>");
     assert!(game.screen().contains("question 1 of 10  1 right"));
     assert!(panel(&mut game, (80, 24)).contains("10.0 of 10 points sure"));
-    // Seen again from the start, it stays told.
+    // If the collision is replayed, the outcome stays visible.
     game.press("a");
     assert!(panel(&mut game, (80, 24)).contains("10.0 of 10 points sure"));
     game.press("<Enter>");
@@ -281,12 +278,12 @@ fn points_count_only_once_the_outcome_is_shown() {
 }
 
 #[test]
-fn escape_goes_back_a_step_and_asks_twice_before_a_round_is_lost() {
+fn escape_goes_back_a_step_and_asks_before_a_round_is_lost() {
     let mut game = plain(7);
     game.press("4<Escape>");
     assert!(
         game.screen().contains("question 1"),
-        "a typed number is given up first"
+        "Escape first discards a typed number"
     );
     game.press("30<Enter>50<Enter>");
     assert!(game.screen().contains("How sure"));
@@ -316,7 +313,7 @@ fn lost_points_are_visible() {
     let mut game = plain(7);
     let round = Round::hits(7);
     let questions = round.questions();
-    // Both ways straight back: none is nearly right.
+    // Both rays point straight back, so neither is nearly right.
     answer(&mut game, &questions[0], &Rays::new(-3.0, -3.0), "2");
     let screen = game.screen();
     assert!(screen.contains("-2.0 of 10 points"), "{screen}");
@@ -328,14 +325,14 @@ fn lost_points_are_visible() {
 }
 
 #[test]
-fn a_round_with_nothing_answered_is_left_at_once() {
+fn a_round_without_answers_is_left_at_once() {
     let mut game = plain(7);
     game.press("<Escape>");
     assert!(game.screen().contains("choose a round"));
 }
 
 #[test]
-fn after_a_round_comes_another_or_home() {
+fn a_round_is_followed_by_another_or_by_the_choice_of_a_round() {
     let mut game = plain(7);
     for question in Round::hits(7).questions() {
         answer(&mut game, question, &WILD, "1");
@@ -351,7 +348,7 @@ fn after_a_round_comes_another_or_home() {
 }
 
 #[test]
-fn home_leads_to_the_round_of_the_seed_and_then_to_others() {
+fn the_home_screen_opens_the_round_for_the_seed_and_then_others() {
     let app = App::new(Route::Home, Settings::default(), 7);
     let mut game = Headless::new(app, 80, 24);
     game.press("zh");
@@ -364,7 +361,7 @@ fn home_leads_to_the_round_of_the_seed_and_then_to_others() {
 }
 
 #[test]
-fn nothing_moves_but_the_hit() {
+fn only_the_collision_moves() {
     let mut game = plain(7);
     assert_eq!(game.app().wake(), None);
     game.press("1<Enter>2<Enter>");
@@ -375,7 +372,7 @@ fn nothing_moves_but_the_hit() {
     game.press(" ");
     assert!(game.app().wake().is_some());
     assert!(game.settle(LONG));
-    // Over: now the same key shows it again.
+    // The replay is over; the same key plays it again.
     game.press(" ");
     assert!(game.app().wake().is_some());
     let mut still = plain(7);
@@ -389,7 +386,7 @@ fn nothing_moves_but_the_hit() {
 }
 
 #[test]
-fn layers_stay_as_the_player_set_them() {
+fn layers_stay_as_the_player_has_set_them() {
     let mut game = plain(7);
     let drawn = |game: &mut Headless| {
         let picture = SplitLayout::new(Rect::new(0, 1, 80, 22)).picture;
@@ -405,7 +402,7 @@ fn layers_stay_as_the_player_set_them() {
     assert!(drawn(&mut game));
 }
 
-/// On the smallest screen no word is lost: what does not fit can be scrolled to.
+/// On the smallest screen no text is lost: text that does not fit can be scrolled.
 #[test]
 fn on_the_smallest_screen_every_text_can_be_reached() {
     const SMALL: (u16, u16) = (60, 20);
@@ -483,14 +480,14 @@ fn step() -> impl Strategy<Value = Step> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
-    /// Whatever is pressed, clicked and resized, the quiz goes on, and an ASCII screen
-    /// holds nothing else.
+    /// Whatever is pressed, clicked or resized, the quiz continues, and an ASCII screen contains
+    /// only ASCII.
     #[test]
-    fn nothing_upsets_a_round(seed: u64, steps in prop::collection::vec(step(), 1..80)) {
+    fn any_input_leaves_a_round_usable(seed: u64, steps in prop::collection::vec(step(), 1..80)) {
         let mut game = quiz(seed, Charset::Ascii, (80, 24));
         for step in steps {
             match step {
-                // Other charsets have their tests.
+                // Other charsets have tests of their own.
                 Step::Key(Key::Char('U')) => continue,
                 Step::Key(key) => game.key(key),
                 Step::Mouse(kind, column, row) => {
@@ -500,7 +497,7 @@ proptest! {
                 Step::Time(ms) => game.pass(Duration::from_millis(ms)),
             }
             let screen = game.screen();
-            // It can be changed among the settings.
+            // The charset can be changed in the settings.
             let ascii = game.app().settings().charset == Charset::Ascii;
             prop_assert!(!ascii || screen.bytes().all(|b| b == b'\n' || (b' '..=b'~').contains(&b)));
             prop_assert!(!screen.contains("NaN"));

@@ -1,5 +1,5 @@
-//! Every kind of round on the screen: choosing one, codes, exams, reviews, and every
-//! family whatever it asks.
+//! Every kind of round on the screen: choosing one, codes, exams, reviews, and every family with
+//! every kind of question.
 
 use std::time::Duration;
 
@@ -19,13 +19,13 @@ fn settings(charset: Charset) -> Settings {
     }
 }
 
-/// The screen on which a round is chosen, with a store that knows what time it is.
+/// The screen on which a round is chosen, with a store that has a clock.
 fn choosing() -> Headless {
     let app = App::new(Route::Quiz { code: None }, settings(Charset::Ascii), 7);
     Headless::keeping(app, 80, 24, Store::in_memory())
 }
 
-/// A round at once.
+/// A round that begins immediately.
 fn round(code: Code, charset: Charset) -> Headless {
     let place = Route::Quiz { code: Some(code) };
     Headless::new(App::new(place, settings(charset), 7), 80, 24)
@@ -35,8 +35,7 @@ fn coded(code: &str) -> Headless {
     round(Code::parse(code).unwrap(), Charset::Ascii)
 }
 
-/// Says something to the question on the screen, in whatever form it asks for, and how
-/// sure one is.
+/// Answers the question on the screen, in whatever form it requires, and states a confidence.
 fn answer(game: &mut Headless, confidence: &str) {
     for _ in 0..2 {
         if !game.screen().contains("How sure are you?") {
@@ -46,15 +45,15 @@ fn answer(game: &mut Headless, confidence: &str) {
     let screen = game.screen();
     assert!(screen.contains("How sure are you?"), "{screen}");
     game.press(confidence);
-    // A hit is told step by step; this tells it all.
+    // A collision is explained step by step; End shows the whole explanation.
     let keys = game.app().keys();
     if keys.rows().iter().any(|row| row.id == "hit.end") {
         game.press("<End>");
     }
 }
 
-/// Goes on from an explanation to the next question or the look back, past the right
-/// shot where there is one.
+/// Continues from an explanation to the next question or the summary, past the right shot if there
+/// is one.
 fn go_on(game: &mut Headless) {
     assert!(game.settle(Duration::from_secs(120)));
     let number = top(game);
@@ -115,7 +114,7 @@ fn each_round_is_chosen_by_its_number_its_letter_the_arrows_or_the_mouse() {
 }
 
 #[test]
-fn a_topic_is_chosen_from_all_there_are() {
+fn a_topic_is_chosen_from_all_topics() {
     for (i, family) in CourseKind::topics().enumerate() {
         let mut game = choosing();
         game.press("t");
@@ -133,7 +132,7 @@ fn a_topic_is_chosen_from_all_there_are() {
 }
 
 #[test]
-fn a_code_is_typed_and_put_right() {
+fn a_code_is_typed_and_corrected() {
     let mut game = choosing();
     game.press("c<Enter>");
     assert!(!game.screen().contains("not the code"), "nothing typed yet");
@@ -173,7 +172,7 @@ fn an_exam_gives_no_feedback_before_its_end_and_then_all_of_it() {
     let screen = game.screen();
     assert!(screen.contains(" of 60 points"), "{screen}");
     assert!(screen.contains("carrom quiz --code exam6-7"), "{screen}");
-    // Each can be opened, and one is back where one was.
+    // Each answer can be opened, and closing it returns to its line.
     for number in 1..=6 {
         game.press("<Enter>");
         assert_eq!(top(&mut game), format!("question {number} of 6"));
@@ -184,12 +183,16 @@ fn an_exam_gives_no_feedback_before_its_end_and_then_all_of_it() {
         assert!(screen.contains(&format!(">{number:>2}")), "{screen}");
         game.press("<Down>");
     }
-    assert_eq!(game.attempts().len(), 6, "looking counts for nothing");
+    assert_eq!(
+        game.attempts().len(),
+        6,
+        "looking at an answer does not count as answering"
+    );
     game.press("<Escape>");
     assert!(game.screen().contains("choose a round"));
 }
 
-/// What was answered can be looked at, and is not lost with the exam.
+/// The answers of an exam that is left early can be looked at and are not lost.
 #[test]
 fn an_exam_that_is_left_shows_what_was_answered() {
     let mut game = coded("exam6-7");
@@ -221,13 +224,13 @@ fn an_exam_that_is_left_shows_what_was_answered() {
     assert!(game.screen().contains("choose a round"));
 }
 
-/// Text without the lines of frames, its blanks put together.
+/// Text without frame lines and with single blanks.
 fn words(screen: &str) -> String {
     let bare = screen.replace(['|', '+'], " ");
     bare.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// One number for what is due, wherever it is told; a list that is cut says so.
+/// The number of due topics is the same wherever it is shown; a truncated list is marked.
 #[test]
 fn the_number_of_due_topics_is_the_same_everywhere() {
     let mut game = coded("exam-7");
@@ -290,10 +293,10 @@ fn a_line_of_the_summary_is_opened_by_a_click() {
     );
 }
 
-/// What was guessed is due at once; a review asks each such topic once, and has no code to
-/// be given away.
+/// A guessed topic is due at once; a review asks each due topic once, and has no code that could be
+/// passed on.
 #[test]
-fn a_review_asks_what_is_due() {
+fn a_review_asks_about_the_topics_that_are_due() {
     let mut game = choosing();
     for code in ["speeds1-7", "from-angle1-7"] {
         game.press("c");
@@ -333,7 +336,7 @@ fn a_review_asks_what_is_due() {
     assert!(game.screen().contains("choose a round"));
 }
 
-/// Whatever a family asks, its questions can be read, answered and looked back on.
+/// The questions of every family can be read, answered and reviewed.
 #[test]
 fn every_family_is_played_on_every_screen() {
     for family in CourseKind::topics() {
@@ -365,8 +368,8 @@ fn every_family_is_played_on_every_screen() {
     }
 }
 
-/// Questions of a teacher's own have a line of their own, with what was left out and why;
-/// the rounds of the program stay as they are.
+/// A teacher's own questions have a separate line, with the files that were left out and the
+/// reasons; the built-in rounds do not change.
 #[test]
 fn own_questions_make_a_round_of_their_own() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
@@ -395,7 +398,7 @@ fn own_questions_make_a_round_of_their_own() {
     game.press("a<Enter>2");
     assert!(game.settle(Duration::from_secs(120)));
     assert_eq!(game.attempts()[0].topic, "our-marbles");
-    // By its code, and without the folder not at all.
+    // The round can be opened by its code, but not without the folder.
     let mut game = open("quiz --code own-7");
     assert_eq!(top(&mut game), "question 1 of 2");
     assert!(
@@ -411,7 +414,7 @@ fn own_questions_make_a_round_of_their_own() {
         "{}",
         game.screen()
     );
-    // What the program asks is the same with and without.
+    // The built-in questions are the same with and without the folder.
     let mixed = Round::of(Code::parse("mixed-7").unwrap());
     let text = &mixed.questions()[0].text;
     let mut game = open("quiz --code mixed-7");

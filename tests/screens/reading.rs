@@ -5,7 +5,7 @@ use std::time::Duration;
 use carrom::lessons::{ChapterPage, CheckpointKind};
 use carrom::shells::Headless;
 
-/// Presses what answers a page's question, if it has one: anything will do.
+/// Presses keys that answer a page's question, if it has one; any answer is sufficient.
 pub(crate) fn answer(game: &mut Headless, page: &ChapterPage) {
     match page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked) {
         None => return,
@@ -13,14 +13,14 @@ pub(crate) fn answer(game: &mut Headless, page: &ChapterPage) {
         Some(CheckpointKind::Number { .. }) => game.press("1<Enter>"),
         Some(CheckpointKind::Choice(_)) => game.press("2<Enter>"),
     }
-    // Without the second try, where one is offered.
+    // The second try is skipped, if there is one.
     let rows = game.app().keys();
     if rows.rows().iter().any(|row| row.id == "reading.show-it") {
         let is_hit = matches!(
             page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked),
             Some(CheckpointKind::Rays)
         );
-        // Where a hit is told, to its last step.
+        // The explanation of a collision is shown to its last step.
         game.press(if is_hit { "s<End>" } else { "s" });
     }
     assert!(game.settle(Duration::from_secs(120)));

@@ -7,10 +7,11 @@ use carrom::quiz::{Dice, Difficulty, Family, Form, Misconception};
 use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
 
-/// Columns of texts, from those of a panel at 80×24 on. Into fewer not every term goes.
+/// The tested widths of texts, from the width of a panel at 80×24. In fewer columns not every term
+/// fits.
 const COLUMNS: [usize; 5] = [26, 31, 38, 47, 70];
 
-/// Texts of chapters; a live number stands as one of four figures.
+/// The texts of chapters; each live number is replaced by a number with four digits.
 fn chapters() -> Vec<String> {
     let mut texts = Vec::new();
     for chapter in &ChapterLibrary::embedded_once().chapters {
@@ -48,7 +49,7 @@ fn levels() -> Vec<String> {
     texts.cloned().collect()
 }
 
-/// What questions ask and say, of every family and of every written one.
+/// The texts of the questions: those of every family, and all questions in words.
 fn questions() -> Vec<String> {
     let drawn = Family::ALL.iter().flat_map(|family| {
         let dice = (0..40).flat_map(|seed| Difficulty::ALL.map(|it| (it, seed)));
@@ -73,7 +74,7 @@ fn questions() -> Vec<String> {
     texts
 }
 
-/// Whether the term around a break has no room in a row, so that it had to be broken.
+/// Whether the term around a break does not fit in a row, so that it had to be broken.
 fn is_too_long(before: &str, after: &str, columns: usize) -> bool {
     let tail = before.rfind("= ").map_or(before, |at| &before[at..]);
     let head = after
@@ -84,7 +85,7 @@ fn is_too_long(before: &str, after: &str, columns: usize) -> bool {
     tail.chars().count() + 1 + head.chars().count() > columns
 }
 
-/// What is wrong with breaking a row between these two parts of a text.
+/// The reason why a row must not be broken between these two parts of a text.
 fn fault(before: &str, after: &str) -> Option<&'static str> {
     let last = before.split(' ').next_back().unwrap_or_default();
     let first = after.split(' ').next().unwrap_or_default();

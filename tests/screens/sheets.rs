@@ -1,4 +1,4 @@
-//! What screens say in words, recorded while they are drawn: for whoever has better than cells.
+//! The texts of screens, recorded while they are drawn, for shells that display more than cells.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -12,10 +12,10 @@ use ratatui::layout::{Position, Rect};
 
 use crate::key_tables::moments;
 
-/// Columns and rows where nothing gives way and nothing is scrolled.
+/// A size in columns and rows at which nothing is omitted and nothing is scrolled.
 const ROOM: (u16, u16) = (160, 100);
 
-/// What is drawn, the cells of its pictures, and what is recorded of it.
+/// The drawn cells, the areas of the pictures, and the recorded sheets.
 fn drawn(app: &App) -> (Buffer, Vec<Rect>, Vec<Sheet>) {
     let mut terminal = Terminal::new(TestBackend::new(ROOM.0, ROOM.1)).unwrap();
     let ((buffer, pictures), sheets) = recorded(|| {
@@ -29,13 +29,13 @@ fn drawn(app: &App) -> (Buffer, Vec<Rect>, Vec<Sheet>) {
     (buffer, areas, sheets)
 }
 
-/// All that a sheet says, without blanks.
+/// The whole text of a sheet, without blanks.
 fn said(sheet: &Sheet) -> String {
     let mut said = format!("{} {} ", sheet.title, sheet.status);
     for section in &sheet.sections {
         said += &section.title;
         for item in &section.items {
-            // Every word of it, whatever it is called there.
+            // Every text of the item, whatever its field is called.
             let json = serde_json::to_value(&item.words).unwrap();
             write_words(&json, &mut said);
         }
@@ -58,7 +58,8 @@ fn write_words(json: &serde_json::Value, said: &mut String) {
     }
 }
 
-/// The words in the cells beside the pictures, from letters alone: no frames, no shapes.
+/// The words in the cells outside the pictures, made of letters and digits only: no frames, no
+/// shapes.
 fn words(buffer: &Buffer, pictures: &[Rect], rows: impl Iterator<Item = u16>) -> Vec<String> {
     let is_word = |letter: char| letter.is_alphanumeric();
     let mut words = Vec::new();
@@ -87,10 +88,10 @@ fn the_record_has_every_word_in_the_cells() {
         game.resize(ROOM.0, ROOM.1);
         let (buffer, pictures, sheets) = drawn(game.app());
         let said: String = sheets.iter().map(said).collect();
-        // Without the line of keys, and the name of the program.
+        // The line of keys and the name of the program are excluded.
         for word in words(&buffer, &pictures, 0..ROOM.1 - 1) {
             let is_chrome = word == "carrom" || word.starts_with("Page");
-            // All pages of a step are recorded.
+            // All pages of a step are recorded together, without page numbers.
             let is_page = moment.name.starts_with("class") && (word == "page" || word == "3");
             if !is_chrome && !is_page && !said.contains(&word) {
                 missing.insert((moment.name, word));
@@ -101,7 +102,7 @@ fn the_record_has_every_word_in_the_cells() {
 }
 
 #[test]
-fn nothing_is_recorded_that_is_only_measured() {
+fn text_that_is_only_measured_is_not_recorded() {
     for moment in moments() {
         let mut game = moment.game();
         game.resize(ROOM.0, ROOM.1);
@@ -120,13 +121,14 @@ fn nothing_is_recorded_that_is_only_measured() {
     }
 }
 
-/// What is clicked, but for fields: one may belong to a choice, and share its cell.
+/// The items that can be clicked, except text fields: a field may belong to a choice and share its
+/// cell.
 fn pressed(section: &Section) -> impl Iterator<Item = &Item> {
     let items = section.items.iter().filter(|item| item.press.is_some());
     items.filter(|item| !matches!(item.words, Words::TextField { .. }))
 }
 
-/// Whether nobody would say it twice.
+/// Whether a text is so long that it should appear only once.
 fn is_long(item: &Item) -> bool {
     let Words::Text { runs, .. } = &item.words else {
         return false;
@@ -135,7 +137,7 @@ fn is_long(item: &Item) -> bool {
 }
 
 #[test]
-fn nobody_records_unasked_and_cells_are_the_same() {
+fn nothing_is_recorded_without_a_request_and_the_cells_are_the_same() {
     for moment in moments().step_by(7) {
         let mut game = moment.game();
         game.resize(ROOM.0, ROOM.1);

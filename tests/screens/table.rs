@@ -1,5 +1,4 @@
-//! The table, driven by keys: a whole board to its end, practice, the computer, and
-//! whatever else may be typed.
+//! The table, driven by keys: a whole board to its end, practice, the computer, and random input.
 
 use std::time::Duration;
 
@@ -52,7 +51,7 @@ impl Keyed {
     /// The stroke that these keys set up.
     fn strike(self, game: &Game) -> Option<Strike> {
         let lines = game.base_lines();
-        // On the screen a step goes right; North's right is the other way.
+        // A step goes to the right on the screen, which is North's left.
         let right = lines.along(glam::DVec2::X).signum();
         let place = lines.at(right * f64::from(self.steps * 20) / 10_000.0);
         let direction = game.seat().turn(unit_vector(f64::from(self.angle) / 100.0));
@@ -63,7 +62,7 @@ impl Keyed {
         })
     }
 
-    /// The keys, when the strength stands at `tenths`.
+    /// The keys, starting from a strength of `tenths`.
     fn keys(self, tenths: i32, seat: Seat) -> String {
         let times = |key: &str, other: &str, count: i32| {
             let key = if count < 0 { other } else { key };
@@ -79,7 +78,7 @@ impl Keyed {
     }
 }
 
-/// What became of a stroke.
+/// The result of a stroke.
 struct Tried {
     keyed: Keyed,
     after: Game,
@@ -100,7 +99,7 @@ fn attempt(game: &Game, keyed: Keyed) -> Option<Tried> {
     })
 }
 
-/// The first of many random strokes that does what is wanted.
+/// The first of many random strokes with the `wanted` result.
 fn seek(game: &Game, chance: &mut Pcg64, wanted: impl Fn(&Tried) -> bool) -> Tried {
     for _ in 0..20_000 {
         if let Some(tried) = attempt(game, Keyed::random(chance))
@@ -116,8 +115,8 @@ fn fell(tried: &Tried, piece: Piece) -> usize {
     tried.fell.iter().filter(|p| **p == piece).count()
 }
 
-/// What South or North shall do next: first a due, then coins, the queen, her cover,
-/// and the rest; North never gets anything.
+/// The next stroke of South or North: South first makes a due, then pockets coins, the queen, her
+/// cover, and the rest; North never pockets anything.
 fn next_stroke(game: &Game, chance: &mut Pcg64, due_made: bool) -> Tried {
     let play = game.play();
     if game.team(game.seat()) == Team::Second {
@@ -140,7 +139,7 @@ fn next_stroke(game: &Game, chance: &mut Pcg64, due_made: bool) -> Tried {
     }
 }
 
-/// The text of the panel, its lines put together again.
+/// The text of the panel, with its lines joined.
 fn panel(game: &mut Headless) -> String {
     let screen = game.screen();
     let rows = screen.lines().filter_map(|row| row.get(74..119));
@@ -194,7 +193,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
     panic!("the board never ended");
 }
 
-/// How often each kind of piece is to be seen on the board: white, black, queen.
+/// The number of visible pieces of each kind on the board: white, black, queen.
 fn seen(game: &mut Headless, charset: Charset) -> [usize; 3] {
     let screen = game.screen();
     let (tokens, side) = match charset {
@@ -228,7 +227,7 @@ fn every_piece_of_the_opening_is_seen_at_every_size() {
 }
 
 #[test]
-fn a_hint_that_is_set_is_what_it_said_and_legal() {
+fn a_hint_sets_the_stroke_that_it_describes_and_is_legal() {
     let mut game = at_the_table(Options::two_people(), still());
     game.press("hhh");
     let shown = panel(&mut game);
@@ -240,8 +239,8 @@ fn a_hint_that_is_set_is_what_it_said_and_legal() {
     assert!(shown.contains(&format!("{speed} m/s place")), "{shown}");
     let place = place.trim_end_matches(" of the middle");
     assert!(shown.contains(&format!("place {place}")), "{shown}");
-    assert!(!shown.contains("Not from"), "{shown}");
-    // And the striker stays on the board.
+    assert!(!shown.contains("No stroke is"), "{shown}");
+    // The striker stays on the board.
     game.press(" ");
     assert!(panel(&mut game).contains("Space: go on."));
     assert!(!panel(&mut game).contains("striker fell"));
@@ -255,15 +254,16 @@ fn place_and_strength_can_be_typed() {
     assert!(shown.contains("aim 101.0 deg"), "{shown}");
     assert!(shown.contains("2.5 m/s"), "{shown}");
     assert!(shown.contains("place 57 mm left"), "{shown}");
-    // A place of one's own may be illegal, and is then explained; a step is not.
+    // A typed place may be illegal, and the reason is then shown; a place reached by steps is
+    // legal.
     game.press("200]");
-    assert!(panel(&mut game).contains("not cut it"));
+    assert!(panel(&mut game).contains("not touch it"));
     game.press("]");
     assert!(panel(&mut game).contains("place 216 mm right"));
 }
 
 #[test]
-fn practice_lays_out_strikes_and_takes_back() {
+fn in_practice_pieces_are_arranged_and_strokes_are_made_and_undone() {
     let options = Options {
         rules: Rules::Practice,
         ..Options::default()
@@ -276,7 +276,7 @@ fn practice_lays_out_strikes_and_takes_back() {
     assert_ne!(game.screen(), pack);
     game.press("z90<Enter>");
     assert_eq!(game.screen(), pack, "taken back");
-    // A coin goes where the hand goes, but not onto another.
+    // A coin can be moved anywhere except onto another.
     game.press("p<Tab> <Right> ");
     assert!(panel(&mut game).contains("overlap"), "{}", panel(&mut game));
     game.press("<Up><Up><Up><Up><Up><Up><Up><Up> p");
@@ -286,7 +286,7 @@ fn practice_lays_out_strikes_and_takes_back() {
 }
 
 #[test]
-fn a_call_is_graded_beside_the_score_never_in_it() {
+fn a_call_is_graded_separately_from_the_score() {
     let options = Options {
         call: true,
         ..Options::two_people()
@@ -356,7 +356,7 @@ fn the_paths_stay_hidden_while_the_player_calls() {
 }
 
 #[test]
-fn the_computer_plays_and_says_what_it_saw() {
+fn the_computer_plays_and_explains_its_stroke() {
     let mut game = at_the_table(Options::default(), still());
     // A soft break, after which it is the computer's turn.
     game.press(&"-".repeat(30));
@@ -385,14 +385,14 @@ fn the_computer_plays_and_says_what_it_saw() {
 }
 
 #[test]
-fn leaving_a_running_game_is_asked_about_once() {
+fn leaving_a_running_game_is_confirmed_once() {
     let mut game = at_the_table(Options::two_people(), still());
     game.press(" <Enter><Escape>");
     assert!(game.screen().contains("Leave this game?"));
     game.press("x");
     assert!(
         game.screen().contains("Leave this game?"),
-        "only an answer counts"
+        "other keys do not answer"
     );
     game.press("<Escape>");
     assert!(!game.screen().contains("Leave this game?"));
@@ -400,8 +400,39 @@ fn leaving_a_running_game_is_asked_about_once() {
     assert!(game.screen().contains("a new game"));
 }
 
+/// The row below that of the pieces; its number applies to this game and to the next one.
 #[test]
-fn a_stroke_takes_its_time_and_then_nothing_moves() {
+fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
+    let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
+    game.press(&"<Down>".repeat(5));
+    let chosen = |game: &mut Headless, e: &str| {
+        let screen = game.screen();
+        let mut rows = screen.lines().filter(|row| row.contains("> restitution e"));
+        assert!(rows.any(|row| row.contains(e)), "{e}: {screen}");
+    };
+    chosen(&mut game, "1.00");
+    game.press("<Left>");
+    chosen(&mut game, "0.95");
+    game.press("7<Enter>");
+    assert!(game.screen().contains("from 0 to 1"), "{}", game.screen());
+    game.press("0.8<Enter><Enter>");
+    assert!(game.screen().contains("e = 0.80"), "{}", game.screen());
+    game.press("<Escape>");
+    game.press(&"<Down>".repeat(5));
+    chosen(&mut game, "0.80");
+    // The rows above and below it are unchanged.
+    game.press("<Up><Right><Down><Down><Right>");
+    let page = game.screen();
+    let row = |name: &str, value: &str| {
+        let mut rows = page.lines().filter(|row| row.contains(name));
+        rows.any(|row| row.contains(value))
+    };
+    assert!(row("  pieces", "15 g on 15 g"), "{page}");
+    assert!(row("> call it", " on "), "{page}");
+}
+
+#[test]
+fn a_stroke_is_animated_and_then_nothing_moves() {
     let mut game = at_the_table(Options::two_people(), Settings::default());
     assert_eq!(game.app().wake(), None);
     game.press(" ");
@@ -409,7 +440,7 @@ fn a_stroke_takes_its_time_and_then_nothing_moves() {
     game.pass(Duration::from_millis(500));
     assert!(game.screen().contains("0.50 s"));
     game.press(",,");
-    assert_eq!(game.app().wake(), None, "a step halts");
+    assert_eq!(game.app().wake(), None, "a step pauses the replay");
     game.press(" ");
     assert!(game.settle(Duration::from_secs(120)));
     assert!(panel(&mut game).contains("(law"));
@@ -473,7 +504,7 @@ proptest! {
                 Act::Pass(ms) => game.pass(Duration::from_millis(*ms)),
             }
             let screen = game.screen();
-            // Who leaves the table may choose other characters among the settings.
+            // Random keys may leave the table and change the charset in the settings.
             let unicode = game.app().settings().charset == Charset::Unicode;
             prop_assert!(unicode || screen.is_ascii());
             prop_assert!(!screen.contains("NaN"));
@@ -481,8 +512,8 @@ proptest! {
     }
 }
 
-/// The cell of the screen at a place of the board, in millimetres from its middle, on a
-/// screen of 80 × 24: the board is drawn in 39 columns and 20 rows from column 1, row 2.
+/// The cell of the screen at a position on the board, in millimetres from its middle, on a screen
+/// of 80 × 24: the board is drawn in 39 columns and 20 rows from column 1, row 2.
 fn cell(x_mm: f64, y_mm: f64) -> (u16, u16) {
     let column = 1.0 + 19.0 + x_mm / 740.0 * 38.0;
     let row = 2.0 + 9.5 - y_mm / 740.0 * 19.0;
@@ -495,10 +526,10 @@ fn small(options: Options) -> Headless {
 }
 
 #[test]
-fn the_striker_is_pulled_back_and_let_go() {
+fn the_striker_is_pulled_back_and_released() {
     let mut game = small(Options::two_people());
     let striker = cell(0.0, -252.6);
-    // Straight back, with the aim as it was pointed.
+    // A pull straight back keeps the aim.
     game.click(cell(100.0, 200.0));
     let aim = |game: &mut Headless| {
         let screen = game.screen();
@@ -511,7 +542,7 @@ fn the_striker_is_pulled_back_and_let_go() {
     game.mouse(MouseKind::Down, striker);
     game.mouse(MouseKind::Drag, back);
     assert!(
-        game.screen().contains("Let go: strike."),
+        game.screen().contains("Let go to strike."),
         "{}",
         game.screen()
     );
@@ -519,11 +550,11 @@ fn the_striker_is_pulled_back_and_let_go() {
     let near = game.screen();
     game.mouse(MouseKind::Drag, (striker.0, striker.1 + 4));
     assert_ne!(game.screen(), near, "farther is harder");
-    // To the side it turns the aim, to the other side of where it is pulled.
+    // A pull to the side turns the aim to the opposite side.
     game.mouse(MouseKind::Drag, (striker.0 + 6, striker.1 + 3));
     let turned = aim(&mut game);
     assert_ne!(turned, pointed);
-    // Back to the striker there is no stroke, nor with Escape.
+    // A release at the striker makes no stroke, and neither does Escape.
     game.mouse(MouseKind::Drag, striker);
     game.mouse(MouseKind::Up, striker);
     assert_eq!(aim(&mut game), pointed);
@@ -538,7 +569,7 @@ fn the_striker_is_pulled_back_and_let_go() {
         "{}",
         game.screen()
     );
-    // Let go far enough back, also below the board, it is struck.
+    // A release far enough back makes the stroke, even below the board.
     game.mouse(MouseKind::Down, striker);
     game.mouse(MouseKind::Drag, (striker.0, 23));
     game.mouse(MouseKind::Up, (striker.0, 23));
@@ -580,8 +611,8 @@ fn in_practice_the_striker_is_moved_and_pulled_by_the_mouse() {
     assert!(game.screen().contains("stroke 1 of 1"), "{}", game.screen());
 }
 
-/// Plays a game against the computer to its end, each of the player's strokes by `strike`,
-/// and going on by `go_on`.
+/// Plays a game against the computer to its end, with `strike` for each of the player's strokes and
+/// `go_on` to continue.
 fn whole_game(
     strength: Strength,
     strike: impl Fn(&mut Headless, &mut Pcg64),
@@ -613,10 +644,10 @@ fn whole_game(
 }
 
 #[test]
-fn a_whole_game_against_each_strength_by_mouse_alone() {
+fn a_whole_game_against_each_strength_is_played_by_mouse_alone() {
     for strength in Strength::ALL {
         let pull = |game: &mut Headless, chance: &mut Pcg64| {
-            // Point anywhere up the board, then pull back from wherever the striker stands.
+            // Point anywhere up the board, then pull back from the striker's position.
             let at = cell(
                 chance.random_range(-300.0..300.0),
                 chance.random_range(-100.0..300.0),
@@ -632,7 +663,7 @@ fn a_whole_game_against_each_strength_by_mouse_alone() {
 }
 
 #[test]
-fn a_whole_game_against_each_strength_by_keys_alone() {
+fn a_whole_game_against_each_strength_is_played_by_keys_alone() {
     for strength in Strength::ALL {
         let strike = |game: &mut Headless, chance: &mut Pcg64| {
             let turns = chance.random_range(0..60);
@@ -645,7 +676,7 @@ fn a_whole_game_against_each_strength_by_keys_alone() {
 }
 
 #[test]
-fn an_aim_that_is_too_soft_is_told_apart_from_one_that_misses() {
+fn a_stroke_that_is_too_soft_is_distinguished_from_a_miss() {
     let mut game = small(Options::two_people());
     game.press(&"-".repeat(60));
     assert!(

@@ -1,4 +1,4 @@
-//! Tapes: what they can say, what is wrong with a bad one, what they keep.
+//! Tapes: their instructions, the errors of invalid ones, and their screenshots.
 
 use std::time::Duration;
 
@@ -162,7 +162,7 @@ fn bad_tapes_are_refused_with_line_and_reason() {
         ),
     ] {
         match Tape::parse(text) {
-            Ok(_) => panic!("{text:?} is taken"),
+            Ok(_) => panic!("{text:?} is accepted"),
             Err(ParseError {
                 line: l,
                 message: m,
@@ -200,12 +200,12 @@ fn unusable_arguments_are_reported() {
 }
 
 #[test]
-fn nothing_can_follow_when_carrom_is_left() {
+fn nothing_can_follow_after_carrom_has_quit() {
     let error = played("Type \"q\"\nScreenshot late").unwrap_err();
     assert_eq!(error, PlayError::Left { line: 2, left: 1 });
 }
 
-/// Notes everything it is told and shows it.
+/// A screen that records every input and shows it.
 #[derive(Default)]
 struct Notes(String);
 

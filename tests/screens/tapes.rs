@@ -1,7 +1,7 @@
-//! The tapes under `tests/tapes`, each played in both charsets at two sizes. What they
-//! expect and refuse holds in all four. Of those that together show every kind of picture, one
-//! variant is kept as a snapshot, accepted after it was looked at; some screenshots are kept
-//! with their colours too.
+//! The tapes under `tests/tapes`, each played in both charsets at two sizes. Their expectations and
+//! refusals hold in all four variants. For a selection of tapes that together show every kind of
+//! picture, one variant is kept as a snapshot, which was inspected before it was accepted; some
+//! screenshots are also kept with their colours.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -86,7 +86,7 @@ fn folder(of: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(of)
 }
 
-/// Names of the files in `folder` that end in `ending`, without it, in order.
+/// The names, without `ending`, of the files in `folder` that end in it, in order.
 fn names(folder: &Path, ending: &str) -> BTreeSet<String> {
     let files = fs::read_dir(folder).unwrap();
     let files = files.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -128,14 +128,14 @@ fn compare(folder: &str, name: &str, text: &str) {
     settings.bind(|| insta::assert_snapshot!(name, text));
 }
 
-/// Fails unless the snapshots in `tests/snapshots/<of>` are those that are `wanted`.
+/// Fails unless the snapshots in `tests/snapshots/<of>` are exactly the `wanted` ones.
 fn assert_kept(of: &str, wanted: &BTreeSet<String>) {
     let kept = names(&folder("snapshots").join(of), ".snap");
     let wrong: Vec<_> = kept.symmetric_difference(wanted).collect();
     assert!(wrong.is_empty(), "left over or missing: {wrong:?}");
 }
 
-/// Runs `check` on every item, on all cores; fails at the end with all that failed.
+/// Runs `check` on every item, on all cores, and reports all failures at the end.
 fn check_each<T: Send + std::fmt::Debug>(items: Vec<T>, check: impl Fn(&T) + Sync) {
     let left = Mutex::new(items);
     let failed = Mutex::new(Vec::new());
@@ -158,7 +158,7 @@ fn check_each<T: Send + std::fmt::Debug>(items: Vec<T>, check: impl Fn(&T) + Syn
 }
 
 #[test]
-fn every_tape_plays_and_looks_as_it_did() {
+fn every_tape_plays_and_its_screenshots_are_unchanged() {
     let tapes = names(&folder("tapes"), ".tape");
     let of_each = |name: String| VARIANTS.map(|(charset, size)| (name.clone(), charset, size));
     let plays = tapes.into_iter().flat_map(of_each).collect();
@@ -179,7 +179,7 @@ fn every_tape_plays_and_looks_as_it_did() {
 }
 
 #[test]
-fn some_pictures_are_coloured_as_they_were() {
+fn the_colours_of_some_pictures_are_unchanged() {
     let file = |(tape, shot, charset, palette, depth): (&str, &str, &str, Palette, Depth)| {
         format!("{tape}-{shot}-{charset}-{palette:?}-{depth:?}").to_lowercase()
     };

@@ -1,4 +1,4 @@
-//! What is clicked beside a picture is what stands there, on a screen of any size.
+//! A click beside a picture activates the target that is drawn there, on a screen of any size.
 
 use std::cell::Cell;
 
@@ -10,7 +10,7 @@ use proptest::test_runner::{RngSeed, TestRunner};
 
 use crate::key_tables::{Moment, moments, seen};
 
-/// Screens of each moment, of any size, and a target on each.
+/// The number of random screen sizes for each moment; a target is clicked on each.
 const SCREENS: u32 = 12;
 
 /// A screen, and a cell of one of its targets.
@@ -34,8 +34,8 @@ fn clicked() -> impl Strategy<Value = Clicked> {
     })
 }
 
-/// Clicks on a target, and elsewhere does what it stands for; says whether there was one, and
-/// whether that changed anything.
+/// Clicks on a target, and activates the same target directly in a second game. Returns whether
+/// there was a target, and whether the click changed anything.
 fn click(moment: &Moment, clicked: &Clicked) -> Result<Option<bool>, TestCaseError> {
     let game = || {
         let mut game = moment.with(Settings {
@@ -89,7 +89,7 @@ fn a_click_on_a_target_does_what_the_target_does() {
         outcome.unwrap();
     }
     let (clicks, changes) = (clicks.get(), changes.get());
-    // What is chosen already stays as it is.
+    // A click on a line that is already chosen may change nothing.
     assert!(
         clicks > 400 && 5 * changes > 4 * clicks,
         "{changes} of {clicks}"

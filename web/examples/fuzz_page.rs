@@ -1,6 +1,6 @@
-//! Says to carrom what a page may say, at random, and looks whether anything gives way:
+//! Sends carrom random commands, as a page would, and checks that nothing fails:
 //! `cargo run --release -p carrom-web --example fuzz_page -- SECONDS [FIRST]`, where FIRST is the
-//! session to begin with. A panic names its session.
+//! number of the first session. A panic names its session.
 
 use std::error::Error;
 use std::time::{Duration, Instant};
@@ -12,11 +12,11 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde_json::{Value, json};
 
-/// The most that is said in a session.
+/// The largest number of commands in a session.
 const LONGEST: u64 = 1000;
-/// The most that is said from one picture to the next.
+/// The largest number of commands between two frames.
 const PAINTED: u64 = 100;
-/// Keys that lead to other screens: there is a picture after each.
+/// Keys that open other screens: a frame is drawn after each.
 const LEADING: [&str; 3] = ["Enter", "Esc", "Escape"];
 
 const FRAGMENTS: [&str; 10] = [
@@ -59,7 +59,7 @@ const KEYS: [&str; 24] = [
 ];
 const KINDS: [&str; 6] = ["down", "drag", "up", "scroll-up", "scroll-down", "wink"];
 
-/// Any text of up to so many letters.
+/// A random text of up to `most` letters.
 fn text(chance: &mut impl Rng, most: usize) -> String {
     let length = chance.random_range(0..=most);
     (0..length).map(|_| chance.random::<char>()).collect()
@@ -82,7 +82,7 @@ fn opening(chance: &mut impl Rng) -> Value {
     })
 }
 
-/// What a page may have heard of a class.
+/// News that a page may receive from a class.
 fn news(chance: &mut impl Rng) -> Value {
     let heard = [
         r#"{"t":"no","why":"code"}"#.to_owned(),
@@ -99,8 +99,7 @@ fn news(chance: &mut impl Rng) -> Value {
     }
 }
 
-/// Something that a page may say, and the bytes behind it. `meant` are the keys that were on
-/// the last picture.
+/// A random command and the bytes that follow it. `meant` are the keys of the last frame.
 fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
     let bytes: Vec<u8> = (0..chance.random_range(0..40))
         .map(|_| chance.random())
@@ -108,7 +107,7 @@ fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
     let said = match chance.random_range(0..100) {
         0..20 => json!({ "do": "key", "key": KEYS.choose(chance) }),
         20..38 => match meant.choose(chance).map(String::as_str) {
-            // It ends a session.
+            // Ctrl+C ends a session.
             Some("Ctrl+C") if chance.random_bool(0.95) => json!({ "do": "key", "key": "Escape" }),
             key => json!({ "do": "key", "key": key.unwrap_or("Enter") }),
         },
@@ -156,10 +155,10 @@ fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
     (said, bytes)
 }
 
-/// Plays the session of this number; gives how much was said.
+/// Plays the session with this number; returns the number of commands.
 ///
 /// # Errors
-/// If a picture has "NaN" in it.
+/// If a frame contains "NaN".
 fn play(number: u64) -> Result<u64, Box<dyn Error>> {
     let mut chance = Pcg64Mcg::seed_from_u64(number);
     let Command::Open(opening) = serde_json::from_value(opening(&mut chance))? else {
@@ -205,14 +204,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         match panic::catch_unwind(|| play(next)) {
             Ok(said) => inputs += said?,
             Err(_) => {
-                eprintln!("that was session {next}");
+                eprintln!("session {next} panicked");
                 process::exit(1);
             }
         }
         next += 1;
     }
     println!(
-        "{inputs} inputs in {} sessions, from {first} on; none gave way",
+        "{inputs} inputs in {} sessions, from {first} on; none failed",
         next - first
     );
     Ok(())

@@ -1,13 +1,14 @@
 // Keeps the page's address and the browser's history in step with the program: each screen that is
-// opened is an entry, so Back goes back, a reload stays, and the address can be given to others.
+// opened is an entry, so Back goes back, a reload shows the same screen, and the address can be
+// shared.
 
 const address = (() => {
-  // The parts of a link that stay when another screen is opened.
+  // The parts of a link that are kept when another screen is opened.
   const STAYS = /^(plain|player|charset|color|palette)(=|$)/;
   // The answers given in a round are kept in the history's entry, not in the address.
   const ANSWERS = "&said=";
   // Browsers limit how often an address changes: Safari to 100 times in 30 s. The pause also keeps
-  // the page from changing it while the page is being opened or left.
+  // the address from changing while the page is being opened or left.
   const PAUSE = 400;
   let entry = { index: 0, depths: [] };
   let stays = [], told = { address: "", depth: 1 }, written = "", timer = 0;
@@ -24,7 +25,7 @@ const address = (() => {
     const parts = given.split("&");
     stays = parts.filter((part) => STAYS.test(part));
     const state = history.state;
-    // The program may open another number of screens than before the reload.
+    // The program may open a different number of screens than before the reload.
     if (state?.depths) entry = { index: state.index, depths: state.depths.slice(0, state.index) };
     else entry = { index: entry.depths.length, depths: entry.depths };
     written = "";
@@ -76,7 +77,7 @@ const address = (() => {
     try {
       history[way]({ ...entry, said }, "", url);
     } catch {
-      // The browser's limit is reached: the next change writes it.
+      // The browser's limit was reached: the next change writes the entry.
       written = "";
     }
   }
@@ -95,7 +96,7 @@ const address = (() => {
       return show(told);
     }
     if (state.index > before) return reopen();
-    // A round asks before it is left. Then its entry is pushed again.
+    // A round asks for confirmation before it is left; until then its entry is pushed again.
     back();
     show(told);
   }

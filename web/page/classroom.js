@@ -51,7 +51,7 @@ const classroom = (() => {
     } catch {}
   }
 
-  // The link that this page opens: a pupil who was in this class before is not asked again.
+  // The link that this page opens; a pupil who was in this class before need not enter a name again.
   function fragment() {
     const given = address.fragment();
     if (!isHere()) return given;
@@ -61,7 +61,7 @@ const classroom = (() => {
     return placeHere(given);
   }
 
-  // The same on a page that the host of a class has served.
+  // The link on a page that a class's host has served.
   function placeHere(given) {
     const before = kept();
     const link = /(^|&)code=([^&]*)/.exec(given);
@@ -71,7 +71,7 @@ const classroom = (() => {
     return given || "join";
   }
 
-  // A phone that slept may not know that its connection is lost.
+  // A phone that was asleep may not know that its connection is lost.
   function awake() {
     const slept = performance.now() - hidden;
     if (line && (line.readyState > WebSocket.OPEN || slept > 3000)) {
@@ -88,7 +88,7 @@ const classroom = (() => {
     addEventListener("pageshow", (event) => event.persisted && awake());
   }
 
-  // Whether the host of a class has served this page, not a disk or a school's server.
+  // Whether a class's host has served this page, rather than a disk or a school's server.
   const isHere = () => "class" in document.documentElement.dataset;
 
   return { does, start, fragment };

@@ -1,5 +1,5 @@
 // Written in ES5, so that old browsers can run it. If a browser cannot run the program's own
-// script, the page shows what it needs.
+// script, the page lists the browsers that can.
 function tooOld() {
   document.getElementById("words").textContent =
     "This browser is too old for carrom.\n" +

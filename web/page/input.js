@@ -12,7 +12,7 @@ const input = (() => {
   const layer = document.getElementById("layer");
   const typing = document.getElementById("typing");
   let say = () => {};
-  // Content of the field of the menu's keyboard, so that there is something to delete.
+  // The content of the field for the menu's "Show the keyboard", so that there is something to delete.
   const FILLER = "\u200b";
   let digits = false, shown = "", likely = null, last = [], own = [], composed = "";
 
@@ -46,13 +46,13 @@ const input = (() => {
 
   const key = (name) => say({ do: "key", key: name });
 
-  // Keys of one character can be turned off: software that types what is spoken would press them.
+  // Keys of one character can be turned off, because speech recognition software would press them.
   const SINGLE_KEYS = "carrom-single-keys";
   let hasSingleKeys = true;
   try {
     hasSingleKeys = localStorage.getItem(SINGLE_KEYS) !== "off";
   } catch {
-    // A browser that keeps nothing.
+    // The browser saves nothing.
   }
 
   function switchSingleKeys() {
@@ -60,7 +60,7 @@ const input = (() => {
     try {
       localStorage.setItem(SINGLE_KEYS, hasSingleKeys ? "on" : "off");
     } catch {
-      // It holds until the page is left.
+      // The setting applies until the page is left.
     }
   }
 
@@ -70,8 +70,8 @@ const input = (() => {
     key(name);
   }
 
-  // Input of a phone's keyboard without a field. It deletes only existing text, and may change a
-  // word until it is composed.
+  // Input of a phone's keyboard without a field. The keyboard deletes only existing text, and may
+  // change a word until it is complete.
   function typed({ type, isComposing }) {
     const now = typing.value;
     if (now.startsWith(FILLER)) panels.retype(composed, now.slice(FILLER.length));
@@ -121,7 +121,7 @@ const input = (() => {
     }
     if (!isOurs(event)) return;
     const name = event.key === "Tab" ? (event.shiftKey ? "Shift+Tab" : "Tab") : NAMED[event.key];
-    // Tab is the browser's, unless it has a name of its own on this screen.
+    // The browser handles Tab, unless this screen has an action for it.
     if (event.key === "Tab") {
       const isNamed = last.some((row) => row.name && row.keys[0] === name);
       if (!isNamed || event.target !== document.body) return;
@@ -134,7 +134,7 @@ const input = (() => {
     key(name || letter);
   }
 
-  // Mouse movements over a picture are reported; a finger on it drags.
+  // Mouse movements over a picture are reported, and a finger can drag there.
   let hand = null;
 
   function tell(kind, canvas, event) {
@@ -163,7 +163,7 @@ const input = (() => {
     tell("up", canvas, event);
   }
 
-  // The wheel over a picture is the game's; with Ctrl it zooms, and elsewhere it scrolls.
+  // Over a picture the game uses the wheel; with Ctrl the wheel zooms, and elsewhere it scrolls.
   let turned = 0;
   function wheel(event) {
     if (event.target.localName !== "canvas" || event.ctrlKey) return;
@@ -212,7 +212,7 @@ const input = (() => {
     return node;
   }
 
-  // The accessible name of a button is its text, if that is words; the help is its description.
+  // The accessible name of a button is its text if it contains words; the help is its description.
   function named(node, help, below = "") {
     const isWords = /\p{L}{2}/u.test(node.textContent);
     if (isWords && !below) node.title = help;
@@ -237,8 +237,8 @@ const input = (() => {
   }
 
   // One button for the likeliest action, and a row of small ones. Actions of elements on the
-  // screen (fields, choices, other prompts) have none here; nor has q, because a page is left in
-  // the browser's own way.
+  // screen (fields, choices, other prompts) have no button here; neither has q, because the browser
+  // has its own ways to leave a page.
   function layout(rows, state) {
     const { prompt, prompts, hasFields, hasNumber, hasChoices } = state;
     const row = panels.make("div", "row");

@@ -24,7 +24,7 @@ const keeper = (() => {
       opening.onsuccess = () => {
         const found = opening.result;
         base = found;
-        // The browser closes it if the user clears the data of pages, or if its disk fails.
+        // The browser closes the database if the user clears the data of pages, or if the disk fails.
         found.onclose = () => base === found && (base = null);
         resolve();
       };
@@ -61,11 +61,11 @@ const keeper = (() => {
     return { files, bytes };
   }
 
-  // The files, once pending changes are saved.
+  // Returns the files once pending changes are saved.
   async function files() {
     await opened;
     while (busy) await new Promise((later) => setTimeout(later, 10));
-    // If they cannot be read now, the next change is added to them and does not replace them.
+    // If the files cannot be read now, the next change is added to them and does not replace them.
     known = UNKNOWN;
     try {
       const transaction = base.transaction("files", "readonly");
@@ -112,7 +112,7 @@ const keeper = (() => {
       safe += 1;
     } catch (error) {
       failed = reason(error);
-      // Not before this function returns: the program would repeat its request at once.
+      // Waits until this function has returned: otherwise the program would repeat its request at once.
       await new Promise((later) => setTimeout(later, 0));
     }
     clearTimeout(patience);
@@ -120,7 +120,7 @@ const keeper = (() => {
     done(failed);
   }
 
-  // One transaction with all changes; an error aborts it, and nothing of it is saved.
+  // One transaction for all changes; an error aborts it, and none of them is saved.
   function write() {
     return new Promise((resolve, reject) => {
       const transaction = base.transaction("files", "readwrite", { durability: "strict" });
@@ -161,11 +161,11 @@ const keeper = (() => {
     files.put(known + 1, "");
   }
 
-  // Why saving failed, in words; a text is its own reason.
+  // The reason why saving failed, in words; an error that is a string is returned unchanged.
   function reason(error) {
     if (typeof error === "string") return error;
     const name = error?.name;
-    // The browser has closed it without notice.
+    // The browser has closed the database without an event.
     if (name === "InvalidStateError") base = null;
     if (name === "QuotaExceededError") return "the browser's storage is full";
     return `the browser cannot save it (${name || "no reason given"})`;

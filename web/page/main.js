@@ -9,14 +9,14 @@ const page = (() => {
   const typing = document.getElementById("typing");
   let colours = "", drawn = 0, ready = false, lived = 0, frame = 0, timer = 0, outdated = true, isPlain = false, failedOnce = false;
 
-  // The most bytes of a file that is opened. A progress.db has about 200 for each answer.
+  // The largest size of an opened file in bytes. A progress.db has about 200 bytes per answer.
   const LARGEST = 64 * 2 ** 20;
 
   // The preferences of the player's system.
   const LIGHT = matchMedia("(prefers-color-scheme: light)");
   const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
-  // For tests: when the first frame was there, frames drawn, and how often the page woke.
+  // For tests: the time of the first frame, the number of frames, and how often the page woke.
   const seen = { first: 0, frames: 0, wakes: 0 };
 
   async function start() {
@@ -61,7 +61,7 @@ const page = (() => {
 
   // Whether this browser has everything that carrom needs.
   function isAble() {
-    // One function that uses vectors of the processor.
+    // A module with one function that uses vector instructions.
     const simd = new Uint8Array([
       0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253,
       15, 253, 98, 11,
@@ -71,7 +71,7 @@ const page = (() => {
 
   const reopen = () => open().catch(fail);
 
-  // The browser's own way back.
+  // Goes back in the browser's history.
   function back() {
     if (menu.open) menu.close();
     else if (isPlain) speak({ do: "line", text: "back" });
@@ -105,11 +105,11 @@ const page = (() => {
     heed(reply);
     if (isPlain) return schedule();
     draw();
-    // Measured again, now that head and foot are there.
+    // Measures again, because head and foot now have their heights.
     fit();
   }
 
-  // A keyboard on the screen leaves less room than the window says.
+  // A keyboard on the screen leaves less room than the window's size.
   function measure() {
     const height = self.visualViewport && Math.round(visualViewport.height * visualViewport.scale);
     game.style.height = height && height < innerHeight - 1 ? `${height}px` : "";
@@ -154,10 +154,10 @@ const page = (() => {
 
   let last = { wake_ms: null };
 
-  // Screens that show what is saved, and on which nothing is lost if they are opened again.
+  // Screens that show saved data and lose nothing when they are opened again.
   const SHOWS_SAVED = /^(|learn|levels|progress|quiz)$/;
 
-  // Whether something was saved, by another tab or from a file, that this one does not show yet.
+  // Whether another tab or a file has saved something that this tab does not show yet.
   let isBehind = false;
 
   async function catchUp() {
@@ -294,7 +294,7 @@ const page = (() => {
     }
   }
 
-  // Copies a text, also where the page has no access to the clipboard.
+  // Copies text, even if the page has no access to the clipboard.
   async function copy(text) {
     try {
       await navigator.clipboard.writeText(text);
@@ -329,7 +329,7 @@ const page = (() => {
   return { start, step, isReady: () => ready, seen: () => ({ ...seen }) };
 })();
 
-// For tests, which drive a carrom of their own with these functions.
+// For tests, which drive carrom with these functions.
 window.carrom = {
   call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
   step: page.step, show: panels.show,

@@ -5,11 +5,11 @@ const painter = (() => {
   const VECTOR = 1 << 16, BOLD = 1, ITALIC = 4, UNDERLINED = 8;
   const MONO = "'DejaVu Sans Mono', Menlo, Consolas, 'Cascadia Mono', 'Roboto Mono', 'Liberation Mono', monospace";
   const SANS = "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', Roboto, 'DejaVu Sans', sans-serif";
-  // Smallest width of a column in CSS pixels: letters in a picture must not be below 14.
+  // The smallest width of a column in CSS pixels: letters in a picture must be at least 14 pixels high.
   const LEAST = 9;
-  // Columns of the panel's cells, which nobody sees, and rows: enough that no block is dropped.
+  // The columns and rows of the panel's cells, which are not shown: enough that no block is dropped.
   const PANEL = 62, ROWS = 100;
-  // Picture and panel side by side, and the space around both.
+  // Whether picture and panel are side by side.
   const BESIDE = matchMedia("(min-width: 44.5rem) and (min-aspect-ratio: 5/6), (min-width: 40rem) and (max-height: 26rem)");
   const AIR = 16;
   let pen = null;
@@ -19,7 +19,7 @@ const painter = (() => {
   // The pictures by their numbers: canvas, area, vectors, cells.
   const all = [];
   const shapes = new Map(), widths = new Map();
-  // The greatest height of the window at a width: an on-screen keyboard hides a part.
+  // The greatest height of the window for each width: an on-screen keyboard hides a part of it.
   const heights = new Map();
 
   const hex = (colour) => "#" + colour.toString(16).padStart(6, "0");
@@ -96,7 +96,7 @@ const painter = (() => {
 
   function redraw({ canvas, area: [x, y, w, h], svg, cells }, paper) {
     const [width, height] = [w * cell.width, h * cell.height];
-    // A board has an edge; its square has a cell in the middle.
+    // A board has an edge; its number of columns is odd, so that one cell is in the middle.
     canvas.classList.toggle("board", w === squareColumns - 1);
     if (canvas.width !== width || canvas.height !== height) {
       [canvas.width, canvas.height] = [width, height];
@@ -177,10 +177,10 @@ const painter = (() => {
     pen.restore();
   }
 
-  // The colour of the disc drawn last: a letter on it needs no rim of that colour.
+  // The colour of the last disc drawn: a letter on it needs no rim of that colour.
   let disc = "";
 
-  // Draws an SVG element; only those that carrom writes.
+  // Draws an SVG element of a kind that carrom writes.
   function element(name, of, text) {
     const number = (key, otherwise = 0) => (key in of ? Number(of[key]) : otherwise);
     if (name === "text") return writing(of, text, number);
@@ -194,7 +194,7 @@ const painter = (() => {
     if (name === "circle") {
       if (filled) disc = of.fill;
       if (filled && stroked) {
-        // A rim is under its disc: filling is less work than stroking.
+        // A rim is drawn as a larger disc below the disc: filling is faster than stroking.
         pen.fillStyle = of.stroke;
         circle(number("r") + wide / 2);
         pen.fill();

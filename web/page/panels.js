@@ -1,6 +1,6 @@
 // The words of the screen as elements: the program's description becomes headings, tables, choices,
-// fields and buttons. A node stays as long as its item means the same, and only changed nodes are
-// touched.
+// fields and buttons. A node is reused as long as it represents the same item, and only changed
+// nodes are touched.
 
 const panels = (() => {
   const screen = document.getElementById("screen");
@@ -8,7 +8,7 @@ const panels = (() => {
   const act = { key() {}, press() {}, copy() {} };
   let sheets = [], wasAt = "", prompt = null;
 
-  // A number, perhaps not typed completely, with the unit behind it.
+  // A number, perhaps still incomplete, and its unit.
   const NUMBER = /^([−-]?[\d.,]*_?)(?: ?(.*))?$/;
 
   function make(name, kind, ...inside) {
@@ -24,12 +24,14 @@ const panels = (() => {
   const mark = (node, kind, is) => node.classList.toggle(kind, Boolean(is));
   const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-  // Brings the children of a node in line with a list. `kind` says which nodes can be used
-  // again, `fresh` makes one with a function `update`.
+  // Updates the children of a node from a list. Nodes of the same `kind` can be reused; `fresh`
+  // makes one with a function `update`.
   function sync(parent, list, kind, fresh) {
     list.forEach((it, i) => {
-      const told = JSON.stringify(it);
       let node = parent.children[i];
+      // A section that has not changed is the same object as before.
+      if (node?.carromItem === it) return;
+      const told = JSON.stringify(it);
       if (!node || node.carromKind !== kind(it)) {
         const made = fresh(it);
         made.carromKind = kind(it);
@@ -37,6 +39,7 @@ const panels = (() => {
         else parent.append(made);
         node = made;
       }
+      node.carromItem = it;
       if (node.carromTold === told) return;
       node.carromTold = told;
       node.update(it);
@@ -70,7 +73,7 @@ const panels = (() => {
   }
 
   // Acts when a button is pressed. Clicks alone are not enough: a browser omits a click after a
-  // swipe, and sends a click after a change to whatever is there by then.
+  // swipe, and after a change sends a click to whatever element is there by then.
   function pressed(node, act) {
     let held = false;
     node.addEventListener("click", (event) => {
@@ -79,7 +82,7 @@ const panels = (() => {
       act();
     });
     node.addEventListener("pointerdown", () => (held = true));
-    // The finger scrolls.
+    // The finger scrolls instead of pressing.
     node.addEventListener("pointercancel", () => (held = false));
     node.addEventListener("touchend", (event) => {
       const { clientX, clientY } = event.changedTouches[0];
@@ -112,7 +115,7 @@ const panels = (() => {
     node.addEventListener("click", (event) => event.detail === 0 && step());
   }
 
-  // On a button, what is chosen has its colour by being chosen.
+  // A chosen button has its own colour, so its text needs none.
   const plain = (run) => (run.role === "selected" ? { ...run, role: "text" } : run);
 
   // Items that belong together if they follow each other: values, rows of a table, choices.
@@ -134,7 +137,7 @@ const panels = (() => {
       const kind = kindOf(item);
       const last = all[all.length - 1];
       const joins = ["facts", "columns", "choices", "field", "text-field", "list", "tab", "prompt"];
-      // Choices stay one group, whatever space is between them.
+      // Choices remain one group, whatever the space between them.
       const near = !apart || ["choices", "field", "text-field"].includes(kind);
       if (last && last.kind === kind && near && joins.includes(kind)) last.items.push(item);
       else all.push({ kind, apart, items: [item] });
@@ -195,7 +198,7 @@ const panels = (() => {
     columns: () => {
       const body = make("tbody");
       const table = make("table", "columns", body);
-      // The roles stay where a narrow screen lays a row out as lines.
+      // Explicit roles, because a narrow screen lays out a row as lines, which removes the implicit ones.
       table.setAttribute("role", "table");
       return [table, (items) => {
         sync(body, items, (row) => `${row.chosen !== null}/${row.values.length}`, (row) => {
@@ -220,7 +223,7 @@ const panels = (() => {
           };
           return node;
         });
-        // On a narrow screen each value of a long row has the name of its column beside it.
+        // On a narrow screen each value of a long row is shown with the name of its column.
         const head = items.find((row) => !row.name.text && row.chosen === null);
         const isWide = Boolean(head) && head.values.length > 4;
         mark(table, "wide", isWide);
@@ -310,7 +313,7 @@ const panels = (() => {
   // "15.0 mm right" is a number; "15 g on 5.5 g" is one of a few values.
   const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d[\d.,]*\D*$/.test(value);
 
-  // Chooses a field, unless it is chosen, or was since the last frame.
+  // Chooses a field, unless it is already chosen or has been since the last frame.
   let justChosen = null;
   function choose(item) {
     if (item.chosen || !item.press || item === justChosen) return;
@@ -328,7 +331,7 @@ const panels = (() => {
       };
       return node;
     },
-    // One of a few values: each press brings the next.
+    // A field with a few values: each press sets the next.
     switch() {
       const name = make("span", "name");
       const value = button("value", does);
@@ -348,7 +351,7 @@ const panels = (() => {
       const [less, more] = [make("button", "", "−"), make("button", "", "+")];
       const node = make("div", "field number", name, less, input, unit, more);
       Object.assign(input, { inputMode: "decimal", autocomplete: "off", enterKeyHint: "done" });
-      // The typed part of a number that the game knows.
+      // The part of a typed number that the game has received.
       let typed = "", shown = "", isTyped = false, item = null;
       for (const [way, key] of [[less, "Left"], [more, "Right"]]) {
         way.type = "button";
@@ -361,7 +364,7 @@ const panels = (() => {
         choose(item);
         input.select();
       });
-      // A tap on a field that has the focus already would put the caret into the number.
+      // A tap on a field that already has the focus would put the caret into the number.
       input.addEventListener("click", () => typed || input.select());
       input.addEventListener("input", () => {
         const wanted = input.value.replace(/[^\d.,−-]/g, "");
@@ -371,7 +374,7 @@ const panels = (() => {
       });
       node.settle = () => {
         typed = isTyped ? shown : "";
-        // An empty field stays empty: a number will be typed there.
+        // An empty field remains empty, because a number is about to be typed there.
         if (input.value && input.value !== shown) input.value = shown;
       };
       node.update = (told) => {
@@ -396,17 +399,17 @@ const panels = (() => {
   };
   let count = 0;
 
-  // A text that is typed: a name, a code.
+  // A field for typed text: a name, a code.
   function typedField() {
     const name = make("label", "name");
     const input = make("input");
     const node = make("div", "field typed", name, input);
     Object.assign(input, { autocomplete: "off", spellcheck: false, enterKeyHint: "next" });
     for (const kind of ["autocapitalize", "autocorrect"]) input.setAttribute(kind, "off");
-    // The game's text, perhaps not shown yet.
+    // The text sent to the game, which it may not show yet.
     let item = null, sent = "", isComposing = false;
-    // A phone's keyboard composes each word, and a tap on a button does not end that: so what
-    // is being composed is sent too.
+    // A phone's keyboard composes each word, and a tap on a button does not end that, so the word
+    // being composed is sent too.
     const send = () => {
       if (input.value === sent) return;
       choose(item);
@@ -423,7 +426,7 @@ const panels = (() => {
     });
     node.settle = () => {
       sent = item.value;
-      // A word that is being composed belongs to the keyboard.
+      // A word that is being composed must not be changed.
       if (!isComposing && input.value !== sent) input.value = sent;
     };
     node.update = (told) => {
@@ -436,7 +439,7 @@ const panels = (() => {
     return node;
   }
 
-  // Types the difference between two texts, which is at their ends.
+  // Types the difference between two strings, which is at their ends.
   function retype(old, wanted) {
     const [from, to] = [[...old], [...wanted]];
     let same = 0;
@@ -504,7 +507,7 @@ const panels = (() => {
     const [under, ...over] = sheets;
     write(document.getElementById("title"), under.title);
     write(document.getElementById("status"), under.status.replace(/ {2,}/g, " · "));
-    document.title = `${under.title} · carrom`;
+    write(document.querySelector("title"), `${under.title} · carrom`);
     const prompts = under.sections.flatMap(({ items }) => items.filter(({ is }) => is === "prompt"));
     prompt = prompts.find(({ key }) => ["Enter", "Space"].includes(key)) || prompts[0] || null;
     const hasPicture = under.sections.some(({ items }) => items.some(({ is }) => is === "picture"));
@@ -512,12 +515,14 @@ const panels = (() => {
     mark(screen, "two", under.sections.length === 2);
     screen.dataset.title = under.title;
     const fresh = () => section();
-    // Pictures on one side, words on the other; what has no picture is read from the top.
+    // Pictures are on one side, words on the other; a screen without a picture has one column.
     const isPicture = ({ items }) => items.some(({ is }) => is === "picture" || is === "tab");
     const [left, right] = [screen.firstElementChild, screen.lastElementChild];
     sync(left, under.sections.filter((it) => isPicture(it)), () => "section", fresh);
     sync(right, under.sections.filter((it) => !isPicture(it)), () => "section", fresh);
-    const at = [under.title, ...under.sections.map(({ title }) => title)].join("\n");
+    // A title that shows the passing time does not make a new screen.
+    const titles = under.sections.map(({ title }) => title.replace(/^[\d.]+ s\b/, ""));
+    const at = [under.title, ...titles].join("\n");
     const isNew = at !== wasAt;
     if (isNew) for (const node of [screen, left, right]) node.scrollTop = 0;
     wasAt = at;
@@ -533,8 +538,8 @@ const panels = (() => {
   }
   let lastChosen = null;
 
-  // Announces what is new to screen readers: the name of another screen, and sentences that were
-  // not there before. A number that changes in a sentence, such as a countdown's, is not announced.
+  // Announces to screen readers what is new: the name of a new screen, and new sentences. A number
+  // that changes in a sentence, such as in a countdown, is not announced.
   const news = document.getElementById("news");
   let known = new Set(), fresh = [], called = "", timer = 0;
   function announce({ title, sections }) {
@@ -552,7 +557,7 @@ const panels = (() => {
     }, 500);
   }
 
-  // Scrolling to a visible element would move the place from which Tab continues.
+  // Scrolling to a visible element would change where Tab continues.
   function isSeen(node) {
     const [own, round] = [node.getBoundingClientRect(), screen.getBoundingClientRect()];
     return own.top >= round.top && own.bottom <= round.bottom;
@@ -580,14 +585,14 @@ const panels = (() => {
     }
   };
 
-  // Leaves out the prompt that the foot shows.
+  // Hides the prompt that the foot shows.
   function leaveOut(item) {
     for (const node of screen.querySelectorAll(".prompt")) {
       node.hidden = Boolean(item) && node.item.words === item.words && node.item.key === item.key;
     }
   }
 
-  // The likeliest prompt, and whether fields and choices are elements.
+  // The likeliest prompt, and whether the screen has fields and choices.
   const state = () => ({
     prompt,
     prompts: [...screen.querySelectorAll(".prompt")].map(({ item }) => item.key),

@@ -5,7 +5,7 @@ const plain = (() => {
   const form = document.getElementById("answer");
   const line = document.getElementById("line");
 
-  // Begins; `say` sends a line to the program.
+  // Shows plain mode; `say` sends a line to the program.
   function begin(say) {
     log.textContent = "";
     form.hidden = false;
@@ -18,7 +18,7 @@ const plain = (() => {
     };
   }
 
-  // Shows lines of the program.
+  // Shows lines from the program.
   function show(lines) {
     if (!lines.length) return;
     lines.forEach((text) => write(text));

@@ -23,36 +23,42 @@ const program = (() => {
     rust_sqlite_wasm_host_localtime: () => 1,
   };
 
+  // The bytes of a base64 string. Browsers before 2025 have no function for it.
+  function bytesOf(text) {
+    if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+    const letters = atob(text);
+    const bytes = new Uint8Array(letters.length);
+    for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
+    return bytes;
+  }
+
+  // Compiles the program while it is unpacked.
   async function load() {
-    const text = atob(document.getElementById("program").textContent.trim());
-    const packed = new Uint8Array(text.length);
-    for (let i = 0; i < text.length; i++) packed[i] = text.charCodeAt(i);
+    const packed = bytesOf(document.getElementById("program").textContent.trim());
     const unpacking = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    const bytes = await new Response(unpacking).arrayBuffer();
-    const { instance } = await WebAssembly.instantiate(bytes, { env: host });
+    const answer = new Response(unpacking, { headers: { "Content-Type": "application/wasm" } });
+    const { instance } = await WebAssembly.instantiateStreaming(answer, { env: host });
     wasm = instance.exports;
   }
 
   // Sends a command, followed by bytes of files; returns the reply, with its bytes.
   function call(command, bytes) {
-    // A program that has just opened does not know the time.
+    // A newly opened program does not know the time.
     if (command.do === "open") told = 0;
     const json = encoder.encode(JSON.stringify(command));
     const length = json.length + (bytes ? 1 + bytes.length : 0);
     const room = memory(wasm.carrom_room(length), length);
     room.set(json);
     if (bytes) room.set(bytes, json.length + 1);
-    const answer = memory(...(() => {
-      const long = wasm.carrom_call();
-      return [wasm.carrom_reply(), long];
-    })());
+    const size = wasm.carrom_call();
+    const answer = memory(wasm.carrom_reply(), size);
     const end = answer.indexOf(0);
     const reply = JSON.parse(decoder.decode(end < 0 ? answer : answer.subarray(0, end)));
     reply.bytes = end < 0 ? new Uint8Array() : answer.slice(end + 1);
     return reply;
   }
 
-  // The day begins this many seconds before the day in UTC.
+  // Sends the time, and how many seconds the local day begins before the day in UTC.
   function tellTime() {
     const now = Date.now();
     if (now - told < 500) return;

@@ -1,5 +1,5 @@
-// Keeps the whole site in the browser, so that it opens without a network. A version of the site is
-// kept as a whole or not at all, and the next one replaces it when no page of the old one is open.
+// Caches the whole site in the browser, so that it opens without a network. A version of the site is
+// cached completely or not at all, and the next one replaces it when no page of the old one is open.
 "use strict";
 
 const VERSION = "{{version}}";
@@ -7,7 +7,7 @@ const FILES = {{files}};
 
 self.addEventListener("install", (event) => {
   event.waitUntil(caches.open(VERSION).then((cache) => {
-    // From the server, not from the browser's own cache.
+    // Requests the files from the server, not from the browser's own cache.
     return cache.addAll(FILES.map((file) => new Request(file, { cache: "reload" })));
   }));
 });

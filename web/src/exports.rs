@@ -1,7 +1,7 @@
-//! What the page calls by name, and the memory that both use.
+//! The functions that the page calls by name, and the memory that both sides use.
 //!
-//! The page has one thread. It asks for room, writes what it says there and calls
-//! [`carrom_call`]; what it is told in return lies where [`carrom_reply`] says until the
+//! The page has one thread. It requests a buffer, writes its command there and calls
+//! [`carrom_call`]; the reply is at the address returned by [`carrom_reply`] until the
 //! next call.
 
 use std::cell::RefCell;
@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use crate::message::{self, Command};
 use crate::shell::Shell;
 
-/// What both sides share.
+/// The memory that both sides share.
 struct Shared {
     said: Vec<u8>,
     reply: Vec<u8>,
@@ -23,7 +23,7 @@ thread_local! {
     };
 }
 
-/// Room for so many bytes that the page is to say.
+/// Makes a buffer of this many bytes for the page's command; returns its address.
 #[unsafe(no_mangle)]
 pub extern "C" fn carrom_room(bytes: usize) -> *mut u8 {
     SHARED.with_borrow_mut(|shared| {
@@ -62,15 +62,15 @@ pub extern "C" fn carrom_call() -> usize {
     })
 }
 
-/// Where that lies.
+/// The address of the reply.
 #[unsafe(no_mangle)]
 pub extern "C" fn carrom_reply() -> *const u8 {
     SHARED.with_borrow(|shared| shared.reply.as_ptr())
 }
 
-/// Where the cells lie that were painted last, row by row, four numbers each: the letter,
-/// the colour of what is written and the colour behind it (0xRRGGBB), and bits for bold (1),
-/// italic (4), underlined (8) and for what a picture takes the place of (2¹⁶).
+/// The address of the cells painted last, row by row, four numbers each: the letter, the
+/// colours of the letter and of its background (0xRRGGBB), and bits for bold (1), italic (4),
+/// underlined (8) and a cell that a picture replaces (2¹⁶).
 #[unsafe(no_mangle)]
 pub extern "C" fn carrom_cells() -> *const u32 {
     SHARED.with_borrow(|shared| shared.cells.as_ptr())

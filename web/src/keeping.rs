@@ -1,12 +1,12 @@
-//! The store, whose files the browser keeps.
+//! The store, whose files the browser saves.
 //!
-//! What is asked is done at once in memory. An answer is handed on only when the browser has
-//! the files safe: it asks which have changed, puts them into its database in one
-//! transaction, and says how that went. Another tab may have changed them meanwhile; then
-//! the browser hands them over first, and what is not yet safe is done once more upon them.
+//! Every request is carried out in memory at once. Its answer is passed on only when the browser
+//! has saved the files: the page asks which have changed, writes them to the browser's database
+//! in one transaction, and reports the result. If another tab has changed the files in the
+//! meantime, the page first passes those in, and all unsaved changes are made again on top of them.
 //!
-//! What the browser could not keep stays here until it can, also when the page opens another
-//! carrom: it is handed on to that one.
+//! Changes that the browser could not save stay here until it can. If the page opens another
+//! carrom, they are passed to that one.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -19,13 +19,13 @@ use carrom::store::{FileBytes, Store};
 /// The folder of a teacher's own files.
 pub(crate) const OWN: &str = "own/";
 
-/// The ticket of what no request of the app's asked for.
+/// The ticket of a change that the app did not request.
 const NO_TICKET: u64 = 0;
 
 /// Something that changes the store.
 #[derive(Debug, Clone)]
 pub(crate) enum Change {
-    /// A request of the app's.
+    /// The app made a request.
     Asked(StoreCall),
     /// A `progress.db` was opened.
     Progress(Vec<u8>),
@@ -33,43 +33,43 @@ pub(crate) enum Change {
     Game(FileBytes),
     /// The round of a class was opened.
     Class(FileBytes),
-    /// A file of a teacher's own was opened.
+    /// A teacher's own file was opened.
     Own(FileBytes),
 }
 
-/// A change that the browser has not yet kept.
+/// A change that the browser has not saved yet.
 struct Pending {
     change: Change,
-    /// What is told once it is safe.
+    /// The answer to pass on once the change is saved.
     answer: StoreAnswer,
-    /// Whether it was told that the browser could not keep it.
+    /// Whether the app has been told that the browser could not save it.
     is_refused: bool,
 }
 
-/// The store and what is not yet safe of it.
+/// The store, and its unsaved changes.
 pub(crate) struct PageStorage {
     store: Store,
-    /// Whether the files that were there before are known.
+    /// Whether the browser's files have been received.
     begun: bool,
-    /// What was asked before that.
+    /// Requests made before the browser's files were received.
     early: Vec<StoreCall>,
-    /// What was done and is not yet safe, in its order.
+    /// Unsaved changes, in the order in which they were made.
     pending: Vec<Pending>,
-    /// How many of them stand in the files that are being kept just now.
+    /// How many of the unsaved changes are in the files that are being saved at the moment.
     under_way: usize,
     /// A teacher's own files, and the settings.
     own: Vec<FileBytes>,
-    /// What the browser has, by path.
+    /// The files that the browser has saved, by path.
     safe: BTreeMap<String, Vec<u8>>,
-    /// What it is to have once it has kept the files it was given.
+    /// The files that the browser will have once the current save succeeds, by path.
     given: BTreeMap<String, Vec<u8>>,
 }
 
-/// Files to be put, and paths of those to be removed.
+/// Files to write, and paths of files to remove.
 pub(crate) type ChangedFiles = (Vec<FileBytes>, Vec<String>);
 
 impl PageStorage {
-    /// A store that waits for its files, or without a browser one that has none.
+    /// A store that waits for the browser's files; if `simulated`, one without any.
     pub(crate) fn new(own: &Arc<Library>, simulated: bool) -> Self {
         let store = Store::in_memory().with_own(own);
         Self {
@@ -84,15 +84,15 @@ impl PageStorage {
         }
     }
 
-    /// Takes over what a carrom that is left could not have kept. It is done once its files
-    /// are known.
+    /// Takes over the unsaved changes of the previous carrom. These changes are made once the files
+    /// have been received.
     pub(crate) fn taking_over(mut self, left: Vec<Change>) -> Self {
         self.pending = left.into_iter().map(Pending::unasked).collect();
         self
     }
 
-    /// What is not yet safe, for the carrom that comes next. Its tickets are no longer those of
-    /// an app, so that nothing the next one saves takes the place of what this one saved.
+    /// The unsaved changes, for the next carrom. They get new tickets, so that nothing that the
+    /// next carrom saves replaces what this one saved.
     pub(crate) fn left(self) -> Vec<Change> {
         let mut tickets = BTreeMap::new();
         let mut left: Vec<_> = self.pending.into_iter().map(|it| it.change).collect();
@@ -110,7 +110,7 @@ impl PageStorage {
         &mut self.store
     }
 
-    /// Does what is asked; the answer, if it can be given at once.
+    /// Carries out a request; returns the answer if it can be given at once.
     pub(crate) fn ask(&mut self, call: &StoreCall) -> Option<StoreAnswer> {
         if !self.begun {
             self.early.push(call.clone());
@@ -128,17 +128,17 @@ impl PageStorage {
         None
     }
 
-    /// Takes in a file that was opened.
+    /// Adds a file that was opened.
     ///
     /// # Errors
-    /// What is wrong with it, in words; then nothing has changed.
+    /// The error in the file, in words; then nothing has changed.
     pub(crate) fn take_in(&mut self, change: Change) -> Result<(), String> {
         self.make(&change)?;
         self.pending.push(Pending::unasked(change));
         Ok(())
     }
 
-    /// Makes a change to what is in memory.
+    /// Makes a change in memory.
     fn make(&mut self, change: &Change) -> Result<(), String> {
         match change {
             Change::Asked(call) => drop(self.answer(call)),
@@ -162,20 +162,20 @@ impl PageStorage {
         self.own.push(file);
     }
 
-    /// Whether something is to be kept that the browser has not been asked to keep before.
+    /// Whether there are changes that the browser has not been asked to save yet.
     pub(crate) fn is_to_keep(&self) -> bool {
         let mut next = self.pending.iter().skip(self.under_way);
         next.any(|it| !it.is_refused)
     }
 
-    /// The tickets of what is not yet safe.
+    /// The tickets of the unsaved changes.
     pub(crate) fn tickets(&self) -> Vec<u64> {
         let waits = self.pending.iter().filter(|it| !it.is_refused);
         waits.map(|it| it.answer.ticket).collect()
     }
 
-    /// How many things the browser could not keep so far. Something that was saved again and
-    /// again is one.
+    /// The number of things that the browser could not save so far. A game or a round that was
+    /// saved several times counts as one thing.
     pub(crate) fn unsaved(&self) -> usize {
         let mut saved = BTreeSet::new();
         let mut is_another = |change: &Change| match change {
@@ -193,8 +193,8 @@ impl PageStorage {
         refused.filter(|it| is_another(&it.change)).count()
     }
 
-    /// Takes the files that the browser has, at the beginning and when another tab has
-    /// changed them; gives the answers to what was asked before.
+    /// Receives the browser's files, at the beginning and when another tab has changed them;
+    /// returns the answers to earlier requests.
     pub(crate) fn take_files(&mut self, files: &[FileBytes]) -> Vec<StoreAnswer> {
         self.store.renew(files);
         let is_own = |path: &str| path.starts_with(OWN) || path == KeptSettings::FILE;
@@ -203,7 +203,7 @@ impl PageStorage {
         self.safe = files.iter().cloned().collect();
         let pending = std::mem::take(&mut self.pending);
         for it in &pending {
-            // It was good when it was first made.
+            // The change was valid when it was first made.
             let _ = self.make(&it.change);
         }
         self.pending = pending;
@@ -212,7 +212,7 @@ impl PageStorage {
         early.iter().filter_map(|call| self.ask(call)).collect()
     }
 
-    /// What has changed since the browser kept it.
+    /// The files that have changed since the browser last saved them.
     pub(crate) fn changes(&mut self) -> Result<ChangedFiles, String> {
         self.given = self.store.files()?.into_iter().collect();
         self.given.extend(self.own.iter().cloned());
@@ -227,17 +227,17 @@ impl PageStorage {
         Ok((put.collect(), gone.cloned().collect()))
     }
 
-    /// Takes that the browser has kept what it was given, or why not; gives the answers. What
-    /// could not be kept stays in memory, and is kept with what comes next if it can be.
+    /// Receives the result of a save, with the reason if it failed; returns the answers. Changes
+    /// that could not be saved stay in memory, and the next save includes them.
     pub(crate) fn kept(&mut self, failed: Option<&str>) -> Vec<StoreAnswer> {
         let under_way = std::mem::take(&mut self.under_way);
         let Some(reason) = failed else {
             self.safe = std::mem::take(&mut self.given);
             let safe = self.pending.drain(..under_way);
-            // What was refused before is told as well: it is safe after all.
+            // This includes changes that could not be saved before: now they are.
             return safe.map(|it| it.answer).collect();
         };
-        // A browser that keeps nothing at all, or a fault, and nothing has been given.
+        // Nothing was being saved: the browser saves nothing at all, or there was an error before.
         let tried = match under_way {
             0 => self.pending.len(),
             under_way => under_way,
@@ -248,7 +248,7 @@ impl PageStorage {
                 refused.push(it.refused(reason));
             }
         }
-        // A try in vain is followed by another.
+        // After a failed retry the app requests another.
         self.pending.retain(|it| !(it.is_refused && it.is_retry()));
         let unsaved = self.unsaved();
         for answer in &mut refused {
@@ -259,7 +259,7 @@ impl PageStorage {
 }
 
 impl Pending {
-    /// A change that nobody waits for.
+    /// A change whose answer nobody waits for.
     fn unasked(change: Change) -> Self {
         Self {
             change,
@@ -288,7 +288,7 @@ impl Pending {
     }
 }
 
-/// Whether a request changes anything that is kept.
+/// Whether a request changes anything that is saved.
 fn changes(request: &StoreRequest) -> bool {
     use StoreRequest as R;
     match request {
@@ -326,7 +326,7 @@ mod tests {
 
     const ROUND: &[u8] = include_bytes!("../../tests/saves/class-3.toml");
 
-    /// A browser's files, and a carrom that has them.
+    /// A browser's files, and the page that uses them.
     struct Browser {
         keeping: PageStorage,
         files: BTreeMap<String, Vec<u8>>,
@@ -342,13 +342,13 @@ mod tests {
             browser
         }
 
-        /// Hands its files to the carrom.
+        /// Passes the browser's files to carrom.
         fn hand_over(&mut self) {
             let files: Vec<_> = self.files.clone().into_iter().collect();
             self.keeping.take_files(&files);
         }
 
-        /// Asks for something, which is tried to be kept at once.
+        /// Makes a request and tries to save the result at once.
         fn ask(
             &mut self,
             ticket: u64,
@@ -369,12 +369,12 @@ mod tests {
             let answers = self.keeping.kept(failed);
             assert!(
                 !self.keeping.is_to_keep(),
-                "it would be tried without a pause"
+                "it would be tried again without a pause"
             );
             answers
         }
 
-        /// The levels that are won, as the files have it.
+        /// The levels won, according to the files.
         fn won(&self) -> Vec<String> {
             let files: Vec<_> = self.files.clone().into_iter().collect();
             let request = StoreRequest::Stars("Ada".into());
@@ -401,13 +401,13 @@ mod tests {
     }
 
     #[test]
-    fn what_was_refused_is_owed_until_a_try_keeps_it_and_is_then_told_as_safe() {
+    fn unsaved_changes_are_retried_until_saved_and_then_reported_as_saved() {
         let mut browser = Browser::new();
         let refused = browser.ask(1, star("one"), Some("full"));
         assert_eq!(refused.len(), 1);
         assert_eq!(refused[0].done, StoreReply::Noted(Err("full".into())));
         assert_eq!(refused[0].unsaved, 1);
-        // Saved twice in vain, it is one thing.
+        // A round that twice could not be saved counts as one thing.
         browser.ask(2, save_class(), Some("full"));
         let refused = browser.ask(2, save_class(), Some("full"));
         assert_eq!(refused[0].done, StoreReply::Saved(Err("full".into())));
@@ -427,7 +427,7 @@ mod tests {
     }
 
     #[test]
-    fn what_could_not_be_kept_is_not_lost_when_another_carrom_is_opened() {
+    fn unsaved_changes_are_not_lost_when_another_carrom_is_opened() {
         let mut browser = Browser::new();
         browser.ask(1, star("one"), None);
         browser.ask(2, star("two"), Some("full"));
@@ -447,7 +447,7 @@ mod tests {
             let refused = browser.keep(Some("full"));
             assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
         }
-        // What the next one saves is another round, though its ticket is the same.
+        // The next carrom saves another round, although the ticket is the same.
         browser.ask(3, save_class(), None);
         assert_eq!(browser.won(), ["one", "two"]);
         let rounds = browser.files.keys().filter(|it| it.starts_with("classes/"));
@@ -456,7 +456,7 @@ mod tests {
     }
 
     #[test]
-    fn an_opened_file_that_could_not_be_kept_is_kept_later() {
+    fn an_opened_file_that_could_not_be_saved_is_saved_later() {
         let mut other = Browser::new();
         other.ask(1, star("elsewhere"), None);
         let progress = other.files.remove("progress.db").unwrap();
@@ -472,7 +472,7 @@ mod tests {
         }
         let refused = browser.keep(Some("full"));
         assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
-        // Another tab keeps something meanwhile.
+        // Another tab saves something in the meantime.
         let mut tab = Browser::new();
         tab.ask(1, star("in another tab"), None);
         browser.files = tab.files;
@@ -484,7 +484,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fault_before_anything_is_given_refuses_all_that_waits() {
+    fn an_error_before_saving_refuses_all_pending_changes() {
         let mut browser = Browser::new();
         assert_eq!(browser.keeping.tickets(), [0; 0]);
         for ticket in 1..=3 {

@@ -1,18 +1,18 @@
-//! carrom in a browser: one more shell over the same app.
+//! carrom in a browser: another shell for the same app.
 //!
-//! The page (`page/`) hands inputs and the time in and takes cells, pictures and wishes out.
-//! Both sides speak in JSON, with bytes of files behind it where there are any:
+//! The page (`page/`) passes in inputs and the time, and receives cells, pictures and requests.
+//! Messages in both directions are JSON, followed by the bytes of files if there are any:
 //!
 //! ```text
-//!   exports    what the page calls by name, and the memory that both use
-//!   message    what the page says, and what it is told
-//!   shell      the app with its screen and what is kept
+//!   exports    the functions that the page calls by name, and the shared memory
+//!   message    the page's commands and the replies
+//!   shell      the app with its screen and its saved data
 //!   opening    what a link opens: #quiz=mixed-7&player=Ana
-//!   keeping    the store, whose files the browser keeps
-//!   own        a teacher's own levels, chapters and questions, and other files
+//!   keeping    the store, whose files the browser saves
+//!   own        a teacher's own levels, chapters and questions, and other opened files
 //! ```
 
-#[expect(unsafe_code, reason = "a name that a page can call counts as unsafe")]
+#[expect(unsafe_code, reason = "exporting a function by name is unsafe")]
 pub mod exports;
 mod keeping;
 mod message;

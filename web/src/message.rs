@@ -1,26 +1,26 @@
-//! What the page says, and what it is told: JSON, and behind a zero byte the bytes of files.
+//! The page's commands and the replies: JSON, then a zero byte and the bytes of files.
 
 use carrom::widgets::{PictureSizes, Role, Section, SheetKind};
 use serde::{Deserialize, Serialize};
 
-/// Something the page says.
+/// A command from the page.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(tag = "do", rename_all = "kebab-case")]
 pub enum Command {
-    /// Begin, or begin anew.
+    /// Open carrom, or open it again.
     Open(Opening),
-    /// A key was pressed, by its name.
+    /// A key was pressed.
     Key {
-        /// The name: "a", "Right", "Shift+Tab".
+        /// The name of the key: "a", "Right", "Shift+Tab".
         key: String,
     },
-    /// The mouse or a finger did something.
+    /// The mouse or a finger was used.
     Mouse {
         /// "down", "drag", "up", "scroll-up" or "scroll-down".
         kind: String,
-        /// Where, in columns from the left edge.
+        /// The position in columns from the left edge.
         x: f64,
-        /// Where, in rows from the upper edge.
+        /// The position in rows from the upper edge.
         y: f64,
     },
     /// Text was pasted.
@@ -28,26 +28,26 @@ pub enum Command {
         /// The text.
         text: String,
     },
-    /// The screen has another size now.
+    /// The size of the screen has changed.
     Resize {
-        /// Columns.
+        /// The number of columns.
         columns: u16,
-        /// Rows.
+        /// The number of rows.
         rows: u16,
-        /// The sizes of pictures, where the page lays the screen out itself.
+        /// The sizes of pictures, if the page lays out the screen itself.
         #[serde(default)]
         pictures: Option<PictureSizes>,
     },
     /// Time has passed.
     Pass {
-        /// How much of it.
+        /// The elapsed time in milliseconds.
         ms: f64,
     },
-    /// What time it is.
+    /// The current time.
     Now {
-        /// Seconds since 1970 began.
+        /// Seconds since the start of 1970, UTC.
         time_s: i64,
-        /// By how many seconds days begin before those of UTC.
+        /// How many seconds the local day begins before the day in UTC.
         offset_s: i32,
     },
     /// Set charset or colours, as a tape does.
@@ -66,246 +66,246 @@ pub enum Command {
     },
     /// Draw the screen.
     Paint {
-        /// The number of the last one that was painted: only what has changed since is told.
+        /// The number of the last frame that the page painted: only later changes are sent.
         #[serde(default)]
         since: u64,
     },
-    /// The files that the browser keeps, whose bytes follow.
+    /// The files that the browser has saved; their bytes follow.
     Files {
-        /// The files.
+        /// The paths and lengths of the files.
         files: Vec<FileLength>,
     },
-    /// Say which files are to be kept.
+    /// Send the files that have to be saved.
     Changed,
-    /// They are kept now, or why not.
+    /// The save has ended.
     Kept {
-        /// The reason, in words.
+        /// The reason in words, if it failed.
         failed: Option<String>,
     },
-    /// Keeping takes long.
+    /// Saving takes long.
     Slow,
-    /// A file was opened, whose bytes follow.
+    /// A file was opened; its bytes follow.
     File {
-        /// Its name.
+        /// The name of the file.
         name: String,
     },
-    /// Give the database, to be taken along.
+    /// Send the database, for a download.
     Progress,
-    /// Say how a glyph is drawn as a shape: its path and how much ink is laid on, as lines;
-    /// none if it is a letter.
+    /// Send the shape of a glyph as lines: its path and its opacity. There are no lines if the
+    /// glyph is drawn as a letter.
     Glyph {
         /// The glyph.
         letter: String,
     },
-    /// A line was said, where carrom is read in plain lines.
+    /// A line was entered in plain mode.
     Line {
-        /// The line.
+        /// The text of the line.
         text: String,
     },
-    /// Something was heard of the class.
+    /// There is news from the class.
     Joined {
-        /// What.
+        /// The news.
         news: News,
     },
-    /// Tell the player something.
+    /// Show a notice to the player.
     Tell {
-        /// The words.
+        /// The text of the notice.
         words: String,
     },
 }
 
-/// What is heard of a class, of which this page was served.
+/// News from the class whose host served this page.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(tag = "is", rename_all = "kebab-case")]
 pub enum News {
-    /// The host is reached.
+    /// The connection to the host is open.
     Reached,
-    /// It says something.
+    /// The host has sent a message.
     Heard {
-        /// What.
+        /// The message.
         text: String,
     },
-    /// It cannot be reached, or no longer.
+    /// The host cannot be reached, or can no longer be reached.
     Lost {
-        /// Why.
+        /// The reason in words.
         reason: String,
     },
-    /// What was remembered of an earlier time.
+    /// The browser remembers an earlier visit.
     Remembered {
-        /// What brings the pupil back.
+        /// The token that returns the pupil to their seat.
         seat: String,
-        /// Their name.
+        /// The pupil's name.
         name: String,
     },
-    /// The page was asleep, and is back.
+    /// The page was suspended and is active again.
     Awake,
 }
 
-/// What the page is to do for a pupil of a class.
+/// A request to the page on behalf of a pupil in a class.
 #[derive(Debug, Clone, Serialize)]
 #[serde(tag = "do", rename_all = "kebab-case")]
 pub enum ClassCall {
-    /// Reach the host that the page came from.
+    /// Connect to the host that served the page.
     Dial,
-    /// Say this.
+    /// Send a message to the host.
     Say {
-        /// What.
+        /// The message.
         text: String,
     },
-    /// Remember this.
+    /// Remember the pupil.
     Remember {
-        /// What brings the pupil back.
+        /// The token that returns the pupil to their seat.
         seat: String,
-        /// Their name.
+        /// The pupil's name.
         name: String,
         /// The code of the class.
         code: String,
     },
-    /// Hang up.
+    /// Close the connection.
     HangUp,
 }
 
-/// How carrom begins.
+/// How to open carrom.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 pub struct Opening {
-    /// What stands behind the # of the page's address, still spelt as it is there.
+    /// The part of the page's address after `#`, still percent-encoded.
     pub fragment: String,
-    /// What is left to chance.
+    /// The seed for random choices.
     pub seed: u64,
-    /// Columns of the screen.
+    /// The number of columns of the screen.
     pub columns: u16,
-    /// Rows of the screen.
+    /// The number of rows of the screen.
     pub rows: u16,
-    /// The sizes of pictures, where the page lays the screen out itself.
+    /// The sizes of pictures, if the page lays out the screen itself.
     pub pictures: Option<PictureSizes>,
-    /// Whether the player likes it light.
+    /// Whether the player's system prefers a light theme.
     pub light: bool,
-    /// Whether the player does not like things to move.
+    /// Whether the player's system prefers reduced motion.
     pub still: bool,
-    /// For tests: no clock, everything kept at once.
+    /// For tests: there is no clock, and everything is saved at once.
     pub simulated: bool,
-    /// A teacher's own files, whose bytes follow.
+    /// A teacher's own files; their bytes follow.
     pub own: Vec<FileLength>,
 }
 
-/// A file among bytes.
+/// A file whose bytes follow the message.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FileLength {
-    /// Its path.
+    /// The path of the file.
     pub path: String,
-    /// How many of the bytes are its.
+    /// The length of the file in bytes.
     pub bytes: usize,
 }
 
-/// What the page is told.
+/// The reply to a command.
 #[derive(Debug, Clone, Default, Serialize)]
 pub struct Reply {
-    /// When to let time pass again, in ms; `None` while nothing moves.
+    /// The time in ms after which the app needs to run again; `None` while nothing moves.
     pub wake_ms: Option<f64>,
-    /// Whether something is to be kept.
+    /// Whether there are changes to save.
     pub keep: bool,
-    /// How many things could not be saved so far.
+    /// The number of things that could not be saved so far.
     pub unsaved: usize,
-    /// Whether carrom was left.
+    /// Whether the player has quit carrom.
     pub quit: bool,
-    /// What is to be done for a pupil of a class, in order.
+    /// Requests on behalf of a pupil in a class, in order.
     pub calls: Vec<ClassCall>,
-    /// Texts for the player to take away.
+    /// Texts for the player to download.
     pub downloads: Vec<Download>,
-    /// What was drawn, if that was asked for.
+    /// The frame, if the command was to draw one.
     pub painted: Option<Painted>,
-    /// Files, whose bytes follow.
+    /// Files to save; their bytes follow.
     pub files: Vec<FileLength>,
-    /// Paths of files that are to be kept no longer.
+    /// The paths of files to delete.
     pub gone: Vec<String>,
-    /// What is said in plain lines, or how a glyph is drawn.
+    /// Lines of plain mode, or the shape of a glyph.
     pub lines: Vec<String>,
     /// The address of the current screen, as in a link; after `&said=` the answers given there.
     pub address: String,
-    /// How many screens are open.
+    /// The number of open screens.
     pub depth: usize,
-    /// What to tell the player once the page has opened again, which shows what a file has
-    /// changed.
+    /// A notice for the player, to show after the page has opened carrom again with the contents of
+    /// a new file.
     pub renewed: Option<String>,
-    /// Something that is wrong, in words.
+    /// An error, in words.
     pub fault: Option<String>,
     /// The bytes of the files.
     #[serde(skip)]
     pub bytes: Vec<u8>,
 }
 
-/// A text for the player to take away.
+/// A text for the player to download.
 #[derive(Debug, Clone, Serialize)]
 pub struct Download {
-    /// The name of its file.
+    /// The name of the file.
     pub name: String,
-    /// The text.
+    /// The content of the file.
     pub content: String,
 }
 
-/// What was drawn beside the cells.
+/// A frame, without its cells.
 #[derive(Debug, Clone, Default, Serialize)]
 pub struct Painted {
-    /// Its number.
+    /// The number of the frame.
     pub number: u64,
-    /// Columns and rows.
+    /// The numbers of columns and rows.
     pub size: [u16; 2],
-    /// The pictures.
+    /// The pictures on the screen.
     pub pictures: Vec<PictureMessage>,
-    /// The keys that mean something just now, if they are others than before.
+    /// The current keys, if they have changed.
     pub keys: Option<Vec<Keys>>,
-    /// The colours of plain text and of what is behind it, 0xRRGGBB.
+    /// The colours of plain text and of the background, 0xRRGGBB.
     pub colours: [u32; 2],
-    /// The colour of each role, if they are others than before.
+    /// The colour of each role, if any has changed.
     pub inks: Option<Vec<(Role, u32)>>,
-    /// What the screen says, and what lies over it, if that is not as before.
+    /// The text of the screen and of the layer over it, if anything in it has changed.
     pub sheets: Option<Vec<SheetMessage>>,
 }
 
-/// What a screen says, or what lies over it.
+/// The text of a screen, or of the layer over it.
 #[derive(Debug, Clone, Serialize)]
 pub struct SheetMessage {
-    /// What it is.
+    /// Whether the sheet is a screen or a layer.
     pub kind: SheetKind,
-    /// What it is called.
+    /// The title.
     pub title: String,
-    /// How it stands.
+    /// The status line.
     pub status: String,
-    /// Its sections; `None` in place of one that is as it was.
+    /// The sections; `None` for one that has not changed.
     pub sections: Vec<Option<Section>>,
 }
 
 /// A picture among the cells.
 #[derive(Debug, Clone, Serialize)]
 pub struct PictureMessage {
-    /// Column, row, columns, rows.
+    /// Left column, top row, number of columns, number of rows.
     pub area: [u16; 4],
-    /// The colour behind it.
+    /// The background colour, 0xRRGGBB.
     pub paper: u32,
-    /// Its vectors, in units of which a cell is 9 by 18; `None` if they are as before.
+    /// The vectors as SVG, in which a cell is 9 by 18 units; `None` if they have not changed.
     pub svg: Option<String>,
 }
 
-/// Keys that belong together.
+/// Keys with a common action.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Keys {
-    /// The name of what they do in `keys.toml`: "everywhere.help".
+    /// The name of the action in `keys.toml`: "everywhere.help".
     pub id: String,
-    /// Their names.
+    /// The names of the keys.
     pub keys: Vec<String>,
-    /// What the bottom line calls them.
+    /// The name of the action on the bottom line.
     pub name: &'static str,
-    /// What the help page says of them.
+    /// The description of the action on the help page.
     pub help: &'static str,
-    /// What each of them is called on a button, if they have names.
+    /// The label of each key's button, if the keys have separate labels.
     pub words: &'static [&'static str],
 }
 
-/// Reads what was said, and gives the bytes behind it.
+/// Reads a command, and returns the bytes that follow it.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The reason why the command is invalid.
 pub(crate) fn read(said: &[u8]) -> Result<(Command, &[u8]), String> {
     let end = said.iter().position(|byte| *byte == 0);
     let (json, bytes) = match end {
@@ -328,7 +328,7 @@ pub(crate) fn write(reply: &Reply) -> Vec<u8> {
     }
 }
 
-/// Writes a reply that reports a fault.
+/// Writes a reply that reports an error.
 pub(crate) fn fault(words: &str) -> Vec<u8> {
     let reply = Reply {
         fault: Some(words.to_owned()),
@@ -337,7 +337,7 @@ pub(crate) fn fault(words: &str) -> Vec<u8> {
     serde_json::to_vec(&reply).unwrap_or_default()
 }
 
-/// The files among bytes; those that are not all there are left out.
+/// Splits the bytes into files; incomplete files are left out.
 pub(crate) fn split(files: &[FileLength], mut bytes: &[u8]) -> Vec<(String, Vec<u8>)> {
     let mut split = Vec::new();
     for file in files {

@@ -1,4 +1,4 @@
-//! What a link opens: `#quiz=mixed-7&player=Ana`, in the words of the command line.
+//! Opens what a link names: `#quiz=mixed-7&player=Ana`, with the names used on the command line.
 
 use carrom::app::{App, Data};
 use carrom::class::team_names;
@@ -10,11 +10,11 @@ use carrom::widgets::{Charset, Depth, Palette};
 
 use crate::message::Opening;
 
-/// Most faults of a link that are told.
+/// The largest number of errors in a link that are reported.
 const MOST_FAULTS: usize = 5;
 
-/// The app that an opening asks for. What it asks for and is not there is told on the first
-/// screen.
+/// The app that an opening requests. The first screen reports any part of the link that is
+/// invalid.
 pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
     let mut wanted = LinkTarget {
         route: Route::Home,
@@ -65,7 +65,7 @@ pub(crate) const fn palette(light: bool) -> Palette {
     }
 }
 
-/// Whether a link asks for plain lines.
+/// Whether a link opens plain mode.
 pub(crate) fn is_plain(fragment: &str) -> bool {
     fragment.split('&').any(|part| part == "plain")
 }
@@ -142,7 +142,7 @@ impl LinkTarget {
     }
 }
 
-/// A part of an address as it was before it was spelt for one: `%20` and `+` are blanks.
+/// A decoded part of an address: `%20` and `+` are spaces.
 pub(crate) fn unescaped(text: &str) -> String {
     let mut bytes = Vec::new();
     let mut rest = text.as_bytes();
@@ -175,11 +175,10 @@ mod tests {
         app(&opening, Data::default(), KeptSettings::default())
     }
 
-    /// A link may come from anybody: it opens something and says in a few words what it asks for
-    /// in vain.
+    /// A link may come from anybody: it opens a screen, which reports briefly what is invalid.
     #[test]
     fn a_hostile_link_opens_the_first_screen_and_is_quoted_in_part() {
-        // A letter that the screen itself does not show.
+        // A letter that the screen does not contain otherwise.
         let long = "Ж".repeat(100_000);
         for fragment in [
             "quiz=mixed99999999999999999999-7".to_owned(),
@@ -208,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_read_as_they_were_before_they_were_spelt() {
+    fn parts_of_a_link_are_decoded() {
         for (spelt, text) in [
             ("Ana", "Ana"),
             ("Ada%20L", "Ada L"),
@@ -231,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn a_link_says_who_plays_and_how_it_looks() {
+    fn a_link_sets_the_player_and_the_appearance() {
         let app = opened("quiz=mixed-7&player=Ana&palette=light&charset=ascii");
         let settings = app.settings();
         assert_eq!(settings.player, "Ana");

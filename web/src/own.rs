@@ -1,4 +1,4 @@
-//! A teacher's own levels, chapters and questions, and other files that are opened.
+//! A teacher's own levels, chapters and questions, and other opened files.
 
 use std::sync::Arc;
 
@@ -12,13 +12,13 @@ use carrom::store::FileBytes;
 
 use crate::keeping::{Change, OWN, PageStorage};
 
-/// The path of the database.
+/// The path of the database of answers.
 pub(crate) const PROGRESS: &str = "progress.db";
 
-/// How a database begins.
+/// The first bytes of every SQLite database.
 const DATABASE: &[u8] = b"SQLite format 3\0";
 
-/// What there is to read, play and answer with these files beside what is in the program:
+/// All levels, chapters and questions: the built-in ones and those in these files,
 /// `levels/PACK/FILE.toml`, `lessons/FILE.md` and `concepts/SUBJECT.toml`.
 pub(crate) fn data(files: &[FileBytes]) -> Data {
     let folder = Some("This browser.".to_owned());
@@ -55,15 +55,15 @@ pub(crate) fn data(files: &[FileBytes]) -> Data {
     }
 }
 
-/// The settings among these files; a file of them that is no good counts as none.
+/// The settings among these files; an invalid file of settings is ignored.
 pub(crate) fn settings(files: &[FileBytes]) -> KeptSettings {
     let file = files.iter().find(|(path, _)| path == KeptSettings::FILE);
     let read = file.and_then(|(path, bytes)| KeptSettings::read(path, bytes).ok());
     read.unwrap_or_default()
 }
 
-/// The path under which a teacher's file belongs to those of [`data`], by what is in it;
-/// `None` if it is none.
+/// The path of a teacher's file among those of [`data`], according to its content; `None` if it
+/// is not such a file.
 pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
     let text = str::from_utf8(bytes).ok()?;
     let begins = |line: &str| text.lines().any(|it| it.trim_start().starts_with(line));
@@ -76,11 +76,11 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
     })
 }
 
-/// Takes in a file that the player has opened. Gives what has come of it in words, and whether
-/// carrom has to be opened again to show it.
+/// Adds a file that the player has opened. Returns a notice, and whether carrom has to be opened
+/// again to show the contents.
 ///
 /// # Errors
-/// The fault in words.
+/// The error in words.
 pub(crate) fn take_in(
     keeping: &mut PageStorage,
     name: &str,
@@ -133,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_kind_of_a_teachers_file_is_known_by_what_is_in_it() {
+    fn each_kind_of_a_teachers_file_is_recognized_by_its_content() {
         let questions = include_bytes!("../../assets/examples/questions/our-coins.toml");
         let level = include_bytes!("../../assets/examples/levels/our-pack/a-glance.toml");
         let chapter = include_bytes!("../../assets/examples/chapters/01-our-coins.md");

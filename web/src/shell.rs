@@ -1,4 +1,4 @@
-//! The app with its screen and what is kept.
+//! The app with its screen and its saved data.
 
 use std::mem;
 use std::time::Duration;
@@ -25,17 +25,17 @@ use crate::message::{
 };
 use crate::{message, opening, own};
 
-/// The bit of a cell that a picture takes the place of.
+/// The bit of a cell that a picture replaces.
 const VECTOR: u32 = 1 << 16;
 
 /// A carrom in a page.
 pub struct Shell {
     app: App,
     screen: Terminal<TestBackend>,
-    /// What was drawn last, and how it is painted.
+    /// The last frame, and the colours of its cells.
     drawn: Buffer,
     painted: Vec<PaintedCell>,
-    /// How often it was drawn, and what was told of that last.
+    /// The number of frames drawn, and what was last sent of each part.
     paints: u64,
     sent_keys: Vec<Keys>,
     sent_sheets: Vec<Sheet>,
@@ -46,19 +46,19 @@ pub struct Shell {
     calls: Vec<JoinCall>,
     quit: bool,
     opening: Opening,
-    /// Says in lines what the screen shows, where they are asked for.
+    /// Writes the screen as lines, in plain mode only.
     reader: Option<PlainReader>,
 }
 
 impl Shell {
-    /// Opens carrom as the page asks.
+    /// Opens carrom as the page requests.
     #[must_use]
     pub fn open(opening: &Opening, bytes: &[u8]) -> (Self, Reply) {
         Self::open_with(opening, bytes, Vec::new())
     }
 
-    /// Opens carrom anew in the place of this one, of which nothing is lost that the browser
-    /// has not kept yet.
+    /// Opens carrom again in place of this one. Changes that the browser has not saved yet are
+    /// passed on.
     #[must_use]
     pub fn reopen(self, opening: &Opening, bytes: &[u8]) -> (Self, Reply) {
         let left = match opening.simulated {
@@ -108,7 +108,7 @@ impl Shell {
         (shell, Reply { lines, ..reply })
     }
 
-    /// Does what the page says; behind it may be bytes of files.
+    /// Carries out the page's command, which may be followed by bytes of files.
     pub fn call(&mut self, command: Command, bytes: &[u8]) -> Reply {
         let mut reply = Reply::default();
         let is_time = matches!(command, Command::Pass { .. } | Command::Now { .. });
@@ -125,7 +125,7 @@ impl Shell {
                 }
             }
             Command::Paste { text } => self.input(&Input::Paste(text)),
-            // In plain lines nothing of it is seen.
+            // Plain mode does not show the size.
             Command::Resize { .. } if self.reader.is_some() => {}
             Command::Resize {
                 columns,
@@ -239,7 +239,7 @@ impl Shell {
         cells
     }
 
-    /// What is said in lines, if it is.
+    /// The lines to show in plain mode; none in other modes.
     fn read(
         &mut self,
         read: impl FnOnce(&mut PlainReader, &mut Self) -> Vec<String>,
@@ -280,9 +280,9 @@ impl Shell {
         let app = &self.app;
         let screen = &mut self.screen;
         let Ok(()) = screen.autoresize();
-        // Who compares cells wants them as a terminal has them.
+        // Tests compare the cells with those of a terminal.
         let hides_cells = !self.opening.simulated;
-        // Nothing is sent to a terminal, so what it would have to be sent is not worked out.
+        // Without a terminal, the differences between two frames need not be computed.
         let ((drawn, pictures), sheets) = recorded(|| {
             gather(hides_cells, || {
                 let mut frame = screen.get_frame();
@@ -305,7 +305,7 @@ impl Shell {
         }
     }
 
-    /// The pictures, without the vectors of those that are as they were told last.
+    /// The pictures; those that have not changed since they were last sent have no vectors.
     fn changed_pictures(&mut self, pictures: Vec<PaintedPicture>) -> Vec<PictureMessage> {
         let before = mem::take(&mut self.sent_pictures);
         let reply = pictures.into_iter().enumerate().map(|(at, picture)| {
@@ -321,8 +321,8 @@ impl Shell {
         reply.collect()
     }
 
-    /// What the screen says, without the sections that are as they were told last; `None` if
-    /// all are.
+    /// The text of the screen, without sections that have not changed since they were last sent;
+    /// `None` if nothing has changed.
     fn changed_sheets(&mut self, sheets: Vec<Sheet>) -> Option<Vec<message::SheetMessage>> {
         if sheets == self.sent_sheets {
             return None;
@@ -346,7 +346,7 @@ impl Shell {
         Some(reply)
     }
 
-    /// The colours of roles, if they are others than were told last.
+    /// The colours of roles, if they have changed since they were last sent.
     fn changed_inks(&mut self) -> Option<Vec<(Role, u32)>> {
         let inks = inks(&self.app.settings().theme());
         if self.sent_inks == inks {
@@ -356,7 +356,7 @@ impl Shell {
         Some(inks)
     }
 
-    /// The colours of plain text and of what is behind it.
+    /// The colours of plain text and of the background.
     fn colours(&self) -> [u32; 2] {
         let mut blank = Buffer::empty(Rect::new(0, 0, 1, 1));
         blank.set_style(blank.area, self.app.settings().theme().base());
@@ -364,7 +364,7 @@ impl Shell {
         cells.first().map_or([0, 0], |cell| [cell.ink, cell.paper])
     }
 
-    /// The keys of the moment, if they are others than when they were told last.
+    /// The current keys, if they have changed since they were last sent.
     fn changed_keys(&mut self) -> Option<Vec<Keys>> {
         let keys = self.keys();
         if self.sent_keys == keys {
@@ -374,7 +374,7 @@ impl Shell {
         Some(keys)
     }
 
-    /// The keys of the moment. What lies over a screen has keys of its own, or goes at any.
+    /// The current keys. A layer over a screen has keys of its own, or closes at any key.
     fn keys(&self) -> Vec<Keys> {
         let table = self.app.keys();
         let rows = table.rows().iter();
@@ -382,7 +382,8 @@ impl Shell {
             .map(|row| Keys {
                 id: row.id.clone(),
                 keys: match row.keys().any(|key| matches!(key, Key::Char('0'..='9'))) {
-                    // With the point and the minus of a number, which are not shown.
+                    // This includes a number's decimal point and minus, which the bottom line does
+                    // not show.
                     true => row.all_keys().map(|key| key.to_string()).collect(),
                     false => row.keys().map(|key| key.to_string()).collect(),
                 },
@@ -405,7 +406,7 @@ impl Shell {
     }
 }
 
-/// What the page is to do for a pupil of a class.
+/// The request to the page that carries out a call of the pupil's app.
 fn call(call: JoinCall) -> ClassCall {
     match call {
         JoinCall::Dial(_) => ClassCall::Dial,
@@ -415,7 +416,7 @@ fn call(call: JoinCall) -> ClassCall {
     }
 }
 
-/// What the page has heard of the class.
+/// The news from the class as an input of the app.
 fn heard(news: News) -> JoinNews {
     match news {
         News::Reached => JoinNews::Reached,
@@ -426,7 +427,7 @@ fn heard(news: News) -> JoinNews {
     }
 }
 
-/// What the mouse did, over a cell.
+/// The mouse event at a cell; `None` if its kind is unknown.
 fn mouse(kind: &str, x: f64, y: f64) -> Option<Mouse> {
     let kind = match kind {
         "down" => MouseKind::Down,
@@ -460,7 +461,7 @@ impl AppHolder for Shell {
                     if let Some(answer) = self.keeping.ask(&call) {
                         self.input(&Input::Kept(Box::new(answer)));
                     }
-                    // There is no browser that could fail.
+                    // Without a browser, saving cannot fail.
                     if self.opening.simulated && self.keeping.changes().is_ok() {
                         for answer in self.keeping.kept(None) {
                             self.input(&Input::Kept(Box::new(answer)));
@@ -497,7 +498,7 @@ mod tests {
     }
 
     #[test]
-    fn only_sections_that_have_changed_are_told_and_all_to_whoever_missed_one() {
+    fn only_changed_sections_are_sent_and_all_after_a_missed_frame() {
         let opening = Opening {
             fragment: "lab".into(),
             columns: 110,

@@ -1,9 +1,9 @@
-//! The same breaks, played exactly and in fixed steps of 1/240 s by rapier2d.
+//! The same breaks, played exactly by carrom and in fixed steps of 1/240 s by rapier2d.
 //!
 //! `cd benches/versus && cargo run --release`
 //!
-//! Two questions: how long does a break take, and in which direction does each send a
-//! single coin off?
+//! It answers two questions: how long does a break take, and in which direction does a single
+//! coin leave?
 
 #[path = "../../scenes/mod.rs"]
 mod scenes;
@@ -50,8 +50,8 @@ fn play_exactly(board: &Board, tables: &[Table]) {
     }
 }
 
-/// Errors, in degrees, of the direction in which a coin is sent that is hit at the
-/// impact angle `alpha`: it should leave along the line of impact, −alpha.
+/// Errors, in degrees, of the direction of a coin that is hit at the impact angle `alpha`: it
+/// should leave along the line of impact, at −alpha.
 fn one_hit(alpha: f64) -> (f64, f64) {
     let board = closed_board();
     let b = (STRIKER.radius + COIN.radius) * alpha.sin();
@@ -90,7 +90,7 @@ fn time(rounds: usize, mut work: impl FnMut()) -> f64 {
     timed.fold(f64::INFINITY, f64::min)
 }
 
-/// A table in rapier: no gravity, no contact friction, sliding friction by hand.
+/// A table in rapier: no gravity, no contact friction, sliding friction applied by hand.
 struct Stepped {
     parameters: IntegrationParameters,
     pipeline: PhysicsPipeline,
@@ -136,7 +136,7 @@ impl Stepped {
         }
         let parameters = IntegrationParameters {
             dt: STEP,
-            // Discs of centimetres: tolerances to match.
+            // Tolerances for discs of a few centimetres.
             length_unit: 0.01,
             ..IntegrationParameters::default()
         };
@@ -159,7 +159,7 @@ impl Stepped {
         *self.bodies[self.discs[disc]].linvel()
     }
 
-    /// One step; returns the greatest speed left.
+    /// Makes one step; returns the greatest remaining speed.
     fn step(&mut self, board: &Board) -> f64 {
         let lost = board.deceleration() * STEP;
         let mut fastest = 0.0_f64;
@@ -189,7 +189,7 @@ impl Stepped {
         fastest
     }
 
-    /// Steps until all discs lie still, ten seconds at most.
+    /// Steps until all discs are at rest, for at most ten seconds.
     fn play(&mut self, board: &Board) {
         for _ in 0..2400 {
             if self.step(board) <= 0.0 {

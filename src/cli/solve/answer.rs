@@ -24,7 +24,7 @@ pub(super) struct SolveAnswer {
     theta2_deg: Option<f64>,
     separation_deg: Option<f64>,
     energy_before_j: f64,
-    /// Includes the energy of rotation if the discs stick together.
+    /// Includes the rotational energy if the discs stick together.
     energy_after_j: f64,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     turning: Option<Turning>,
@@ -39,8 +39,8 @@ struct Turning {
     spin_rad_s: f64,
     /// Positive anticlockwise, like the axes.
     spin_ccw_rad_s: f64,
-    /// Velocities of the two centres right after the contact; `v1` and `v2` are that
-    /// of the centre of mass.
+    /// The velocities of the two centres right after the contact. `v1` and `v2` are the velocity of
+    /// the centre of mass.
     centre_v1: [f64; 2],
     centre_v2: [f64; 2],
 }
@@ -64,7 +64,7 @@ impl SolveAnswer {
             turning: (collision.bond == Bond::Stick).then_some(Turning {
                 energy_rotation_j: after.energy_rotation,
                 spin_rad_s: after.spin,
-                // A plain 0 for a negative one.
+                // This turns −0 into 0.
                 spin_ccw_rad_s: 0.0 - after.spin,
                 centre_v1,
                 centre_v2,
@@ -74,7 +74,7 @@ impl SolveAnswer {
     }
 }
 
-/// The components, with a plain 0 for a negative one.
+/// The components, with −0 turned into 0.
 fn components(v: DVec2) -> [f64; 2] {
     (v + DVec2::ZERO).to_array()
 }

@@ -3,12 +3,13 @@
 use super::problem::{Problem, Solvable, number};
 use crate::cli::Failure;
 
-/// The signs of what is given.
+/// The sign conventions of the input.
 const SIGNS: &str = "Angles are in degrees. The striker moves along +x. The impact angle is the angle \
                      from the striker's velocity relative to the target to the line of centres, \
                      positive if the target is on the right.";
 
-/// The signs of the answers. clap prints this instead of [`SIGNS`], so it repeats it.
+/// The sign conventions of the answers. clap prints this text instead of [`SIGNS`], so this text
+/// repeats [`SIGNS`].
 const SIGNS_OF_ANSWERS: &str = "Angles are in degrees. The striker moves along +x. The impact angle is the angle from the \
      striker's velocity relative to the target to the line of centres, positive if the target is on \
      the right.\n\n\
@@ -53,12 +54,12 @@ pub(in crate::cli) struct Args {
 }
 
 impl Args {
-    /// Whether the impact angle or the offset is given.
+    /// Whether the arguments give an impact angle or an offset.
     pub(in crate::cli) fn is_complete(&self) -> bool {
         self.problem.alpha_deg.is_some() || self.problem.offset_mm.is_some()
     }
 
-    /// The collision, with the usual masses and speed where they are not given.
+    /// The collision, with the default masses and speed if they are not given.
     pub(super) fn solvable(&self) -> Result<Solvable, Failure> {
         if !self.is_complete() {
             return Err(Failure::input(

@@ -12,10 +12,10 @@ use super::problem::Problem;
 use crate::cli::write_json_line;
 use crate::files::{BYTE_ORDER_MARK, escape_control, read_line};
 
-/// The longest line that is read, in bytes; a problem takes a few hundred.
+/// The longest line that is read, in bytes; a typical problem has a few hundred.
 const LONGEST: usize = 64 * 1024;
 
-/// The longest error message, in characters: noise is not echoed at length.
+/// The longest error message, in characters, so that invalid input is not repeated in full.
 const LONGEST_MESSAGE: usize = 200;
 
 /// An input or output error.
@@ -40,7 +40,7 @@ pub(super) fn run(input: impl Read, out: &mut impl Write) -> Result<ExitCode, Ba
     let (mut input, mut line) = (BufReader::new(input), Vec::new());
     let mut status = ExitCode::SUCCESS;
     for number in 1.. {
-        // Reading may wait: what has been answered so far is sent before.
+        // Reading may block, so the answers so far are written first.
         if !input.buffer().contains(&b'\n') {
             out.flush().map_err(BatchError::Write)?;
         }
@@ -74,8 +74,8 @@ fn answer(text: &[u8]) -> Result<SolveAnswer, String> {
     Ok(SolveAnswer::of(problem.solvable().map_err(said)?))
 }
 
-/// A short error message in plain words, without JSON's line number: it is always 1 here
-/// and would be mistaken for the line of the batch.
+/// A short, plain error message without JSON's line number, which is always 1 here and could be
+/// mistaken for the line of the batch.
 fn said(error: impl Display) -> String {
     let message = error
         .to_string()

@@ -20,7 +20,7 @@ use answer::SolveAnswer;
 pub(super) use args::Args;
 use batch::BatchError;
 
-/// Room for some hundreds of answers.
+/// Room for a few hundred answers, in bytes.
 const BUFFER: usize = 1 << 16;
 
 /// Solves the problem in the arguments, or a batch. A reader that stops early, as `head` does,
@@ -38,7 +38,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
     let flushed = |status| out.flush().map(|()| status).map_err(BatchError::Write);
     match written.and_then(flushed) {
         Err(BatchError::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
-            // What is left over has nowhere to go.
+            // The rest cannot be written anywhere.
             let _ = out.into_parts();
             Ok(ExitCode::SUCCESS)
         }
@@ -52,7 +52,7 @@ pub(super) fn plain(args: &Args) -> Result<(), Failure> {
     let steps = args.is_complete().then(|| args.steps()).transpose()?;
     let (mut input, mut output) = (io::stdin().lock(), io::stdout().lock());
     match plain::solve(&mut Talk::new(&mut input, &mut output), steps.as_deref()) {
-        // To leave it early is no failure.
+        // Quitting early is not a failure.
         Ok(()) | Err(Leave::Quit | Leave::Ended) => Ok(()),
         Err(Leave::Failed(error)) => Err(anyhow!(error).into()),
     }

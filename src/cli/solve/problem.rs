@@ -9,8 +9,8 @@ use glam::DVec2;
 use crate::numbers::typed;
 use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint};
 
-/// Wide enough for dust and for planets' rings, narrow enough to prevent overflow and
-/// underflow in the calculation.
+/// The ranges of the fields, wide enough for dust and for planetary rings, but narrow enough to
+/// prevent overflow and underflow in the calculation.
 const RANGES: [FieldRange; 10] = [
     FieldRange::new("m1_g", "grams", 1e-12, 1e12),
     FieldRange::new("m2_g", "grams", 1e-12, 1e12),
@@ -93,15 +93,15 @@ pub(super) struct Problem {
 #[derive(Debug, Clone)]
 pub(super) struct Solvable {
     pub(super) collision: Collision,
-    /// Whether it was given by the offset.
+    /// Whether the problem gave the offset instead of the impact angle.
     pub(super) by_offset: bool,
     /// What was assumed because the problem does not give it, and what was ignored.
     pub(super) assumed: Vec<Cow<'static, str>>,
 }
 
 impl Problem {
-    /// The problem with the usual masses and speed where they are not given, and which ones
-    /// these are. Lines of a batch must give them.
+    /// The problem with default masses and speed if they are not given, and a list of these
+    /// assumptions. Lines of a batch must give them.
     pub(super) fn with_usual(self) -> (Self, Vec<Cow<'static, str>>) {
         let mut assumed = Vec::new();
         for (mass, name) in [(self.m1_g, "m1"), (self.m2_g, "m2")] {
@@ -121,7 +121,7 @@ impl Problem {
         (usual, assumed)
     }
 
-    /// What the solution assumes or ignores, of all that can change its answer.
+    /// The assumptions and ignored values that can change the answer.
     fn assumed(&self) -> Vec<Cow<'static, str>> {
         let mut assumed: Vec<Cow<'static, str>> = Vec::new();
         if self.u2.is_none() {
@@ -152,7 +152,7 @@ impl Problem {
         assumed
     }
 
-    /// The collision with what it assumes.
+    /// The collision and its assumptions.
     pub(super) fn solvable(&self) -> Result<Solvable, ProblemError> {
         if self.alpha_deg.is_some() && self.offset_mm.is_some() {
             return Err(fault(
@@ -223,7 +223,7 @@ fn velocity(field: &str, components: [f64; 2]) -> Result<DVec2, ProblemError> {
     Ok(DVec2::new(x?, y?))
 }
 
-/// A number within the range of its field.
+/// A number, checked against the range of its field.
 pub(super) fn number(field: &str, value: f64) -> Result<f64, ProblemError> {
     let range = RANGES.iter().find(|range| range.name == field);
     range.map_or(Ok(value), |range| {

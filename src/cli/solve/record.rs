@@ -1,6 +1,6 @@
 //! A problem read from one line of JSON.
 //!
-//! Written out rather than derived so that every error names its field, and so that
+//! The deserializer is written by hand rather than derived, so that every error names its field and
 //! a line is read in one pass without allocating.
 
 use std::fmt;

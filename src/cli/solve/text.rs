@@ -3,13 +3,13 @@
 use crate::physics::worked::WorkedStep;
 use crate::widgets::{Charset, text};
 
-/// Columns that prose is wrapped to.
+/// The columns to which prose is wrapped.
 const WIDTH: usize = 78;
 /// The indentation of prose, and of a line of working.
 const PROSE: &str = "   ";
 const WORKING: &str = "     ";
 
-/// The numbered steps, in the charset of the reader.
+/// The numbered steps as text in this charset.
 pub(super) fn render(steps: &[WorkedStep], charset: Charset) -> String {
     let step = |(number, step): (usize, &WorkedStep)| {
         let why = text::wrap(&charset.text(&step.why), WIDTH - PROSE.len());
@@ -34,7 +34,7 @@ mod tests {
     use crate::physics::worked;
 
     #[test]
-    fn every_sign_of_a_solution_has_a_spelling_in_ascii() {
+    fn every_symbol_in_a_solution_has_an_ascii_spelling() {
         let solution = worked::steps(&CollisionSpec::default().collision(), false);
         let written = render(&solution, Charset::Ascii);
         assert!(

@@ -1,12 +1,12 @@
-//! The facts that the rules use, and their possible decisions.
+//! The facts that the rules use, and the possible decisions.
 
 use super::Law;
 use crate::game::pieces::{COINS_EACH, Colour};
 use crate::numbers::counted;
 
-/// Points for the queen, to a winner whose score allows it (25b).
+/// Points for the queen, for a winner whose score allows them (25b).
 pub(super) const QUEEN_POINTS: u8 = 3;
-/// From this score on the queen brings nothing (27).
+/// From this score on, the queen is worth no points (27).
 pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 
 /// The queen just before a stroke.
@@ -19,7 +19,8 @@ pub(crate) enum QueenBefore {
     Covered(Colour),
 }
 
-/// A stroke in numbers: the pieces on the board before it, those that fell, the score and the dues.
+/// A stroke in numbers: the pieces on the board before the stroke, those that fell, the score and
+/// the dues.
 ///
 /// "Own" is the colour of the player who struck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,7 +29,7 @@ pub(crate) struct Case {
     pub colour: Colour,
     /// The player's coins and score.
     pub own: Side,
-    /// The opponent's.
+    /// The opponent's coins and score.
     pub other: Side,
     /// The queen before the stroke.
     pub queen: QueenBefore,
@@ -38,8 +39,7 @@ pub(crate) struct Case {
     pub(crate) striker_fell: bool,
     /// Whether the striker touched any piece.
     pub(crate) touched: bool,
-    /// While the pack is unbroken: how many strokes this player has already made at it. `None`
-    /// after the break.
+    /// How many strokes this player has already made at the unbroken pack; `None` after the break.
     pub(crate) break_tries: Option<u8>,
     /// Whether the player owes a coin.
     pub owes: bool,
@@ -50,21 +50,21 @@ pub(crate) struct Case {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Side {
-    /// Its coins on the board before the stroke.
+    /// The coins of this side on the board before the stroke.
     pub before: u8,
-    /// Those that fell.
+    /// The coins of this side that fell.
     pub fell: u8,
-    /// Its score in the game before this board.
+    /// The side's score in the game before this board.
     pub score: u8,
 }
 
 impl Side {
-    /// Its coins left on the board.
+    /// The number of the side's coins left on the board after the stroke.
     pub(super) const fn left(&self) -> u8 {
         self.before.saturating_sub(self.fell)
     }
 
-    /// Whether all nine of its coins lay on the board before the stroke.
+    /// Whether all nine of the side's coins were on the board before the stroke.
     pub(super) const fn had_all(&self) -> bool {
         self.before == COINS_EACH
     }
@@ -82,8 +82,7 @@ impl Side {
 /// What becomes of the queen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenFate {
-    /// As the stroke left her: on the board, covered, or just pocketed and to
-    /// be covered next.
+    /// She stays as she is: on the board, covered, or just pocketed and to be covered next.
     Stays,
     /// She goes back to the centre.
     GoesBack,
@@ -94,28 +93,28 @@ pub(crate) enum QueenFate {
 /// Who strikes next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum TurnFate {
-    /// The same player.
+    /// The same player strikes again.
     Continues,
-    /// The next.
+    /// The next player strikes.
     Passes,
-    /// Nobody: the board is over.
+    /// Nobody strikes: the board is over.
     Ends {
-        /// Whether the player who struck won it.
+        /// Whether the player who struck won the board.
         won: bool,
         points: u8,
     },
 }
 
-/// What the rules decide.
+/// The decision of the rules on a stroke.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Verdict {
-    /// The law that decides; `None` for a rule of the house.
+    /// The law that decides; `None` for a house rule.
     pub law: Option<Law>,
     /// What happened and its consequence, in one sentence.
     pub text: String,
-    /// Own coins that are put back at once.
+    /// The player's own coins that are put back at once.
     pub(crate) own_back: u8,
-    /// Dues: further own coins to put back, now or as soon as there are any.
+    /// Dues: further coins of the player to put back, now or as soon as any are in the pockets.
     pub(crate) dues: u8,
     /// What becomes of the queen.
     pub queen: QueenFate,
@@ -135,7 +134,7 @@ impl Verdict {
         }
     }
 
-    /// The player strikes again.
+    /// The verdict that the player strikes again.
     pub(super) fn continues(law: impl Into<Option<Law>>, text: String) -> Self {
         Self::new(law.into(), text, TurnFate::Continues)
     }
@@ -144,12 +143,12 @@ impl Verdict {
         Self::new(law.into(), text, TurnFate::Passes)
     }
 
-    /// The board is over.
+    /// The verdict that ends the board.
     pub(super) fn ends(law: impl Into<Option<Law>>, text: String, won: bool, points: u8) -> Self {
         Self::new(law.into(), text, TurnFate::Ends { won, points })
     }
 
-    /// That many own coins are put back at once.
+    /// The verdict with this many of the player's coins put back at once.
     pub(super) fn own_back(self, own_back: u8) -> Self {
         Self { own_back, ..self }
     }
@@ -158,12 +157,12 @@ impl Verdict {
         Self { dues: 1, ..self }
     }
 
-    /// What becomes of the queen.
+    /// The verdict with this fate of the queen.
     pub(super) fn queen(self, queen: QueenFate) -> Self {
         self.queen_if(true, queen)
     }
 
-    /// The verdict with this change of the queen; otherwise she stays.
+    /// The verdict with this fate of the queen if `case` is true; otherwise she stays.
     pub(super) fn queen_if(mut self, case: bool, queen: QueenFate) -> Self {
         if case {
             self.queen = queen;

@@ -1,4 +1,4 @@
-//! Own coins, the opponent's, and the striker (21, 45 to 48).
+//! The player's own coins, the opponent's, and the striker (21, 45 to 48).
 
 use super::case::{Case, Verdict, coins};
 use super::ruling::Law;

@@ -3,23 +3,21 @@
 use super::case::{Case, QueenBefore, QueenFate, Verdict, points};
 use super::ruling::Law;
 
-/// The most points a board can bring (28).
+/// The most points a board can be worth (28).
 pub(crate) const MOST_POINTS: u8 = 12;
 
-/// The verdict on a stroke that ends the board; `None` if it goes on.
+/// The verdict on a stroke that ends the board; `None` if the board continues.
 ///
 /// Cases that the Laws leave open follow the nearest law:
 ///
-/// - Both last coins fall properly, with the queen covered before: the player
-///   wins by the queen, or by 1 where she is worth nothing or is the opponent's
-///   (as 75a).
-/// - The striker falls with both last coins while the queen is to be covered:
-///   the board is lost as in 82a; with the queen on the board, as in 78a and by
-///   a point more.
-/// - The striker falls with the opponent's last coin while the queen is to be
-///   covered: a point more than in 76a, as 84a adds to 79a.
-/// - The queen falls with the opponent's last coin: nobody has covered her, so
-///   she counts as in 79a.
+/// - Both last coins fall properly, with the queen covered before: the player wins by the value of
+///   the queen, or by 1 if she is worth nothing or was covered by the opponent (as in 75a).
+/// - The striker falls with both last coins while the queen is to be covered: the board is lost as
+///   in 82a; with the queen on the board, as in 78a but by one more point.
+/// - The striker falls with the opponent's last coin while the queen is to be covered: by one more
+///   point than in 76a, just as 84a adds one to 79a.
+/// - The queen falls with the opponent's last coin: nobody has covered her, so her points are
+///   awarded as in 79a.
 pub(super) fn judge(case: &Case) -> Option<Verdict> {
     match (case.own.left(), case.other.left()) {
         (0, 0) => Some(both_finished(case)),
@@ -69,7 +67,7 @@ fn both_finished(case: &Case) -> Verdict {
     }
 }
 
-/// The player pocketed the opponent's last coin and has `own_left`.
+/// The player pocketed the opponent's last coin and has `own_left` coins left.
 fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
     let player = case.colour;
     let other = player.other();
@@ -93,8 +91,7 @@ fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
     }
 }
 
-/// The player's own last coin fell; `None` where the striker fell too and brings
-/// that coin back.
+/// The player's own last coin fell; `None` if the striker fell too, so that this coin is put back.
 fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     let player = case.colour;
     let (covered_by, fate) = match case.queen {
@@ -113,8 +110,8 @@ fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     Some(won(case, 25, other_left + queen, why).queen(fate))
 }
 
-/// The points of a board that the queen alone decides: hers, or 1 if she has no value any more (75
-/// to 82).
+/// The points for a board that the queen alone decides: her value, or 1 if she no longer has any
+/// (75 to 82).
 const fn worth_at_least_one(queen: u8) -> u8 {
     if queen == 0 { 1 } else { queen }
 }

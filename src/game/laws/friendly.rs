@@ -4,18 +4,18 @@
 //! - An opponent's coin stays down and helps the opponent.
 //! - Pocket the striker and one of your coins goes back, if you have one to
 //!   give; the turn passes. Nothing stays owed.
-//! - The queen may be taken at any time and must be covered: an own coin in the
-//!   same stroke or the next. Otherwise she goes back to the centre.
-//! - First to clear their coins wins the game: a point for each coin the other
-//!   has left, at least 1, and 3 for the queen if they covered her. Clear your
-//!   coins with the queen on the board and she is simply left.
+//! - The queen may be taken at any time and must be covered: with one of your coins in the same
+//!   stroke or the next. Otherwise she goes back to the centre.
+//! - The first player to clear their coins wins the game: a point for each coin the other has left,
+//!   at least 1, and 3 for the queen if they covered her. If you clear your coins while the queen
+//!   is on the board, she is worth no points.
 //! - A break that touches nothing passes the turn like any other miss.
 
 use crate::game::pieces::COINS_EACH;
 
 use super::case::{Case, QUEEN_POINTS, QueenBefore, QueenFate, Verdict, coins, points};
 
-/// The verdict on a stroke in the friendly game.
+/// The verdict on a stroke in a friendly game.
 pub(super) fn judge(case: &Case) -> Verdict {
     ending(case).unwrap_or_else(|| {
         if case.striker_fell {
@@ -26,8 +26,8 @@ pub(super) fn judge(case: &Case) -> Verdict {
     })
 }
 
-/// The end of the board, if a colour is cleared. A striker that falls along
-/// brings one own coin back, so with it the player cannot be the one who cleared.
+/// The end of the board, if a colour is cleared. If the striker falls too, one of the player's
+/// coins is put back, so the player cannot have cleared the board.
 fn ending(case: &Case) -> Option<Verdict> {
     let won = case.own.left() == 0 && !case.striker_fell;
     if !won && case.other.left() > 0 {
@@ -44,7 +44,7 @@ fn ending(case: &Case) -> Option<Verdict> {
     } else {
         0
     };
-    // Both colours may be cleared at once; a win brings a point even then.
+    // Both colours may be cleared at once; even then the winner gets at least one point.
     let by = (left + queen).max(1);
     let text = format!(
         "All {} coins are down, so {winner} wins by {}.",

@@ -1,29 +1,28 @@
 //! The referee: the verdict of the rules on a stroke.
 //!
 //! A [`Case`] contains the facts that the rules use, as numbers of coins; a [`Verdict`] is the
-//! decision. Neither contains positions. Each file holds one chapter of the Laws of Carrom of the
-//! International Carrom Federation:
+//! decision. Neither contains positions. Each file contains one chapter of the Laws of Carrom of
+//! the International Carrom Federation:
 //!
 //! | file | laws |
 //! |---|---|
 //! | `opening` | 17, 18: when the break counts |
 //! | `ending` | 25 to 28, 75 to 85: last coins, who wins the board and by how much |
 //! | `queen` | 65 to 74: the queen and her cover |
-//! | `coins` | 21, 45 to 48: own coins, the opponent's, the striker |
+//! | `coins` | 21, 45 to 48: the player's coins, the opponent's, the striker |
 //! | `friendly` | the rules of most families |
 //! | `practice` | no rules at all |
 //!
 //! Cases that cannot happen on a screen are left out: pushing, touching coins, the hand beyond the
 //! arrows, jumping coins (38, 39), coins on edge or on top of each other (40 to 43), playing out of
 //! turn (24), and so every law that begins "by an improper stroke" (49, 50 and the second half of
-//! 71 to 85). The striker cannot be struck from an illegal place because it cannot be put there,
-//! and no stroke clock runs (23), so there are no fouls (36, 37). Where the Laws grant a point "if
-//! demanded", it is always demanded, and a due is never forgone (53, 60). Sides are not changed (31
-//! to 34): on a screen they are all the same.
+//! 71 to 85). The striker cannot be struck from an illegal position because it cannot be placed
+//! there, and strokes are not timed (23), so there are no fouls (36, 37). If the Laws grant a point
+//! "if demanded", it is always demanded, and a due is never forgone (53, 60). Sides are not changed
+//! (31 to 34): on a screen they are all the same.
 //!
-//! Carrying a verdict out, from dues that wait (45b, 51) to the place where a piece
-//! is laid (62b, 66, 67) and the order of turns (22), is for `play`, `free_place`
-//! and `seat` next door.
+//! The modules `play`, `free_place` and `seat` carry a verdict out: dues that wait (45b, 51), the
+//! position of a piece that is put back (62b, 66, 67) and the order of turns (22).
 
 mod case;
 mod coins;
@@ -44,7 +43,7 @@ use serde::{Deserialize, Serialize};
 
 use super::pieces::Colour;
 
-/// The rules of a game; "friendly" as one word.
+/// The rules of a game; as text, one word such as "friendly".
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::IntoStaticStr,
 )]
@@ -54,9 +53,9 @@ pub enum Rules {
     /// The Laws of Carrom, in singles or doubles, as a match of three games.
     #[default]
     Tournament,
-    /// The simple rules of most families: first to clear wins the game.
+    /// The simple rules of most families: the first player to clear their coins wins the game.
     Friendly,
-    /// No turns, no dues: place the striker anywhere and try again.
+    /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
     Practice,
 }
 
@@ -72,8 +71,8 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
     }
 }
 
-/// The verdict if coins block every position of the striker. The Laws do not foresee it; the turn
-/// passes without a penalty.
+/// The verdict if coins block every position of the striker. The Laws do not cover this case; the
+/// turn passes without a penalty.
 pub(crate) fn no_place(player: Colour, to_cover: bool) -> Verdict {
     let text = format!("Coins block every position of the striker, so {player}'s turn passes.");
     Verdict::passes(None, text).queen_if(to_cover, QueenFate::GoesBack)

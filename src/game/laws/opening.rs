@@ -36,7 +36,7 @@ pub(super) fn judge(case: &Case) -> Option<Verdict> {
         Verdict::passes(
             Law::clause(18, 'b'),
             format!(
-                "{player} touched no coin in three strokes, so the break goes to {} and the colours stay as they are.",
+                "{player} touched no coin in three strokes, so the break passes to {} and the colours do not change.",
                 player.other()
             ),
         )

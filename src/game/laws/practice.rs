@@ -1,9 +1,9 @@
-//! Practice: no turns, no dues, no cover. Fallen pieces stay down, and play goes on until the board
-//! is empty.
+//! Practice: no turns, no dues, no cover. Fallen pieces stay down, and play continues until the
+//! board is empty.
 
 use super::case::{Case, QueenBefore, QueenFate, Verdict};
 
-/// The verdict on a stroke in practice.
+/// The verdict on a stroke in a practice game.
 pub(super) fn judge(case: &Case) -> Verdict {
     let queen_left = case.queen == QueenBefore::OnBoard && !case.queen_fell;
     if case.own.left() == 0 && case.other.left() == 0 && !queen_left {

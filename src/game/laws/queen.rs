@@ -37,7 +37,7 @@ fn covering(case: &Case) -> Verdict {
         (own, true) => Verdict::continues(
             Law::clause(74, 'a'),
             format!(
-                "The striker fell along with the cover, so {} and one due come out, and {player}'s \
+                "The striker fell along with the cover, so {} and one due are put back, and {player}'s \
                  next stroke must cover the queen.",
                 coins(own, player)
             ),
@@ -135,8 +135,8 @@ fn pocketed(case: &Case) -> Verdict {
     }
 }
 
-/// The queen fell while the player owed a coin: she goes back whatever fell with her, and the turn
-/// passes.
+/// The queen fell while the player owed a coin: she goes back, no matter what fell with her, and
+/// the turn passes.
 fn pocketed_in_debt(case: &Case) -> Verdict {
     let player = case.colour;
     let verdict = Verdict::passes(

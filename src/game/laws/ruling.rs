@@ -1,4 +1,4 @@
-//! What the referee announces.
+//! The rulings that the referee announces.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use crate::game::seat::{Seat, Team};
 pub struct Law {
     /// Number of the law.
     pub number: u8,
-    /// Its clause, if it has several.
+    /// The clause, if the law has several.
     pub(crate) clause: Option<char>,
 }
 
@@ -29,9 +29,9 @@ impl Law {
         }
     }
 
-    /// A due waits until a coin is there to pay it.
+    /// A due waits until a pocketed coin can pay it.
     pub(in crate::game) const DUE_WAITS: Self = Self::clause(45, 'b');
-    /// A due is paid as soon as a coin is there.
+    /// A due is paid as soon as a pocketed coin can pay it.
     pub(in crate::game) const DUE_IS_PAID: Self = Self::clause(51, 'a');
     /// A game is 25 points or eight boards.
     pub(in crate::game) const GAME: Self = Self::clause(29, 'a');
@@ -48,21 +48,21 @@ impl fmt::Display for Law {
     }
 }
 
-/// One decision of the referee: under which law, why, and what follows.
+/// One decision of the referee: the law, the reason and the effects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ruling {
     /// The law; `None` for a rule of the friendly or practice game.
     pub law: Option<Law>,
     /// What happened and the reason for the decision, in one sentence.
     pub text: String,
-    /// What was done on the board and in the score, in that order.
+    /// The changes to the board and to the score, in that order.
     pub effects: Vec<RulingEffect>,
 }
 
 /// A change made by a ruling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RulingEffect {
-    /// A coin or the queen was put back here.
+    /// A coin or the queen was put back at this position.
     PutBack(Coin),
     /// This many coins are still owed, because none is in a pocket.
     StillOwed(Colour, u8),
@@ -87,8 +87,8 @@ pub enum RulingEffect {
 /// How a board ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BoardWon {
-    /// Who won it.
+    /// The team that won the board.
     pub winner: Team,
-    /// The points it brings, at most 12 (28).
+    /// The points for the board, at most 12 (28).
     pub points: u8,
 }

@@ -1,4 +1,4 @@
-//! The hand that strikes, with errors of direction and speed.
+//! The hand of a player: random errors in direction and speed.
 
 use glam::DVec2;
 use rand::RngExt;
@@ -9,14 +9,15 @@ use crate::physics::Motion;
 /// The fastest stroke the opponent plays, in m/s: a hard break.
 pub const FASTEST: f64 = 4.0;
 
-/// How unsteady a hand is: the standard deviations of its normal errors.
+/// How unsteady a hand is: the standard deviations of its normally distributed errors.
 ///
 /// The striker is placed without error, because a player can check its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hand {
-    /// Error of the direction, as the tangent of the angle: practically radians.
+    /// Error of the direction, as the tangent of the angle, which is practically the angle in
+    /// radians.
     pub direction: f64,
-    /// Error of the speed, as a share of it.
+    /// Error of the speed, as a fraction of the speed.
     pub speed: f64,
 }
 
@@ -25,7 +26,7 @@ pub struct Hand {
 pub struct Slip {
     /// Tangent of the error of the direction, positive to the left.
     pub turn: f64,
-    /// Change of the speed, as a share of it.
+    /// Change in the speed, as a fraction of the speed.
     pub push: f64,
 }
 
@@ -57,8 +58,8 @@ impl Slip {
     }
 }
 
-/// A number from approximately the standard normal distribution, as a sum of twelve uniform numbers
-/// (Irwin and Hall): within ±6, and without a logarithm, which machines round differently.
+/// A number with approximately the standard normal distribution, as a sum of twelve uniform numbers
+/// (Irwin and Hall): within ±6, without a logarithm, which different machines round differently.
 fn normal(chance: &mut Pcg64) -> f64 {
     (0..12).map(|_| chance.random::<f64>()).sum::<f64>() - 6.0
 }
@@ -83,7 +84,7 @@ mod tests {
             let square = slips.iter().map(|s| part(s) * part(s)).sum::<f64>() / f64::from(count);
             (mean, (square - mean * mean).sqrt())
         };
-        // Four standard errors: 4/√n of the spread, 4/√(2n) of it.
+        // Four standard errors: 4/√n of the spread for the mean, 4/√(2n) of it for the spread.
         for ((mean, spread), wanted) in [(of(|s| s.turn), 0.02), (of(|s| s.push), 0.1)] {
             assert!(mean.abs() < 0.029 * wanted, "{mean}");
             assert!((spread / wanted - 1.0).abs() < 0.02, "{spread}");
@@ -102,7 +103,7 @@ mod tests {
         };
         let struck = slip.applied_to(meant);
         assert_eq!(struck.position, meant.position);
-        // tan φ = 3/4 is the triangle of 3, 4 and 5.
+        // tan φ = 3/4 gives a triangle with sides 3, 4 and 5.
         assert!((struck.velocity - DVec2::new(-0.6, 0.8) * 2.2).length() < 1e-15);
         assert_eq!(Slip::default().applied_to(meant), meant);
     }

@@ -1,4 +1,4 @@
-//! A hint for the player: the same search, shown in two steps.
+//! A hint for the player, found by the opponent's search and shown in two steps.
 
 use super::story::Reason;
 use super::words::{self, Teller};
@@ -13,14 +13,14 @@ pub struct StrokeHint {
     pub stand: Stand,
     /// The exact stroke.
     pub stroke: Motion,
-    /// Its effect.
+    /// The effect of the stroke.
     pub reason: Reason,
-    /// Whether the striker falls too, because no stroke was found in which it does not.
+    /// Whether the striker falls too, which happens only if every stroke that was found pockets it.
     pub fouls: bool,
 }
 
 impl StrokeHint {
-    /// The first step: which piece, and where to.
+    /// The first step of the hint: which piece to pocket, and where.
     pub fn which(&self) -> String {
         let story = &self.reason.story;
         match (story.fall, story.first_hit) {
@@ -48,7 +48,7 @@ impl StrokeHint {
         }
     }
 
-    /// The second step: the striker's position, the aim and the speed, and why.
+    /// The second step of the hint: the striker's position, the aim, the speed and the reason.
     pub fn how(&self) -> String {
         let place = self.stand.phrase();
         let aim = self

@@ -1,23 +1,23 @@
 //! The computer opponent: finds a stroke by simulation.
 //!
 //! Geometry proposes strokes in closed form; the engine plays those with the largest tolerance; the
-//! laws judge each result; the best are played again with errors of the hand. The choice depends
-//! only on the game, the strength and the seed: the search is limited by a number of shots, not by
-//! time, and uses only + − × ÷ √, so every machine finds the same stroke.
+//! laws judge each result; the best are played again with random errors of the hand. The choice
+//! depends only on the game, the strength and the seed: the search is limited by a number of shots,
+//! not by time, and uses only + − × ÷ √, so every machine finds the same stroke.
 //!
-//! | file | holds |
+//! | file | contents |
 //! |---|---|
-//! | `sight` | clear ways, pockets, the image behind a cushion |
-//! | `shots` | cuts, combinations and cushion shots, put together from the pocket back |
+//! | `sight` | clear paths, pockets, the image behind a cushion |
+//! | `shots` | cuts, combinations and cushion shots, built backwards from the pocket |
 //! | `wants` | which pieces a player wants to pocket |
 //! | `rehearsal` | a simulated stroke |
 //! | `worth` | the value of a position |
-//! | `search` | from many strokes to one |
+//! | `search` | the choice of one stroke from many |
 //! | `strength` | five strengths |
 //! | `hand` | the errors of the hand |
 //! | `story` | the purpose of a shot, from its record, and why it was chosen |
-//! | `words` | the same in words |
-//! | `hint` | the same for the player |
+//! | `words` | the purpose of a shot in words |
+//! | `hint` | a hint for the player |
 
 mod hand;
 mod hint;
@@ -55,7 +55,7 @@ pub struct Decision {
     pub meant: Motion,
     /// The error of the hand.
     pub slip: Slip,
-    /// Why this stroke.
+    /// Why this stroke was chosen.
     pub reason: Reason,
 }
 
@@ -90,14 +90,14 @@ pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
     })
 }
 
-/// The best stroke for the player whose turn it is: searched like the champion's, but for the hand
-/// of a club player. `None` as for [`think`].
+/// The best stroke for the player whose turn it is: the search is the champion's, with the hand of
+/// a club player. `None` as for [`think`].
 ///
-/// A plain cut is preferred, because players can learn most from it; other shots only if no cut
-/// works at least every other time.
+/// A plain cut is preferred, because players can learn most from it; other shots are chosen only if
+/// no cut works in at least half of the tries.
 ///
-/// Position, direction and speed are on the steps in which a player sets them, and struck exactly
-/// the striker does not fall, if there is such a stroke.
+/// Position, direction and speed are on the steps in which a player sets them, and if possible the
+/// striker does not fall when the stroke is exact.
 pub fn hint(game: &Game, seed: u64) -> Option<StrokeHint> {
     let all = Skill {
         hand: Strength::Club.hand(),
@@ -139,7 +139,7 @@ fn seek(game: &Game, skill: Skill, seed: u64) -> Option<(Candidate, Reason)> {
         chance: Pcg64::seed_from_u64(seed),
     };
     let choice = search.best()?;
-    // Once more without errors, for the record.
+    // The chosen stroke is played once more without errors, for its description.
     let story = match search.rehearsal.play(choice.motion) {
         Some(_) => Story::of(game, &search.rehearsal.shot),
         None => Story::default(),

@@ -1,10 +1,10 @@
-//! Simulating a stroke: the engine plays it, the laws judge it.
+//! The simulation of a stroke: the engine plays it, the laws judge it.
 
 use super::wants::wants;
 use crate::game::{Game, Piece, Stroke};
 use crate::physics::{Board, Disc, Engine, Limits, Motion, Shot};
 
-/// A copy of the board for trying strokes.
+/// A copy of the board on which strokes are simulated.
 pub(super) struct Rehearsal<'a> {
     board: Board,
     game: &'a Game,
@@ -15,7 +15,7 @@ pub(super) struct Rehearsal<'a> {
     pub(super) shot: Shot,
 }
 
-/// The result of a stroke that was tried.
+/// The result of a simulated stroke.
 pub(super) struct Tried {
     pub(super) after: Game,
     /// Whether a wanted piece fell, and the striker did not.
@@ -28,7 +28,7 @@ impl<'a> Rehearsal<'a> {
     pub(super) fn new(game: &'a Game) -> Self {
         let (discs, motions) = game.discs(Motion::default());
         Self {
-            board: Board::default(),
+            board: game.board(),
             game,
             discs,
             motions,

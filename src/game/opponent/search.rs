@@ -1,4 +1,5 @@
-//! Choosing a stroke: geometry proposes, the engine tries, the value decides.
+//! Chooses a stroke: geometry proposes strokes, the engine plays them, and the value of the result
+//! decides.
 
 use std::ops::Range;
 
@@ -21,13 +22,13 @@ use crate::game::Game;
 use crate::game::steps::on_steps;
 use crate::physics::Motion;
 
-/// Aims kept for one course: neighbouring positions give nearly the same shot.
+/// The number of aims kept for one course: neighbouring positions give nearly the same shot.
 const AIMS_A_COURSE: usize = 4;
-/// Courses for which combinations are searched.
+/// The number of courses for which combinations are searched.
 const DRIVEN: usize = 12;
 /// Speeds of a break in m/s.
 const BREAK: Range<f64> = 2.8..FASTEST;
-/// Speeds of other strokes without a pocket in mind, in m/s.
+/// Speeds of other strokes that do not aim for a pocket, in m/s.
 const KNOCK: Range<f64> = 0.6..3.0;
 
 /// A stroke, its expected value, and how often a piece fell.
@@ -36,7 +37,7 @@ pub(super) struct Candidate {
     pub(super) motion: Motion,
     worth: f64,
     pub(super) chance: Chance,
-    /// Whether the striker falls if it is struck exactly.
+    /// Whether the striker falls if the stroke is exact.
     pub(super) fouls: bool,
     /// How far the direction may be changed in the search for a better one.
     allowance: f64,
@@ -52,7 +53,7 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The best stroke from a legal position; `None` if coins block all of them.
+    /// The best stroke from a legal position; `None` if coins block all legal positions.
     pub(super) fn best(&mut self) -> Option<Candidate> {
         let places = self.places();
         let resort = Motion::new(*places.first()?, self.game.seat().turn(DVec2::Y));
@@ -67,7 +68,7 @@ impl Search<'_> {
         }))
     }
 
-    /// Positions along the base lines; if coins block all of them, the free one nearest to the
+    /// Positions along the base lines; if coins block all of them, the free position nearest to the
     /// middle.
     fn places(&self) -> Vec<DVec2> {
         let lines = self.game.base_lines();
@@ -159,15 +160,15 @@ impl Search<'_> {
         }
     }
 
-    /// The best of the choices, which are sorted, for an unsteady hand: with the same errors for
-    /// all, so that luck does not decide.
+    /// The best of the sorted choices for an unsteady hand; all are tried with the same errors, so
+    /// that luck does not decide.
     fn finalist(&mut self, choices: &[Candidate]) -> Option<Candidate> {
         let count = self.skill.slips;
         let mut slips: Vec<Slip> = (0..count)
             .map(|_| self.skill.hand.slip(&mut self.chance))
             .collect();
         if self.skill.on_steps {
-            // A player who sets a stroke by keys strikes it exactly.
+            // A player who sets a stroke with the keys plays it exactly.
             slips[..1.min(count)].fill(Slip::default());
         }
         let finalists = choices.iter().take(self.skill.finalists);

@@ -1,4 +1,4 @@
-//! The table as a player sees it: positions, and which paths are clear.
+//! The table as a player sees it: the positions of the coins, and which paths are clear.
 
 use glam::DVec2;
 
@@ -16,13 +16,13 @@ pub(super) struct Sight<'a> {
 /// More than the rounding error of a distance or a tolerance.
 pub(super) const ROUNDING: f64 = 1.0 + 1e-9;
 
-/// A wall of the frame, by the unit vector that points into it.
+/// The walls of the frame, each given by the unit vector that points into it.
 pub(super) const WALLS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
 
 impl<'a> Sight<'a> {
     pub(super) fn of(game: &'a Game) -> Self {
         Self {
-            board: Board::default(),
+            board: game.board(),
             set: game.setup().set,
             coins: game.coins(),
         }
@@ -36,7 +36,8 @@ impl<'a> Sight<'a> {
         self.set.striker_radius()
     }
 
-    /// The share of its speed along the line of impact that `piece` gives a coin.
+    /// The speed that `piece` gives to a coin, as a multiple of its own speed along the line of
+    /// impact.
     pub(super) fn passed_on(&self, piece: Piece) -> f64 {
         let pair = RestingTarget {
             m1: self.set.disc(piece).mass,
@@ -46,7 +47,7 @@ impl<'a> Sight<'a> {
         pair.target_speed(0.0)
     }
 
-    /// The speed in m/s a disc needs to have `left` of it after `distance` metres.
+    /// The initial speed in m/s of a disc that still has the speed `left` after `distance` metres.
     fn speed_for(&self, distance: f64, left: f64) -> f64 {
         (left * left + 2.0 * self.board.deceleration() * distance).sqrt()
     }
@@ -57,7 +58,7 @@ impl<'a> Sight<'a> {
         let way = to - from;
         let length_squared = way.length_squared();
         let reach = radius + self.coin();
-        // Most coins are clear of the whole line, by more than rounding.
+        // Most coins are clear of the whole line by more than the rounding error.
         let off = ROUNDING * (reach * reach * length_squared);
         self.coins.iter().enumerate().all(|(i, coin)| {
             let seen = coin.at - from;
@@ -74,7 +75,7 @@ impl<'a> Sight<'a> {
         })
     }
 
-    /// Whether a disc of `radius` has room at a point within the frame.
+    /// Whether a disc of `radius` at a point is wholly inside the frame.
     pub(super) fn is_inside(&self, at: DVec2, radius: f64) -> bool {
         at.abs().max_element() <= self.board.side / 2.0 - radius
     }
@@ -83,7 +84,7 @@ impl<'a> Sight<'a> {
     /// none.
     ///
     /// The cushion reduces the velocity component towards it by the factor e, so the disc must aim
-    /// at the image of its goal, which lies 1/e times as far behind the cushion as the goal lies in
+    /// at the image of its goal, which is 1/e times as far behind the cushion as the goal is in
     /// front of it.
     pub(super) fn bounce(&self, from: DVec2, to: DVec2, wall: DVec2, radius: f64) -> Option<Way> {
         let e = self.board.cushion_restitution;
@@ -112,11 +113,12 @@ impl<'a> Sight<'a> {
 pub(super) struct Way {
     pub(super) from: DVec2,
     pub(super) to: DVec2,
-    /// Its direction at the start.
+    /// The direction at the start of the path.
     pub(super) toward: DVec2,
-    /// Its direction at the end.
+    /// The direction at the end of the path.
     pub(super) arriving: DVec2,
-    /// Where the disc's centre is when it hits a cushion, and the share of its speed that remains.
+    /// Where the disc's centre is when it hits a cushion, and the fraction of its speed that
+    /// remains.
     wall: Option<(DVec2, f64)>,
 }
 
@@ -144,8 +146,8 @@ impl Way {
         before + after
     }
 
-    /// The speed in m/s a disc needs at the start to have `left` of it `short` metres
-    /// before the end.
+    /// The initial speed in m/s of a disc that still has the speed `left` when it is `short` metres
+    /// from the end.
     pub(super) fn speed(&self, sight: &Sight, short: f64, left: f64) -> f64 {
         let (before, after) = self.legs();
         let leaving = sight.speed_for((after - short).max(0.0), left);

@@ -1,7 +1,7 @@
 //! The purpose of a stroke, read from its record.
 //!
 //! Nothing is copied from the search: the story of a shot comes from its exact record, so that the
-//! words are true.
+//! description is true.
 
 use glam::DVec2;
 
@@ -17,12 +17,12 @@ use crate::physics::{EventKind, Shot};
 pub struct Chance {
     /// The rehearsals in which a wanted piece fell, and the striker did not.
     pub fell: u8,
-    /// All rehearsals.
+    /// The number of all rehearsals.
     pub of: u8,
 }
 
 impl Chance {
-    /// Whether it worked at least every other time.
+    /// Whether the stroke worked in at least half of the rehearsals.
     pub(super) fn works_mostly(self) -> bool {
         self.fell > 0 && self.fell >= self.of - self.fell
     }
@@ -36,49 +36,49 @@ impl Chance {
 /// The first collision of the striker with a coin, which is at rest until then.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstContact {
-    /// The coin it met, by its place in [`Game::coins`].
+    /// The index in [`Game::coins`] of the coin that the striker hit.
     pub coin: usize,
-    /// What that is.
+    /// The kind of that coin.
     pub piece: Piece,
-    /// Cushions it had hit before.
+    /// The number of cushions the striker had hit before.
     pub cushions: u8,
-    /// The striker's direction when they met, a unit vector.
+    /// The striker's direction before the collision, a unit vector.
     pub heading: DVec2,
-    /// Impact angle α in radians, positive when the coin lay to the right. It is the
-    /// coin's recoil angle θ₂ too.
+    /// Impact angle α in radians, positive if the coin was to the right. This is also the coin's
+    /// recoil angle θ₂.
     pub alpha: f64,
     /// Impact parameter b in metres, with the sign of α.
     pub offset: f64,
-    /// Scattering angle θ₁ of the striker in radians, positive to the left; `None`
-    /// if it stopped.
+    /// Scattering angle θ₁ of the striker in radians, positive to the left; `None` if the striker
+    /// stopped.
     pub theta1: Option<f64>,
-    /// The share of its speed that the striker keeps, v₁/u₁.
+    /// The fraction of its speed that the striker keeps, v₁/u₁.
     pub kept: f64,
 }
 
 /// How the first wanted piece fell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fall {
-    /// The coin, by its place in [`Game::coins`].
+    /// The index of the coin in [`Game::coins`].
     pub coin: usize,
-    /// What that is.
+    /// The kind of that coin.
     pub piece: Piece,
-    /// The corner it fell into, numbered as the engine does.
+    /// The corner into which the piece fell, numbered as in the engine.
     pub corner: usize,
-    /// The last piece that hit it: the striker, or a coin.
+    /// The last piece that hit the fallen piece: the striker or a coin.
     pub sent_by: Piece,
-    /// Cushions it hit after that.
+    /// The number of cushions the piece hit after that.
     pub cushions: u8,
 }
 
-/// A shot in short.
+/// A short description of a shot.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Story {
     /// The first collision; `None` if the striker touched nothing.
     pub first_hit: Option<FirstContact>,
     /// The first wanted piece that fell, if any did.
     pub fall: Option<Fall>,
-    /// Wanted pieces that fell after it.
+    /// The number of wanted pieces that fell after this one.
     pub also: u8,
 }
 
@@ -95,7 +95,7 @@ impl Story {
         }
     }
 
-    /// Whether the striker itself sent the piece it met first straight to its pocket.
+    /// Whether the striker sent the first piece that it hit straight into a pocket.
     pub fn is_plain_cut(&self) -> bool {
         self.fall.zip(self.first_hit).is_some_and(|(fall, hit)| {
             let straight = hit.cushions == 0 && fall.cushions == 0;
@@ -115,7 +115,7 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
                 before,
                 after,
             } if a == 0 || b == 0 => {
-                // The record may name the coin first.
+                // The coin may be the first disc in the record.
                 let (disc, u1, v1, normal) = match a {
                     0 => (b, before[0], after[0], normal),
                     _ => (a, before[1], after[1], -normal),
@@ -139,7 +139,7 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
     None
 }
 
-/// A disc and where in the record it fell into which corner.
+/// A disc, the corner into which it fell, and the index of that event in the record.
 struct Fallen {
     disc: usize,
     corner: usize,
@@ -158,7 +158,7 @@ fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + '
 }
 
 impl Fallen {
-    /// How it got there: back through the record to the last impact.
+    /// How the piece reached the pocket: goes back through the record to the last impact.
     fn described(&self, coins: &[Coin], shot: &Shot) -> Option<Fall> {
         let mut cushions = 0_u8;
         for event in shot.events().iter().take(self.when).rev() {
@@ -179,14 +179,14 @@ impl Fallen {
     }
 }
 
-/// The effect of a chosen stroke if it is struck exactly, and how reliable it is.
+/// The effect of a chosen stroke if it is played exactly, and its reliability.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reason {
     /// Whether the pack was unbroken.
     pub breaking: bool,
-    /// How often it worked with an unsteady hand.
+    /// How often the stroke worked with an unsteady hand.
     pub chance: Chance,
-    /// What happens in it.
+    /// What happens in the stroke.
     pub story: Story,
 }
 

@@ -1,4 +1,4 @@
-//! The strength of an opponent: how far it looks ahead and how steady its hand is.
+//! The strength of an opponent: how thoroughly the opponent searches and how steady its hand is.
 
 use serde::{Deserialize, Serialize};
 use strum::Display;
@@ -7,10 +7,10 @@ use super::hand::Hand;
 
 /// The five strengths, weakest first.
 ///
-/// They differ in what they look for, in how many shots they rehearse before they
-/// strike, and in their hand's [errors](Hand):
+/// They differ in the kinds of shot they consider, in the number of shots they simulate before a
+/// stroke, and in the [errors](Hand) of their hand:
 ///
-/// | strength | direction | speed | shots seen | looks ahead |
+/// | strength | direction | speed | shots | looks ahead |
 /// |---|---|---|---|---|
 /// | beginner | 2.9° | 20 % | cuts | no |
 /// | regular | 1.7° | 15 % | cuts | no |
@@ -23,46 +23,46 @@ use super::hand::Hand;
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
 pub enum Strength {
-    /// Sees plain cuts and has an unsteady hand.
+    /// Considers only plain cuts and has an unsteady hand.
     Beginner,
-    /// Considers more positions, and has a steadier hand.
+    /// Considers more positions and has a steadier hand.
     #[default]
     Regular,
-    /// Considers the next stroke, and sees combinations.
+    /// Also considers the next stroke and combinations.
     #[strum(to_string = "club player")]
     Club,
-    /// Sees cushion shots too, and tries each with an unsteady hand in mind.
+    /// Also considers cushion shots, and tries each shot with an unsteady hand.
     Expert,
-    /// Sees the same as an expert, tries more strokes, and rarely makes an error.
+    /// Considers the same shots as an expert, tries more strokes and makes smaller errors.
     Champion,
 }
 
-/// What an opponent can do.
+/// The abilities of an opponent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Skill {
     pub(super) hand: Hand,
-    /// Positions along the base lines that are considered.
+    /// The number of positions along the base lines that are considered.
     pub(super) places: u16,
     /// Whether combinations are considered.
     pub(super) combinations: bool,
     /// Whether cushion shots are considered.
     pub(super) cushions: bool,
-    /// Aims that are tried, the likeliest first.
+    /// The number of aims that are tried, those most likely to succeed first.
     pub(super) aims: usize,
     /// Speeds at which each is tried, as multiples of the least speed.
     pub(super) speeds: &'static [f64],
-    /// Strokes tried that do not aim for a pocket.
+    /// The number of strokes that are tried without aiming for a pocket.
     pub(super) knocks: usize,
-    /// The best of them that are tried with an unsteady hand.
+    /// The number of best strokes, which are tried with an unsteady hand.
     pub(super) finalists: usize,
-    /// Random errors with which each is tried.
+    /// The number of random errors with which each of these strokes is tried.
     pub(super) slips: usize,
-    /// Small changes of the best that are tried in the same way.
+    /// The number of small changes to the best stroke that are tried in the same way.
     pub(super) refinements: usize,
-    /// Whether the position after the stroke counts.
+    /// Whether the position after the stroke is evaluated.
     pub(super) looks_ahead: bool,
     /// Whether strokes are restricted to the [steps](crate::game::steps) in which a player sets
-    /// them, and to those without a foul if struck exactly.
+    /// them, and to those that are not fouls when played exactly.
     pub(super) on_steps: bool,
 }
 
@@ -76,12 +76,12 @@ impl Strength {
         Self::Champion,
     ];
 
-    /// How unsteady its hand is.
+    /// How unsteady the opponent's hand is.
     pub fn hand(self) -> Hand {
         self.skill().hand
     }
 
-    /// The most shots it simulates before one stroke.
+    /// The largest number of shots that the opponent simulates before one stroke.
     pub fn most_rehearsals(self) -> usize {
         self.skill().most_rehearsals()
     }
@@ -152,7 +152,7 @@ impl Strength {
 impl Skill {
     pub(super) fn most_rehearsals(&self) -> usize {
         let first_look = self.aims * self.speeds.len() + self.knocks;
-        // One more: the exact stroke, for the comment afterwards.
+        // One more for the exact stroke, which the comment afterwards describes.
         first_look + (self.finalists + self.refinements) * self.slips + 1
     }
 }
@@ -162,7 +162,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_strength_looks_further_with_a_steadier_hand() {
+    fn each_strength_searches_more_and_has_a_steadier_hand() {
         for pair in Strength::ALL.windows(2) {
             let (weak, strong) = (pair[0], pair[1]);
             assert!(weak < strong);

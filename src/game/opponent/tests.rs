@@ -1,14 +1,15 @@
-//! The opponent as a whole: any position, any strength, any seed.
+//! Tests of the whole opponent for any position, strength and seed.
 
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+use super::sight::Sight;
 use super::{FASTEST, Strength, hint, think};
 use crate::game::laws::Rules;
 use crate::game::pack::pack;
 use crate::game::steps::on_steps;
-use crate::game::{Coin, Game, GameSetup, Hands, Piece, PieceSet, Seat, Stroke, Team};
+use crate::game::{Coin, Game, GameSetup, Hands, Piece, PieceSet, Seat, Strike, Stroke, Team};
 use crate::numbers::{FNV_START, fnv1a};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
@@ -74,7 +75,7 @@ fn every_decision_is_a_legal_stroke() {
 }
 
 #[test]
-fn the_same_seed_gives_the_same_decision_and_another_another() {
+fn the_same_seed_gives_the_same_decision_and_another_seed_a_different_one() {
     let game = scattered(1);
     for strength in Strength::ALL {
         let decide = |seed| think(&game, strength, seed).unwrap();
@@ -85,7 +86,7 @@ fn the_same_seed_gives_the_same_decision_and_another_another() {
 }
 
 #[test]
-fn it_breaks_the_pack() {
+fn the_opponent_breaks_the_pack() {
     for strength in Strength::ALL {
         let mut game = Game::new(GameSetup::default());
         let decision = think(&game, strength, 2).unwrap();
@@ -96,7 +97,7 @@ fn it_breaks_the_pack() {
 }
 
 #[test]
-fn a_coin_before_a_pocket_is_seen_by_all() {
+fn every_strength_sees_a_coin_in_front_of_a_pocket() {
     let mut game = scattered(0);
     game.play.coins = vec![
         coin(Piece::White, 290.0, 290.0),
@@ -118,7 +119,7 @@ fn a_coin_before_a_pocket_is_seen_by_all() {
     assert_eq!((won.winner, won.points), (Team::First, 4), "the hint works");
 }
 
-/// A player who follows a hint by keys strikes exactly that stroke, without a foul.
+/// A player who sets a hint with the keys plays exactly that stroke, without a foul.
 #[test]
 fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
     let board = Board::default();
@@ -145,9 +146,48 @@ fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
 }
 
 #[test]
-fn there_is_a_stroke_in_a_hopeless_position_and_none_without_a_place() {
+fn plans_and_hints_use_the_restitution_of_the_game() {
+    let mut elastic = scattered(0);
+    let setup = GameSetup {
+        restitution: 0.4,
+        ..elastic.setup
+    };
+    elastic.play.coins = vec![
+        coin(Piece::White, 100.0, 100.0),
+        coin(Piece::Black, -200.0, 150.0),
+        coin(Piece::Queen, -100.0, 200.0),
+    ];
+    let lossy = Game {
+        setup,
+        ..elastic.clone()
+    };
+    for game in [&elastic, &lossy] {
+        let thought = think(game, Strength::Expert, 1).unwrap();
+        let hinted = hint(game, 1).unwrap();
+        for (stroke, story) in [
+            (thought.meant, thought.reason.story),
+            (hinted.stroke, hinted.reason.story),
+        ] {
+            let strike = Strike {
+                place: stroke.position,
+                velocity: stroke.velocity,
+                call: None,
+            };
+            let shot = strike.shot(game).unwrap();
+            assert_eq!(shot.board().restitution, game.setup.restitution);
+            assert_eq!(story, super::Story::of(game, &shot));
+        }
+    }
+    // A coin gets (1 + e) m₁/(m₁ + m₂) of the speed, so a plan strikes harder.
+    let passed_on = |game| Sight::of(game).passed_on(Piece::Striker);
+    let ratio = passed_on(&lossy) / passed_on(&elastic);
+    assert!((ratio - 1.4 / 2.0).abs() < 1e-12, "{ratio}");
+}
+
+#[test]
+fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     let mut game = scattered(0);
-    // Own coins walled in behind a row of the opponent's.
+    // The player's coins are walled in behind a row of the opponent's.
     let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
     game.play.coins = (-4..=4).map(row).collect();
     game.play.coins.push(coin(Piece::White, 0.0, 350.0));
@@ -166,12 +206,12 @@ fn there_is_a_stroke_in_a_hopeless_position_and_none_without_a_place() {
     empty.play.coins.clear();
     assert!(
         think(&empty, Strength::Champion, 1).is_some(),
-        "in practice one may strike at nothing"
+        "in a practice game a stroke may hit nothing"
     );
 }
 
 #[test]
-fn a_finished_board_asks_for_no_stroke() {
+fn a_finished_board_has_no_stroke() {
     let mut game = scattered(0);
     game.play.won = Some(crate::game::BoardWon {
         winner: Team::First,
@@ -196,7 +236,7 @@ fn the_last_coin_is_not_taken_before_the_queen() {
     }
 }
 
-/// A stroke to the last bit.
+/// A hash of all bits of a stroke.
 fn bits(stroke: Motion) -> u64 {
     let (at, way) = (stroke.position, stroke.velocity);
     let numbers = [at.x, at.y, way.x, way.y].into_iter();
@@ -206,9 +246,9 @@ fn bits(stroke: Motion) -> u64 {
 }
 
 /// The search may get faster, but its results never change: the stroke of each strength, and the
-/// hint, after this many strokes of club players.
+/// hint, after this many strokes by club players.
 #[test]
-fn decisions_stay_as_they_were_to_the_last_bit() {
+fn decisions_do_not_change_by_a_single_bit() {
     use Hands::{Four, Two};
     use PieceSet::{EqualMass, Tournament};
     #[rustfmt::skip]

@@ -10,8 +10,8 @@ pub(super) fn wants(game: &Game, piece: Piece) -> bool {
 
 /// Whether the player at `seat` wants to pocket `piece`.
 ///
-/// Own coins, but not the last of them before the queen, which loses a tournament
-/// board (80); the queen, once the Laws allow it (65, 68). In practice, any coin.
+/// The player's own coins, except the last one before the queen, because pocketing it loses a
+/// tournament board (80); the queen, once the Laws allow it (65, 68). In a practice game, any coin.
 pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
     let rules = game.setup().rules;
     let team = game.team(seat);
@@ -37,11 +37,14 @@ mod tests {
     use crate::game::{GameSetup, Team};
 
     #[test]
-    fn own_coins_but_not_the_last_before_the_queen() {
+    fn a_players_own_coins_are_wanted_except_the_last_before_the_queen() {
         let mut game = Game::new(GameSetup::default());
         assert!(wants(&game, Piece::White));
         assert!(!wants(&game, Piece::Black));
-        assert!(!wants(&game, Piece::Queen), "an own coin first (65)");
+        assert!(
+            !wants(&game, Piece::Queen),
+            "one of the player's coins first (65)"
+        );
         assert!(wants_from(&game, Seat::North, Piece::Black));
 
         game.play.pocketed_before[Team::First] = true;

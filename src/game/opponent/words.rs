@@ -1,5 +1,5 @@
 //! The opponent's stroke in words, with the angles. Left, right, top and bottom refer to the
-//! screen, with South below, whoever strikes.
+//! screen, with South at the bottom, regardless of who plays.
 
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 /// Below this angle, in radians (1.5°), a hit is called full and a path straight.
 const FULL: f64 = 0.026;
 
-/// Below this share of its speed the striker "stops".
+/// Below this fraction of its speed the striker is said to stop.
 const NEARLY_STOPPED: f64 = 0.05;
 
 /// The smallest error of the direction that is mentioned, in radians: it rounds to 0.1°.
@@ -23,13 +23,13 @@ const SMALLEST_SLIP: f64 = 0.05 * PI / 180.0;
 /// The person in which the stroke is described.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Teller {
-    /// The opponent about itself.
+    /// First person: the opponent describes its own stroke.
     I,
-    /// A hint, to the player.
+    /// Second person: a hint for the player.
     You,
 }
 
-/// Which pocket is in a corner, numbered as the engine does: "top right pocket".
+/// The name of the pocket in a corner, numbered as in the engine: "top right pocket".
 pub(super) const fn pocket(corner: usize) -> &'static str {
     let pockets = [
         "bottom left pocket",
@@ -50,7 +50,7 @@ enum Side {
 }
 
 impl Side {
-    /// The left side of a path along `heading`, or the right one.
+    /// The left or right side of a path along `heading`, as seen on the screen.
     fn of(heading: DVec2, left: bool) -> Self {
         let out = if left {
             heading.perp()
@@ -76,8 +76,8 @@ impl Side {
     }
 }
 
-/// The intention of a stroke, whether it succeeded (`played` is the story of the result), and the
-/// reason for the aim.
+/// The intention behind a stroke, whether it succeeded (`played` is the story of the result) and
+/// the reason for the aim.
 pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
     let Some(hit) = &story.first_hit else {
         return "I found no coin that I could reach, so I played a quiet stroke.".to_owned();
@@ -149,7 +149,7 @@ fn route(fall: &Fall) -> String {
     by + &off
 }
 
-/// The first hit: cut, offset, and where the striker goes; nothing if there was none.
+/// The first hit: the cut, the offset and the striker's path; empty if there was none.
 pub(super) fn met(story: &Story, teller: Teller) -> String {
     let Some(hit) = &story.first_hit else {
         return String::new();
@@ -185,7 +185,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
     let recoil = if is_full(hit) {
         format!("a full hit sends the {piece} straight on along the line of impact.")
     } else {
-        // Positive α: the coin lies to the right of the path, so the aim is to its left.
+        // For positive α the coin is to the right of the path, so the aim is to its left.
         let right = hit.alpha > 0.0;
         format!(
             "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its \
@@ -221,7 +221,7 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
             all if all == of => format!("all {of} tries"),
             some => format!("{some} of {of} tries"),
         };
-        format!("I imagined it with an unsteady hand: {worked} worked.")
+        format!("When I imagined playing it with an unsteady hand, {worked} worked.")
     })
 }
 
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cut_is_told_with_its_angles() {
+    fn a_cut_is_described_with_its_angles() {
         // Up the board, 45° to the right: along the diagonal into the top right pocket.
         let target = [coin(Piece::White, 100.0, 100.0)];
         let set = PieceSet::EqualMass;
@@ -314,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_hit_a_combination_and_a_miss_are_told() {
+    fn a_full_hit_a_combination_and_a_miss_are_described() {
         let set = PieceSet::EqualMass;
         let diagonal = Motion {
             position: DVec2::splat(-0.1),
@@ -398,8 +398,8 @@ mod tests {
     }
 
     #[test]
-    fn sides_are_those_of_the_screen_whoever_strikes() {
-        // Up the board from South, down it from North, across it from East.
+    fn sides_are_those_of_the_screen_for_every_seat() {
+        // The strokes go up the board from South, down it from North and across it from East.
         for (heading, left, right) in [
             (DVec2::Y, Side::Left, Side::Right),
             (DVec2::NEG_Y, Side::Right, Side::Left),
@@ -417,7 +417,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slip_is_told_only_where_there_is_one() {
+    fn only_a_noticeable_slip_is_described() {
         let slip = |turn_deg: f64, push| {
             let turn = rad_from_deg(turn_deg).tan();
             slipped(Slip { turn, push }, DVec2::Y)

@@ -10,15 +10,15 @@ use super::wants::wants_from;
 use crate::game::laws::Rules;
 use crate::game::{BaseLines, Game, Seat, Team};
 
-/// A won board, before its points.
+/// A won board, without its points.
 const BOARD: f64 = 20.0;
 /// The queen, covered.
 const QUEEN: f64 = 2.5;
 /// A sure coin for the side that strikes next: it falls, and the turn continues.
 const TO_STRIKE: f64 = 1.6;
-/// A sure coin for the side that has to wait: it may still lie there.
+/// A sure coin for the side that has to wait: it may still be there at its next stroke.
 const TO_WAIT: f64 = 0.5;
-/// Positions of the striker from which the board is evaluated.
+/// The number of striker positions from which the board is evaluated.
 const PLACES: u16 = 7;
 
 /// How a position is evaluated.
@@ -48,7 +48,7 @@ impl Judge {
         counted(self.team) + counted(self.team.other()) + self.prospects(game)
     }
 
-    /// 1 if it is good for the team, −1 if it is good for the other.
+    /// 1 for the team that the value is for, −1 for the other team.
     fn sign(&self, team: Team) -> f64 {
         if team == self.team { 1.0 } else { -1.0 }
     }
@@ -66,8 +66,8 @@ impl Judge {
         sign(seat) * (TO_STRIKE * first + queen) + sign(next) * TO_WAIT * self.prospect(game, next)
     }
 
-    /// How likely the player at `seat` pockets something with the easiest straight
-    /// shot, 0 to 1.
+    /// How likely the player at `seat` is to pocket something with the easiest straight shot, 0 to
+    /// 1.
     fn prospect(&self, game: &Game, seat: Seat) -> f64 {
         if !self.skill.looks_ahead {
             return 0.0;
@@ -81,7 +81,7 @@ impl Judge {
         let mut easiest = 0.0;
         for (coin, _) in wanted {
             for course in to_the_pockets(&sight, coin) {
-                // All places lie on one line. Most courses are too hard from anywhere there.
+                // All positions are on one line, and most courses are too hard from any of them.
                 let near = |ghost: DVec2| (ghost - first).dot(across).abs();
                 let ghost = ghost(&sight, &course.link).filter(|ghost| {
                     ROUNDING * most_allowed(&sight, &course.link, near(*ghost)) > easiest
@@ -121,8 +121,8 @@ fn easiest_of(
     easiest
 }
 
-/// The approximate probability that a normal error is within `allowance`: at one, two standard
-/// deviations 0.67, 0.89 (exactly 0.68, 0.95).
+/// The approximate probability that a normal error is within `allowance`: 0.67 and 0.89 at one and
+/// two standard deviations (the exact values are 0.68 and 0.95).
 fn likelihood(allowance: f64, hand: Hand) -> f64 {
     let deviations = allowance / hand.direction;
     let square = deviations * deviations;

@@ -1,11 +1,11 @@
-//! Who plays, and with which aids.
+//! The players of a game and their aids.
 
 use serde::{Deserialize, Serialize};
 
 use crate::files::{is_invisible, tidy_name};
 use crate::game::opponent::Strength;
 
-/// Who plays from a seat.
+/// The kind of player at a seat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Player {
@@ -37,14 +37,14 @@ impl Default for Aids {
     }
 }
 
-/// Who plays, and with which aids: what a game needs besides its setup to continue as before.
+/// The players and their aids: together with its setup, a game needs these to continue as before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Company {
-    /// Who plays from each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
+    /// The player at each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
     pub players: [Player; 4],
-    /// How strong the computer is at each seat, in the same order.
+    /// The computer's strength at each seat, in the same order.
     pub strengths: [Strength; 4],
-    /// Whether the players call the first impact before each stroke.
+    /// Whether the players predict the first impact before each stroke.
     pub call: bool,
     /// Aids while aiming.
     pub aids: Aids,
@@ -77,8 +77,7 @@ impl<T> From<BySeat<T>> for [T; 4] {
     }
 }
 
-/// Whether this can be shown as the name of a player: 1 to 40 letters, all of them
-/// visible.
+/// Whether this is valid as a player's name: 1 to 40 visible characters.
 pub fn is_player_name(name: &str) -> bool {
     !tidy_name(name).is_empty() && name.chars().count() <= 40 && !name.chars().any(is_invisible)
 }

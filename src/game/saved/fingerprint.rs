@@ -6,17 +6,17 @@ use crate::game::seat::Team;
 use crate::game::table::Game;
 use crate::numbers::{FNV_START, fnv1a};
 
-/// A number that differs for games that differ in a single bit, except with a probability of 10⁻¹⁹:
-/// positions, turn, dues, queen, score.
+/// A hash of a game's positions, turn, dues, queen and score: it differs for games that differ in a
+/// single bit, except with a probability of 10⁻¹⁹.
 ///
-/// It is FNV-1a (64 bits) of those, in an order that is part of the file format, as the orders are
-/// in which pieces, seats and teams are declared. It detects damage and differences between
-/// machines, not forgery.
+/// It is the 64-bit FNV-1a hash of these data. Their order is part of the file format, and so is
+/// the order in which pieces, seats and teams are declared. It detects damage and differences
+/// between machines, not forgery.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Fingerprint(u64);
 
 impl Fingerprint {
-    /// That of a game.
+    /// The fingerprint of a game.
     pub fn of(game: &Game) -> Self {
         let mut hash = Self(FNV_START);
         for coin in game.coins() {
@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_fnv_1a() {
+    fn the_hash_is_fnv_1a() {
         // Test vectors of the FNV reference.
         let of = |bytes: &[u8]| {
             let mut hash = Fingerprint(0xcbf2_9ce4_8422_2325);
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_read_as_it_is_written_and_nothing_else_is() {
+    fn only_the_written_form_of_a_fingerprint_can_be_read() {
         let hash = Fingerprint(0x0012_3456_789a_bcde);
         assert_eq!(Fingerprint::parse(&hash.to_string()), Some(hash));
         for text in [

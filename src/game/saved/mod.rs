@@ -13,26 +13,26 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 
-/// The format of new files.
-const FORMAT: u32 = 1;
+/// The format of new files. In the first one `setup` had no `restitution`.
+const FORMAT: u32 = 2;
 
 /// A saved game.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SavedGame {
     /// Name of the player at the keyboard.
     pub player: String,
-    /// Who plays.
+    /// The players and their aids.
     pub company: Company,
     /// The record of the moves.
     pub record: Record,
-    /// The moves that were made with a hint, by their numbers from 0.
+    /// The indices, from 0, of the moves that were made with a hint.
     pub hints: Vec<usize>,
     /// The fingerprint of the resulting state.
     pub end: Fingerprint,
 }
 
 impl SavedGame {
-    /// The largest file that is read or written, in bytes: some eight thousand strokes.
+    /// The largest file that is read or written, in bytes: about eight thousand strokes.
     pub(crate) const LARGEST_FILE: usize = 1 << 20;
 }
 

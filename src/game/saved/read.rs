@@ -2,12 +2,12 @@
 
 use super::company::BySeat;
 use super::{Company, FORMAT, Fingerprint, Player, SavedGame, is_player_name};
-use crate::files::{Fields, FileErrors, NO_NAME, Source, is_blank_name};
+use crate::files::{Fields, FileErrors, NO_NAME, NumberSpec, Source, is_blank_name};
 use crate::game::opponent::Strength;
 use crate::game::record::Record;
-use crate::game::table::Game;
+use crate::game::table::{Game, GameSetup};
 
-/// The contents of a file.
+/// The fields of a file.
 const FIELDS: [&str; 11] = [
     "format",
     "player",
@@ -22,16 +22,28 @@ const FIELDS: [&str; 11] = [
     "end",
 ];
 
+/// The contents of `setup`.
+const SETUP: [&str; 6] = [
+    "rules",
+    "hands",
+    "set",
+    "restitution",
+    "first_breaker",
+    "seed",
+];
+
+const RESTITUTION: NumberSpec = NumberSpec::new("a coefficient of restitution", "", 0.0, 1.0);
+
 impl SavedGame {
-    /// Reads a file and plays all of it; returns it with the resulting game. `name` stands for the
-    /// file in messages.
+    /// Reads a file and plays all its moves; returns it with the resulting game. `name` is the name
+    /// of the file in messages.
     ///
     /// # Errors
-    /// All faults: it is not such a file, or a newer one; one of its moves is impossible; its end
-    /// does not match.
+    /// All errors: the file is not a saved game or is too new, a move is impossible, or the
+    /// fingerprint at its end does not match.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
         let source = Source::of_bytes(name, bytes, Self::LARGEST_FILE)?;
-        source.document("a saved game", FORMAT..=FORMAT, &FIELDS, from_fields)
+        source.document("a saved game", 1..=FORMAT, &FIELDS, from_fields)
     }
 }
 
@@ -41,19 +53,19 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         false if is_blank_name(name) => Ok(NO_NAME.to_owned()),
         false => Err("expected a name of 1 to 40 visible characters".into()),
     });
-    let players = fields.parsed::<BySeat<Player>>("players", "who plays from each seat");
+    let players = fields.parsed::<BySeat<Player>>("players", "the player at each seat");
     let strengths = if fields.has("computers") {
-        let expected = "how strong the computer is at each seat";
+        let expected = "the computer's strength at each seat";
         fields
             .parsed::<BySeat<Strength>>("computers", expected)
             .map(Into::into)
     } else {
-        let all = fields.parsed::<Strength>("computer", "how strong the computer is");
+        let all = fields.parsed::<Strength>("computer", "the computer's strength");
         all.map(|strength| [strength; 4])
     };
     let call = fields.parsed("call", "true or false");
-    let aids = fields.parsed("aids", "which aids are drawn");
-    let setup = fields.parsed("setup", "what was agreed before the first break");
+    let aids = fields.parsed("aids", "the aids that are drawn");
+    let setup = fields.table("setup", &SETUP).and_then(|it| setup(&it));
     let moves = fields.all_parsed("moves", "a list of moves");
     let hints = fields.or("hints", Vec::new(), |name| {
         fields.all_parsed::<usize>(name, "the numbers of moves")
@@ -85,4 +97,28 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         end,
     };
     Some((saved, game))
+}
+
+/// The agreement before the first break.
+fn setup(fields: &Fields) -> Option<GameSetup> {
+    let rules = fields.parsed("rules", "the rules");
+    let hands = fields.parsed("hands", "how many play");
+    let set = fields.parsed("set", "the pieces");
+    let usual = GameSetup::default().restitution;
+    let restitution = fields.or("restitution", usual, |name| {
+        fields.number(name, &RESTITUTION)
+    });
+    let first_breaker = fields.parsed("first_breaker", "who breaks first");
+    let seed = fields.or("seed", None, |name| {
+        let bits = fields.parsed::<i64>(name, "a whole number")?;
+        Some(Some(bits.cast_unsigned()))
+    });
+    Some(GameSetup {
+        rules: rules?,
+        hands: hands?,
+        set: set?,
+        restitution: restitution?,
+        first_breaker: first_breaker?,
+        seed: seed?,
+    })
 }

@@ -16,7 +16,7 @@ impl SavedGame {
     /// The text of the file.
     ///
     /// # Errors
-    /// If it would be too large to be read again.
+    /// If the file would be too large to be read again.
     pub fn text(&self) -> Result<String, TooLarge> {
         let company = &self.company;
         let mut text = HEAD.to_owned();
@@ -52,8 +52,8 @@ fn line(text: &mut String, key: &str, of: &impl Serialize) {
     let _ = writeln!(text, "{key} = {}", value(of));
 }
 
-/// A value in one line. TOML can express everything in a game; otherwise the file could not be
-/// read, and a test would fail.
+/// A value in one line. TOML can express everything in a game; if it could not, the file would be
+/// unreadable and a test would fail.
 fn value(of: &impl Serialize) -> String {
     let mut text = String::new();
     match of.serialize(ValueSerializer::new(&mut text)) {

@@ -36,7 +36,7 @@ fn of_node(node: &Node) -> String {
     }
 }
 
-/// In brackets, unless it is a single part.
+/// The formula in brackets, unless it is a single part.
 fn tight(formula: &Formula) -> String {
     let line = formula.inline();
     if formula.0.len() == 1 {

@@ -2,7 +2,7 @@
 
 use crate::numbers::RAISED_DIGITS;
 
-/// The letter or sign for a word in a formula; other words stay as they are.
+/// The letter or sign for a word in a formula; `None` for other words.
 pub(super) fn letter(word: &str) -> Option<&'static str> {
     Some(match word {
         "alpha" => "α",

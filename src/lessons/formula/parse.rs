@@ -2,7 +2,7 @@
 
 use super::{Formula, Node, Term, letter};
 
-/// The longest formula that is read, in characters.
+/// The largest length of a formula, in characters.
 const LONGEST: usize = 300;
 /// The deepest nesting of brackets.
 const DEEPEST: usize = 12;
@@ -11,7 +11,7 @@ impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     ///
     /// ```
     /// use carrom::lessons::Formula;
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn formulas_of_the_chapters() {
+    fn formulas_of_the_chapters_are_set_in_one_line() {
         for (text, set) in [
             ("v_1 = u sin alpha", "v₁ = u sin α"),
             ("theta_1 = 90 deg - alpha", "θ₁ = 90° − α"),
@@ -278,7 +278,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_text_is_a_formula_or_a_message(text in "[-a-z0-9_^()/ \"=+.√αµ{}]{0,60}") {
+        fn any_text_is_a_formula_or_gives_an_error(text in "[-a-z0-9_^()/ \"=+.√αµ{}]{0,60}") {
             if let Ok(formula) = Formula::read(&text) {
                 prop_assert!(!formula.inline().is_empty() || text.contains("\"\""));
             }

@@ -10,7 +10,7 @@ use crate::progress::words::{degrees, percent};
 use crate::progress::{LATELY, Mastery, TopicStanding, Trend};
 use crate::quiz::NAMED_ODDS;
 
-/// Columns of a topic's name.
+/// The maximum number of columns in a topic's name.
 const TOPIC: usize = 40;
 
 pub(super) fn document(reports: &[Report]) -> String {
@@ -30,7 +30,7 @@ fn sheet(report: &Report) -> Markup {
             @if report.attempts.is_empty() {
                 p.nothing {
                     "There is nothing here yet: every game starts with a clean board. After a \
-                     round of the quiz "
+                     round of the quiz, "
                     "this page shows how the answers come closer to the true values."
                 }
             } @else {
@@ -53,7 +53,7 @@ fn head(report: &Report) -> Markup {
     }
 }
 
-/// The most important figures.
+/// The most important numbers.
 fn figures(report: &Report) -> Markup {
     let figure = |value: String, name: &str| {
         html! { div { strong { (value) } span.dim { (name) } } }
@@ -80,7 +80,7 @@ fn figures(report: &Report) -> Markup {
     }
 }
 
-/// Two columns: what was answered, and how sure the player was and what was read.
+/// Two columns: the answers on the left, the confidence and the chapters on the right.
 fn columns(report: &Report) -> Markup {
     let pictures = report.pictures();
     let picture = |name: &str| {
@@ -91,7 +91,7 @@ fn columns(report: &Report) -> Markup {
         div.columns {
             div {
                 (picture("errors"))
-                section { (listed("Topics", &report.topics, "No question of the quiz yet.", topics)) }
+                section { (listed("Topics", &report.topics, "No quiz questions yet.", topics)) }
                 section { (beliefs(report)) }
                 section { (listed("Levels", &report.packs, "No stars yet.", packs)) }
             }
@@ -99,7 +99,7 @@ fn columns(report: &Report) -> Markup {
                 (picture("calibration"))
                 (picture("calibration-over-time"))
                 section.chapters {
-                    (listed("Chapters", &report.chapters, "None begun yet.", chapters))
+                    (listed("Chapters", &report.chapters, "None started yet.", chapters))
                 }
             }
         }
@@ -120,7 +120,7 @@ fn more<T>(cut: &Cut<T>) -> Markup {
     html! { @if let Some(more) = cut.and_more() { p.dim { (more) } } }
 }
 
-/// A title over a table of rows, or a word where there are none.
+/// A title above a table of rows, or above a sentence if there are no rows.
 fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -> Markup {
     html! {
         h2 { (title) }
@@ -129,7 +129,7 @@ fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -
     }
 }
 
-/// A share as a bar that is clear in black and white too.
+/// A share as a bar that is also clear in black and white.
 fn bar(share: f64) -> Markup {
     let width = format!("width: {:.0}%", 100.0 * share.clamp(0.0, 1.0));
     html! { span.bar { span style=(width) {} } }
@@ -139,8 +139,8 @@ fn topics(topics: &[TopicStanding]) -> Markup {
     html! {
         table {
             thead { tr {
-                th { "topic" } th { "stands" } th.n { "right" } th { "of the last five" }
-                th.n { "off by" }
+                th { "topic" } th { "state" } th.n { "right" } th { "of the last five" }
+                th.n { "error" }
             } }
             tbody {
                 @for topic in topics { tr {

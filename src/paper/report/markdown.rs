@@ -7,7 +7,7 @@ use crate::paper::{Markdown, clean};
 use crate::progress::words::{degrees, percent};
 use crate::quiz::NAMED_ODDS;
 
-/// Columns of a topic's name.
+/// The maximum number of columns in a topic's name.
 const TOPIC: usize = 60;
 
 pub(super) fn document(report: &Report, folder: &str) -> String {
@@ -48,7 +48,7 @@ fn figures(report: &Report, document: &mut Markdown) {
     row("topics solid", report.solid.to_string());
     row("chapters done", of(report.done));
     row("stars", of(report.stars));
-    document.table(&["all in all", ""], rows);
+    document.table(&["overall", ""], rows);
 }
 
 fn tables(report: &Report, document: &mut Markdown) {
@@ -63,7 +63,7 @@ fn tables(report: &Report, document: &mut Markdown) {
                 degrees(topic.all.mean_error_deg()),
             ]
         });
-        let heads = ["topic", "stands", "right", "of the last five", "off by"];
+        let heads = ["topic", "state", "right", "of the last five", "error"];
         table(document, "Topics", &heads, topics, rows);
     }
     let beliefs = &report.beliefs;
@@ -112,7 +112,7 @@ fn tables(report: &Report, document: &mut Markdown) {
     }
 }
 
-/// A table under its title, and how many rows more there are.
+/// A table under its title, with the number of further rows.
 fn table<T>(
     document: &mut Markdown,
     title: &str,

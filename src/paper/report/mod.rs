@@ -24,9 +24,9 @@ use crate::progress::{
 use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
 
-/// Columns of the player's name.
+/// The maximum number of columns in the player's name.
 const NAME: usize = 44;
-/// Most rows of each table, so that all of it fits one page.
+/// The maximum number of rows in each table, so that everything fits on one page.
 const MOST_TOPICS: usize = 10;
 const MOST_BELIEFS: usize = 6;
 const MOST_CHAPTERS: usize = 12;
@@ -37,23 +37,23 @@ const MOST_PACKS: usize = 10;
 pub struct Sources<'a> {
     /// The player's name.
     pub player: &'a str,
-    /// All answers of that player.
+    /// All of the player's answers.
     pub history: &'a History,
-    /// How far that player has read the chapters, by their ids.
+    /// The player's bookmarks, by chapter id.
     pub marks: &'a BTreeMap<String, Bookmark>,
-    /// The levels that player has won.
+    /// The levels that the player has won.
     pub stars: &'a [Starred],
     /// What the player should do next.
     pub next: &'a str,
     /// The levels there are.
     pub levels: &'a levels::LevelLibrary,
-    /// The chapters there are.
+    /// All chapters.
     pub lessons: &'a lessons::ChapterLibrary,
 }
 
 /// The one-page report on a player's progress.
 ///
-/// It fits one sheet of A4: long tables are cut, with the number of further rows.
+/// It fits on one sheet of A4: long tables are cut short, and the number of further rows is given.
 #[derive(Debug, Clone)]
 pub struct Report<'a> {
     name: String,
@@ -66,11 +66,12 @@ pub struct Report<'a> {
     beliefs: Cut<HeldBelief>,
     chapters: Cut<ChapterRow>,
     packs: Cut<PackRow>,
-    /// How many topics are solid.
+    /// The number of topics that are solid.
     solid: usize,
-    /// How many chapters have been read and answered, and how many there are.
+    /// The number of chapters that are completely read and answered, and the number of all
+    /// chapters.
     done: (usize, usize),
-    /// Stars won, and all there are.
+    /// The number of stars won, and the number of all stars.
     stars: (usize, usize),
 }
 
@@ -78,7 +79,7 @@ impl<'a> Report<'a> {
     /// Computes the contents of the report.
     pub fn new(sources: &Sources<'a>) -> Self {
         let attempts = &sources.history.attempts;
-        // The chapters have a table of their own.
+        // The chapters have a separate table.
         let mut met = topics(attempts.iter().filter(|it| it.family != LESSON));
         met.sort_by_key(|topic| std::cmp::Reverse(topic.all.attempts));
         let solid = met.iter().filter(|it| it.mastery() == Mastery::Solid);
@@ -111,28 +112,28 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// The report as an HTML document, with its pictures in it.
+    /// The report as an HTML document that contains its pictures.
     pub fn html(&self) -> String {
         Self::html_of_all(std::slice::from_ref(self))
     }
 
-    /// Several reports as one HTML document, each on a page of its own.
+    /// Several reports as one HTML document, each on its own page.
     pub(crate) fn html_of_all(reports: &[Self]) -> String {
         html::document(reports)
     }
 
-    /// The report as a Markdown document, whose pictures are in `folder`: a path from the
-    /// document's own place.
+    /// The report as a Markdown document. Its pictures are in `folder`, a path relative to the
+    /// document.
     pub fn markdown(&self, folder: &str) -> String {
         markdown::document(self, folder)
     }
 
-    /// The pictures there are: none where there is nothing to be seen.
+    /// All pictures that have something to show.
     pub fn pictures(&self) -> Vec<ReportPicture> {
         pictures::all(self)
     }
 
-    /// From when to when, and how much.
+    /// The number of answers, and the first and the last day.
     fn span(&self) -> String {
         let count = counted(self.all.attempts, "answer");
         let times = self.attempts.iter().filter_map(|it| it.time_s);
@@ -158,15 +159,15 @@ impl<'a> Report<'a> {
         clean(self.next, 300)
     }
 
-    /// Where the figures come from.
+    /// The source of the results, and the rules behind them.
     fn origin(&self) -> String {
         let today = self.calendar.today();
         let when = today.map_or(String::new(), |day| format!(" on {}", long_day(day)));
         format!(
             "Written by carrom{when} from the answers saved on this computer. Days begin at \
-             midnight where it was written. Right: a direction within {RIGHT_DEG}° of the true \
-             one, the right one chosen, or {}. {} A chapter is done when all of it has been read \
-             and answered.",
+             midnight in that computer's time zone. Right: a direction within {RIGHT_DEG}° of \
+             the true one, the right choice, or {}. {} A chapter is done when all of it has been \
+             read and answered.",
             Measure::RIGHT,
             Mastery::MEANING,
         )

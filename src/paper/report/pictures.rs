@@ -12,24 +12,24 @@ use crate::widgets::picture::{self, Pen, View};
 use crate::widgets::plot::{REACH, errors_picture, sureness_picture};
 use crate::widgets::svg::Svg;
 
-/// How many answers of one confidence a share is taken of, at least.
+/// The minimum number of answers at one confidence level for which a share is calculated.
 const SHARED: usize = 10;
-/// Of how many parts of all answers a share is taken, where those are more.
+/// If there are many answers, each share is calculated over their total number divided by this.
 const GROUPS: usize = 40;
-/// Columns and rows of a picture over the whole width, and of one beside another.
+/// The size, in columns and rows, of a picture over the whole width, and of one in a column.
 const WIDE: Rect = Rect::new(0, 0, 60, 14);
 const NARROW: Rect = Rect::new(0, 0, 40, 14);
-/// What fills the range that is hoped for.
+/// The fill of the target range.
 const WASH: Pen = Pen::new(Role::Border).aged(0.8);
 
 /// A picture of the report.
 #[derive(Debug, Clone)]
 pub struct ReportPicture {
-    /// Its name, fit for a file.
+    /// Its name, usable as a file name.
     pub name: &'static str,
-    /// What it is about.
+    /// Its heading.
     pub title: &'static str,
-    /// How to read it, or what to make of it.
+    /// How to read it, or what it shows.
     pub legend: String,
     /// The picture.
     pub svg: Svg,
@@ -40,24 +40,31 @@ pub(super) fn all(report: &Report) -> Vec<ReportPicture> {
     pictures.into_iter().flatten().collect()
 }
 
-/// The error of each answer and the mean of the last few; of many answers, the means of
-/// groups of them.
+/// The error of each answer and the mean of the last few; if there are many answers, the means of
+/// groups.
 fn errors(report: &Report) -> Option<ReportPicture> {
     let (picture, group) = errors_picture(report.attempts, usize::MAX, WIDE, LOOK)?;
-    let words = "Angle error in degrees of the answers in the order in which they were given";
+    let words = "Angle error of each answer in degrees, in the order of the answers";
     let legend = match group {
-        1 => format!("Dots are right, crosses not yet; the line is the mean of {REACH}."),
-        _ => format!("The line is the mean of each {group} answers; right is within {RIGHT_DEG}°."),
+        1 => {
+            format!(
+                "Dots are right answers, crosses wrong ones; the line is the mean of {REACH} \
+                 answers."
+            )
+        }
+        _ => format!(
+            "The line shows the means of {group} answers each; right is within {RIGHT_DEG}°."
+        ),
     };
     Some(ReportPicture {
         name: "errors",
-        title: "How far off, over time",
+        title: "Angle error over time",
         legend,
         svg: svg(words, &picture),
     })
 }
 
-/// For each confidence the share of right answers, on the range where it pays.
+/// The share of right answers at each confidence level, over its target range.
 fn calibration(report: &Report) -> Option<ReportPicture> {
     let said = |it: &Calibrated| it.tally.attempts > 0;
     if !report.calibration.iter().any(said) {
@@ -100,32 +107,32 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
         picture.line(dvec2(0.0, y), end, pen);
         picture.text(end, "●", Role::StrikerOut);
         let counted = format!("{} of {}", it.tally.right, it.tally.attempts);
-        // Beside the dot, where there is room.
+        // Beside the dot, on the side with more space.
         let aside = (0.5 * counted.len() as f64 + 1.0) * view.per_column();
         let x = end.x + if share > 0.6 { -aside } else { aside };
         picture.text(dvec2(x, y + 0.2), counted, Role::Text);
     }
-    let words = "Share of right answers of each confidence, beside the range it is for";
+    let words = "Share of right answers at each confidence level, with its target range";
     Some(ReportPicture {
         name: "calibration",
-        title: "How sure, and how right",
+        title: "Confidence and right answers",
         legend: calibration_words(&report.calibration).into(),
         svg: svg(words, &picture),
     })
 }
 
-/// Of each confidence the share that was right among the last few, as time went by.
+/// The share of right answers among the last few at each confidence level, over time.
 fn over_time(report: &Report) -> Option<ReportPicture> {
-    // Of many answers, the share of more of them: the line shall not tremble.
+    // If there are many answers, each share uses more of them, so that the line is smooth.
     let reach = SHARED.max(report.attempts.len() / GROUPS / 10 * 10);
     let picture = sureness_picture(report.attempts, usize::MAX, reach, NARROW, LOOK)?;
-    let words = "Share of right answers among the last few of each confidence, over time";
+    let words = "Share of right answers among the last few at each confidence level, over time";
     Some(ReportPicture {
         name: "calibration-over-time",
-        title: "How sure, and how right, over time",
+        title: "Confidence and right answers over time",
         legend: format!(
-            "Right of the last {reach} answers of each. Well calibrated: sure above 80, think so \
-             50 to 80, guess below."
+            "Right answers (%) among the last {reach} at each level. Well calibrated: sure above \
+             80, think so 50 to 80, guess below."
         ),
         svg: svg(words, &picture),
     })

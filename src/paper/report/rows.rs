@@ -6,10 +6,10 @@ use crate::lessons::{self, Bookmark};
 use crate::levels::{self, MOST_STARS, Starred};
 use crate::paper::clean;
 
-/// Columns of a name in a table.
+/// The maximum number of columns in a name in a table.
 const NAME: usize = 34;
 
-/// The first rows of a table, and how many more there are.
+/// The first rows of a table, and the number of further rows.
 #[derive(Debug, Clone)]
 pub(super) struct Cut<T> {
     pub(super) rows: Vec<T>,
@@ -23,26 +23,25 @@ impl<T> Cut<T> {
         Self { rows, more }
     }
 
-    /// "and 3 more"; nothing where there are none.
+    /// "and 3 more"; `None` if there are no more.
     pub(super) fn and_more(&self) -> Option<String> {
         (self.more > 0).then(|| format!("and {} more", self.more))
     }
 }
 
-/// A chapter that was begun.
+/// A chapter that has been started.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ChapterRow {
     pub(super) title: String,
-    /// How many of its pages have been seen, and how many there are.
+    /// The number of pages seen, and the number of all pages.
     pub(super) read: (usize, usize),
-    /// How many of its questions were answered right when they were answered last, and
-    /// how many there are.
+    /// The number of questions whose latest answer was right, and the number of all questions.
     pub(super) right: (usize, usize),
-    /// Whether all of it has been read and answered.
+    /// Whether it has been read and answered completely.
     pub(super) done: bool,
 }
 
-/// The chapters that were begun, in their order, as they stand in the contents.
+/// The chapters that have been started, in the order of the table of contents.
 pub(super) fn chapters(
     library: &lessons::ChapterLibrary,
     marks: &BTreeMap<String, Bookmark>,
@@ -59,7 +58,7 @@ pub(super) fn chapters(
     library.chapters.iter().filter_map(row).collect()
 }
 
-/// "2 of 6".
+/// Two numbers as "2 of 6".
 pub(super) fn of((some, all): (usize, usize)) -> String {
     format!("{some} of {all}")
 }

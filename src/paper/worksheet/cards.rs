@@ -1,14 +1,14 @@
-//! Cards to vote with: A to D on a sheet that is folded twice.
+//! Voting cards: A to D on a sheet that is folded twice.
 
 use maud::html;
 
 use crate::paper::{Paper, html_page};
 use crate::quiz::letter;
 
-/// How to use it, in the middle of the sheet.
+/// The instruction in the middle of the sheet.
 const HOW: &str = "Fold twice along the lines so that your answer shows, and hold it up.";
 
-/// A sheet for each of so many pupils.
+/// One sheet for each of `count` pupils.
 pub fn cards(count: usize, paper: Paper) -> String {
     let sheet = || {
         html! {

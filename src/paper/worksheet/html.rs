@@ -1,4 +1,4 @@
-//! The sheet of questions as HTML.
+//! The question sheet as HTML.
 
 use maud::{Markup, html};
 
@@ -9,10 +9,10 @@ use crate::quiz::{Confidence, Form, Measure, Question, letter};
 use crate::widgets::svg::Svg;
 use crate::widgets::text::unbroken;
 
-/// The widest picture that stands beside its question: 96 mm.
+/// The largest width of a picture beside its question, in CSS pixels: 96 mm.
 const BESIDE: f64 = 363.0;
 
-/// A document of these sheets.
+/// A document with these sheets.
 pub(super) fn document<const N: usize>(
     worksheet: &Worksheet,
     title: &str,
@@ -26,7 +26,7 @@ pub(super) fn document<const N: usize>(
     )
 }
 
-/// The head of a sheet: what it is, and how to open it on a screen.
+/// The head of a sheet: its kind, and the command that opens the round on a screen.
 pub(super) fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
     html! {
         header {
@@ -45,7 +45,7 @@ pub(super) fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
     }
 }
 
-/// All questions, with room to answer.
+/// All questions, with space for the answers.
 pub(super) fn questions(worksheet: &Worksheet) -> Markup {
     let questions = worksheet.round.questions();
     html! {
@@ -89,12 +89,12 @@ pub(super) fn figure(picture: &Svg) -> Markup {
     html! { figure { (picture) } }
 }
 
-/// A box to be ticked, with what it stands for.
+/// A tick box with its label.
 fn ticked(text: &str) -> Markup {
     html! { span.box {} " " (text) }
 }
 
-/// Room to answer in the form that is asked for.
+/// Space for an answer of this form.
 fn room(form: &Form) -> Markup {
     match form {
         Form::Rays { target, .. } => html! {
@@ -134,7 +134,7 @@ fn work() -> Markup {
     html! { div.work { @for _ in 0..3 { div {} } } }
 }
 
-/// A line to write on, with the unit behind it.
+/// A line to write on, followed by the unit.
 fn blank(unit: &str) -> Markup {
     html! { span.blank {} @if unit == "°" { (unit) } @else { "\u{a0}" (unit) } }
 }

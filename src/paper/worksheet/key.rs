@@ -1,4 +1,4 @@
-//! The key as HTML.
+//! The answer key as HTML.
 
 use maud::{Markup, html};
 
@@ -6,7 +6,7 @@ use super::{Worksheet, html::figure, html::head, pictures, words};
 use crate::quiz::Question;
 use crate::widgets::text::unbroken;
 
-/// All answers: at a glance, and then each with its reasons.
+/// All answers: first in a list, and then each with its explanation.
 pub(super) fn answers(worksheet: &Worksheet) -> Markup {
     let questions = worksheet.round.questions();
     html! {

@@ -1,4 +1,4 @@
-//! Sheet and key in Markdown.
+//! The question sheet and the answer key in Markdown.
 
 use super::{Worksheet, pictures, words};
 use crate::numbers;
@@ -6,7 +6,7 @@ use crate::paper::Markdown;
 use crate::quiz::{Confidence, Form, Measure, letter};
 use crate::widgets::text::unbroken;
 
-/// A line to write on, a short one, and a box to be ticked.
+/// A long line to write on, a short one, and a tick box.
 const BLANK: &str = "____________";
 const LINE: &str = "________________________________";
 const BOX: char = '☐';
@@ -47,7 +47,7 @@ pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
     document.text().to_owned()
 }
 
-/// Room to answer in the form that is asked for.
+/// Space for an answer of this form.
 fn room(document: &mut Markdown, form: &Form) {
     match form {
         Form::Rays { target, .. } => document.list(["striker", target].map(|name| {

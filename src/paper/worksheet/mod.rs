@@ -1,7 +1,7 @@
-//! A round of the quiz on paper: a sheet of questions, and the key to it.
+//! A round of the quiz on paper: a question sheet and its answer key.
 //!
-//! The two are documents of their own, so that the sheet can be printed or handed on
-//! without the key. Both have the code of the round on them, which opens it on a screen.
+//! The two are separate documents, so that the sheet can be printed or passed on without the key.
+//! Both show the code of the round, which opens it on a screen.
 
 mod cards;
 mod html;
@@ -17,29 +17,30 @@ pub(crate) use pictures::WorksheetPicture;
 
 use super::{Paper, clean};
 
-/// Columns of a heading.
+/// The maximum number of columns in a heading.
 const TITLE: usize = 120;
-/// The heading where none is given.
+/// The default heading.
 const HEADING: &str = "Glancing collisions";
 
 /// A round of the quiz on paper.
 ///
-/// Everything follows from what it is made of: the same gives the same bytes.
+/// The same round and options always give the same bytes.
 #[derive(Debug)]
 pub struct Worksheet<'a> {
     pub(crate) round: &'a Round,
     pub(crate) title: String,
-    /// The letter of the version, if there are several; A has the questions that the code opens
+    /// The letter of the version, if there are several. The code opens the questions of version A
     /// on a screen.
     pub(crate) version: Option<char>,
-    /// The folders of own questions that it takes to open it on a screen, as a shell takes them.
+    /// The folders of the teacher's own questions that are required to open the round on a screen,
+    /// quoted for a shell.
     pub(crate) concepts: Vec<String>,
     pub(crate) paper: Paper,
 }
 
 impl<'a> Worksheet<'a> {
-    /// The worksheet of a round. A title that is too long for a heading is cut; without
-    /// one, or with one that has no visible letter, it is of glancing collisions.
+    /// The worksheet of a round. A title that is too long for a heading is truncated; a missing
+    /// title, or one without a visible letter, is replaced by a default.
     pub fn new(round: &'a Round, title: Option<&str>) -> Self {
         let title = clean(title.unwrap_or_default(), TITLE);
         let title = if title.is_empty() {
@@ -56,13 +57,14 @@ impl<'a> Worksheet<'a> {
         }
     }
 
-    /// What opens the same round on a screen; nothing where that is another version.
+    /// The command that opens the same round on a screen; `None` for the other versions, which have
+    /// different numbers.
     fn command(&self) -> Option<String> {
         let is_first = self.version.is_none_or(|letter| letter == 'A');
         is_first.then(|| words::command(self.round.code(), &self.concepts))
     }
 
-    /// "mixed-7", "mixed-7, version B".
+    /// The code with the version: "mixed-7", "mixed-7, version B".
     fn code(&self) -> String {
         let code = self.round.code();
         match self.version {
@@ -81,25 +83,25 @@ impl<'a> Worksheet<'a> {
         html::document(self, &self.key_title(), [key::answers(self)])
     }
 
-    /// The questions as HTML, and the answers from a new page on.
+    /// The questions as HTML, and the answers, which start on a new page.
     pub fn html_with_key(&self) -> String {
         let sheets = [html::questions(self), key::answers(self)];
         html::document(self, &self.title, sheets)
     }
 
-    /// The questions in Markdown; the [pictures](Self::pictures) are looked for in
-    /// `folder`, beside the document.
+    /// The questions in Markdown; the [pictures](Self::pictures) are in `folder`, beside the
+    /// document.
     pub fn sheet_markdown(&self, folder: &str) -> String {
         markdown::questions(self, folder)
     }
 
-    /// The answers in Markdown; the [pictures](Self::pictures) are looked for in
-    /// `folder`, beside the document.
+    /// The answers in Markdown; the [pictures](Self::pictures) are in `folder`, beside the
+    /// document.
     pub fn key_markdown(&self, folder: &str) -> String {
         markdown::answers(self, folder)
     }
 
-    /// All pictures of the documents in Markdown.
+    /// All pictures in the Markdown documents.
     pub fn pictures(&self) -> Vec<WorksheetPicture> {
         pictures::all(self.round)
     }

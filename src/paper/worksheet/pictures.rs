@@ -1,4 +1,4 @@
-//! What is drawn beside a question, and beside its answer.
+//! The pictures of the questions and of the answers.
 
 use ratatui::layout::Rect;
 
@@ -12,14 +12,14 @@ use crate::widgets::svg::Svg;
 /// A picture with the name of its file.
 #[derive(Debug)]
 pub struct WorksheetPicture {
-    /// What the file is called, without what follows the dot: "question-01".
+    /// The file name without its extension: "question-01".
     pub name: String,
     /// The picture.
     pub svg: Svg,
 }
 
 impl WorksheetPicture {
-    /// Whether a file of this name is a picture of some worksheet: `answer-07.svg`.
+    /// Whether a file with this name is a picture of a worksheet: `answer-07.svg`.
     pub(crate) fn is_file_name(name: &str) -> bool {
         let name = name.strip_suffix(".svg");
         let number = name.and_then(|it| it.strip_prefix(QUESTION).or(it.strip_prefix(ANSWER)));
@@ -30,15 +30,15 @@ impl WorksheetPicture {
 const QUESTION: &str = "question-";
 const ANSWER: &str = "answer-";
 
-/// Columns and rows of a picture that nothing is drawn into.
+/// The size, in columns and rows, of a picture in which students do not draw.
 const AREA: Rect = Rect::new(0, 0, 44, 18);
 
-/// The name of the picture of the question of this number, counted from 1.
+/// The name of the picture of the question with this number, counted from 1.
 pub(super) fn question_name(number: usize) -> String {
     format!("{QUESTION}{number:02}")
 }
 
-/// The name of the picture of an answer.
+/// The name of the picture of the answer with this number.
 pub(super) fn answer_name(number: usize) -> String {
     format!("{ANSWER}{number:02}")
 }
@@ -53,8 +53,8 @@ pub(super) fn all(round: &Round) -> Vec<WorksheetPicture> {
     all
 }
 
-/// What is seen beside a question, and no more than that; a protractor to draw in where
-/// both ways are asked for, a scale where an offset is.
+/// The picture of a question, without the answer. It has a protractor if the answer is two
+/// directions, and a scale if it is an offset.
 pub(super) fn of_question(question: &Question) -> Option<Svg> {
     let drawn = || question_picture(AREA, question, None);
     let (picture, words) = match (&question.picture, &question.form) {
@@ -68,7 +68,9 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
             (protractor_picture(collision, *shown), words)
         }
         (Illustration::Before { collision, .. }, _) => (drawn()?, words(collision, "")),
-        (Illustration::After { collision }, _) => (drawn()?, words(collision, ", and both go on")),
+        (Illustration::After { collision }, _) => {
+            (drawn()?, words(collision, ", with both final paths"))
+        }
         (Illustration::Tracks { .. }, _) => {
             let words = "Two particles pass a nucleus, each deflected by an angle";
             (drawn()?, words.into())
@@ -78,7 +80,7 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
     Some(svg(&words, &picture))
 }
 
-/// The hit of a question as it really goes, with all its figures.
+/// The true collision of a question, with all its values.
 pub(super) fn of_answer(question: &Question) -> Option<Svg> {
     let collision = match &question.form {
         Form::Shot(aim) => aim.with(aim.offset),
@@ -91,11 +93,11 @@ pub(super) fn of_answer(question: &Question) -> Option<Svg> {
     let watch = Watch::revealed(collision)
         .with_layers(layers)
         .with_measures();
-    let words = words(&collision, ", and both go on");
+    let words = words(&collision, ", with both final paths");
     Some(svg(&words, &watch.picture(AREA)))
 }
 
-/// What is to be seen, without giving away what is not shown.
+/// The text alternative of a picture, without anything that the picture does not show.
 fn words(collision: &Collision, after: &str) -> String {
     let meets = match collision.alpha() {
         Some(_) => "A striker meets",

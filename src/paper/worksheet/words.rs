@@ -1,11 +1,11 @@
-//! What stands on sheet and key, whatever they are written in.
+//! The wording of the question sheet and the answer key, for both formats.
 
 use crate::numbers;
 use crate::quiz::{
     Code, Confidence, Difficulty, Form, Illustration, Measure, Question, RIGHT_DEG, letter,
 };
 
-/// What a student is to know before the first question.
+/// What a student should know before the first question.
 pub(super) const ADVICE: &str = "Predict first, then check: answer every question before you look \
                                  anything up, and tick how sure you are. A good guess is worth \
                                  something, and an honest \"guess\" costs nothing. Pictures are \
@@ -13,12 +13,12 @@ pub(super) const ADVICE: &str = "Predict first, then check: answer every questio
                                  the striker's path. Rims are smooth unless a question says \
                                  otherwise.";
 
-/// What a key is for.
-pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its true answer, why it \
-                                     is true, and the wrong answers to listen for: a pupil who \
-                                     gives one of these answers probably reasoned this way.";
+/// The purpose of the answer key.
+pub(super) const KEY_ADVICE: &str = "For the teacher: each question has its true answer, the \
+                                     reason why it is true, and the wrong answers to listen for, \
+                                     with the reasoning that probably led to them.";
 
-/// What opens the same round on a screen.
+/// The command that opens the same round on a screen.
 pub(super) fn command(code: &Code, concepts: &[String]) -> String {
     let folders = concepts
         .iter()
@@ -26,7 +26,7 @@ pub(super) fn command(code: &Code, concepts: &[String]) -> String {
     format!("carrom quiz --code {code}{}", folders.collect::<String>())
 }
 
-/// Points that a question is worth on paper: one for an easy one, up to three.
+/// The points for a question on paper: one if it is easy, up to three.
 const fn worth_of(question: &Question) -> usize {
     match question.difficulty {
         Difficulty::Easy => 1,
@@ -35,7 +35,7 @@ const fn worth_of(question: &Question) -> usize {
     }
 }
 
-/// What stands behind the room for the points of a question: " / 2".
+/// The text after the space for a question's points: " / 2 points".
 pub(super) fn of_points(question: &Question) -> String {
     format!(
         "\u{a0}/\u{a0}{}",
@@ -43,35 +43,35 @@ pub(super) fn of_points(question: &Question) -> String {
     )
 }
 
-/// How many points there are in all.
+/// The total number of points.
 pub(super) fn worth(questions: &[Question]) -> String {
     let all: usize = questions.iter().map(worth_of).sum();
-    format!("In all there are {}.", numbers::counted(all, "point"))
+    format!("Total: {}.", numbers::counted(all, "point"))
 }
 
-/// What counts as right.
+/// The limits within which an answer is right.
 pub(super) fn tolerance() -> String {
     format!(
-        "Counts as right: both directions within {RIGHT_DEG}°, where paths are drawn; {}; an \
-         offset that sends the disc within {RIGHT_DEG}° of the required direction.",
+        "Right answers: both directions within {RIGHT_DEG}° of the true ones; {}; an offset that \
+         sends the disc within {RIGHT_DEG}° of the required direction.",
         Measure::RIGHT
     )
 }
 
-/// What the boxes for being sure bring.
+/// The points for each confidence level.
 pub(super) fn points() -> String {
     let each = Confidence::ALL.map(|sure| {
         let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit));
         format!("{} {right} or {wrong}", sure.name())
     });
     let each = each.join(", ").replace('-', "\u{2212}");
-    format!("Points, if you want to give any (right or wrong): {each}.")
+    format!("Optional points (right or wrong): {each}.")
 }
 
-/// The heads of the table of wrong answers.
+/// The column headings of the table of wrong answers.
 pub(super) const WRONG_ANSWERS: [&str; 2] = ["Answer", "Possible reasoning, and a reply"];
 
-/// What is to be done where an answer cannot just be written down.
+/// The instruction for an answer that is drawn or ticked.
 pub(super) fn task(question: &Question) -> Option<&'static str> {
     match (&question.form, &question.picture) {
         (Form::Rays { .. }, Illustration::Before { .. }) => {
@@ -83,12 +83,12 @@ pub(super) fn task(question: &Question) -> Option<&'static str> {
     }
 }
 
-/// The true answer in words, a choice with its letter.
+/// The true answer in words; a choice includes its letter.
 pub(super) fn truth(question: &Question) -> String {
     said(question, &question.form.truth())
 }
 
-/// An answer in words, a choice with its letter.
+/// An answer in words; a choice includes its letter.
 pub(super) fn said(question: &Question, said: &crate::quiz::Response) -> String {
     let words = question.form.words(said);
     match said {

@@ -1,26 +1,26 @@
-//! A moving disc and its present slide.
+//! A moving disc and its current slide.
 
 use glam::DVec2;
 
 use super::super::slide::{parabola, relative_deceleration};
 use super::super::{Disc, Motion};
 
-/// The engine's state of a disc.
+/// The state of a disc in the engine.
 ///
-/// It stores the start of the present slide, which is never stepped: only an event of the
-/// disc's own gives it a new start.
+/// The body stores the start of the current slide, which only an event of this disc changes: there
+/// are no time steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Body {
-    /// The start of its slide.
+    /// The start of the current slide.
     pub(super) start: Motion,
     pub(super) acceleration: DVec2,
-    /// When its slide began.
+    /// When the current slide began, in seconds.
     pub(super) since: f64,
     pub(super) radius: f64,
     pub(super) mass: f64,
-    /// The share of its initial speed that it loses per second of its slide, a/v.
+    /// The fraction of its initial speed that the disc loses per second of its slide, a/v.
     pub(super) relative_deceleration: f64,
-    /// Counts its slides, so that outdated forecasts can be recognized.
+    /// Counts the disc's slides, so that outdated forecasts can be recognized.
     pub(super) version: u32,
     pub(super) moving: bool,
 }
@@ -48,7 +48,7 @@ impl Body {
         self.version = self.version.wrapping_add(1);
     }
 
-    /// Its motion at a time up to its stop.
+    /// The disc's motion at a time, which must not be later than its stop.
     #[inline(always)]
     pub(super) fn at(&self, time: f64) -> Motion {
         parabola(self.start, self.acceleration, time - self.since)

@@ -1,8 +1,8 @@
-//! Finds the discs that a given one could meet: a quick test of every pair that never rules
-//! out a pair that meets, and rules out nearly all others.
+//! Finds the discs that a given one could meet: a quick test of every pair that never rules out a
+//! pair that meets, and rules out nearly all others. The given disc is called the seeker.
 //!
-//! It has two stages, each for two discs at a time: it compares the boxes of all discs, and
-//! then the motion of those whose boxes overlap.
+//! The test has two stages, each for two discs at a time: it compares the boxes of all discs, then
+//! the motion of those whose boxes overlap.
 
 use glam::DVec2;
 use wide::f64x2;
@@ -17,10 +17,10 @@ use super::work::Work;
 /// How much wider than a disc its box is, in metres: far more than rounding errors.
 const MARGIN: f64 = 1e-9;
 
-/// How far ahead a seeker without an end looks, in seconds: 0 · ∞ would be NaN.
+/// The time limit, in seconds, of a slide that never ends: with ∞, 0 · ∞ would be NaN.
 const FOREVER: f64 = 1e100;
 
-/// How many boxes are compared before the discs in them: one per bit.
+/// How many boxes are compared before the motion of their discs: one per bit.
 const AT_ONCE: usize = u64::BITS as usize;
 
 /// The boxes of all discs, and the working memory of a scan for partners.
@@ -35,12 +35,12 @@ impl BroadPhase {
     pub(super) fn begin(&mut self, discs: usize) {
         self.boxes.clear();
         self.boxes.resize(discs.div_ceil(2), TwoBoxes::NOWHERE);
-        // Two more, because the last ones are written whether they count or not.
+        // Two more, because the last two candidates are written even if they are ruled out.
         self.partners.resize(discs + 2, 0);
     }
 
-    /// Records where a disc can be from a time until its slide ends by itself. A contact may
-    /// end the slide earlier; the box stays, because a new one costs more than it saves.
+    /// Stores the box of a disc from a time until its slide ends by itself. A contact may end the
+    /// slide earlier; the box stays, because a new one costs more than it saves.
     #[inline]
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
@@ -88,7 +88,7 @@ impl BroadPhase {
         count
     }
 
-    /// One of the discs found by the latest scan.
+    /// A disc found by the latest scan, by its number in the result.
     #[inline]
     pub(super) fn partner(&self, n: usize) -> usize {
         self.partners[n]
@@ -103,7 +103,7 @@ pub(super) struct Scan<'a> {
     /// Discs to skip, because they have already scanned for the seeker.
     pub(super) have_looked: &'a [usize],
     pub(super) bodies: &'a [Body],
-    /// The times of their forecasts, and padding.
+    /// The forecast times of all discs, with padding.
     pub(super) times: &'a [f64],
 }
 
@@ -113,8 +113,8 @@ struct Candidates(u64);
 impl Candidates {
     /// Writes the discs that can meet the seeker and returns their number.
     ///
-    /// Every disc is written, and the next one overwrites it unless it passes. There is no
-    /// branch, because a processor cannot predict which discs pass.
+    /// Every disc is written, and the next one overwrites it if it is ruled out. There is no
+    /// branch, because a processor cannot predict the result.
     #[inline(always)]
     fn sift(mut self, disc: impl Fn(usize) -> usize, scan: &Scan, partners: &mut [usize]) -> usize {
         let (seeker, bodies) = (scan.seeker, scan.bodies);
@@ -131,7 +131,7 @@ impl Candidates {
         count
     }
 
-    /// Removes the next two, or the last one twice.
+    /// Removes and returns the next two candidates, or the last one twice.
     #[inline(always)]
     fn next_two(&mut self) -> Option<(usize, usize)> {
         if self.0 == 0 {
@@ -155,7 +155,7 @@ impl Candidates {
 struct TwoBoxes([f64x2; 4]);
 
 impl TwoBoxes {
-    /// No boxes: they overlap none.
+    /// Boxes that overlap nothing.
     const NOWHERE: Self = Self([f64x2::new([f64::NAN; 2]); 4]);
 
     #[inline]
@@ -191,7 +191,7 @@ impl TwoBoxes {
 /// determine the box.
 #[inline]
 fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
-    // Contacts are sought slightly beyond the forecast. An endless path is followed for the
+    // Contacts slightly beyond the forecast are included. A path without an end is followed for the
     // longest finite time.
     let until = (until + SAME_TIME).min(f64::MAX);
     let (a, b) = (body.at(from).position, body.at(until).position);
@@ -200,11 +200,11 @@ fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
     [least.x, least.y, -greatest.x, -greatest.y]
 }
 
-/// The present state of the disc whose partners are sought.
+/// The current state of the seeker.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seeker {
     pub(super) now: f64,
-    /// Its own forecast: later contacts do not matter.
+    /// The time of its own forecast: later contacts do not matter.
     until: f64,
     pub(super) here: Motion,
     pub(super) acceleration: DVec2,
@@ -226,16 +226,16 @@ impl Seeker {
         }
     }
 
-    /// Which of two others cannot be met before the earlier of both forecasts, theirs being for
-    /// `times`: one bit each.
+    /// Which of two other discs the seeker cannot meet before the earlier of its own forecast and
+    /// theirs, at `times`: one bit each.
     ///
-    /// In the seeker's frame the other moves by Δ(τ) = d + w τ + ½ a τ² for τ up to h.
-    /// There is no contact if
+    /// In the seeker's frame the other disc is at Δ(τ) = d + w τ + ½ a τ² for τ up to h. There is
+    /// no contact if
     /// - it stays far along d: contact needs d·Δ ≤ R |d| ≤ (R² + d²)/2, and d·Δ stays
     ///   above the least of its three Bernstein coefficients (as in
     ///   [`first_root`](super::quartic::first_root)); or
-    /// - it stays to one side of w by more than R: Δ × w goes one way from its value
-    ///   at 0 to its value at h.
+    /// - it stays to one side of w by more than R: Δ × w changes monotonically from its value at 0
+    ///   to its value at h.
     #[inline(always)]
     fn misses(&self, others: [&Body; 2], times: [f64; 2]) -> u32 {
         let half = f64x2::splat(0.5);
@@ -278,10 +278,10 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    /// Discs scattered over a board, every other one at rest; the counts include odd ones and
-    /// one above the number of bits.
+    /// Discs scattered over a board, every other one at rest; the numbers of discs include odd ones
+    /// and one above the number of bits.
     #[test]
-    fn no_disc_that_meets_the_seeker_is_turned_away() {
+    fn no_disc_that_meets_the_seeker_is_ruled_out() {
         let mut rng = Pcg64::seed_from_u64(7);
         let (mut found, mut meetings) = (0, 0);
         for round in 0..400 {

@@ -87,8 +87,8 @@ fn check_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
     Ok(())
 }
 
-/// In the order of their left edges, a disc can overlap only those that begin before its right
-/// edge.
+/// The discs are sorted by their left edges: a disc can overlap only those whose left edge is
+/// before its right edge.
 fn check_many_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
     let left = |i: usize| start[i].position.x - discs[i].radius;
     let right = |i: usize| start[i].position.x + discs[i].radius;

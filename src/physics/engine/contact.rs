@@ -23,11 +23,11 @@ const PRESSING_SPEED: f64 = 1e-6;
 /// The largest overlap of a pair, in metres.
 const DEEPEST: f64 = 9e-10;
 
-/// Speeds of approach below this share of the discs' own speeds are rounding errors.
+/// A speed of approach below this fraction of the discs' speeds is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
-/// Seconds until a seeker and another disc meet, approaching, if that happens within `end`
-/// seconds and neither changes its slide before.
+/// Seconds until the seeker and another disc meet while approaching, if that is within `end`
+/// seconds and neither starts a new slide before.
 #[inline]
 pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
     let (at_a, at_b) = (a.here, b.at(a.now));
@@ -60,7 +60,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// The coefficients of |Δ(t)|² after the constant.
+    /// The coefficients of |Δ(t)|² without the constant term.
     fn quartic(&self) -> [f64; 4] {
         [
             2.0 * self.d.dot(self.w),

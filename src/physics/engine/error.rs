@@ -1,4 +1,4 @@
-//! Errors of a shot.
+//! The reasons why a shot cannot be played.
 
 use thiserror::Error;
 
@@ -8,7 +8,7 @@ use crate::numbers::four_figures;
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum EngineError {
     /// The numbers of discs and motions differ.
-    #[error("{discs} discs but {motions} motions: expected one motion a disc")]
+    #[error("{discs} discs but {motions} motions: expected one motion per disc")]
     Count {
         /// The number of discs.
         discs: usize,
@@ -44,15 +44,15 @@ pub enum EngineError {
         /// The overlap, in millimetres.
         depth_mm: f64,
     },
-    /// The horizon is not a time.
+    /// The horizon is negative or not a number.
     #[error("the horizon must be a number of seconds, at least 0")]
     Horizon,
     /// The discs would never stop.
-    #[error("without friction discs in a frame never stop: expected a finite horizon")]
+    #[error("without friction, discs in a frame never stop: expected a finite horizon")]
     Endless,
     /// The limit on events was reached: most likely an inelastic collapse (restitution below 1
     /// and no friction to end it).
-    #[error("more than {events} events by {} s: given up", four_figures(*time))]
+    #[error("more than {events} events by {} s: abandoned", four_figures(*time))]
     TooManyEvents {
         /// The limit.
         events: usize,
@@ -60,7 +60,7 @@ pub enum EngineError {
         time: f64,
     },
     /// The shot took more work than allowed.
-    #[error("more than {work} looks at pairs of discs by {} s: given up", four_figures(*time))]
+    #[error("more than {work} tests of pairs of discs by {} s: abandoned", four_figures(*time))]
     TooMuchWork {
         /// The allowed work, in tests of a pair of discs.
         work: u64,

@@ -11,12 +11,12 @@ pub(super) enum SlideEnd {
     /// Never: nothing slows the disc and nothing is in its path.
     Never,
     Stop,
-    /// It hits the cushion on this side.
+    /// The disc hits the cushion on this side.
     Cushion(FrameSide),
-    /// It falls into the pocket of this corner (0 lower left, 1 lower right, 2 upper
-    /// left, 3 upper right).
+    /// The disc falls into the pocket in this corner (0 lower left, 1 lower right, 2 upper left, 3
+    /// upper right).
     Pocket(usize),
-    /// It passes into the next cell of the grid; the slide itself continues.
+    /// The disc passes into the next cell of the grid; the slide itself continues.
     Cell(FrameSide),
 }
 
@@ -30,8 +30,8 @@ pub(super) struct FrameSide {
 }
 
 impl FrameSide {
-    /// The side that is reached first at this velocity, and when, if the one ahead along x is
-    /// `x` seconds away and the one along y is `y` seconds away.
+    /// The side that is reached first at this velocity, and the time in seconds: the side ahead
+    /// along x is `x` seconds away, the side ahead along y is `y` seconds away.
     #[inline]
     pub(super) fn ahead(velocity: DVec2, x: f64, y: f64) -> (f64, Self) {
         let (time, axis) = if x <= y { (x, 0) } else { (y, 1) };
@@ -55,10 +55,10 @@ impl FrameSide {
 }
 
 /// Seconds from the start of a slide to its end, and what ends it. `relative_deceleration` is the
-/// share of its speed that the disc loses per second, a/v.
+/// fraction of its speed that the disc loses per second, a/v.
 ///
-/// Everything in the path is first timed at the constant initial speed: the order is the same
-/// with friction.
+/// Everything in the path is first timed at the initial speed, because friction does not change the
+/// order.
 #[inline]
 pub(super) fn end(
     board: &Board,
@@ -94,8 +94,8 @@ pub(super) fn end(
     }
 }
 
-/// Time to the first of the lines |x| = `wall` and |y| = `wall` at constant velocity;
-/// 0 for a disc that is past it by rounding and still moving outward.
+/// Time to the first of the lines |x| = `wall` and |y| = `wall` at constant velocity; 0 for a disc
+/// that rounding has moved past a line and that is still moving outward.
 #[inline]
 fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide) {
     let to = |place: f64, speed: f64| {

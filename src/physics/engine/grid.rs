@@ -7,7 +7,7 @@
 use super::super::{Board, Disc, Motion};
 use super::frame::FrameSide;
 
-/// From this many discs on a grid is faster than testing all pairs.
+/// With at least this many discs, a grid is faster than testing all pairs.
 pub(super) const WORTHWHILE: usize = 48;
 
 /// The cells of a board; none if all discs count as near.
@@ -42,7 +42,8 @@ impl Grid {
         self.cells.resize(self.columns * self.columns, Vec::new());
         self.places.clear();
         for (i, motion) in start.iter().enumerate() {
-            // A cast of a float saturates, so positions outside by rounding are inside.
+            // A cast of a float saturates, so a position that rounding has moved outside counts as
+            // inside.
             let along = |x: f64| (((x + self.half) / self.size) as usize).min(self.columns - 1);
             let place = [along(motion.position.x), along(motion.position.y)];
             self.places.push(place);
@@ -59,7 +60,7 @@ impl Grid {
         self.columns > 0
     }
 
-    /// The discs in a disc's own and the neighbouring cells, itself among them.
+    /// The discs in a disc's cell and the neighbouring cells, including the disc itself.
     pub(super) fn near(&self, i: usize, near: &mut Vec<usize>) {
         near.clear();
         let [column, row] = self.places[i];
@@ -71,8 +72,8 @@ impl Grid {
         }
     }
 
-    /// Seconds from the start of a slide, at its first speed, until the disc leaves
-    /// its cell, and on which side; never for one that leaves it for the cushion.
+    /// Seconds from the start of a slide, at its initial speed, until the disc passes into another
+    /// cell, and on which side; infinite if there is only the cushion ahead.
     pub(super) fn leaves(&self, i: usize, start: Motion) -> (f64, FrameSide) {
         let to = |place: f64, speed: f64, cell: usize| {
             let edge = if speed > 0.0 && cell + 1 < self.columns {

@@ -50,9 +50,9 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// The positions of two discs in contact. A pair that slid in contact may overlap slightly
-    /// (see [`PRESS`](super::contact::PRESS)): it is moved apart about its centre of mass,
-    /// otherwise many small overlaps would add up.
+    /// The positions of two discs in contact. A pair that slid in contact may overlap slightly (see
+    /// [`PRESS`](super::contact::PRESS)): it is moved apart about its centre of mass; otherwise
+    /// many small overlaps would add up.
     fn unpressed(&self, [i, k]: [usize; 2], [a, b]: [DVec2; 2]) -> [DVec2; 2] {
         let apart = b - a;
         let distance = apart.length();

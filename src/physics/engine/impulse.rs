@@ -6,9 +6,9 @@
 //! complementarity problem, Σ K J = (1+e) w with J ≥ 0. Energy never increases: it changes by
 //! −½ Σ (1−e) J w.
 //!
-//! Such problems: R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear Complementarity
-//! Problem* (1992); this one for several impacts at once: F. Pfeiffer and C. Glocker,
-//! *Multibody Dynamics with Unilateral Contacts* (1996), on impacts without friction.
+//! On such problems see R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear Complementarity
+//! Problem* (1992); on several impacts at once, F. Pfeiffer and C. Glocker, *Multibody Dynamics
+//! with Unilateral Contacts* (1996), impacts without friction.
 
 use glam::DVec2;
 
@@ -38,7 +38,7 @@ pub(super) fn simultaneous(
     }
 }
 
-/// Change of the normal speed at `a` by a unit impulse at `b`.
+/// Change in the normal speed at `a` caused by a unit impulse at `b`.
 fn coupling(a: &Touch, b: &Touch, bodies: &[Body]) -> f64 {
     let mut sum = 0.0;
     for (end_a, &disc_a) in a.discs.iter().enumerate() {
@@ -52,7 +52,7 @@ fn coupling(a: &Touch, b: &Touch, bodies: &[Body]) -> f64 {
     sum * a.normal.dot(b.normal)
 }
 
-/// Change of the normal speed at a contact by a unit impulse of its own.
+/// Change in the normal speed at a contact caused by a unit impulse at the same contact.
 fn yielding(touch: &Touch, bodies: &[Body]) -> f64 {
     1.0 / bodies[touch.discs[0]].mass + 1.0 / bodies[touch.discs[1]].mass
 }
@@ -100,8 +100,8 @@ fn many_at_once(touches: &[Touch], bodies: &[Body], work: &mut Work) -> Option<V
     Some(impulses)
 }
 
-/// For each contact, those that share a disc with it, including itself, and how strongly their
-/// impulses change its normal speed.
+/// For each contact, the contacts that share a disc with it, including itself, and how strongly
+/// their impulses change its normal speed.
 fn coupled(touches: &[Touch], bodies: &[Body]) -> Vec<Vec<(usize, f64)>> {
     let shares = |a: &Touch, b: &Touch| a.discs.iter().any(|disc| b.discs.contains(disc));
     touches

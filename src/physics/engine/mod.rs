@@ -1,10 +1,9 @@
 //! The engine: plays a whole shot exactly, from event to event.
 //!
-//! Friction slows every disc at the same constant rate along its straight path, so
-//! between events each place is a parabola in time and the next event is the root of
-//! a polynomial: linear for a stop, quadratic for cushions, pockets and discs at
-//! rest, quartic for two moving discs. There are no time steps, so nothing is missed
-//! and nothing overlaps.
+//! Friction slows every disc at the same constant rate along its straight path, so between events
+//! each position is a quadratic function of time and the next event is the root of a polynomial:
+//! linear for a stop, quadratic for cushions, pockets and discs at rest, quartic for two moving
+//! discs. There are no time steps, so nothing is missed and nothing overlaps.
 //!
 //! Only + − × ÷ and √ are used, which IEEE 754 rounds the same way everywhere: every
 //! machine and every build plays the same shot bit for bit.
@@ -38,22 +37,23 @@ use play::ShotInPlay;
 use schedule::Schedule;
 use work::Work;
 
-/// How far to play a shot.
+/// The limits for playing a shot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Stop after this many seconds; may be infinite where the shot ends by itself.
+    /// Stop after this many seconds; may be infinite if the shot ends by itself.
     pub(crate) horizon: f64,
     /// Give up with an error after this many events.
     pub events: usize,
-    /// Give up with an error after this much work, counted in looks at a pair of discs:
-    /// a few nanoseconds each, and the same number on every machine. Unlike
-    /// the number of events it also bounds the search for the impulses of many contacts
-    /// at once, which takes long where masses differ by many powers of ten.
+    /// Give up with an error after this much work, counted in tests of a pair of discs: a few
+    /// nanoseconds each, and the same number on every machine. Unlike the number of events it also
+    /// bounds the search for the impulses of many contacts at once, which takes long if masses
+    /// differ by many powers of ten.
     pub work: u64,
 }
 
 impl Default for Limits {
-    /// To the end, up to 200,000 events and a billion looks at a pair, some seconds.
+    /// To the end, with at most 200,000 events and a billion tests of a pair, which take a few
+    /// seconds.
     fn default() -> Self {
         Self {
             horizon: f64::INFINITY,
@@ -75,9 +75,9 @@ impl Limits {
 
 /// Plays a shot and returns its record.
 ///
-/// The discs start with the motions `start`, in the same order. On a board with
-/// friction the shot ends when all discs lie still. Without friction it ends at the
-/// horizon, or when nothing more can happen on an open sheet.
+/// The discs start with the motions `start`, in the same order. On a board with friction the shot
+/// ends when all discs are at rest. Without friction it ends at the horizon, or when nothing more
+/// can happen on an open sheet.
 ///
 /// # Errors
 ///
@@ -104,12 +104,12 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// Plays a shot into a record whose memory is used again: what a search through
-    /// many shots needs. See [`play()`].
+    /// Plays a shot into a record and reuses its memory, for a search through many shots. See
+    /// [`play()`].
     ///
     /// # Errors
     ///
-    /// As [`play()`]. The record then holds what had been played up to there.
+    /// As for [`play()`]. The record then contains the shot up to the error.
     pub fn play_into(
         &mut self,
         shot: &mut Shot,

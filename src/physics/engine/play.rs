@@ -14,9 +14,9 @@ use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::work::Work;
 use super::{EngineError, Limits};
 
-/// On a board with friction, discs that approach more slowly than this (m/s) separate at the
-/// same speed, whatever e is: otherwise they could collide infinitely often before friction
-/// stops them.
+/// On a board with friction, discs that approach more slowly than this (m/s) separate at the same
+/// speed, regardless of e: otherwise they could collide infinitely often before friction stops
+/// them.
 const ELASTIC_BELOW: f64 = 2e-3;
 
 /// One shot that is being played.
@@ -34,7 +34,7 @@ pub(super) struct ShotInPlay<'a> {
 }
 
 impl ShotInPlay<'_> {
-    /// Plays the shot and returns how long it took, in seconds.
+    /// Plays the shot and returns its duration in seconds.
     pub(super) fn run(mut self) -> Result<f64, EngineError> {
         self.set_off();
         let mut last = 0.0;
@@ -142,7 +142,7 @@ impl ShotInPlay<'_> {
             return;
         }
         let known = self.schedule.time(i).min(self.schedule.time(k));
-        // Slightly beyond, so that both discs find contacts at the same time.
+        // Slightly longer, so that a contact at the same time as a known event is found too.
         let until = known - seeker.now + SAME_TIME;
         if let Some(time) = contact(seeker, &self.bodies[k], until) {
             let time = seeker.now + time;

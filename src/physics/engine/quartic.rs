@@ -1,6 +1,6 @@
 //! The first root of a quartic on an interval.
 
-/// How often an interval is halved before the rest counts as a graze without contact: 2⁻⁵⁰ of
+/// How many times an interval is halved before the rest counts as a graze without contact: 2⁻⁵⁰ of
 /// the interval.
 const DEPTH: u32 = 50;
 
@@ -56,10 +56,9 @@ fn halve(b: [f64; 5]) -> ([f64; 5], [f64; 5]) {
     ([b0, l1, l2, l3, top], [top, r3, r2, r1, b4])
 }
 
-/// The root in an interval that holds exactly one, positive before it: Newton's
-/// steps, each kept inside the bracket by halving it where a step would leave. The
-/// first guess is the root of the quadratic part, a good approximation if friction bends the
-/// path only slightly.
+/// The root in an interval that contains exactly one; the polynomial is positive before it.
+/// Newton's method, with the bracket halved instead if a step would leave it. The first guess is
+/// the root of the quadratic part, a good approximation if friction bends the path only slightly.
 fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     let quadratic = 2.0 * c[0] / ((c[1] * c[1] - 4.0 * c[2] * c[0]).max(0.0).sqrt() - c[1]);
     let mut x = if quadratic > low && quadratic < high {
@@ -106,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_that_are_known() {
+    fn known_roots_are_found() {
         // (x−1)(x−2)(x−3)(x−4) and the same over a shorter stretch.
         let c = [24.0, -50.0, 35.0, -10.0, 1.0];
         assert!((first_root(c, 10.0).unwrap() - 1.0).abs() < 1e-14);
@@ -122,8 +121,8 @@ mod tests {
         assert!((near / 1e-30 - 1.0).abs() < 1e-12);
     }
 
-    /// A million pairs of sliding discs against Aberth's simultaneous iteration, which
-    /// finds all four complex roots at once and shares nothing with the search here.
+    /// A million pairs of sliding discs against Aberth's simultaneous iteration, which finds all
+    /// four complex roots at once and shares no code with the search here.
     #[test]
     fn a_million_random_pairs_agree_with_an_independent_root_finder() {
         let mut rng = Pcg64::seed_from_u64(3);
@@ -133,7 +132,7 @@ mod tests {
             let end = rng.random_range(0.05..2.0);
             let first = aberth(&c, 100, 1e-14)
                 .iter()
-                // A real root, and not one of a pair that nearly touches the axis.
+                // A real root, not one of a complex pair near the axis.
                 .filter(|root| root.im.abs() <= 1e-9 * root.re.abs())
                 .map(|root| root.re)
                 .filter(|&x| x > 0.0 && x < end)

@@ -15,16 +15,16 @@ const BLOCK: usize = 24;
 /// The forecast of a disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Forecast {
-    /// Its slide ends by itself.
+    /// The disc's slide ends by itself.
     Alone(SlideEnd),
-    /// It meets a partner that is still on the slide of this version.
+    /// The disc meets a partner that is still on the slide with this version.
     Meet { partner: usize, version: u32 },
 }
 
 /// The earliest forecast of each disc.
 ///
-/// A forecast may be outdated because its partner's motion has changed since. It is then too
-/// early, never too late, and is repeated when its time comes.
+/// A forecast may be outdated because its partner's motion has changed since. Such a forecast is
+/// too early, never too late, and is repeated when its time comes.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Schedule {
     /// One per disc, padded with infinities to whole blocks.
@@ -63,7 +63,8 @@ impl Schedule {
         self.forecasts[disc]
     }
 
-    /// The disc whose forecast comes first, and its time; the lowest number if equal.
+    /// The disc whose forecast comes first, and its time; the lowest-numbered disc if several are
+    /// equal.
     #[inline]
     pub(super) fn first(&mut self) -> Option<(usize, f64)> {
         let blocks = self.times.as_chunks::<BLOCK>().0;
@@ -80,7 +81,7 @@ impl Schedule {
         Some((b * BLOCK + first_up_to(&blocks[b], least), least))
     }
 
-    /// How many discs have a forecast up to a time.
+    /// The number of discs whose forecast is not later than a time.
     #[inline]
     pub(super) fn due(&self, time: f64) -> usize {
         let blocks = self.times.as_chunks::<BLOCK>().0;
@@ -91,7 +92,7 @@ impl Schedule {
     }
 }
 
-/// The least of a block, four at a time.
+/// The earliest time of a block, found by comparing four at a time.
 #[inline]
 fn minimum(block: &[f64; BLOCK]) -> f64 {
     let mut least = [f64x2::splat(f64::INFINITY); 2];

@@ -4,7 +4,7 @@ use super::super::beam::Beam;
 use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEASURED_SHARE, MEV, Rutherford};
 use super::super::units::rad_from_deg;
 
-/// What a [`Constant`] is computed from, in the units of files.
+/// The fields from which a [`Constant`] is computed, in the units of files.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct ConstantFields {
     angle_deg: f64,
@@ -45,10 +45,10 @@ impl ConstantFields {
 /// The solid angle of 1 mm² at 1 cm, in steradians.
 const SCREEN: f64 = 1e-6 / 1e-4;
 
-/// How a number follows from its fields.
+/// The formula of a constant.
 type ConstantFormula = fn(&ConstantFields) -> Option<f64>;
 
-/// Names and how each is computed.
+/// The names and their formulas.
 const ALL: [(&str, ConstantFormula); 9] = [
     ("board_share", |f| Some(Beam::Board.share_beyond(f.angle()))),
     ("space_share", |f| Some(Beam::Space.share_beyond(f.angle()))),
@@ -118,7 +118,7 @@ impl Constant {
         Ok(())
     }
 
-    /// Its value in the unit of its name.
+    /// The value, in the unit that the name gives.
     pub(crate) fn value(&self) -> Option<f64> {
         (self.of)(&self.fields).filter(|value| value.is_finite())
     }
@@ -138,20 +138,20 @@ mod tests {
 
     /// physics.md, "Beams" and "Rutherford".
     #[test]
-    fn the_figures_everybody_knows() {
+    fn well_known_values_are_reproduced() {
         assert!((value("board_share", &[]) - 0.5).abs() < 1e-12);
         assert!((value("space_share", &[]) - 0.25).abs() < 1e-12);
         assert!((value("rutherford_d_fm", &[]) - 29.6).abs() < 0.05);
         assert!((value("rutherford_share", &[("angle_deg", "45")]) - 3.2e-7).abs() < 0.05e-7);
         // 1/sin⁴ from 60° to 120°: (sin 60° / sin 30°)⁴ = 9.
         assert!((value("rutherford_ratio", &[]) - 9.0).abs() < 1e-9);
-        // Straight back the closest approach is d itself.
+        // For scattering straight back, the closest approach is d itself.
         let back = value("rutherford_r_fm", &[("angle_deg", "180")]);
         assert!((back - value("rutherford_d_fm", &[])).abs() < 1e-9);
     }
 
     #[test]
-    fn the_manual_knows_every_name() {
+    fn the_manual_lists_every_constant() {
         let manual = include_str!("../../../docs/lessons.md");
         for (name, _) in ALL {
             assert!(manual.contains(&format!("`{name}`")), "{name}");

@@ -1,4 +1,4 @@
-//! The numbers that texts refer to by name. `docs/lessons.md` lists them.
+//! The numbers that lessons and other texts refer to by name. `docs/lessons.md` lists them.
 
 mod constant;
 mod quantity;

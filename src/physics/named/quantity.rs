@@ -14,11 +14,11 @@ use crate::numbers::{fixed, true_minus};
 /// A number that follows from a collision.
 #[derive(Debug, Clone, Copy)]
 pub struct Quantity {
-    /// Its name in a file.
+    /// The quantity's name in a file.
     pub name: &'static str,
-    /// Its symbol in a formula.
+    /// The quantity's symbol in a formula.
     pub symbol: &'static str,
-    /// Its unit on the screen, or nothing.
+    /// The quantity's unit on the screen; may be empty.
     pub unit: &'static str,
     /// The usual number of decimals.
     pub decimals: usize,
@@ -27,10 +27,10 @@ pub struct Quantity {
     of: Formula,
 }
 
-/// How a quantity follows from a collision, in SI units where its unit has a scale.
+/// The formula of a quantity, in SI units if its unit has a scale.
 type Formula = fn(&Collision, &CollisionOutcome) -> Option<f64>;
 
-/// The quantities by name.
+/// Quantities are equal if their names are equal.
 impl PartialEq for Quantity {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -44,7 +44,7 @@ const SPEED: Unit = Unit("m/s", 2, 1.0);
 const ANGLE: Unit = Unit("°", 1, deg_from_rad(1.0));
 const LENGTH: Unit = Unit("mm", 1, mm_from_m(1.0));
 const ENERGY: Unit = Unit("mJ", 1, 1e3);
-/// Formulas give it in g m/s.
+/// Formulas give momentum in g m/s.
 const MOMENTUM: Unit = Unit("g m/s", 1, 1.0);
 const RATE: Unit = Unit("1/s", 1, 1.0);
 const SHARE: Unit = Unit("", 3, 1.0);
@@ -65,7 +65,7 @@ impl Unit {
 }
 
 impl Quantity {
-    /// All of them, in the order of the table in `docs/lessons.md`.
+    /// All quantities, in the order of the table in `docs/lessons.md`.
     pub(crate) const ALL: [Self; 55] = [
         SPEED.of("u", "u", |c, _| Some(c.u1.length())),
         SPEED.of("v1", "v₁", |_, o| Some(o.v1.length())),
@@ -153,14 +153,14 @@ impl Quantity {
         Self::ALL.into_iter().find(|quantity| quantity.name == name)
     }
 
-    /// Its value in its unit; `None` if it is undefined, such as the direction of a disc at rest.
+    /// The value in the quantity's unit; `None` if it is undefined, such as the direction of a disc
+    /// at rest.
     pub(crate) fn of(&self, collision: &Collision) -> Option<f64> {
         let value = (self.of)(collision, &collision.outcome())? * self.scale;
         value.is_finite().then_some(value + 0.0)
     }
 
-    /// Its value as the screen shows it, without its unit; a word where it is
-    /// undefined.
+    /// The value as the screen shows it, without its unit; a word if the value is undefined.
     pub(crate) fn shown(&self, collision: &Collision) -> String {
         self.of(collision).map_or_else(
             || "undefined".into(),
@@ -221,9 +221,9 @@ mod tests {
         Quantity::named(name).unwrap().of(&shot.collision())
     }
 
-    /// The worked figures of `physics.md`, and the closed forms beside them.
+    /// The worked figures of `physics.md`, and their closed forms.
     #[test]
-    fn the_figures_everybody_knows() {
+    fn well_known_values_are_reproduced() {
         let marbles = "m1_g=20 m2_g=40 speed=3 alpha_deg=45";
         let tournament = "m1_g=15 m2_g=5.5 r1_mm=20.65 r2_mm=15.9";
         for (name, fields, expected) in [
@@ -237,7 +237,7 @@ mod tests {
             ("energy1_share", "alpha_deg=45", 0.5),
             ("energy2_share", "alpha_deg=45", 0.5),
             ("half_energy_deg", "", 45.0),
-            // Head-on 8/9 goes over, and cos² 41.4° = 9/16.
+            // Head-on, 8/9 is transferred, and cos² 41.4° = 9/16.
             ("half_energy_deg", marbles, 0.75_f64.acos().to_degrees()),
             ("v1x", marbles, 1.0),
             ("v1y", marbles, 2.0),
@@ -272,12 +272,12 @@ mod tests {
         }
         assert_eq!(of("theta1_deg", "alpha_deg=0"), None);
         assert_eq!(of("v1n", "offset_mm=31"), None);
-        // Never: 4 · 1 · 99 / 100² is less than a half.
+        // No angle: 4 · 1 · 99 / 100² is less than a half.
         assert_eq!(of("half_energy_deg", "m1_g=1 m2_g=99"), None);
     }
 
     #[test]
-    fn no_name_stands_twice_and_noise_has_no_sign() {
+    fn names_are_unique_and_noise_has_no_sign() {
         for (i, one) in Quantity::ALL.iter().enumerate() {
             assert!(
                 Quantity::ALL[i + 1..].iter().all(|other| other != one),
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn the_manual_knows_every_name() {
+    fn the_manual_lists_every_quantity() {
         let manual = include_str!("../../../docs/lessons.md");
         for quantity in Quantity::ALL {
             assert!(

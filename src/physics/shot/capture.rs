@@ -1,9 +1,9 @@
 //! The record of a perfectly inelastic collision: two discs that meet and stick together.
 //!
-//! Sticking is not e = 0. The pair becomes one body: its centre of mass keeps the
-//! velocity V = (m₁u₁ + m₂u₂)/(m₁+m₂) and, after an off-centre contact, it rotates with
-//! ω = μ b w / (½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²), w the relative speed, b the impact
-//! parameter, μ the reduced mass: angular momentum about the centre of mass is conserved.
+//! Sticking is not the same as e = 0. The pair becomes one body: its centre of mass keeps the
+//! velocity V = (m₁u₁ + m₂u₂)/(m₁+m₂) and, after an off-centre contact, it rotates with ω = μ b w /
+//! (½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²), where w is the relative speed, b the impact parameter and μ the
+//! reduced mass: angular momentum about the centre of mass is conserved.
 
 use glam::DVec2;
 
@@ -17,7 +17,7 @@ pub(super) struct StuckPair {
     pub(super) time: f64,
     centre: DVec2,
     velocity: DVec2,
-    /// From the centre of mass to either disc's centre at the contact.
+    /// Vectors from the centre of mass to the discs' centres at the contact.
     arms: [DVec2; 2],
     /// Angular velocity in rad/s, positive anticlockwise.
     omega: f64,
@@ -39,7 +39,7 @@ impl StuckPair {
             centre: (at[0].position * m1 + at[1].position * m2) / total,
             velocity,
             arms: [apart * (-m2 / total), apart * (m1 / total)],
-            // A capture's spin counts clockwise.
+            // A capture's spin is positive clockwise.
             omega: -turning.spin,
             energy: 0.5 * total * velocity.length_squared() + turning.rotation_energy,
         }
@@ -77,8 +77,8 @@ impl StuckPair {
 
 impl Shot {
     /// The record, `duration` seconds long, of two discs on a frictionless open sheet that stick
-    /// together when they meet. If they miss, it is the record of the miss. The numbers must be
-    /// valid for a shot, the time finite.
+    /// together when they meet. If the discs miss each other, this is the record of the miss. The
+    /// numbers must be valid for a shot, and the duration finite.
     pub(in super::super) fn captured(
         board: &Board,
         discs: [Disc; 2],
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn the_centre_of_mass_goes_straight_on_and_the_discs_stay_together() {
+    fn the_centre_of_mass_moves_straight_on_and_the_discs_stay_together() {
         for offset in [0.0, 0.01, -0.03] {
             let shot = pair(offset);
             assert_eq!(shot.events().len(), 1);
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn off_centre_it_turns_as_angular_momentum_says() {
+    fn an_off_centre_pair_rotates_as_angular_momentum_requires() {
         // μ = 3.75 g, b = 10 mm, w = 2 m/s; I = ½·15·20² + ½·5·16² + 3.75·36² g mm².
         let shot = pair(0.01);
         let omega = 3.75e-3 * 0.01 * 2.0 / ((3000.0 + 640.0 + 4860.0) * 1e-9);
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_it_does_not_turn_and_a_miss_stays_a_miss() {
+    fn a_head_on_pair_does_not_rotate_and_a_miss_stays_a_miss() {
         let straight = pair(0.0);
         assert_eq!(straight.at(1, 1.0).velocity, DVec2::new(1.5, 0.0));
         let miss = pair(0.0361);
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn its_trail_is_unbroken() {
+    fn the_trail_of_a_pair_is_unbroken() {
         let shot = pair(0.02);
         for disc in 0..2 {
             let mut at = shot.start(disc).position;

@@ -20,12 +20,12 @@ use number::{degrees, vector};
 /// One step of a worked solution.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WorkedStep {
-    /// What is done.
+    /// What the step does.
     pub title: &'static str,
-    /// The reason for it, or what it means, in a sentence or two; may be empty.
+    /// The reason for the step, or what the step means, in a sentence or two; may be empty.
     pub why: String,
-    /// The working, one formula or result per line; a line that continues the one before begins
-    /// with blanks.
+    /// The working, one formula or result per line; a line that continues the previous line begins
+    /// with spaces.
     pub lines: Vec<String>,
 }
 
@@ -207,7 +207,7 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     }
 }
 
-/// The speed in m/s relative to which smaller ones count as noise.
+/// The speed in m/s against which rounding noise is judged.
 fn speed_scale(c: &Collision) -> f64 {
     c.u1.length() + c.u2.length()
 }
@@ -234,8 +234,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Of any collision, down to dust and up to rocks, at rest or not, missing or
-        /// not: no number that is none, and no sign that ASCII could not spell.
+        /// The solution of any collision, from dust to rocks, at rest or not, hit or miss, has no
+        /// NaN or infinity and no sign that ASCII cannot express.
         #[test]
         fn every_solution_can_be_read(
             masses in (-15.0..9.0_f64, -15.0..9.0_f64),

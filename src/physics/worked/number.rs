@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::numbers::{four_figures, true_minus};
 
-/// A number below this share of its scale is shown as 0.
+/// A number below this fraction of its scale is shown as 0.
 const NOISE: f64 = 1e-9;
 
 /// A number to four significant digits with a proper minus sign.
@@ -12,7 +12,7 @@ pub(crate) fn number(x: f64) -> String {
     true_minus(&four_figures(x))
 }
 
-/// A number that is 0 where it is rounding noise beside `scale`.
+/// A number, or 0 if it is rounding noise relative to `scale`.
 pub(crate) fn beside(x: f64, scale: f64) -> String {
     number(if x.abs() <= NOISE * scale { 0.0 } else { x })
 }
@@ -27,7 +27,8 @@ pub(super) fn factor(x: f64, scale: f64) -> String {
     }
 }
 
-/// A vector by its components, without the noise beside its own length or `scale`.
+/// The components of a vector; those that are rounding noise relative to its length or `scale` are
+/// 0.
 pub(super) fn vector(v: DVec2, scale: f64) -> String {
     let scale = scale.max(v.length());
     format!("({}, {})", beside(v.x, scale), beside(v.y, scale))

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::number::{beside, degrees, number};
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 
-/// How close to 90° counts as a right angle.
+/// How close to 90° counts as a right angle, in radians.
 const SQUARE: f64 = 1e-9;
 
 pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {

@@ -1,22 +1,23 @@
-//! What gives a right choice away, and what is not set as it should be.
+//! Checks whether anything gives a right choice away, and whether the style is uniform.
 
 use std::collections::BTreeMap;
 
 use super::Concept;
 use crate::files::FileError;
 
-/// How many questions there must be before a rule of thumb can be seen in them.
+/// How many questions there must be before a pattern can be seen in them.
 const ENOUGH: usize = 8;
-/// By how many letters and by what factor a right choice may at most be longer or shorter
-/// than all others of its question.
+/// A right choice stands out if it is longer or shorter than all other choices of its question by
+/// more than this many letters and by more than this factor.
 const STANDING_OUT: (usize, f64) = (8, 1.5);
-/// What a sentence ends with, also in Hindi and Bengali, in Chinese and in Arabic and Urdu.
+/// The characters that end a sentence, including those of Hindi and Bengali, Chinese, Arabic and
+/// Urdu.
 const STOPS: [char; 8] = ['.', '?', '!', '।', '。', '？', '！', '؟'];
 /// Words that make a choice sound wrong.
 const BROAD: [&str; 3] = ["always", "never", "nothing can"];
 
-/// Everything that is not good about these questions: of each for itself, and of all
-/// together where they are at least eight.
+/// All faults of these questions: those of each question and, if there are at least eight
+/// questions, those of all of them together.
 pub fn check(concepts: &[Concept]) -> Vec<FileError> {
     let mut faults: Vec<FileError> = concepts.iter().flat_map(Concept::check).collect();
     let Some(first) = concepts.first().filter(|_| concepts.len() >= ENOUGH) else {
@@ -24,13 +25,13 @@ pub fn check(concepts: &[Concept]) -> Vec<FileError> {
     };
     let together = [lengths(concepts), places(concepts), words(concepts)];
     let together = together.into_iter().flatten();
-    // It is nobody's fault alone, so no line can be named.
+    // No single question is at fault, so no line can be named.
     faults.extend(together.map(|message| FileError::of_file(&first.file, message)));
     faults
 }
 
 impl Concept {
-    /// What is not good about this question.
+    /// The faults of this question.
     fn check(&self) -> Vec<FileError> {
         let mut faults = Vec::new();
         let mut found = |field: &str, message: String| faults.push(self.fault(field, message));
@@ -56,17 +57,21 @@ impl Concept {
             if let Some([right, other]) = figures(&self.right, &wrong.choice)
                 && (right - other).abs() <= 0.1 * right.max(other)
             {
-                let message = format!("expected figures well apart, found {right} and {other}");
+                let message =
+                    format!("expected clearly different figures, found {right} and {other}");
                 found("choice", message);
             }
         }
         if self.hit.is_some_and(|hit| !hit.outcome().hit()) {
-            found("hit", "expected discs that meet; these miss".into());
+            found(
+                "hit",
+                "expected discs that collide; these miss each other".into(),
+            );
         }
         faults
     }
 
-    /// How the right choice is given away by its length alone.
+    /// A message if the right choice is given away by its length alone.
     fn stands_out(&self) -> Option<String> {
         let (by, factor) = STANDING_OUT;
         let [right, least, most] = self.letters();
@@ -80,12 +85,12 @@ impl Concept {
             return None;
         };
         Some(format!(
-            "expected a choice of the length of the others, found the right one {which} by far: \
-             {right} letters to {least}-{most}"
+            "expected a right choice about as long as the others, found the {which} by far: \
+             {right} letters, the others {least}-{most}"
         ))
     }
 
-    /// Letters of the right choice, the fewest of a wrong one, and the most.
+    /// The numbers of letters of the right choice and of the shortest and the longest wrong one.
     fn letters(&self) -> [usize; 3] {
         let wrongs = self.wrongs.iter().map(|wrong| letters(&wrong.choice));
         let (least, most) = (wrongs.clone().min(), wrongs.max());
@@ -131,8 +136,8 @@ fn lengths(concepts: &[Concept]) -> Vec<String> {
     faults
 }
 
-/// The place of the right choice, where the choices have an order of their own; all others
-/// are shuffled.
+/// Whether the right choice is in the same place too often among questions whose choices have a
+/// natural order; the choices of all others are shuffled.
 fn places(concepts: &[Concept]) -> Vec<String> {
     let ordered: Vec<_> = concepts.iter().filter(|concept| concept.ordered).collect();
     let mut places: BTreeMap<usize, usize> = BTreeMap::new();
@@ -145,7 +150,7 @@ fn places(concepts: &[Concept]) -> Vec<String> {
     often
         .map(|(place, count)| {
             format!(
-                "the right choice stands at place {} in {count} of {} questions whose choices \
+                "the right choice is number {} in {count} of {} questions whose choices \
                  have an order",
                 place + 1,
                 ordered.len()
@@ -154,8 +159,8 @@ fn places(concepts: &[Concept]) -> Vec<String> {
         .collect()
 }
 
-/// A first word that mostly right choices have, and "always" and "never" that only wrong
-/// ones have, tell them from afar.
+/// Whether choices are given away by a first word that is found mostly in right ones, or by
+/// "always" and "never" in wrong ones.
 fn words(concepts: &[Concept]) -> Vec<String> {
     let mut begin: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
     for (text, wrong) in concepts.iter().flat_map(Concept::choices) {
@@ -168,7 +173,7 @@ fn words(concepts: &[Concept]) -> Vec<String> {
     for (word, (right, of)) in begin {
         if of >= 4 && 2 * right > of {
             faults.push(format!(
-                "of {of} choices that begin with \"{word}\" {right} are right"
+                "of {of} choices that begin with \"{word}\", {right} are right"
             ));
         }
     }
@@ -181,7 +186,7 @@ fn words(concepts: &[Concept]) -> Vec<String> {
     faults
 }
 
-/// The figures of two choices that differ in nothing else.
+/// The figures of two choices that are otherwise identical.
 fn figures(a: &str, b: &str) -> Option<[f64; 2]> {
     let figure = |c: char| c.is_ascii_digit() || c == '.';
     let only = |text: &str| {

@@ -1,18 +1,18 @@
-//! The figures of a text, filled in from the question's own hit.
+//! The figures in a text, filled in from the question's own hit.
 
 use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;
 use crate::physics::named::{Constant, Quantity};
 
-/// Decimals of a number that follows from no hit, and of a percentage.
+/// The number of decimals of a percentage and of a number that does not come from a hit.
 const DECIMALS: usize = 2;
 const PERCENT_DECIMALS: usize = 1;
 
-/// `text` with every `{name field=value ...}` replaced by its figure. A `%` at the end
-/// inside the braces makes a percentage of a share.
+/// `text` with every `{name field=value ...}` replaced by its figure. A `%` before the closing
+/// brace turns a fraction into a percentage.
 ///
 /// # Errors
-/// What was expected, if a name or a field is unknown, or a figure undefined.
+/// What was expected, if a name or a field is unknown or a figure is undefined.
 pub(super) fn fill(text: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     let mut filled = String::with_capacity(text.len());
     let mut rest = text;
@@ -65,7 +65,7 @@ fn of_no_hit(mut constant: Constant, fields: &[(&str, &str)]) -> Result<Option<f
     Ok(constant.value())
 }
 
-/// A quantity of the hit with these fields changed, and its decimals.
+/// A quantity of the hit with these fields changed, and its number of decimals.
 fn of_hit(
     name: &str,
     fields: &[(&str, &str)],
@@ -73,7 +73,7 @@ fn of_hit(
 ) -> Result<(Option<f64>, usize), String> {
     let quantity = Quantity::named(name)
         .ok_or_else(|| format!("expected the name of a number, found {{{name}}}"))?;
-    let mut shot = hit.ok_or_else(|| format!("{name}: expected a hit to take it from"))?;
+    let mut shot = hit.ok_or_else(|| format!("{name}: expected a hit that defines it"))?;
     for (field, value) in fields {
         shot.set(field, value)?;
     }
@@ -114,7 +114,7 @@ mod tests {
                 true,
                 "expected the name of a number, found {speed3}",
             ),
-            ("{v1}", false, "v1: expected a hit to take it from"),
+            ("{v1}", false, "v1: expected a hit that defines it"),
             (
                 "{theta1_deg alpha_deg=0}",
                 true,

@@ -1,19 +1,19 @@
-//! Questions from files that are not in the program: a teacher's own.
+//! Questions from files outside the program: a teacher's own questions.
 
 use std::path::Path;
 
 use super::{Concept, read, with_id};
 use crate::files::{FileError, FileErrors, FileLibrary, escape_control};
 
-/// Most letters of a subject, which is the name of a file.
+/// The most letters a subject may have; a subject is the name of a file.
 const LONGEST_SUBJECT: usize = 40;
 
-/// Questions read from files, in the order of the files and in them.
+/// Questions read from files, in the order of the files and of the questions in each file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Library {
-    /// The questions; no two have the same id, nor that of one in the program.
+    /// The questions; no two have the same id, and none has the id of a built-in question.
     pub concepts: Vec<Concept>,
-    /// What was wrong with files that are left out.
+    /// The errors in the files that were left out.
     pub problems: Vec<FileError>,
 }
 
@@ -40,21 +40,21 @@ impl FileLibrary for Library {
 }
 
 impl Library {
-    /// Adds the questions in the bytes of a file of that subject.
+    /// Adds the questions from the bytes of a file about this subject.
     pub fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) {
         let subject = escape_control(subject, LONGEST_SUBJECT);
         let added = self.add_all(&subject, name, bytes);
         self.problems.extend(added.err().into_iter().flatten());
     }
 
-    /// Adds the questions of a file if all of them are good.
+    /// Adds the questions of a file if all of them are valid.
     fn add_all(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileErrors> {
         let mut fresh = Vec::new();
         read::file(subject, name, bytes, &mut fresh)?;
         for concept in &fresh {
             let known = self.concepts.iter().find(|known| known.id == concept.id);
             if let Some(known) = known.or_else(|| with_id(&concept.id)) {
-                let message = format!("expected an id of its own; {} has it already", known.file);
+                let message = format!("expected a unique id; {} already has it", known.file);
                 return Err(concept.fault("id", message).into());
             }
         }

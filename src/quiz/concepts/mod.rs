@@ -1,10 +1,10 @@
-//! Concept questions: one idea of glancing collisions each, in words, with choices that
-//! somebody is known to believe.
+//! Concept questions: each asks in words about one idea of glancing collisions, with wrong choices
+//! that students are known to believe.
 //!
-//! They are data: the files of `assets/concepts/`, one a subject, and a teacher's own in a
-//! [`Library`]. `docs/concepts.md` describes the format. No figure that physics gives is typed there: a text says
-//! `{theta1_deg}`, and the engine fills it in from the question's own hit while the
-//! file is read.
+//! The questions are data: the files of `assets/concepts/`, one for each subject, and a teacher's
+//! own in a [`Library`]. `docs/concepts.md` describes the format. No calculated figure is typed in
+//! these files: a text contains `{theta1_deg}`, and the figure is calculated from the question's
+//! own hit while the file is read.
 
 mod check;
 mod figures;
@@ -27,17 +27,17 @@ pub(crate) use read::read_hit;
 
 static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/concepts");
 
-/// The file that says in which order the questions stand.
+/// The file that fixes the order of the questions.
 const ORDER: &str = "order.txt";
 
 /// A concept question, with every figure filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Concept {
-    /// Name that stays the same for good: lower-case letters, digits and hyphens.
+    /// Its permanent name: lower-case letters, digits and hyphens.
     pub id: String,
-    /// Which family asks it: see [`of`].
+    /// The family that asks it: see [`of`].
     pub family: Family,
-    /// What it is about: the name of its file, as "right-angle".
+    /// Its subject: the name of its file, such as "right-angle".
     pub subject: String,
     /// How hard it is.
     pub difficulty: Difficulty,
@@ -45,20 +45,20 @@ pub struct Concept {
     pub ask: String,
     /// The right choice.
     pub right: String,
-    /// The wrong choices, two or three; of an ordered question in their order.
+    /// The two or three wrong choices, in their natural order if the question is ordered.
     pub wrongs: Vec<Wrong>,
-    /// Why it is so, said after any answer.
+    /// The explanation of the right choice, shown after any answer.
     pub why: String,
-    /// Whether the choices stand in an order of their own, as less, the same, more do,
-    /// and are not to be shuffled.
+    /// Whether the choices have a natural order, such as less, the same, more, and must not be
+    /// shuffled.
     pub ordered: bool,
-    /// A hit that is shown beside the question, and watched after it.
+    /// The hit that is shown beside the question and can be watched after the answer.
     pub hit: Option<Collision>,
-    /// The file it is from.
+    /// The file that contains it.
     pub file: String,
-    /// The line it begins at there.
+    /// Its first line in that file.
     pub line: usize,
-    /// How many of the wrong choices stand before the right one when not shuffled.
+    /// How many of the wrong choices come before the right one when they are not shuffled.
     before_right: usize,
 }
 
@@ -69,17 +69,17 @@ pub struct Wrong {
     pub choice: String,
     /// The misconception that leads to it, if there is one.
     pub misconception: Option<Misconception>,
-    /// The feedback for this choice; begins from what the choice says.
+    /// The feedback for this choice, which starts from the idea behind it.
     pub says: String,
 }
 
 impl Concept {
-    /// What it is about, in words: "right angle".
+    /// Its topic: "right angle".
     pub fn topic(&self) -> Topic {
         Topic::of_subject(&self.subject)
     }
 
-    /// What is wrong with a field of it, with its place.
+    /// An error in one of the question's fields, with the file and the line.
     fn fault(&self, field: &str, message: impl Into<String>) -> FileError {
         FileError {
             file: self.file.clone(),
@@ -89,14 +89,14 @@ impl Concept {
         }
     }
 
-    /// Whether a fault is one of this question.
+    /// Whether an error is in this question.
     pub(crate) fn is_at(&self, fault: &FileError) -> bool {
         fault.file == self.file && fault.line == Some(self.line)
     }
 
-    /// All choices, each with what makes it a wrong one. Those of an
-    /// [ordered](Self::ordered) question stand as they are to be shown; of any other the
-    /// right one is first, and they have to be shuffled.
+    /// All choices, the wrong ones with their [`Wrong`]. The choices of an
+    /// [ordered](Self::ordered) question are in the order in which they are shown; in any other
+    /// question the right choice is first, and the choices have to be shuffled.
     pub fn choices(&self) -> Vec<(&str, Option<&Wrong>)> {
         let wrongs = self.wrongs.iter();
         let mut choices: Vec<_> = wrongs.map(|it| (it.choice.as_str(), Some(it))).collect();
@@ -107,7 +107,7 @@ impl Concept {
 }
 
 impl Topic {
-    /// The families that ask about it; none where nothing in the program does.
+    /// The families that ask about this topic; none if no built-in question does.
     pub fn families(&self) -> Vec<Family> {
         let mut families = self.families_of_figures();
         let written = [Family::Concept, Family::Ideas];
@@ -116,7 +116,7 @@ impl Topic {
         families
     }
 
-    /// Those that codes such as `read-abd-7` draw from.
+    /// The families that codes such as `read-abd-7` draw from.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
         families.retain(|family| *family != Family::Ideas);
@@ -124,32 +124,32 @@ impl Topic {
     }
 }
 
-/// All concept questions, read once for the whole process.
+/// All concept questions, read once per process.
 ///
-/// Their order is fixed, for it is part of what the code of a round stands for: new
-/// questions go to the end, into a family that no older code draws from.
+/// Their order is fixed, because it is part of the format of a round's code: new questions go to
+/// the end, into a family that no older code draws from.
 pub fn all() -> &'static [Concept] {
-    // A test holds that nothing is wrong with the files in the program.
+    // A test checks that the embedded files have no errors.
     static READ: LazyLock<Vec<Concept>> = LazyLock::new(|| embedded().unwrap_or_default());
     &READ
 }
 
-/// The questions that a family asks, in their order: those before the empty line of
-/// `order.txt` are [`Family::Concept`], those behind it [`Family::Ideas`].
+/// The questions that a family asks, in order: those before the empty line of `order.txt` belong to
+/// [`Family::Concept`], those after it to [`Family::Ideas`].
 pub fn of(family: Family) -> Vec<&'static Concept> {
     let all = all().iter();
     all.filter(|concept| concept.family == family).collect()
 }
 
-/// The question of an `id`.
+/// The question with this `id`.
 pub fn with_id(id: &str) -> Option<&'static Concept> {
     all().iter().find(|concept| concept.id == id)
 }
 
-/// Reads the files in the program.
+/// Reads the embedded files.
 ///
 /// # Errors
-/// All that is wrong with the first file with which anything is.
+/// All errors in the first file that has any.
 fn embedded() -> Result<Vec<Concept>, FileErrors> {
     let mut files: Vec<_> = FILES.files().collect();
     files.sort_by_key(|file| file.path());
@@ -166,10 +166,10 @@ fn embedded() -> Result<Vec<Concept>, FileErrors> {
     Ok(in_order(concepts, &order)?)
 }
 
-/// The questions as `order` lists their ids, one a line.
+/// The questions in the order in which `order` lists their ids, one per line.
 ///
 /// # Errors
-/// If it names one that is not there, or leaves one out.
+/// If it lists an unknown id or omits a known one.
 fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, FileError> {
     let mut ordered = Vec::with_capacity(concepts.len());
     let mut family = Family::Concept;
@@ -182,7 +182,7 @@ fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fil
             line: Some(line),
             ..FileError::of_file(
                 ORDER,
-                format!("expected the id of a question, once, found {id}"),
+                format!("expected the id of a question not yet listed, found {id}"),
             )
         };
         let at = concepts.iter().position(|concept| concept.id == id);
@@ -192,7 +192,7 @@ fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fil
     match concepts.first() {
         None => Ok(ordered),
         Some(left) => {
-            let message = format!("expected every id, {} is missing at the end", left.id);
+            let message = format!("expected every id; {} is missing at the end", left.id);
             Err(FileError::of_file(ORDER, message))
         }
     }

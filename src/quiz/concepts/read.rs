@@ -1,4 +1,4 @@
-//! From the bytes of a file to its questions.
+//! Reads questions from the bytes of a file.
 
 use super::figures::fill;
 use super::{Concept, Wrong};
@@ -8,13 +8,13 @@ use crate::quiz::question::{Difficulty, Family, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
-/// Most letters of a question.
+/// The most letters a question may have.
 const ASK: usize = 240;
-/// Most letters of a choice.
+/// The most letters a choice may have.
 const CHOICE: usize = 90;
-/// Most letters of what is said to a wrong choice.
+/// The most letters the feedback for a wrong choice may have.
 const SAYS: usize = 200;
-/// Most letters of the explanation.
+/// The most letters the explanation may have.
 const WHY: usize = 320;
 /// How many wrong choices a question may have.
 const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -31,10 +31,10 @@ const ITEM: [&str; 8] = [
     "hit",
 ];
 
-/// Adds the questions of a file to `concepts`, which they are to differ from.
+/// Adds the questions of a file to `concepts`; no two may have the same id.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// All errors in the file.
 pub(super) fn file(
     subject: &str,
     name: &str,
@@ -50,10 +50,7 @@ pub(super) fn file(
                 let mut others = concepts.iter().chain(read.iter().flatten());
                 if others.any(|other| other.id == concept.id) {
                     let id = concept.id;
-                    return item.refuse(
-                        "id",
-                        format!("expected an id of its own, found {id} once more"),
-                    );
+                    return item.refuse("id", format!("expected a unique id, found {id} twice"));
                 }
                 Some(concept)
             });
@@ -69,7 +66,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     let hit = item.or("hit", None, |name| {
         read_hit(&item.table(name, &CollisionSpec::field_names())?).map(Some)
     });
-    // Where the hit is none, the texts are looked at with any other.
+    // If the hit is invalid, the texts are checked with the default hit.
     let filled = hit.unwrap_or_else(|| Some(CollisionSpec::default()));
     let id = item.id("id");
     let difficulty = item.word("difficulty", &Difficulty::ALL.map(|it| (it.id(), it)));
@@ -103,7 +100,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
         let earlier = concept.wrongs.iter().take(place).map(|other| &other.choice);
         let stands = |choice: &String| *choice == wrong.choice;
         if stands(&concept.right) || earlier.into_iter().any(stands) {
-            let message = format!("expected a choice of its own, found {} twice", wrong.choice);
+            let message = format!("expected different choices, found {} twice", wrong.choice);
             return item.refuse("wrong", message);
         }
     }
@@ -144,7 +141,7 @@ fn wrong(fields: &Fields, hit: Option<CollisionSpec>) -> Option<Wrong> {
     })
 }
 
-/// A text with its figures, of 1 to `most` letters.
+/// A text of 1 to `most` letters, with its figures filled in.
 fn text(
     fields: &Fields,
     name: &'static str,

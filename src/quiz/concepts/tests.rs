@@ -1,4 +1,4 @@
-//! Holds the questions in the program to what makes a good question.
+//! Checks the built-in questions against the rules for good questions.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,23 +10,23 @@ use crate::quiz::misconceptions::Origin;
 use crate::quiz::question::Misconception;
 
 #[test]
-fn nothing_is_wrong_with_the_files() {
+fn the_embedded_files_have_no_errors() {
     if let Err(fault) = embedded() {
         panic!("{fault}");
     }
 }
 
 #[test]
-fn there_are_sixty_and_more_with_ids_of_their_own() {
+fn there_are_at_least_sixty_questions_with_different_ids() {
     let ids: BTreeSet<_> = all().iter().map(|concept| &concept.id).collect();
     assert_eq!(ids.len(), all().len());
     assert!(ids.len() >= 60, "{}", ids.len());
     assert!(ids.iter().all(|id| with_id(id).is_some()));
 }
 
-/// A code of a round counts on this order; what is new goes to the end.
+/// The codes of rounds depend on this order; new questions go to the end.
 #[test]
-fn the_order_laid_down_stays() {
+fn the_order_does_not_change() {
     for (place, id) in [
         (0, "sideways-balances"),
         (13, "a-test-for-the-formula"),
@@ -42,8 +42,8 @@ fn the_order_laid_down_stays() {
     }
 }
 
-/// The table of the guide says of each misconception what the program says, in the same order, and
-/// below it stands every study.
+/// The table in the guide describes each misconception as the program does, in the same order, and
+/// every study is listed below the table.
 #[test]
 fn the_guide_lists_every_misconception_with_its_source() {
     let guide = include_str!("../../../docs/concepts.md");
@@ -71,7 +71,7 @@ fn the_guide_lists_every_misconception_with_its_source() {
                 .next()
                 .unwrap()
                 .trim_end_matches(" et al.");
-            // A review on the web has no year.
+            // An online review has no year.
             let year = match year {
                 "" => String::new(),
                 year => format!("({year})"),
@@ -84,7 +84,7 @@ fn the_guide_lists_every_misconception_with_its_source() {
 }
 
 #[test]
-fn every_misconception_is_met_twice() {
+fn every_misconception_occurs_in_at_least_two_questions() {
     let mut met: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for concept in all() {
         for belief in concept
@@ -97,12 +97,12 @@ fn every_misconception_is_met_twice() {
     }
     for belief in Misconception::ALL {
         let count = met.get(belief.id()).map_or(0, BTreeSet::len);
-        assert!(count >= 2, "{} is met {count} times", belief.id());
+        assert!(count >= 2, "{} occurs in {count} questions", belief.id());
     }
 }
 
 #[test]
-fn nothing_gives_a_right_choice_away_and_all_is_set_alike() {
+fn nothing_gives_a_right_choice_away_and_the_style_is_uniform() {
     let faults: Vec<String> = check(all()).iter().map(ToString::to_string).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     for text in all()
@@ -113,7 +113,7 @@ fn nothing_gives_a_right_choice_away_and_all_is_set_alike() {
     }
 }
 
-/// The first question of the program so often, each time changed so.
+/// The faults of the first `count` built-in questions after this change to each of them.
 fn spoilt(count: usize, change: impl Fn(&mut Concept)) -> Vec<String> {
     let mut concepts: Vec<Concept> = all()[..count].to_vec();
     concepts.iter_mut().for_each(change);
@@ -121,12 +121,12 @@ fn spoilt(count: usize, change: impl Fn(&mut Concept)) -> Vec<String> {
 }
 
 #[test]
-fn tell_tale_right_choices_are_found() {
+fn right_choices_that_are_given_away_are_reported() {
     let faults = |count, change: fn(&mut Concept)| spoilt(count, change).join("\n");
     assert_eq!(faults(1, |_| {}), "");
     let long = faults(1, |it| it.right = "x".repeat(90));
     assert!(
-        long.contains("the right one longest by far: 90 letters"),
+        long.contains("found the longest by far: 90 letters"),
         "{long}"
     );
     assert!(long.contains(&format!("{}.right", all()[0].id)), "{long}");
@@ -146,10 +146,10 @@ fn tell_tale_right_choices_are_found() {
         it.wrongs[0].choice = "88°".into();
     });
     assert!(
-        near.contains("figures well apart, found 90 and 88"),
+        near.contains("clearly different figures, found 90 and 88"),
         "{near}"
     );
-    // A rule of thumb needs some questions to be seen.
+    // A pattern is reported only if there are enough questions.
     let longer = |it: &mut Concept| {
         let most = it
             .wrongs
@@ -165,10 +165,10 @@ fn tell_tale_right_choices_are_found() {
             .contains("is the longest in 8 of 8")
     );
     let placed = faults(10, |it| (it.ordered, it.before_right) = (true, 1));
-    assert!(placed.contains("at place 2 in 10 of 10"), "{placed}");
+    assert!(placed.contains("is number 2 in 10 of 10"), "{placed}");
     let begun = faults(8, |it| it.right = format!("Exactly {}", it.right));
     assert!(
-        begun.contains("that begin with \"Exactly\" 8 are right"),
+        begun.contains("that begin with \"Exactly\", 8 are right"),
         "{begun}"
     );
     let broad = faults(8, |it| it.wrongs[0].choice += ", always");
@@ -178,9 +178,9 @@ fn tell_tale_right_choices_are_found() {
     );
 }
 
-/// Figures in words that no placeholder can give.
+/// Figures in texts that no placeholder can provide.
 #[test]
-fn figures_in_words_are_so() {
+fn figures_typed_in_texts_are_correct() {
     // where-turned-most: "at about α = 34°".
     let tournament = RestingTarget {
         m1: 0.015,
@@ -199,16 +199,16 @@ fn figures_in_words_are_so() {
     let mut beyond = Constant::named("rutherford_beyond").unwrap();
     beyond.set("angle_deg", "90").unwrap();
     assert!(beyond.value().unwrap() < 1e-5);
-    // sixty-to-ninety: what the half angle forgotten gives.
+    // sixty-to-ninety: the result if the angle is not halved.
     assert!(((1.0 / 60.0_f64.to_radians().sin()).powi(4) - 1.78).abs() < 0.005);
-    // came-square: square before, square after.
+    // came-square: 90° before and 90° after.
     let came = with_id("came-square").unwrap().hit.unwrap();
     let after = came.outcome();
     assert!(came.u1.dot(came.u2).abs() < 1e-12 && after.v1.dot(after.v2).abs() < 1e-12);
 }
 
 #[test]
-fn hits_are_shown_as_they_are_asked() {
+fn the_hits_shown_agree_with_the_questions() {
     for concept in all() {
         if let Some(hit) = &concept.hit {
             assert!(hit.outcome().hit(), "{} misses", concept.id);
@@ -226,7 +226,7 @@ fn hits_are_shown_as_they_are_asked() {
     }
 }
 
-/// A file with one question, with `old` in it replaced by `new`.
+/// The errors of a file with one question in which `old` is replaced by `new`.
 fn fault_of(old: &str, new: &str) -> String {
     let good = r#"format = 1
 [[item]]
@@ -254,12 +254,12 @@ says = "No."
 }
 
 #[test]
-fn faults_name_line_and_field() {
+fn errors_name_the_line_and_the_field() {
     for (old, new, message) in [
         (
             "format = 1",
             "format = 2",
-            "my.toml:1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
+            "my.toml:1: format: 2 is newer than 1, the latest this version reads; a newer version may open it",
         ),
         (
             "\"easy\"",
@@ -309,12 +309,12 @@ fn faults_name_line_and_field() {
         (
             "\"30°\"",
             "\"60°\"",
-            "expected a choice of its own, found 60° twice",
+            "expected different choices, found 60° twice",
         ),
         (
             "\"45°\"",
             "\"30°\"",
-            "expected a choice of its own, found 30° twice",
+            "expected different choices, found 30° twice",
         ),
         (
             "\"Because.\"",
@@ -368,15 +368,15 @@ fn the_order_names_each_question_once() {
 }
 
 #[test]
-fn an_ordered_question_has_its_right_choice_in_place() {
+fn the_right_choice_of_an_ordered_question_is_in_its_place() {
     let ordered = with_id("ninety-survives-speed").unwrap();
     let texts: Vec<_> = ordered.choices().iter().map(|c| c.0).collect();
     assert_eq!(texts, ["Below 90°", "90°", "Above 90°"]);
 }
 
-/// The manual has a whole example, and it is one.
+/// The manual contains a complete example, which must be a valid question.
 #[test]
-fn the_example_of_the_manual_is_a_question() {
+fn the_example_in_the_manual_is_a_valid_question() {
     let manual = include_str!("../../../docs/concepts.md");
     let (_, after) = manual.split_once("```toml\n").unwrap();
     let (example, _) = after.split_once("```").unwrap();

@@ -7,11 +7,11 @@ use super::prelude::*;
 use crate::physics::CollisionOutcome;
 use crate::physics::units::g_from_kg;
 
-/// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
+/// The cosine of the largest impact angle asked about; at larger angles the discs hardly touch.
 const LEAST_COSINE: f64 = 0.3;
 
-/// The smallest impact angle asked about, as its sine: closer to head-on the picture does not
-/// show that the collision is off-centre.
+/// The sine of the smallest impact angle asked about; at smaller angles the picture does not show
+/// that the collision is off-centre.
 const LEAST_SINE: f64 = 0.17;
 
 /// How far from 90° an angle must be, in degrees, before the question asks "more or less?".
@@ -30,7 +30,7 @@ struct MovingPair {
     line_deg: u32,
     /// The side of the striker's path on which the coin lies: 1 for the right.
     side: f64,
-    /// Direction of the striker on the picture, in degrees.
+    /// Direction of the striker in the picture, in degrees.
     direction_deg: f64,
 }
 
@@ -46,7 +46,8 @@ impl MovingPair {
         })
     }
 
-    /// The collision, if they approach each other and it is neither too grazing nor too head-on to draw.
+    /// The collision, if the discs approach each other and it is neither too close to a graze nor
+    /// too close to head-on to be drawn.
     fn collision(&self) -> Option<Collision> {
         let towards = |speed: u32, deg: f64| {
             f64::from(speed) * DVec2::from_angle(rad_from_deg(self.direction_deg + deg))
@@ -75,8 +76,8 @@ impl MovingPair {
         };
         let [u1, u2] = [self.speed, self.target_speed].map(|it| significant(it.into()));
         let text = format!(
-            "A striker moves at {u1} m/s, an equal coin at {u2} m/s {way}. {place} The discs are \
-             smooth, and no energy is lost."
+            "A striker moves at {u1} m/s, and an equal coin at {u2} m/s {way}. {place} The discs \
+             are smooth, and no energy is lost."
         );
         let disc = collision.striker;
         Outline::new(text, Illustration::before(collision, Markings::FIGURES))
@@ -119,7 +120,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 const TOPIC: &str = "both-moving";
 
-/// Which observer sees 90°, or what a moving observer sees.
+/// Which observer sees 90°, or the angle that a moving observer sees.
 fn frames(
     pair: &MovingPair,
     outcome: &CollisionOutcome,
@@ -149,7 +150,7 @@ fn frames(
                               this observer see?"
         )
     };
-    // Then the laboratory frame would be the centre-of-mass frame.
+    // With equal and opposite velocities the laboratory frame would be the centre-of-mass frame.
     if pair.way_deg == 180 && pair.speed == pair.target_speed {
         return None;
     }
@@ -162,8 +163,8 @@ fn frames(
                 .options(WHO, 0)
                 .chooses(SquareOnTheGround, 1)
                 .says(
-                    "You assumed 90° in the laboratory frame. There one coin must be at rest at \
-                     first, and here both move.",
+                    "You assumed 90° in the laboratory frame. That requires one coin at rest \
+                     at first, but here both move.",
                 )
                 .chooses(FramesMixed, 2)
                 .says(BACK_TO_BACK)
@@ -209,22 +210,22 @@ fn frames(
 }
 
 /// More or less than 90° in the laboratory frame. For equal masses without loss v₁·v₂ = u₁·u₂,
-/// so the initial directions alone decide.
+/// so the initial directions alone decide the answer.
 fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     const CORNERS: [&str; 3] = ["Less than 90°", "Exactly 90°", "More than 90°"];
     let separation = outcome.separation?;
     let (right, came) = match pair.way_deg {
         0..90 => (
             0,
-            "Before the collision the angle was less than 90°, and so it is afterwards:",
+            "Before the collision the angle was less than 90°, and it still is afterwards:",
         ),
         90 => (
             1,
-            "Before the collision the angle was 90°, and so it is afterwards:",
+            "Before the collision the angle was 90°, and it still is afterwards:",
         ),
         _ => (
             2,
-            "Before the collision the angle was more than 90°, and so it is afterwards:",
+            "Before the collision the angle was more than 90°, and it still is afterwards:",
         ),
     };
     if right != 1 && (deg_from_rad(separation) - 90.0).abs() < NEAR_SQUARE_DEG {
@@ -270,14 +271,14 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         .wrong(FramesMixed, 180.0)
         .says("You answered 180°. That is the angle in the centre-of-mass frame.")
         .why(format!(
-            "Along the line of impact n they exchange velocities, along t each keeps its own: the \
-             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle \
-             is {} / ({v1} × {v2}), and the angle is {separation}.",
+            "Along the line of impact n they exchange velocities; along t each keeps its own. The \
+             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is {} / \
+             ({v1} × {v2}), and the angle is {separation}.",
             true_minus(&significant(dot))
         ))
 }
 
-/// How fast one of the two leaves: equal discs exchange their components along the line of
+/// The final speed of one of the two discs: equal discs exchange their components along the line of
 /// impact, and each keeps its own perpendicular component.
 fn speed(
     pair: &MovingPair,
@@ -319,7 +320,7 @@ fn speed(
         )
         .wrong(OneLineFormula, others)
         .says(
-            "You exchanged the whole velocities. Off-centre only the components along n are \
+            "You exchanged the whole velocities. Off-centre, only the components along n are \
              exchanged.",
         )
         .why(format!(

@@ -38,12 +38,12 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// The impact angle, with the figures that Θ = 180° − 2α needs.
+/// The impact angle, with as many digits as Θ = 180° − 2α requires.
 fn shown(alpha: f64) -> Intermediate {
     Intermediate::angle(alpha, |alpha| degrees(PI - 2.0 * alpha))
 }
 
-/// Why Θ = 180° − 2α.
+/// The explanation of Θ = 180° − 2α.
 fn why_turn(alpha: f64, turn: f64) -> String {
     format!(
         "In the centre-of-mass frame only the component along the line of impact is reversed. So Θ = 180° − 2 × {}° = {}.",
@@ -70,7 +70,7 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
             DoubleAngleForgotten,
             180.0 - deg_from_rad(hit.alpha().abs()),
         )
-        .says("You subtracted α from 180° only once. It counts twice.")
+        .says("You subtracted α from 180° only once. It must be subtracted twice.")
         .wrong(FramesMixed, on_board)
         .says("That is the striker's deflection in the laboratory frame.")
 }
@@ -82,7 +82,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
     turn(hit, angle)
         .wrong(CopiedAngle, deg_from_rad(alpha))
         .says(
-            "You answered α itself. It describes where they touch, not how far the striker is \
+            "You answered α itself. But α describes where they touch, not how far the striker is \
                deflected.",
         )
         .why(why_turn(alpha, angle))
@@ -112,13 +112,13 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
         ))
 }
 
-/// The speed of the centre of mass; the target at rest, or moving along the same line,
-/// the same way if `target_speed` is positive.
+/// The speed of the centre of mass, with the target at rest or moving along the same line: in the
+/// same direction if `target_speed` is positive.
 fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let name = hit.pieces.target_name();
     let [m1, m2] = hit.masses_g();
     let (u1, u2) = (hit.speed, target_speed.unwrap_or(0.0));
-    // In the same direction the striker has to catch up.
+    // If both move in the same direction, the striker has to catch up.
     if u2 >= u1 {
         return None;
     }
@@ -147,14 +147,17 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ),
         Some(_) => (
             format!(
-                "A striker of {m1_words} g moves at {u1_words} m/s, a {name} of {m2_words} g at \
-                 {u2_words} m/s {way}."
+                "A striker of {m1_words} g moves at {u1_words} m/s, and a {name} of {m2_words} g \
+                 at {u2_words} m/s {way}."
             ),
             format!("{m1_words} × {u1_words} {sign} {m2_words} × {u2_words}"),
         ),
     };
     let backward = if along < 0.0 {
-        format!(" The minus sign is the direction of the {name}, which has the larger momentum.")
+        format!(
+            " The minus sign means motion in the direction of the {name}, which has the larger \
+             momentum."
+        )
     } else {
         String::new()
     };
@@ -181,7 +184,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ))
 }
 
-/// A question that goes from Θ back to the laboratory frame.
+/// A question that leads from Θ back to the laboratory frame.
 fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
     let with_text = format!(
         "{}, and no energy is lost. In the centre-of-mass frame both discs are deflected by Θ = \

@@ -31,7 +31,7 @@ fn percent(x: f64) -> String {
 }
 
 const HALVES: &str =
-    "You gave each of them half. That is right only at 45°, and only for equal masses.";
+    "You gave each disc half. That is right only at 45°, and only for equal masses.";
 
 /// The share that the striker keeps, with equal masses.
 fn kept(hit: &Hit) -> Option<Question> {
@@ -50,8 +50,7 @@ fn kept(hit: &Hit) -> Option<Question> {
         ))
         .wrong(SineCosine, PERCENT * shares.passed)
         .says(
-            "That is the coin's share. Head-on the striker keeps nothing, so the striker's share \
-             contains a sine.",
+            "That is the coin's share. Head-on, the striker keeps no energy, so you need the sine.",
         )
         .wrong(HalfAndHalf, 50.0)
         .says(HALVES)
@@ -121,7 +120,8 @@ fn passed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The share that is lost: only energy of the relative motion along the line of impact can be.
+/// The share that is lost: only the energy of the relative motion along the line of impact can be
+/// lost.
 fn lost(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());
@@ -142,7 +142,7 @@ fn lost(hit: &Hit) -> Option<Question> {
         ))
         .wrong(LossOnEverything, without_return)
         .says(
-            "You applied the loss to all of the motion. Only energy of the motion along the line \
+            "You applied the loss to all of the motion. Only the energy of motion along the line \
              of impact can be lost.",
         )
         .wrong(SineCosine, PERCENT * lost * alpha.tan().powi(2))

@@ -1,4 +1,4 @@
-//! Drawing hits, for the families that share it.
+//! Draws hits for several families.
 
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -13,8 +13,8 @@ pub(super) const ALL: &[Pieces] = &[Pieces::Equal, Pieces::Tournament, Pieces::M
 
 pub(super) const NO_LOSS: &[f64] = &[1.0];
 
-/// What a hit on a target at rest is drawn from: sets of pieces, impact angles in degrees in
-/// steps of five, and values of e.
+/// The values from which a hit on a target at rest is drawn: sets of pieces, impact angles in
+/// degrees in steps of five, and values of e.
 pub(super) struct HitDraws<'a>(
     pub(super) &'a [Pieces],
     pub(super) RangeInclusive<u32>,
@@ -35,7 +35,7 @@ impl HitDraws<'_> {
         Some(Hit {
             pieces,
             given: ImpactPoint::Angle {
-                // 0.0 - x, not -x: a head-on hit has no side.
+                // 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
                 alpha_deg: if left { 0.0 - alpha_deg } else { alpha_deg },
             },
             restitution,
@@ -45,7 +45,7 @@ impl HitDraws<'_> {
     }
 }
 
-/// A hit between these discs with this e, off-centre.
+/// An off-centre hit between these discs with this e.
 pub(super) fn drawn(
     pieces: Pieces,
     restitution: f64,
@@ -55,8 +55,8 @@ pub(super) fn drawn(
     HitDraws(&[pieces], 20..=70, &[restitution]).draw(difficulty, dice)
 }
 
-/// A direction of the striker in the picture, in degrees: a multiple of 360°, 90° or 30°,
-/// smaller for a harder question.
+/// A direction of the striker in the picture, in degrees: a multiple of 360°, 90° or 30°; the
+/// harder the question, the smaller the step.
 pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
     let turn = match difficulty {
         Difficulty::Easy => 360,
@@ -66,7 +66,7 @@ pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
     f64::from(turn * dice.below(360 / turn))
 }
 
-/// Two discs of one size with these masses in grams.
+/// Two discs of the same size with these masses in grams.
 pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
     let disc = |mass_g| Disc::from_g_mm(f64::from(mass_g), 15.0);
     Pieces::Own {
@@ -75,7 +75,7 @@ pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
     }
 }
 
-/// A picture before the collision without any mark of where the discs will meet.
+/// A picture before the collision, without marks where the discs will meet.
 pub(super) fn unmarked(hit: &Hit) -> Illustration {
     Illustration::before(hit.collision(), Markings::FIGURES)
 }
@@ -96,17 +96,17 @@ pub(super) fn in_short(hit: &Hit) -> String {
     format!("{}; {place}.", hit.who("striker", &hit.hits()))
 }
 
-/// The masses and the speed of smooth discs in words, nothing more.
+/// The masses and the speed of smooth discs in words, without the point of impact.
 pub(super) fn off_centre(hit: &Hit) -> String {
     format!("{}, off-centre.", hit.who("smooth striker", &hit.hits()))
 }
 
-/// An angle of so many degrees, as printed.
+/// An angle in degrees, as printed.
 pub(super) fn in_degrees(deg: impl Into<f64>) -> String {
     Measure::Angle.print(deg.into())
 }
 
-/// A number as it is read off, rounded as printed.
+/// A number as the player reads it: rounded as printed.
 pub(super) fn read_off(x: f64) -> f64 {
     Intermediate::new(x, |_| ()).value
 }
@@ -115,7 +115,7 @@ pub(super) fn read_off_angle(angle: f64) -> f64 {
     Intermediate::angle(angle, |_| ()).value
 }
 
-/// The result from rounded readings, with the exact result where they differ.
+/// The result from rounded readings, with the exact result if the two differ.
 pub(super) fn within_readings(found: &str, exact: &str) -> String {
     match found == exact {
         true => exact.to_owned(),
@@ -123,7 +123,7 @@ pub(super) fn within_readings(found: &str, exact: &str) -> String {
     }
 }
 
-/// The place among choices that stand in the order less, the same, more.
+/// The index among choices in the order less, the same, more.
 pub(super) const fn place(compared: Ordering) -> usize {
     (compared as i8 + 1) as usize
 }

@@ -46,9 +46,9 @@ pub(super) const KINDS: [&[HitKind]; 3] = {
 };
 
 impl HitKind {
-    /// All hits of this kind that make a clear question, in a fixed order, with the target on the
-    /// right and the striker moving to the right at 1 m/s. They are found once, because the
-    /// search goes through thousands of hits.
+    /// All hits of this kind that give a clear question, in a fixed order, with the target on the
+    /// right and the striker moving to the right at 1 m/s. The result is cached, because the search
+    /// goes through thousands of hits.
     pub(super) fn candidates(self) -> &'static [Hit] {
         const COUNT: usize = HitKind::VARIANTS.len();
         static FOUND: [OnceLock<Vec<Hit>>; COUNT] = [const { OnceLock::new() }; COUNT];
@@ -73,8 +73,7 @@ impl HitKind {
         }
     }
 
-    /// Draws a hit of this kind, none of `asked` again; `None` only if all have
-    /// been asked.
+    /// Draws a hit of this kind that is not in `asked`; `None` only if all have been asked.
     pub(super) fn draw(
         self,
         difficulty: Difficulty,
@@ -115,7 +114,7 @@ fn at_angle(alpha_deg: u32) -> ImpactPoint {
     ImpactPoint::Angle { alpha_deg }
 }
 
-/// Every tenth of a millimetre.
+/// The offsets in steps of a tenth of a millimetre.
 fn offsets(pieces: Pieces) -> Vec<ImpactPoint> {
     let tenths = 10.0 * plain(pieces, at_angle(0), 1.0).reach_mm();
     let offset = |tenths| ImpactPoint::Offset {
@@ -124,7 +123,7 @@ fn offsets(pieces: Pieces) -> Vec<ImpactPoint> {
     (1..=tenths as u32).map(offset).collect()
 }
 
-/// Every hit of these pieces, points of impact and values of e that makes a clear question.
+/// Every hit with these pieces, points of impact and values of e that gives a clear question.
 fn every(pieces: &[Pieces], places: &[ImpactPoint], restitutions: &[f64]) -> Vec<Hit> {
     let mut hits = Vec::new();
     for &it in pieces {
@@ -142,7 +141,7 @@ fn every(pieces: &[Pieces], places: &[ImpactPoint], restitutions: &[f64]) -> Vec
 
 fn mirrored(given: ImpactPoint) -> ImpactPoint {
     match given {
-        // 0.0 - x, not -x: a head-on hit has no side.
+        // 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
         ImpactPoint::Angle { alpha_deg } => ImpactPoint::Angle {
             alpha_deg: 0.0 - alpha_deg,
         },
@@ -160,8 +159,8 @@ fn same_hit(a: &Hit, b: &Hit) -> bool {
         && close(a.alpha().abs(), b.alpha().abs())
 }
 
-/// Head-on, or far enough from both head-on and a graze to be drawn. Not at 45°
-/// either, where "half and half" and a copied angle would be right by accident.
+/// Whether a hit is head-on, or far enough from both head-on and a graze to be drawn, and not at
+/// 45°, where "half and half" and a copied angle would be right by accident.
 fn within_reason(hit: &Hit) -> bool {
     let alpha_deg = deg_from_rad(hit.alpha());
     let drawable = (9.5..80.5).contains(&alpha_deg) && (alpha_deg - 45.0).abs() > 0.5;
@@ -169,7 +168,7 @@ fn within_reason(hit: &Hit) -> bool {
 }
 
 /// The smallest distance between any two of the truth and the predictions for a hit, in radians:
-/// as [`Question::clearance`](crate::quiz::Question::clearance), but without the words of a
+/// like [`Question::clearance`](crate::quiz::Question::clearance), but without the text of a
 /// question, because thousands of hits are searched.
 fn clearance(hit: &Hit) -> f64 {
     let held = OF_RAYS
@@ -195,7 +194,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_kind_has_hits_enough() {
+    fn every_kind_has_enough_hits() {
         for &kind in HitKind::VARIANTS {
             let least = if kind == HitKind::HeadOn { 3 } else { 8 };
             let n = kind.candidates().len();
@@ -203,9 +202,9 @@ mod tests {
         }
     }
 
-    /// Machines may differ in the last bit of a sine. No hit may hang on it.
+    /// Machines may differ in the last bit of a sine. No hit may depend on it.
     #[test]
-    fn no_choice_hangs_on_the_last_bit() {
+    fn no_choice_depends_on_the_last_bit() {
         let near_tie = |angle: f64| {
             let tenths = angle.to_degrees() * 10.0;
             (tenths - tenths.floor() - 0.5).abs() < 1e-7

@@ -24,7 +24,7 @@ const HEAVIER: [&[(u32, u32)]; 3] = [
     &[(24, 18), (25, 20), (30, 26)],
 ];
 
-/// Masses in grams of a striker and a coin as heavy or heavier.
+/// Masses in grams of a striker and a coin that is equally heavy or heavier.
 const NOT_HEAVIER: [&[(u32, u32)]; 2] = [
     &[(12, 12), (15, 15), (18, 18), (20, 20)],
     &[(10, 20), (12, 15), (15, 30), (20, 25)],
@@ -42,7 +42,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses at the greatest deflection, or one at 30° where no α gives a greatest.
+/// A hit with these masses at the greatest deflection, or at 30° if the deflection has no greatest
+/// value.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,
@@ -79,7 +80,7 @@ fn setting(hit: &Hit) -> String {
     format!("{who}. {}", hit.loss())
 }
 
-/// Whether there is a limit, and which.
+/// Whether the deflection has a limit, and how large it is.
 fn limit(dice: &mut Dice) -> Option<Question> {
     let pairs = if dice.below(5) < 2 {
         HEAVIER.concat()
@@ -117,10 +118,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                  free to move.",
             )
             .chooses(HalfAndHalf, BELOW)
-            .says(
-                "Did you assume that 45° is the most? That is only the collision that shares \
-                   the energy equally.",
-            )
+            .says("Did you assume a limit of 45°? That is only where the energy is shared equally.")
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \
                  90° − α. The closer to head-on, the closer to 90°; exactly head-on it stops.",
@@ -138,7 +136,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                    rebound.",
             )
             .why(
-                "Head-on a lighter striker bounces straight back: 180°. By choosing the offset \
+                "Head-on, a lighter striker bounces straight back: 180°. By choosing the offset \
                  you can get any deflection from 180° down to 0° at a graze.",
             ),
     }
@@ -183,7 +181,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
 }
 
 /// A question about where to aim a heavier striker without loss: the hit, the largest θ₁, the α
-/// at which it occurs, and the outline with its setting.
+/// at which it occurs, and the outline with the setting.
 fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, 10, Difficulty::Hard, dice);
     let (theta1, alpha) = turned(&hit)?;
@@ -191,7 +189,7 @@ fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     Some((hit, theta1, alpha, draft))
 }
 
-const HEAD_ON: &str = "Head-on a heavier striker goes straight on: it is not deflected at all.";
+const HEAD_ON: &str = "Head-on, a heavier striker goes straight on: it is not deflected at all.";
 
 fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     let (_, theta1, alpha, draft) = aimed(dice)?;
@@ -216,8 +214,9 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "The tip of the final velocity vector lies on one circle, 2α around it. At the greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = \
-             (90° − {}°) / 2 = {}.",
+            "The tip of the final velocity vector lies on a circle, at an angle of 2α. At the \
+             greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = (90° − {}°) / 2 \
+             = {}.",
             Intermediate::angle(theta1, |theta1| degrees((FRAC_PI_2 - theta1) / 2.0)),
             degrees(alpha)
         ))
@@ -244,10 +243,7 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
             degrees(alpha)
         ))
         .wrong(SineCosine, reach_mm * alpha.cos())
-        .says(
-            "You used the cosine instead of the sine. Head-on the offset is 0, so it must be a \
-               sine.",
-        )
+        .says("You used the cosine instead of the sine. Head-on, the offset is 0, so use the sine.")
         .wrong(CopiedAngle, reach_mm * theta1.sin())
         .says(format!(
             "You used the deflection, {}, as the impact angle. The impact angle is the coin's \

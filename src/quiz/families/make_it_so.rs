@@ -51,12 +51,12 @@ struct ShotTask {
     hit: Hit,
     /// The side on which the target has to lie: 1 for the right, −1 for the left.
     side: f64,
-    /// The angle to the striker's original direction at which the disc has to leave.
+    /// The angle to the striker's original direction at which the disc has to leave, in degrees.
     wanted_deg: f64,
 }
 
 impl ShotTask {
-    /// Send the coin: it leaves along the line of impact.
+    /// The question that sends the coin, which leaves along the line of impact.
     fn target(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
@@ -84,7 +84,7 @@ impl ShotTask {
             .why(self.why(&why, wanted))
     }
 
-    /// Deflect the striker, which is not heavier than its target, without loss.
+    /// The question that deflects the striker, which is not heavier than its target, without loss.
     fn striker(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
@@ -116,7 +116,7 @@ impl ShotTask {
                 theta = bare_degrees(wanted),
             )
         };
-        // Both wrong answers need an angle below 90°: beyond it no offset gives them.
+        // Both wrong answers require an angle below 90°: beyond it no offset gives them.
         let across = self.wanted_deg < 90.0;
         let if_so = |so: bool, offset_mm: f64| so.then_some(self.at(offset_mm));
         self.asks(Ray::Striker, alpha)
@@ -145,12 +145,13 @@ impl ShotTask {
             .why(self.why(&why, alpha))
     }
 
-    /// An offset in metres, from one in millimetres that is meant for a coin to the right.
+    /// The offset in metres on the actual side, from an offset in millimetres for a coin to the
+    /// right.
     fn at(&self, offset_mm: f64) -> f64 {
         self.side * m_from_mm(offset_mm)
     }
 
-    /// Why: the sentence on the impact angle in radians, then the offset that follows.
+    /// The explanation: a sentence on the impact angle, then the offset for `alpha` in radians.
     fn why(&self, angle: &str, alpha: f64) -> String {
         let reach_mm = self.hit.reach_mm();
         format!(
@@ -161,7 +162,7 @@ impl ShotTask {
         )
     }
 
-    /// The impact angle, with the figures that its offset needs.
+    /// The impact angle, with as many digits as its offset requires.
     fn shown(&self, alpha: f64) -> Intermediate {
         let reach_mm = self.hit.reach_mm();
         Intermediate::angle(alpha, |alpha| significant(reach_mm * alpha.sin()))

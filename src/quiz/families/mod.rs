@@ -1,10 +1,10 @@
 //! The families of questions, one file per family.
 //!
 //! A family draws numbers with the dice and builds a whole [`Question`] from them: the text, the
-//! picture, the right answer, the answer each misconception leads to, and the explanation. It
-//! need not check whether the answers can be told apart: [`Family::ask`] draws again until they
-//! can. A new family is a file of its own and a line in the table here; its topics are listed in
-//! the table of topics.
+//! picture, the right answer, the answer each misconception leads to, and the explanation. It need
+//! not check whether the answers can be told apart: [`Family::ask`] draws again until they can. To
+//! add a family, add a file and a line in the table here; its topics are listed in the table of
+//! topics.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question};
 
@@ -27,13 +27,13 @@ mod weigh;
 pub(super) mod where_to;
 
 /// How many draws a question may take before the generator gives up: a guard against a family
-/// without any clear question. A test checks that none needs a twentieth of it.
+/// without any clear question. A test checks that no family needs even a twentieth of this.
 const DRAWS: usize = 20_000;
 
-/// One draw, whether or not its answers are distinct; `None` if the numbers are unsuitable.
+/// One draw, even if its answers are not distinct; `None` if the numbers are unsuitable.
 type Draw = fn(Difficulty, &mut Dice) -> Option<Question>;
 
-/// Each family's name as shown and its generator, in the order of [`Family`].
+/// The displayed name and the generator of each family, in the order of [`Family`].
 #[rustfmt::skip]
 static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("where will they go?", where_to::ask),
@@ -86,7 +86,7 @@ mod tests {
     use crate::quiz::question::Topic;
 
     #[test]
-    fn every_family_is_at_its_place_and_has_an_id() {
+    fn families_are_numbered_in_order_and_found_by_their_ids() {
         for (place, family) in Family::ALL.iter().enumerate() {
             assert_eq!(*family as usize, place);
             assert_eq!(Family::with_id(family.id()), Some(*family));
@@ -121,7 +121,7 @@ mod tests {
             asking("corner-with-loss"),
             [Family::Separation, Family::Restitution]
         );
-        // In figures, and in words.
+        // Calculated questions, and questions in words.
         assert_eq!(asking("both-moving"), [Family::BothMoving, Family::Concept]);
         assert_eq!(asking("momentum-is-a-vector"), []);
     }

@@ -8,7 +8,7 @@ use crate::quiz::question::{
     Question, Response, Topic, WrongAnswer,
 };
 
-/// A wrong answer as it is declared, whether or not it can be given.
+/// A wrong answer as it is declared, even if it cannot be given.
 struct OutlinedAnswer {
     /// The misconception behind it; `None` for a wrong choice without a known one.
     misconception: Option<Misconception>,
@@ -19,8 +19,8 @@ struct OutlinedAnswer {
 
 /// A question under construction: its setting, what it asks, the right answer and wrong ones.
 ///
-/// Wrong answers are declared whether or not they make sense for the numbers drawn;
-/// [`why`](Self::why) leaves out those that cannot be given or happen to be right.
+/// Wrong answers are declared even if they make no sense for the numbers drawn; [`why`](Self::why)
+/// leaves out those that cannot be given or happen to be right.
 pub(super) struct Outline {
     question: Question,
     wrong: Vec<OutlinedAnswer>,
@@ -57,14 +57,14 @@ impl Outline {
         Self::with_text(hit, hit.setting(), picture)
     }
 
-    /// A question about a hit with its own setting and picture.
+    /// A question about a hit, with this setting and picture.
     pub(super) fn with_text(hit: &Hit, text: impl Into<String>, picture: Illustration) -> Self {
         let mut draft = Self::new(text, picture);
         draft.question.figures = figures(hit);
         draft
     }
 
-    /// Adds the sentence that asks to the setting.
+    /// Adds the actual question to the setting.
     pub(super) fn ask(mut self, text: impl AsRef<str>) -> Self {
         self.question.text += " ";
         self.question.text += text.as_ref();
@@ -76,30 +76,30 @@ impl Outline {
         self
     }
 
-    /// Which of its family's questions it is, and the topic.
+    /// Sets the name of the question within its family, and the topic.
     pub(super) fn named(self, id: &str, topic: impl Into<Topic>) -> Self {
         self.figure("asked", id).topic(topic)
     }
 
-    /// A figure that fixes the question, to be kept with its answers.
+    /// Adds a figure that defines the question, to be stored with its answers.
     pub(super) fn figure(mut self, name: &str, value: impl Into<Value>) -> Self {
         self.question.figures.insert(name.into(), value.into());
         self
     }
 
-    /// The answer is this number.
+    /// Sets this number as the answer.
     pub(super) fn number(mut self, quantity: Measure, truth: f64) -> Self {
         self.question.form = Form::Number { quantity, truth };
         self
     }
 
-    /// The answer is a shot.
+    /// Sets a shot as the answer.
     pub(super) fn shot(mut self, aim: AimTask) -> Self {
         self.question.form = Form::Shot(aim);
         self
     }
 
-    /// The answer is one of these texts; `right` is its index.
+    /// Sets one of these texts as the answer; `right` is its index.
     pub(super) fn options<T: Into<String>>(
         mut self,
         options: impl IntoIterator<Item = T>,
@@ -110,8 +110,8 @@ impl Outline {
         self
     }
 
-    /// The answer a misconception leads to, as a number of the quantity asked for or an offset in
-    /// metres; `None` if it leads to none here.
+    /// Adds the answer that a misconception leads to: a value of the quantity asked for, or an
+    /// offset in metres; `None` if it leads to none here.
     pub(super) fn wrong(
         mut self,
         misconception: Misconception,
@@ -125,9 +125,9 @@ impl Outline {
         self
     }
 
-    /// The [`option`](Self::options) that a misconception leads to; the misconception is `None`
-    /// if no known one leads to a wrong option. If several lead to the same option, the first
-    /// counts.
+    /// Adds the [`option`](Self::options) that a misconception leads to; the misconception is
+    /// `None` if no known one leads to a wrong option. If several lead to the same option, the
+    /// first is used.
     pub(super) fn chooses(
         mut self,
         misconception: impl Into<Option<Misconception>>,
@@ -137,7 +137,7 @@ impl Outline {
         self
     }
 
-    /// The feedback for the wrong answer declared last.
+    /// Sets the feedback for the wrong answer declared last.
     pub(super) fn says(mut self, says: impl Into<String>) -> Self {
         if let Some(last) = self.wrong.last_mut() {
             last.says = says.into();

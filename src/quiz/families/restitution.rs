@@ -58,13 +58,13 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .says(here_e(NOT_HERE, e))
         .chooses(HeavyRebounds, place(2))
         .says(
-            "You made the striker heavier. But a loss already lets it go on along the line of \
-             impact, and a heavier striker goes on even more.",
+            "You made the striker heavier. But with a loss even an equal striker moves on along \
+             the line of impact.",
         )
         .chooses(LossForbidsSquare, place(3))
-        .says("You assumed that a loss rules out the right angle. It only requires other masses.")
+        .says("You assumed that a loss rules out the right angle. But other masses can give 90°.")
         .why(format!(
-            "{COMPONENT} With a loss equal masses do not do that, but m₁ = e m₂ = {} × {} g = {} g does.",
+            "{COMPONENT} With a loss this requires m₁ = e m₂ = {} × {} g = {} g.",
             significant(e),
             significant(f64::from(coin_g)),
             significant(e * f64::from(coin_g))
@@ -149,7 +149,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// The e for which the angle between two given masses' paths is 90°.
+/// The e for which the angle between the paths of two given masses is 90°.
 fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let e = hit.restitution;
@@ -236,7 +236,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
-        .says("You assumed e = 1: then the angles would differ.")
+        .says("You assumed e = 1, but then the angles would be different.")
         .why(format!(
             "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",

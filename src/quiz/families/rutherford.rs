@@ -1,4 +1,4 @@
-//! Rutherford's law: counts at two angles are in the ratio of 1 / sin⁴(Θ/2).
+//! Rutherford's law: counts at different angles are proportional to 1 / sin⁴(Θ/2).
 
 use super::prelude::*;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
@@ -14,7 +14,7 @@ const FOILS: [(&str, f64); 4] = [
 /// Two angles in degrees, and the count at the first divided by the count at the second.
 const WHOLE: [(u32, u32, u32); 4] = [(60, 180, 16), (60, 120, 9), (60, 90, 4), (90, 180, 4)];
 
-/// A foil and the α-particles thrown at it.
+/// A foil and the α-particles that hit it.
 struct FoilBeam {
     foil: &'static str,
     charge: f64,
@@ -82,11 +82,11 @@ fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
     )
 }
 
-/// A whole ratio, to be chosen.
+/// A ratio that is a whole number, as a choice.
 fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
     let (near_deg, far_deg) = (f64::from(near), f64::from(far));
-    // The question goes from the small angle to the large one, or back.
+    // The question compares the small angle with the large one, or the reverse.
     let more_here = dice.coin();
     let many = |n: u32| format!("{n} times as many");
     let few = |n: u32| format!("1/{n} as many");
@@ -120,15 +120,15 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .why(why(near_deg, far_deg, significant))
 }
 
-/// The right ratio and the wrong ones.
+/// Adds the right ratio and the wrong ones.
 fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> Outline {
-    // At 180° the sine of the whole angle is 0 except for rounding.
+    // At 180° the sine of the whole angle is 0, except for rounding.
     let whole = (to_deg < 175.0).then(|| times_as_many(2.0 * from_deg, 2.0 * to_deg));
     let truth = by_energy * times_as_many(from_deg, to_deg);
     draft
         .number(Measure::Times, truth)
         .wrong(HalfAngleForgotten, whole.map(|whole| by_energy * whole))
-        .says("You used the sines of the whole angles. The law contains half of each angle.")
+        .says("You used the sines of the whole angles. Halve each angle first.")
         .wrong(
             TooGentle,
             by_energy * times_as_many(from_deg, to_deg).sqrt(),
@@ -193,8 +193,7 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
 fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let from_deg = f64::from(15 * (2 + dice.below(5)));
     let fewer = f64::from(*dice.pick(&[2_u32, 3, 4, 5, 8, 10, 16, 20, 50])?);
-    // The angle at which sin⁴ of half the angle, or what a misconception uses instead, is that
-    // many times as large; NaN beyond 180°.
+    // The angle at which the sine of half the angle has this value; NaN if the sine exceeds 1.
     let half_sine = half_sine(from_deg);
     let at = |sine: f64| 2.0 * deg_from_rad(sine.asin());
     let root = fewer.sqrt().sqrt();
@@ -225,11 +224,11 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
             HalfAngleForgotten,
             at(rad_from_deg(from_deg).sin() * root) / 2.0,
         )
-        .says("You used the sine of the whole angle. The law contains half of the angle.")
+        .says("You used the sine of the whole angle. The law contains the sine of half the angle.")
         .wrong(TooGentle, at(half_sine * fewer.sqrt()))
         .says("You used the square of the sine. The law contains the fourth power.")
         .wrong(CountsReversed, at(half_sine / root))
-        .says("You chose a smaller angle. There more particles are counted, not fewer.")
+        .says("You chose a smaller angle. More particles are counted there, not fewer.")
         .why(format!(
             "Counts are proportional to 1 / sin⁴ of half the angle. So the sine of half the angle \
              is {times} × sin {}° = {sine}, where {times}⁴ = {fewer}. Half the angle is {half}°, and \

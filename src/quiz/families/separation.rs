@@ -19,14 +19,14 @@ const LOSSLESS_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(10, 20, 10), (12, 18, 10), (20, 40, 10)],
 ];
 
-/// The same, far from m₁ = e m₂.
+/// Equal masses, a heavier striker, and a lighter one, far from m₁ = e m₂.
 const LOSSY_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(15, 15, 5), (15, 15, 8), (20, 20, 6)],
     &[(20, 10, 8)],
     &[(10, 20, 9), (10, 30, 6), (15, 30, 8), (20, 40, 9)],
 ];
 
-/// A lighter striker: m₁ = e m₂, and e above and below that.
+/// A lighter striker, with m₁ = e m₂, with a larger e and with a smaller one.
 const NEAR_SQUARE: [&[MassesAndLoss]; 5] = [
     &[(10, 20, 5), (10, 20, 8), (10, 20, 3)],
     &[(12, 20, 6), (12, 20, 9), (12, 20, 3)],
@@ -45,7 +45,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// More, exactly or less than 90°.
+/// Whether the angle is more than, exactly or less than 90°.
 fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let (m1_g, m2_g, e_tenths) = *dice.pick(&pairs.concat())?;
     let e = f64::from(e_tenths) / 10.0;
@@ -117,7 +117,7 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
 const CLOSES: &str = "You assumed that the loss makes the angle larger. But the two separate more \
                       slowly, so the striker follows the coin.";
 
-/// Feedback if the heavier striker rebounds in the answer, or the lighter one follows.
+/// Feedback if a heavier striker rebounds in the answer, or a lighter one follows.
 pub(super) const FOLLOWS_OR_BOUNCES: &str = "You exchanged the two cases: a heavier striker \
                                              follows the coin, a lighter one rebounds.";
 
@@ -129,8 +129,8 @@ const fn lossless_corner(right: usize) -> &'static str {
         }
         EXACTLY => {
             "With equal masses the striker loses all of its velocity along the line of impact. \
-             What it keeps is perpendicular to that line, and so to the coin's path, at any offset \
-             and speed."
+             The rest is perpendicular to that line, and so to the coin's path, at any offset and \
+             speed."
         }
         _ => {
             "A heavier striker is not stopped along the line of impact: it follows the coin. So \
@@ -155,7 +155,7 @@ fn lossy_corner(right: usize, hit: &Hit) -> String {
     )
 }
 
-/// How many degrees, with unequal masses.
+/// The angle in degrees, with unequal masses.
 fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = HitDraws(UNEQUAL, 15..=75, restitutions).draw(difficulty, dice)?;
     let alpha = hit.alpha().abs();

@@ -5,7 +5,7 @@ use crate::physics::Bond;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Rims {
-    /// Smooth, and nothing is lost.
+    /// Smooth, and no energy is lost.
     Lossless,
     /// Smooth, without rebound: e = 0.
     Slip,
@@ -76,7 +76,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A choice between ways to move on, with equal masses.
+/// A choice of how the two discs move on, with equal masses.
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     /// The first three in the order of [`Rims`].
     const WAYS: [&str; 4] = [
@@ -101,7 +101,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             "You assumed that some energy is lost. With e = 1 none is lost.",
             "You assumed that they stay together. But smooth rims cannot hold each other.",
             format!(
-                "Along the line of impact the coin takes all of the striker's velocity. \
+                "Along the line of impact the coin gets all of the striker's velocity. \
                  Perpendicular to that line the striker keeps its {across} m/s: the angle between \
                  the paths is 90°."
             ),
@@ -182,7 +182,7 @@ fn parting(hit: &Hit) -> Option<Question> {
         .wrong(AlwaysSquare, 90.0)
         .says("You answered 90°. That is right for equal masses if no energy is lost.")
         .why(format!(
-            "{} Perpendicular to it the striker keeps {across} m/s, the {name} has none: the \
+            "{} Perpendicular to it the striker keeps {across} m/s and the {name} has none: the \
              tangent of the angle is {across} / {shown}, and the angle is {}.",
             shared(&shown),
             between(shown.value, across.value),
@@ -240,13 +240,13 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
         .number(Measure::Speed, outcome.v1.length())
         .wrong(GripIgnored, share * parts(hit).0)
         .says(
-            "You shared only the component along the line of impact. Rims that are held together \
+            "You shared only the component along the line of impact. Discs that are held together \
              share the perpendicular component, too.",
         )
         .wrong(Lossless, u * share.sqrt())
         .says(
-            "You assumed that kinetic energy is conserved. Some of it is lost here; what is \
-               conserved is momentum.",
+            "You assumed that kinetic energy is conserved. Some of it is lost here; only \
+               momentum is conserved.",
         )
         .wrong(HalfwayCentre, (!hit.masses_are_equal()).then_some(u / 2.0))
         .says("You halved the speed. That is right for equal masses.")
@@ -260,7 +260,7 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The share of the energy that discs that slip lose.
+/// The share of the energy that is lost if the discs slip.
 fn loss(hit: &Hit) -> Option<Question> {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     let (share, at_stake) = (share(hit), cos.powi(2));
@@ -280,8 +280,8 @@ fn loss(hit: &Hit) -> Option<Question> {
         )
         .wrong(GripStopsAll, 100.0 * (1.0 - share))
         .says(
-            "You assumed that they move on together. But smooth rims stop nothing perpendicular \
-               to the line of impact.",
+            "You assumed that they move on together. But smooth rims do not stop the \
+               perpendicular motion.",
         )
         .wrong(MomentumLost, 100.0 * at_stake)
         .says(
@@ -295,8 +295,8 @@ fn loss(hit: &Hit) -> Option<Question> {
                greatest head-on.",
         )
         .why(format!(
-            "Only energy of the motion along the line of impact can be lost: cos² {}° = {shown} of \
-             the whole. The share m₂ / (m₁ + m₂) = {lost} of that is lost: {shown} × {lost} = {}.",
+            "Only the energy of motion along the line of impact can be lost: cos² {}° = {shown} of \
+             the total. The share m₂ / (m₁ + m₂) = {lost} of that is lost: {shown} × {lost} = {}.",
             bare_degrees(hit.alpha().abs()),
             percent(shown.value, lost.value)
         ))

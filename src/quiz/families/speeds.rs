@@ -1,4 +1,4 @@
-//! How fast one of the two leaves, from the speed before and the impact angle.
+//! The final speed of one of the two discs, from the original speed and the impact angle.
 
 use super::prelude::*;
 
@@ -29,7 +29,7 @@ fn target(hit: &Hit) -> Option<Question> {
     let shown = Intermediate::new(along, |along| significant(along * times));
     let times = Intermediate::new(times, |times| significant(shown.value * times));
     let share = if equal && e >= 1.0 {
-        format!("With equal masses and no energy lost the {name} takes all of it.")
+        format!("With equal masses and no energy lost the {name} gets all of it.")
     } else {
         format!(
             "The {name}'s speed is (1 + e) m₁ / (m₁ + m₂) times that: {times} × {shown} m/s = {} m/s.",
@@ -84,7 +84,7 @@ fn striker(hit: &Hit) -> Option<Question> {
         .ask("What is the striker's speed after the collision?")
         .number(Measure::Speed, outcome.v1.length())
         .wrong(SineCosine, outcome.v2.length())
-        .says("You used the cosine instead of the sine. Head-on the striker keeps nothing.")
+        .says("You used the cosine instead of the sine. Head-on, the striker stops.")
         .wrong(SpeedsAdd, u - outcome.v2.length())
         .says(
             "You subtracted the coin's speed from the original speed. Speeds do not add up like \
@@ -92,8 +92,8 @@ fn striker(hit: &Hit) -> Option<Question> {
         )
         .wrong(OneLineFormula, 0.0)
         .says(
-            "You stopped the striker as in a head-on collision. But its component perpendicular \
-             to the line of impact does not change.",
+            "You assumed that the striker stops, as in a head-on collision. But its component \
+             perpendicular to the line of impact does not change.",
         )
         .why(format!(
             "With equal masses and no energy lost the striker loses all of its velocity along the \

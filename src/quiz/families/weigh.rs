@@ -1,4 +1,4 @@
-//! Weighing by what is seen after the collision: which disc is heavier, and by how much.
+//! Weighing by what can be seen after the collision: which disc is heavier, and by how much.
 
 use super::prelude::*;
 use super::separation::FOLLOWS_OR_BOUNCES;
@@ -31,7 +31,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A collision of which only the angles are known.
+/// A collision for which only the angles are known.
 struct SeenHit {
     hit: Hit,
     coin_g: f64,
@@ -58,7 +58,7 @@ impl SeenHit {
         })
     }
 
-    /// A question about what was seen of this striker.
+    /// A question about the angles seen, with this name for the striker.
     fn outline(&self, striker: &str) -> Outline {
         let text = format!(
             "{striker} hit a coin at rest. {}",
@@ -69,7 +69,7 @@ impl SeenHit {
     }
 }
 
-/// A sentence with the two angles seen.
+/// The sentence with the two angles seen.
 pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     format!(
         "The striker was deflected by θ₁ = {}; the coin left at θ₂ = {} on the other side.",
@@ -135,8 +135,8 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     seen.outline(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
-            "The striker's speed was {before} m/s before and {then} m/s after, the coin's {coin} \
-             m/s after. What is the coin's mass?"
+            "The striker's speed was {before} m/s before and {then} m/s after; the coin's was \
+             {coin} m/s after. What is the coin's mass?"
         ))
         .number(Measure::Mass, seen.coin_g)
         .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)

@@ -17,13 +17,12 @@ use crate::quiz::question::{
 /// How many hits a round of this family has.
 pub(crate) const LENGTH: usize = 10;
 
-/// The ten hits of a seed, mixed in kind and rising in difficulty.
+/// The ten hits of a seed, of mixed kinds and rising difficulty.
 ///
-/// The seed is a code that players give each other, so the same seed must bring the
-/// same hits on every machine and in every version. They follow from it alone: the
-/// dice are PCG32 as described in the `dice` file, the kinds, their order and their
-/// possible figures stand in the `hit_kinds` file, and all three are part of the
-/// format.
+/// The seed is a code that players share, so the same seed must give the same hits on every machine
+/// and in every version. The hits follow from the seed alone: the `dice` file defines the
+/// generator, PCG32, and the `hit_kinds` file defines the kinds, their order and their possible
+/// figures. All of these are part of the format.
 pub fn hits(seed: u64) -> Vec<(Difficulty, Hit)> {
     let mut dice = Dice::new(seed);
     let mut hits: Vec<(Difficulty, Hit)> = Vec::with_capacity(LENGTH);
@@ -86,15 +85,14 @@ pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     Some(Question {
         topic: "from-the-picture".into(),
         text: format!(
-            "Two equal discs, one at rest, no energy lost, and no numbers. {eye} where will they \
-             go?"
+            "One of two equal discs is at rest, and no energy is lost. {eye} where will they go?"
         ),
         picture: Illustration::before(hit.collision(), shown),
         ..Question::from(&hit)
     })
 }
 
-/// A question about a hit of one of these kinds, which stand by difficulty.
+/// A question about a hit of one of these kinds, which are listed by difficulty.
 fn of_kinds(kinds: [&[HitKind]; 3], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let kind = dice.pick(kinds[difficulty as usize])?;
     let hit = kind.draw(difficulty, &[], dice)?;
@@ -117,7 +115,7 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
         .collect()
 }
 
-/// All that fixes a hit.
+/// All figures that define a hit.
 pub(super) fn figures(hit: &Hit) -> Figures {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
     let [m1_g, m2_g] = hit.masses_g();
@@ -139,7 +137,7 @@ pub(super) fn figures(hit: &Hit) -> Figures {
     figures.into_iter().collect()
 }
 
-/// The question where the two discs will go.
+/// The question of where the two discs will go.
 impl From<&Hit> for Question {
     fn from(hit: &Hit) -> Self {
         Self {

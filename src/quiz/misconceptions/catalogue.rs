@@ -1,4 +1,4 @@
-//! The misconceptions in words, which stand in `assets/misconceptions.toml`.
+//! The descriptions of the misconceptions, which are in `assets/misconceptions.toml`.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use crate::quiz::question::{Figures, Misconception, Passage, Topic, case};
 
-/// What is said of a misconception.
+/// The description of a misconception.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Description {
@@ -29,14 +29,14 @@ struct Elsewhere {
     page: String,
 }
 
-/// Where a misconception is from.
+/// The source of a misconception.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
     /// A study describes it: "Hestenes et al. 1992: greater mass implies greater force".
     Study(&'static str),
-    /// A slip of algebra or of reading: nobody believes it.
+    /// A slip in algebra or reading, which nobody believes.
     Slip,
-    /// The answer of a plausible wrong step, of which we know no study.
+    /// The answer of a plausible wrong step; we know of no study that describes it.
     Ours,
 }
 
@@ -46,12 +46,12 @@ impl Misconception {
         &self.description().name
     }
 
-    /// What to try next against it.
+    /// What to try next to correct it.
     pub fn advice(self) -> &'static str {
         &self.description().advice
     }
 
-    /// Where it is from.
+    /// Its source.
     pub fn origin(self) -> Origin {
         match self.description().source.as_str() {
             "slip" => Origin::Slip,
@@ -60,7 +60,7 @@ impl Misconception {
         }
     }
 
-    /// The page of a chapter that settles it.
+    /// The page of a chapter that corrects it.
     pub(crate) fn settled_by(self) -> Passage {
         let Description { chapter, page, .. } = self.description();
         Passage { chapter, page }

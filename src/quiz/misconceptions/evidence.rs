@@ -1,9 +1,9 @@
-//! How strongly answers speak for a misconception; docs/judging.md derives it.
+//! How strongly answers indicate a misconception; docs/judging.md derives it.
 //!
-//! Of every answer to a question that could show a misconception one asks how much more
-//! likely it is from somebody who holds it than from somebody who guesses. The logarithms
-//! of these ratios add up, whatever was asked: that sum is the one figure by which a
-//! misconception is named, ranked, said to fade, and looked for.
+//! For every answer to a question that could show a misconception, the likelihood ratio compares
+//! somebody who holds it with somebody who guesses. The logarithms of these ratios add up, whatever
+//! the questions were. This sum alone determines whether a misconception is named, how it is
+//! ranked, whether it is reported as fading, and which questions test for it.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -11,38 +11,38 @@ use std::fmt;
 
 use crate::quiz::question::{Answer, Fit, Misconception, Question, WrongAnswer};
 
-/// The chance that somebody who holds a misconception answers a question that could show
-/// it in another way: by a slip, by doubt, or because this once another thought came first.
+/// The chance that somebody who holds a misconception answers a question that could show it in
+/// another way: by a slip, in doubt, or because of another idea.
 pub(crate) const SLIP: f64 = 0.15;
 
-/// How many times as likely answers have to be from somebody who holds a misconception as
-/// from somebody who guesses before it is named.
+/// How many times as likely the answers must be from somebody who holds a misconception as from
+/// somebody who guesses before it is named.
 pub(crate) const NAMED_ODDS: f64 = 40.0;
 
-/// How many different questions at least have to show a misconception that is named.
+/// The least number of different questions that must show a misconception before it is named.
 pub(crate) const NAMED_QUESTIONS: usize = 2;
 
-/// What one answer says for and against misconceptions.
+/// The evidence of one answer for and against misconceptions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clue {
-    /// What tells the question from others.
+    /// The text that identifies the question.
     pub question: String,
     /// The misconceptions that an answer could have shown.
     pub could_show: Vec<Misconception>,
-    /// The one it shows, if any.
+    /// The misconception that it shows, if any.
     pub shows: Option<Misconception>,
-    /// The chance that a guess fits one of them as this answer does, or as one that shows it
+    /// The chance that a guess fits one of them as this answer does, or as an answer that shows it
     /// would: above 0 and below 1.
     pub(crate) by_chance: f64,
 }
 
 impl Clue {
-    /// What an answer to a question says.
+    /// The evidence of an answer to a question.
     pub fn new(question: &Question, answer: &Answer) -> Self {
         Self::of(question, answer, |belief| Some(belief.misconception))
     }
 
-    /// The same, with misconceptions as codes count them: see [`WrongAnswer::in_codes`].
+    /// The evidence with misconceptions as codes count them: see [`WrongAnswer::in_codes`].
     pub(in crate::quiz) fn in_codes(question: &Question, answer: &Answer) -> Self {
         Self::of(question, answer, WrongAnswer::in_codes)
     }
@@ -61,9 +61,9 @@ impl Clue {
         }
     }
 
-    /// The log-likelihood ratio of this answer for a misconception: ln((1 − s) / g) if it
-    /// shows it, ln(s / (1 − g)) if it could have, with the chances s of a slip and g that
-    /// a guess fits; 0 where it could not.
+    /// The log-likelihood ratio of this answer for a misconception: ln((1 − s) / g) if it shows it,
+    /// ln(s / (1 − g)) if it could have shown it but does not, and 0 if it could not. Here s is the
+    /// chance of a slip, and g the chance that a guess fits.
     pub fn weight(&self, misconception: Misconception) -> f64 {
         if self.shows == Some(misconception) {
             weight_shown(self.by_chance)
@@ -75,34 +75,34 @@ impl Clue {
     }
 }
 
-/// What an answer weighs that shows a misconception.
+/// The weight of an answer that shows a misconception.
 fn weight_shown(by_chance: f64) -> f64 {
     ((1.0 - SLIP) / by_chance).ln()
 }
 
-/// What an answer weighs that could have shown a misconception and does not.
+/// The weight of an answer that could have shown a misconception but does not.
 fn weight_not_shown(by_chance: f64) -> f64 {
     (SLIP / (1.0 - by_chance)).ln()
 }
 
-/// What some answers say of one misconception.
+/// The evidence of some answers for or against one misconception.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Evidence {
-    /// Which.
+    /// The misconception.
     pub misconception: Misconception,
     /// The log-likelihood ratio: above 0 the answers are more likely from somebody who holds
     /// it, below 0 from somebody who guesses.
     pub weight: f64,
     /// How many answers show it.
     pub times: usize,
-    /// How many could have.
+    /// How many answers could have shown it.
     pub asked: usize,
     /// How many different questions show it.
     pub questions: usize,
 }
 
 impl Evidence {
-    /// What these answers say of a misconception.
+    /// The evidence of these answers for a misconception.
     pub(crate) fn of<'a>(
         misconception: Misconception,
         clues: impl IntoIterator<Item = &'a Clue>,
@@ -135,20 +135,20 @@ impl Evidence {
         self.weight >= NAMED_ODDS.ln() && self.questions >= NAMED_QUESTIONS
     }
 
-    /// Whether it is enough to say that the misconception is not held: as strong as what
-    /// names it, the other way round.
+    /// Whether it is enough to conclude that the misconception is not held: as strong as the
+    /// evidence that names it, but against it.
     pub(crate) fn denies(&self) -> bool {
         self.weight <= -NAMED_ODDS.ln()
     }
 
-    /// The stronger first, to a millionth.
+    /// Orders the stronger evidence first, compared to a millionth.
     pub(crate) fn stronger_first(&self, other: &Self) -> Ordering {
         let rank = |it: &Self| (1e6 * it.weight).round() as i64;
         rank(other).cmp(&rank(self))
     }
 }
 
-/// "2 of 5": how often it showed of how often it could have; "-" where it never could.
+/// "2 of 5": how many answers showed it, of those that could have; "-" if none could.
 impl fmt::Display for Evidence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -158,8 +158,8 @@ impl fmt::Display for Evidence {
     }
 }
 
-/// What these answers say of each misconception that they could have shown, the strongest
-/// first; of equals the first of [`Misconception::ALL`].
+/// The evidence of these answers for each misconception that they could have shown, the strongest
+/// first; equals are in the order of [`Misconception::ALL`].
 pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     let each = Misconception::ALL.iter();
     let mut all: Vec<Evidence> = each.map(|it| Evidence::of(*it, clues)).collect();
@@ -168,7 +168,7 @@ pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     all
 }
 
-/// The misconceptions that these answers name, the surest first.
+/// The misconceptions that these answers name, the strongest evidence first.
 pub fn named(clues: &[Clue]) -> Vec<Evidence> {
     let mut all = evidence(clues);
     all.retain(Evidence::names);
@@ -190,10 +190,10 @@ mod tests {
         }
     }
 
-    /// Two rays that fit: ln(0.85 / 0.01) = ln 85. One of three choices that does not:
-    /// ln(0.15 / (2/3)) = ln 0.225.
+    /// Two rays that fit weigh ln(0.85 / 0.01) = ln 85. One of three choices that does not fit
+    /// weighs ln(0.15 / (2/3)) = ln 0.225.
     #[test]
-    fn weights_by_hand() {
+    fn weights_agree_with_a_calculation_by_hand() {
         let clues = [
             clue(1, Some(CopiedAngle), 0.01),
             clue(2, None, 1.0 / 3.0),
@@ -214,9 +214,10 @@ mod tests {
         assert_eq!(named(&clues), [copied]);
     }
 
-    /// By this the chance that a guess is ever named is at most one over the odds (Ville).
+    /// This is why the chance that a misconception is ever named for somebody who guesses is at
+    /// most one over the odds (Ville's inequality).
     #[test]
-    fn from_a_guess_a_ratio_of_one_is_expected() {
+    fn the_expected_ratio_of_a_guess_is_one() {
         for by_chance in [0.01, 0.08, 0.2, 1.0 / 3.0, 0.5] {
             let ratio = by_chance * weight_shown(by_chance).exp()
                 + (1.0 - by_chance) * weight_not_shown(by_chance).exp();
@@ -225,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn one_question_names_nothing_however_often_it_is_answered() {
+    fn one_question_names_no_misconception_however_often_it_is_answered() {
         let clues = vec![clue(1, Some(CopiedAngle), 0.01); 4];
         assert!(Evidence::of(CopiedAngle, &clues).weight > 10.0);
         assert_eq!(named(&clues), []);

@@ -1,5 +1,5 @@
-//! The one explanation after an answer: first what was wrong with it, then why the true
-//! answer is true.
+//! The explanation after an answer: first what was wrong with it, then why the right answer is
+//! right.
 
 use crate::numbers::{degrees, tenths};
 use crate::quiz::question::{
@@ -9,14 +9,14 @@ use crate::quiz::question::{
 /// An explanation, to be shown as a title over a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explanation {
-    /// The name of the misconception, or how the answer was: "right", "one is off".
+    /// The name of the misconception, or a verdict on the answer: "right", "one is off".
     pub title: &'static str,
     /// The text, two to six short sentences.
     pub text: String,
-    /// The misconception it begins with.
+    /// The misconception that it addresses first.
     pub diagnosis: Option<Diagnosis>,
-    /// The page where a wrong answer leads: that which settles the misconception, or else
-    /// teaches the topic.
+    /// The page to read after a wrong answer: the one that corrects the misconception, or else the
+    /// one that teaches the topic.
     pub(crate) passage: Option<Passage>,
 }
 
@@ -48,7 +48,7 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
     }
 }
 
-/// What to say of an answer that is off in its own way.
+/// The title and the opening for a wrong answer that fits no misconception.
 fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
     let form = &question.form;
     match (form, &answer.said) {
@@ -88,7 +88,7 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
     }
 }
 
-/// How two rays are off that fit no misconception.
+/// The errors of two rays that fit no misconception.
 fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
     let [striker_off, target_off] = Ray::BOTH.map(|ray| off(said, truth, ray));
     let grade = RaysGrade::new(said, truth);
@@ -114,10 +114,10 @@ fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
     }
 }
 
-/// What is said of a ray on the other side of the striker's original direction.
+/// The remark about a ray on the wrong side of the striker's original direction.
 const WRONG_SIDE: &str = " on the wrong side";
 
-/// How a ray is off: "is 12.0° too wide", "does move".
+/// The error of a ray: "is 12.0° too wide", "does move".
 fn off(said: &Rays, truth: &Rays, ray: Ray) -> String {
     match (said.get(ray), truth.get(ray), said.apart(truth, ray)) {
         (Some(said), Some(true_angle), Some(error)) => {
@@ -161,9 +161,9 @@ mod tests {
     }
 
     #[test]
-    fn the_figures_of_the_worked_examples() {
+    fn explanations_contain_the_figures_of_the_worked_examples() {
         // 15 g on 15 g, 30°: striker at 60°. 20 g on 40 g, 3 m/s, 45°: v1 is the sum of
-        // 3/√2 m/s across and 1/√2 m/s back along the line, at atan 2; 108.4° apart.
+        // 3/√2 m/s along t and 1/√2 m/s backwards along n, at atan 2; the paths are 108.4° apart.
         let equal = explained(Pieces::Equal, 30.0, Some(60.0), 30.0);
         assert_eq!(
             equal,
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_off_in_its_own_way() {
+    fn an_answer_that_fits_no_misconception_gets_its_errors_described() {
         for (pieces, alpha_deg, striker, target, start) in [
             (
                 Pieces::Equal,

@@ -1,10 +1,10 @@
-//! What students may believe about collisions: where both discs will go, and all
-//! else in the catalogue.
+//! What students may believe about collisions: where both discs will go, and the other
+//! misconceptions of the catalogue.
 //!
 //! A misconception that predicts rays does so for any `Hit`; a family of questions
-//! that asks for something else says itself what a misconception would answer. A
-//! question is only asked if it tells them apart: then no two of them, and none and
-//! the truth, lie so close that an answer could fit both.
+//! that asks for something else defines the answers of misconceptions itself. A
+//! question is asked only if it can tell them apart: no two of their answers, and none
+//! of them and the right answer, are so close that one answer could fit both.
 
 mod catalogue;
 mod evidence;
@@ -38,9 +38,9 @@ mod tests {
         }
     }
 
-    /// What each belief gives in plain figures, worked out by hand.
+    /// The predictions of each misconception, calculated by hand.
     #[test]
-    fn predictions_in_degrees() {
+    fn predictions_agree_with_a_calculation_by_hand() {
         let still = f64::NAN;
         let angle = |alpha_deg| ImpactPoint::Angle { alpha_deg };
         let equal = hit(Pieces::Equal, angle(30.0), 1.0);
@@ -79,9 +79,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_true_is_no_misconception() {
+    fn a_right_prediction_is_not_a_misconception() {
         let equal = hit(Pieces::Equal, ImpactPoint::Angle { alpha_deg: 30.0 }, 1.0);
-        // m1 = e m2 opens a right angle again.
+        // With m1 = e m2 the angle is 90° in spite of the loss.
         let half = hit(Pieces::Marbles, ImpactPoint::Angle { alpha_deg: 30.0 }, 0.5);
         for hit in [equal, half] {
             assert_eq!(Misconception::AlwaysSquare.predict(&hit), None);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn no_two_share_an_id_or_a_name() {
+    fn no_two_misconceptions_share_an_id_or_a_name() {
         for (i, a) in Misconception::ALL.iter().enumerate() {
             for b in &Misconception::ALL[i + 1..] {
                 assert!(a.id() != b.id() && a.name() != b.name());

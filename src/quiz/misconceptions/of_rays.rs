@@ -6,33 +6,32 @@ use crate::numbers::{degrees, significant};
 use crate::physics::ImpactPoint;
 use crate::quiz::question::{Hit, Misconception, Ray, Rays};
 
-/// The misconceptions that say where both discs of a hit will go. Where an answer fits
-/// two alike, the earlier one is named.
+/// The misconceptions that predict where both discs of a hit will go. If an answer fits two of them
+/// equally well, the earlier one is named.
 pub const OF_RAYS: [Misconception; 13] = *Misconception::ALL
     .first_chunk()
     .expect("there are more of them");
 
-/// A prediction that differs from the truth by less is the truth, in radians.
+/// A prediction that differs from the truth by less than this, in radians, counts as right.
 const SAME: f64 = 1e-9;
 
-/// Where a misconception sends the two, and the ray that gives it away whatever the other
-/// one does; `None` if only both together do.
+/// The rays that a misconception predicts, and the ray that reveals it by itself; `None` if only
+/// both rays together do.
 type Prediction = (Rays, Option<Ray>);
 
 impl Misconception {
-    /// Where it sends the two of a hit; `None` where it has nothing to say or happens
-    /// to be right.
+    /// Its prediction for a hit; `None` if it makes no prediction or happens to be right.
     pub(in crate::quiz) fn predict(self, hit: &Hit) -> Option<Prediction> {
         let truth = hit.truth();
         self.sends(hit, truth)
             .filter(|(rays, _)| rays.gap(&truth) > SAME)
     }
 
-    /// The same, though it be right.
+    /// Its prediction, even if that is right.
     fn sends(self, hit: &Hit, truth: Rays) -> Option<Prediction> {
         let (alpha, ratio, side) = (hit.alpha().abs(), hit.mass_ratio(), hit.side());
         let rays = |striker, target| Rays { striker, target };
-        // The striker away from the target, the target towards its own side.
+        // The striker leaves on the side away from the target, the target on its own side.
         let usual = |theta1: f64, theta2: f64| Rays::new(side * theta1, side * theta2);
         let [striker, target] = Ray::BOTH.map(Some);
         let mirrored = |angle: Option<f64>| angle.map(|angle| -angle);
@@ -42,7 +41,7 @@ impl Misconception {
             Self::HalfAndHalf => (usual(FRAC_PI_4, FRAC_PI_4), None),
             Self::Swapped => (rays(truth.target, truth.striker), None),
             Self::HeavyUnmoved if ratio > 1.0 => (usual(0.0, alpha), striker),
-            // A thing that never moves throws the striker back like a wall.
+            // A target that never moves reflects the striker like a wall.
             Self::HeavyUnmoved if ratio < 1.0 => {
                 (rays(usual(PI - 2.0 * alpha, 0.0).striker, None), target)
             }
@@ -65,7 +64,7 @@ impl Misconception {
         })
     }
 
-    /// What is wrong with its rays, in one or two sentences, on the figures of the hit.
+    /// The feedback on its rays, in one or two sentences, with the figures of the hit.
     pub(in crate::quiz) fn say(self, hit: &Hit) -> String {
         let (name, side) = (hit.pieces.target_name(), hit.side_name());
         let alpha = hit.alpha().abs();
@@ -93,8 +92,8 @@ impl Misconception {
                     degrees(theta1.abs())
                 ),
                 _ => format!(
-                    "You had it the wrong way round: what you drew for the {name} is what the \
-                     striker does."
+                    "Your rays are swapped: the ray that you drew for the {name} is the \
+                     striker's."
                 ),
             },
             Self::HeavyUnmoved if hit.mass_ratio() > 1.0 => {
@@ -122,7 +121,7 @@ impl Misconception {
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "You used the offset as a share of 90°, {}. But that share is a sine.",
+                "You made α proportional to b, α = {}. But sin α is proportional to b.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(

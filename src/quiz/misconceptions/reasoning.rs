@@ -1,4 +1,4 @@
-//! Why the two discs of a hit go where they go, on its own figures.
+//! Explanations of where the two discs of a hit go, with its figures.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -8,7 +8,7 @@ use crate::numbers::{Intermediate, bare_millimetres, degrees, fixed, significant
 use crate::physics::ImpactPoint;
 use crate::quiz::question::Hit;
 
-/// Why the two go where they go, on the hit's own figures.
+/// Explains where the two discs go, with the figures of the hit.
 pub(crate) fn reasoning(hit: &Hit) -> String {
     let outcome = hit.outcome();
     if hit.head_on() {
@@ -29,7 +29,7 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
     format!("{target} {}", striker(hit, &outcome))
 }
 
-/// The striker's part, by its velocity along the line of impact and across it.
+/// The sentence on the striker, from its velocity components along n and t.
 fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let (Some(normal), Some(tangent), Some(theta1), Some(separation)) = (
         outcome.normal,
@@ -41,7 +41,7 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     };
     let (alpha, theta1) = (hit.alpha().abs(), theta1.abs());
     let (along, across) = (outcome.v1.dot(normal), outcome.v1.dot(tangent).abs());
-    // Rounding noise against the speed of the striker.
+    // Rounding errors are relative to the speed of the striker.
     if along.abs() <= 1e-9 * hit.speed {
         return format!(
             "Along n the striker stops; it keeps its component along t, at 90° − {}° = {}.",
@@ -82,10 +82,10 @@ fn head_on(hit: &Hit, outcome: &CollisionOutcome) -> String {
             format!("The lighter striker rebounds straight back at {v1} m/s")
         }
         Some(_) if heavier => {
-            format!("The heavier striker is slowed but goes on at {v1} m/s")
+            format!("The heavier striker is slowed but moves on at {v1} m/s")
         }
         Some(_) => {
-            format!("As energy is lost, the striker does not quite stop: it goes on at {v1} m/s")
+            format!("As energy is lost, the striker does not quite stop: it moves on at {v1} m/s")
         }
     };
     format!(
@@ -101,9 +101,9 @@ mod tests {
     use super::*;
     use crate::physics::{Collision, Disc};
 
-    /// Along the line the striker has (m₁ − e m₂) / (m₁ + m₂) of 4 m/s.
+    /// Along the line of impact the striker keeps (m₁ − e m₂) / (m₁ + m₂) of 4 m/s.
     #[test]
-    fn head_on_the_reason_is_that_of_the_masses_and_the_loss() {
+    fn a_head_on_explanation_depends_on_the_masses_and_the_loss() {
         let said = |m1: f64, m2: f64, restitution: f64| {
             let [striker, target] = [m1, m2].map(|mass| Disc::from_g_mm(mass, 15.0));
             let head_on = Collision::at_angle(striker, target, 4.0 * DVec2::X, 0.0);
@@ -115,7 +115,7 @@ mod tests {
         };
         assert!(said(15.0, 15.0, 1.0).contains("exchange velocities"));
         assert!(said(15.0, 15.0, 0.5).contains("energy is lost"));
-        assert!(said(15.0, 15.0, 0.5).contains("goes on at 1.00 m/s"));
+        assert!(said(15.0, 15.0, 0.5).contains("moves on at 1.00 m/s"));
         assert!(said(15.0, 30.0, 0.5).contains("With this loss it just stops"));
         assert!(said(45.0, 15.0, 1.0).contains("heavier striker is slowed"));
         assert!(said(15.0, 45.0, 1.0).contains("rebounds straight back at 2.00 m/s"));

@@ -1,4 +1,4 @@
-//! Why the two of any hit go where they go.
+//! Explanations of where the two discs of a hit go.
 
 use glam::DVec2;
 
@@ -7,11 +7,11 @@ use crate::numbers::fixed;
 use crate::physics::{Collision, Meeting};
 use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
 
-/// Why any two smooth discs go where they go, starting from what the player said of
-/// both, if they did: a title, which may be empty, and a text.
+/// Explains where two smooth discs go, starting from the player's prediction if there is one: a
+/// title, which may be empty, and a text.
 pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) {
     if collision.outcome().meeting != Meeting::Hit {
-        let text = "The discs only graze each other: no force acts, and both go on as before.";
+        let text = "The discs only graze each other: no force acts, and both move on as before.";
         return ("", text.into());
     }
     if collision.u2 != DVec2::ZERO {
@@ -20,8 +20,8 @@ pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) 
     why_of_hit(&Hit::from(collision), said)
 }
 
-/// Why the two of a hit go where they go, starting from what the player said of them, if
-/// they did: a title, which is empty if they did not, and a text.
+/// Explains where the two discs of a hit go, starting from the player's prediction if there is one:
+/// a title, which is empty without a prediction, and a text.
 pub(crate) fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String) {
     let Some(rays) = said else {
         return ("", reasoning(hit));
@@ -31,7 +31,7 @@ pub(crate) fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String
     (explanation.title, explanation.text)
 }
 
-/// Why two that both move go where they go, in their own numbers.
+/// Explains where two moving discs go, with the numbers of the collision.
 fn both_moving(collision: &Collision) -> String {
     let outcome = collision.outcome();
     let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {

@@ -1,24 +1,23 @@
-//! What the player answers, and how it is stored in databases and files: JSON, with the units in
-//! the names.
+//! What the player answers, and the text in which it is stored in databases and files.
 
 use super::{Confidence, Rays};
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
-/// An answer to a question, in the form it asks for.
+/// An answer to a question, in the question's form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Response {
-    /// Where the two will go.
+    /// Where the two discs will go.
     Rays(Rays),
     /// A number, in the unit of its [`Measure`](super::Measure).
     Number(f64),
     /// One of the choices, counted from 0.
     Choice(usize),
-    /// A shot with this offset, in metres; positive puts the target to the right.
+    /// A shot with this offset, in metres; a positive offset puts the target to the right.
     Shot(f64),
 }
 
 impl Response {
-    /// The rays, if it is an answer by rays.
+    /// The rays, if the answer consists of rays.
     pub const fn rays(self) -> Option<Rays> {
         match self {
             Self::Rays(rays) => Some(rays),
@@ -43,10 +42,10 @@ impl Response {
         }
     }
 
-    /// Reads such a text; `None` if it is not one.
+    /// Reads the text that [`Self::to_text`] writes; `None` if it is invalid.
     pub fn parse(text: &str) -> Option<Self> {
         let finite = |text: &str| text.parse().ok().filter(|x: &f64| x.is_finite());
-        // `None` is a disc that stays still.
+        // `None` means that the disc stays still.
         let angle = |text: &str| match text {
             STILL => Some(None),
             text => finite(text).map(|angle| Some(rad_from_deg(angle))),
@@ -78,7 +77,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// An answer.
+    /// An answer with this confidence.
     pub const fn new(said: Response, confidence: Confidence) -> Self {
         Self { said, confidence }
     }
@@ -88,7 +87,7 @@ impl Answer {
         format!("{} {}", self.said.to_text(), self.confidence.id())
     }
 
-    /// Reads such a text; `None` if it is not one.
+    /// Reads the text that [`Self::to_text`] writes; `None` if it is invalid.
     pub fn parse(text: &str) -> Option<Self> {
         let (said, confidence) = text.rsplit_once(' ')?;
         Some(Self {

@@ -33,7 +33,7 @@ impl Confidence {
     /// All three, the least sure first.
     pub const ALL: [Self; 3] = [Self::Guess, Self::ThinkSo, Self::Sure];
 
-    /// As shown.
+    /// Its name as shown.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Guess => "guess",
@@ -47,12 +47,12 @@ impl Confidence {
         self.into()
     }
 
-    /// The confidence of an `id`.
+    /// The confidence with this `id`.
     pub fn with_id(id: &str) -> Option<Self> {
         id.parse().ok()
     }
 
-    /// Points for an answer of this confidence that earned `credit`, 0 to 1.
+    /// The points for an answer with this confidence and this `credit`, 0 to 1.
     ///
     /// | | credit 0 | credit 1 |
     /// |---|---|---|
@@ -60,10 +60,10 @@ impl Confidence {
     /// | think so | −2 | 9 |
     /// | sure | −6 | 10 |
     ///
-    /// and straight lines between. The lines cross at a credit of 0.5 (guess and think so) and 0.8
-    /// (think so and sure), so "guess" earns the most for an expected credit below a half, and
-    /// "sure" only above four fifths: honesty earns the most points. This is the idea of
-    /// certainty-based marking (A. R. Gardner-Medwin, 1995) with other numbers.
+    /// Between these credits the points are linear. The lines cross at a credit of 0.5 (guess and
+    /// think so) and 0.8 (think so and sure), so "guess" earns the most for an expected credit
+    /// below a half, and "sure" only above four fifths: honesty earns the most points. This is the
+    /// idea of certainty-based marking (A. R. Gardner-Medwin, 1995) with other numbers.
     pub fn points(self, credit: f64) -> f64 {
         let (worst, best) = match self {
             Self::Guess => (0.0, 7.0),
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn honesty_pays() {
+    fn honest_confidence_earns_the_most_points() {
         for percent in 0..=100 {
             let expected = f64::from(percent) / 100.0;
             let honest = match percent {

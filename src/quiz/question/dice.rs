@@ -6,7 +6,7 @@ use rand_pcg::Pcg32;
 /// Stream of the generator; part of the format of a seed.
 const STREAM: u64 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Choices that follow from a seed, the same on every machine.
+/// Random choices that follow from a seed, the same on every machine.
 ///
 /// The generator is PCG-XSH-RR 64/32 ("PCG32"; M. E. O'Neill, 2014), started with the seed as its
 /// state and with a fixed stream. Neither seeding nor choosing is left to a library, which may
@@ -19,7 +19,7 @@ impl Dice {
         Self(Pcg32::new(seed, STREAM))
     }
 
-    /// A whole number below `n`, all practically equally likely; 0 if `n` is 0.
+    /// A random whole number below `n`; all are practically equally likely. Returns 0 if `n` is 0.
     pub fn below(&mut self, n: u32) -> u32 {
         ((u64::from(self.0.next_u32()) * u64::from(n)) >> 32) as u32
     }
@@ -29,7 +29,7 @@ impl Dice {
         self.below(2) == 1
     }
 
-    /// One of `items`; `None` if there are none.
+    /// A random item; `None` if there are none.
     pub(crate) fn pick<'a, T>(&mut self, items: &'a [T]) -> Option<&'a T> {
         items.get(self.below(items.len() as u32) as usize)
     }
@@ -47,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_generator_is_pcg32_by_its_definition() {
+    fn the_generator_agrees_with_the_definition_of_pcg32() {
         // O'Neill's reference: state' = a·state + c, output = rotr(xorshift, state >> 59).
         const A: u64 = 6_364_136_223_846_793_005;
         let seed = 42;
@@ -64,13 +64,13 @@ mod tests {
     }
 
     #[test]
-    fn choices_are_in_range_and_even() {
+    fn choices_are_in_range_and_equally_likely() {
         let mut dice = Dice::new(1);
         let mut counts = [0; 6];
         for _ in 0..60_000 {
             counts[dice.below(6) as usize] += 1;
         }
-        // Five standard deviations about 10,000.
+        // Five standard deviations on either side of 10,000.
         assert!(
             counts.iter().all(|n| (9_540..10_460).contains(n)),
             "{counts:?}"

@@ -15,10 +15,10 @@ pub enum Difficulty {
 }
 
 impl Difficulty {
-    /// The three, rising.
+    /// All three, the easiest first.
     pub const ALL: [Self; 3] = [Self::Easy, Self::Middle, Self::Hard];
 
-    /// Its name in files, and as shown.
+    /// Its name in files and on screen.
     pub fn id(self) -> &'static str {
         self.into()
     }

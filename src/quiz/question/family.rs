@@ -6,7 +6,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// Where will the two go, whatever the pieces and the loss?
+    /// Where will the two discs go, for any pieces and any loss?
     WhereTo,
     /// Both rays from the impact angle, equal masses.
     FromAngle,
@@ -16,21 +16,21 @@ pub enum Family {
     FromPicture,
     /// Both rays with unequal masses.
     UnequalMasses,
-    /// How fast each one leaves.
+    /// The final speed of each disc.
     Speeds,
     /// The angle between the paths.
     Separation,
     /// What share of the energy each disc has after the collision.
     EnergyShare,
-    /// What the coefficient of restitution does, and what it is.
+    /// The effects of the coefficient of restitution, and its value.
     Restitution,
     /// The greatest deflection of a striker.
     LargestDeflection,
-    /// A mass from what is seen after the collision.
+    /// A mass, calculated from what can be seen after the collision.
     Weigh,
     /// Smooth rims with e = 0, compared with rims that stick: how the two move on.
     SlipOrStick,
-    /// Two equal discs that both move: in which frame is it 90°?
+    /// Two equal discs that both move: in which frame is the angle between their paths 90°?
     BothMoving,
     /// The speed of the centre-of-mass frame, and the scattering angle Θ in it.
     CentreOfMass,
@@ -40,7 +40,8 @@ pub enum Family {
     MakeItSo,
     /// The questions in words, one idea each.
     Concept,
-    /// Those that were written after the codes of [`Concept`](Self::Concept) were fixed.
+    /// Questions in words that were written after the codes of [`Concept`](Self::Concept) were
+    /// fixed.
     Ideas,
 }
 
@@ -53,7 +54,7 @@ impl Family {
         self.into()
     }
 
-    /// The family of an `id`.
+    /// The family with this `id`.
     pub fn with_id(id: &str) -> Option<Self> {
         id.parse().ok()
     }

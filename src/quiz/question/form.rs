@@ -26,9 +26,9 @@ pub enum Form {
         /// The true number, in the quantity's unit.
         truth: f64,
     },
-    /// By choosing.
+    /// By choosing an option.
     Choice {
-        /// The choices, two to five texts.
+        /// The two to five choices.
         options: Vec<String>,
         /// The right one, counted from 0.
         right: usize,
@@ -42,11 +42,11 @@ pub enum Form {
 pub struct AimTask {
     /// The hit, head-on; the player sets its offset.
     pub collision: Collision,
-    /// Which of the two discs has to go there.
+    /// The disc that has to go in this direction.
     pub ray: Ray,
-    /// Its direction: θ₁ or θ₂ in radians, with the signs of [`Rays`].
+    /// The direction: θ₁ or θ₂ in radians, with the signs of [`Rays`].
     pub wanted: f64,
-    /// An offset in metres that solves it.
+    /// An offset in metres that achieves this.
     pub offset: f64,
 }
 
@@ -175,7 +175,7 @@ impl Form {
     }
 
     /// An answer in at most ten columns, for a table: "60 30", "63.4°", "B", "12.5 mm".
-    /// Rays count from the target's side, as the player turns them.
+    /// The signs of the rays are relative to the target's side, as when the player turns them.
     pub(crate) fn brief(&self, said: &Response) -> String {
         match (self, said) {
             (Self::Rays { side, .. }, Response::Rays(rays)) => {

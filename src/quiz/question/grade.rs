@@ -8,15 +8,16 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
-/// Up to this share of the tolerance an answer earns full credit: 2° for an angle, about what can
-/// be read off the picture.
+/// Up to this fraction of the tolerance an answer earns full credit: 2° for an angle, which is
+/// about as accurately as the picture can be read.
 const FULL_CREDIT: f64 = 0.5;
 
-/// From this many times the tolerance on an answer earns nothing: 30° for an angle.
+/// At this many times the tolerance or more, an answer earns no credit: 30° for an angle.
 const NO_CREDIT: f64 = 7.5;
 
 /// Credit from 0 to 1 for an answer whose error is `distance`, in units of the tolerance: 1 up to a
-/// half, then cos² down to 0 at seven and a half, which is smooth at both ends. Infinite earns 0.
+/// half, then cos² down to 0 at seven and a half, which is smooth at both ends. An infinite error
+/// earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
     let credit = (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2);
@@ -27,14 +28,14 @@ fn credit(distance: f64) -> f64 {
 /// How good one ray is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayGrade {
-    /// Error in radians, 0 to π; 0 if the disc rightly stays still, `None` if it moves only in the
-    /// answer or only in truth.
+    /// Error in radians, 0 to π; 0 if the disc correctly stays still, `None` if it moves only in
+    /// the answer or only in reality.
     pub error: Option<f64>,
 }
 
 impl RayGrade {
-    /// Credit from 0 to 1: full up to 2°, nothing from 30° on. A ray for a disc that stays still,
-    /// or none for one that moves, earns 0.
+    /// Credit from 0 to 1: full up to 2°, none from 30°. A ray for a disc that stays still, or no
+    /// ray for one that moves, earns 0.
     pub(crate) fn credit(&self) -> f64 {
         self.error
             .map_or(0.0, |error| credit(deg_from_rad(error) / RIGHT_DEG))
@@ -57,7 +58,7 @@ pub struct RaysGrade {
 }
 
 impl RaysGrade {
-    /// Grades the answer for both.
+    /// Grades both rays.
     pub(crate) fn new(said: &Rays, truth: &Rays) -> Self {
         let [striker, target] = Ray::BOTH.map(|ray| RayGrade {
             error: said.apart(truth, ray),
@@ -89,21 +90,21 @@ pub struct Grade {
     pub credit: f64,
     /// Whether it counts as right.
     pub right: bool,
-    /// The error of the angle in radians, for two rays the larger one; `None` if there was no
+    /// The error of the angle in radians, or the larger error of two rays; `None` if there was no
     /// angle.
     pub angle_error: Option<f64>,
-    /// Each of the two rays, if the question asked for rays.
+    /// The grades of the two rays, if the question asked for rays.
     pub rays: Option<RaysGrade>,
     /// How sure the player was.
     pub confidence: Confidence,
 }
 
 impl Form {
-    /// Credit from 0 to 1 for an answer. An answer of another kind than the question asks for earns
-    /// nothing.
+    /// Credit from 0 to 1 for an answer. An answer that does not fit the question's form earns
+    /// no credit.
     ///
-    /// A number of a chapter earns full credit within its tolerance, and then less in a
-    /// straight line, down to none at four times it.
+    /// A number asked for in a chapter earns full credit within its tolerance; beyond it the credit
+    /// falls linearly to 0 at four times the tolerance.
     pub fn credit(&self, said: &Response) -> f64 {
         let distance = self.distance(said, &self.truth());
         match self {
@@ -123,7 +124,7 @@ impl Form {
         self.distance(said, &self.truth()) <= 1.0
     }
 
-    /// Each of the two rays, if the question asks for rays.
+    /// The grades of the two rays, if the question asks for rays.
     pub(crate) fn rays_grade(&self, said: &Response) -> Option<RaysGrade> {
         match (self, said) {
             (Self::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),
@@ -131,7 +132,7 @@ impl Form {
         }
     }
 
-    /// The error of the angle in radians, for two rays the larger one; `None` if there was no
+    /// The error of the angle in radians, or the larger error of two rays; `None` if there was no
     /// angle.
     pub fn angle_error(&self, said: &Response) -> Option<f64> {
         match (self, said) {
@@ -147,7 +148,7 @@ impl Form {
 }
 
 impl Grade {
-    /// Most points a question can bring.
+    /// The most points for one question.
     pub const MOST: f64 = 10.0;
 
     /// Grades an answer.
@@ -162,12 +163,12 @@ impl Grade {
         }
     }
 
-    /// Points by [`Confidence::points`], −6 to 10.
+    /// The points, from −6 to 10: see [`Confidence::points`].
     pub fn points(&self) -> f64 {
         self.confidence.points(self.credit)
     }
 
-    /// The same in words: "8.5 of 10 points".
+    /// The points in words: "8.5 of 10 points".
     pub fn score(&self) -> String {
         format!("{} of {:.0} points", points(self.points()), Self::MOST)
     }
@@ -183,12 +184,12 @@ mod tests {
     }
 
     #[test]
-    fn credit_falls_smoothly_from_all_to_nothing() {
+    fn credit_falls_smoothly_from_full_to_none() {
         assert!((credit(0.0) - 1.0).abs() < 1e-12);
         assert!((credit(2.0) - 1.0).abs() < 1e-12);
         assert!((credit(16.0) - 0.5).abs() < 1e-12);
         for wrong in [30.0, 31.0, 180.0] {
-            assert!(credit(wrong).abs() <= 0.0, "nothing, not nearly so");
+            assert!(credit(wrong).abs() <= 0.0, "exactly 0");
         }
         for tenth in 0..1800 {
             let (here, next) = (

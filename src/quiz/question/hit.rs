@@ -1,4 +1,4 @@
-//! A hit on a target at rest, as the player reads it: where will the two discs go?
+//! A hit on a target at rest, as it is given to the player: where will the two discs go?
 
 use glam::DVec2;
 
@@ -8,7 +8,7 @@ use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
 use super::{Pieces, Rays, Topic};
 use crate::numbers::{self, significant};
 
-/// A hit: the numbers as the player reads them. Everything else follows from them.
+/// A hit: the numbers that the player reads. Everything else follows from them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// The striker and the target.
@@ -19,13 +19,14 @@ pub struct Hit {
     pub restitution: f64,
     /// Speed of the striker in m/s.
     pub speed: f64,
-    /// Direction of the striker on the picture in degrees, anticlockwise from the
-    /// right. The answer's angles count from it.
+    /// Direction of the striker in the picture in degrees, anticlockwise from the right. The
+    /// answer's angles are measured from it.
     pub direction_deg: f64,
 }
 
 impl From<&Collision> for Hit {
-    /// A collision of smooth discs with the target at rest, as a hit given by its offset.
+    /// Describes a collision of smooth discs, with the target at rest, as a hit given by its
+    /// offset.
     fn from(collision: &Collision) -> Self {
         Self {
             pieces: Pieces::Own {
@@ -44,7 +45,7 @@ impl From<&Collision> for Hit {
 }
 
 impl Hit {
-    /// The collision it asks about.
+    /// The collision that it describes.
     pub fn collision(&self) -> Collision {
         let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
         let (striker, target) = (self.pieces.striker(), self.pieces.target());
@@ -86,7 +87,7 @@ impl Hit {
         self.collision().outcome()
     }
 
-    /// Where the two discs really go.
+    /// Where the two discs actually go.
     pub fn truth(&self) -> Rays {
         Rays::from(&self.outcome())
     }
@@ -97,7 +98,7 @@ impl Hit {
         self.collision().alpha().unwrap_or(0.0)
     }
 
-    /// Whether the two meet dead centre.
+    /// Whether the collision is head-on.
     pub fn head_on(&self) -> bool {
         self.collision().offset.abs() <= 0.0
     }
@@ -113,12 +114,12 @@ impl Hit {
         if self.side() < 0.0 { "left" } else { "right" }
     }
 
-    /// Mass of the striker over mass of the target.
+    /// Mass of the striker divided by the mass of the target.
     pub(crate) fn mass_ratio(&self) -> f64 {
         self.pieces.striker().mass / self.pieces.target().mass
     }
 
-    /// Whether both masses are equal.
+    /// Whether the two masses are equal.
     pub(in crate::quiz) fn masses_are_equal(&self) -> bool {
         self.mass_ratio().total_cmp(&1.0).is_eq()
     }
@@ -145,19 +146,19 @@ impl Hit {
         format!("moving at {} m/s hits", significant(self.speed))
     }
 
-    /// How much is lost, in a sentence: "Some energy is lost: e = 0.500."
+    /// Whether energy is lost, in a sentence: "Some energy is lost: e = 0.500."
     pub(in crate::quiz) fn loss(&self) -> String {
         let how_much = if self.restitution < 1.0 { "Some" } else { "No" };
         let e = significant(self.restitution);
         format!("{how_much} energy is lost: e = {e}.")
     }
 
-    /// The distance of the centres at contact, r₁ + r₂, in millimetres.
+    /// The distance between the centres at contact, r₁ + r₂, in millimetres.
     pub fn reach_mm(&self) -> f64 {
         mm_from_m(self.collision().contact_distance())
     }
 
-    /// What it is about: "equal masses, by offset".
+    /// Its topic: "equal masses, by offset".
     pub fn topic(&self) -> Topic {
         let ratio = self.mass_ratio();
         let pieces = if ratio > 1.0 {
@@ -176,12 +177,12 @@ impl Hit {
         Topic::with_id(format!("{pieces}{place}{loss}"))
     }
 
-    /// The question where both will go, in words.
+    /// The question in words: where will both discs go?
     pub fn text(&self) -> String {
         format!("{} Where will they go?", self.setting())
     }
 
-    /// The hit in words, without what only the picture shows.
+    /// The hit in words, without details that only the picture shows.
     pub fn setting(&self) -> String {
         let name = self.pieces.target_name();
         let side = self.side_name();

@@ -8,7 +8,7 @@ use crate::physics::rutherford::Rutherford;
 /// The picture beside a question.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Illustration {
-    /// Nothing: words alone.
+    /// No picture.
     Nothing,
     /// A collision about to happen. It is played once the answer is given.
     Before {
@@ -37,10 +37,10 @@ pub enum Illustration {
 pub struct Markings {
     /// The impact parameter, between the two centre lines.
     pub offset: bool,
-    /// The line of impact where the two will meet, and α.
+    /// The line of impact where the two discs will meet, and α.
     pub angle: bool,
-    /// Numbers: speeds, and those of the marked geometry. Without them the picture gives all the
-    /// information.
+    /// Numbers: speeds, and the values of the marked geometry. Without them the picture alone gives
+    /// the information.
     pub figures: bool,
 }
 
@@ -52,14 +52,14 @@ impl Markings {
         figures: true,
     };
 
-    /// All numbers, and no mark of where the discs will meet.
+    /// All numbers, and no marks where the discs will meet.
     pub(crate) const FIGURES: Self = Self {
         offset: false,
         angle: false,
         figures: true,
     };
 
-    /// The quantity that a hit is given by, with all numbers.
+    /// The quantity that defines a hit, with all numbers.
     pub(crate) const fn given(hit: &Hit) -> Self {
         let angle = matches!(hit.given, ImpactPoint::Angle { .. });
         Self {

@@ -1,19 +1,19 @@
-//! An answer as it is kept in files and databases.
+//! The form in which answers are stored in files and databases.
 
 use serde_json::{Value, json};
 
 use super::{Figures, Form, Measure, Rays, Response, figures};
 use crate::physics::units::mm_from_m;
 
-/// The field for the words of a choice: its position depends on the round.
+/// The field for the text of a choice, because its position depends on the round.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
-/// The most letters of a choice. Present questions have at most 90; this leaves room for later
-/// ones.
+/// The most letters a choice may have. Current questions have at most 90; this leaves room for
+/// later ones.
 const LONGEST_CHOICE: usize = 400;
 
 impl Form {
-    /// An answer to a question of this form as it is stored.
+    /// The stored form of an answer to a question of this form.
     pub fn kept(&self, said: &Response) -> Figures {
         figures(match (self, said) {
             (_, Response::Rays(rays)) => rays.json(),
@@ -23,8 +23,8 @@ impl Form {
         })
     }
 
-    /// Whether a stored answer is possible for any form: it is of one kind and in its range, as for
-    /// [`Form::accepts`].
+    /// Whether some form could accept a stored answer, because it is of a known kind and in its
+    /// range, as for [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;

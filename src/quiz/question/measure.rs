@@ -3,9 +3,9 @@
 use super::tolerance::{RIGHT_DEG, ROUNDING, apart_deg, is_within};
 use crate::numbers;
 
-/// The largest tolerance of a share, in percentage points.
+/// The largest tolerance for a share, in percentage points.
 const MOST_SHARE: f64 = 4.0;
-/// The largest tolerance of a coefficient of restitution.
+/// The largest tolerance for a coefficient of restitution.
 const MOST_RESTITUTION: f64 = 0.04;
 
 /// What a number in an answer measures: its unit, how it is printed, and its tolerance.
@@ -21,28 +21,28 @@ pub enum Measure {
     Mass,
     /// A length in millimetres.
     Length,
-    /// How many times as much.
+    /// A factor.
     Times,
     /// A coefficient of restitution.
     Restitution,
-    /// A number of a chapter, in any unit, with its own tolerance.
+    /// A number asked for in a chapter, in any unit, with its own tolerance.
     Own {
         /// Its symbol in formulas: "θ₁".
         sign: String,
         /// Its unit.
         unit: String,
-        /// How far off still counts as right.
+        /// The largest error that counts as right.
         tolerance: f64,
     },
 }
 
 impl Measure {
-    /// In words what counts as right: see [`distance`](Self::distance).
+    /// What counts as right, in words: see [`distance`](Self::distance).
     pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
                                     never more than 4°, 4 percentage points or 0.04 off; any other \
                                     number within a twentieth";
 
-    /// The unit behind a number, as typed beside it; empty for a pure number.
+    /// The unit printed after a number; empty for a pure number.
     pub fn unit(&self) -> &str {
         self.words().0
     }
@@ -52,7 +52,7 @@ impl Measure {
         self.words().1
     }
 
-    /// The measure of an [`id`](Self::id).
+    /// The measure with this [`id`](Self::id).
     pub fn with_id(id: &str) -> Option<Self> {
         let mut all = [
             Self::Angle,
@@ -99,14 +99,14 @@ impl Measure {
     /// The distance of `said` from `truth` in units of the tolerance.
     ///
     /// The tolerance of an angle, a share or e is a tenth of the true value, but at most 4°, 4
-    /// percentage points or 0.04, because it can be seen or calculated better than that, and at
-    /// least 1°, a fifth of a point or 0.01. All other numbers may differ by a twentieth either
-    /// way, as a ratio; infinite if a ratio is meaningless.
+    /// percentage points or 0.04, because a large value can be read or calculated better than that,
+    /// and at least 1°, a fifth of a point or 0.01. All other numbers may differ by a twentieth
+    /// either way, as a ratio; the distance is infinite if a ratio is meaningless.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }
 
-    /// The tolerance at this `truth`, as a share of the largest tolerance.
+    /// The tolerance at this `truth`, as a fraction of the largest tolerance.
     pub(in crate::quiz) fn width(&self, truth: f64) -> f64 {
         let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most) / most;
         match self {
@@ -118,8 +118,8 @@ impl Measure {
     }
 
     /// How far apart two numbers are, in units of the largest tolerance: never more than
-    /// [`distance`](Self::distance). Questions are chosen by it so that their answers differ
-    /// clearly, so it is part of the format of a round's code and must not change.
+    /// [`distance`](Self::distance). It is used to choose questions whose answers differ clearly,
+    /// so it is part of the format of a round's code and must not change.
     pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {
             Self::Angle => apart_deg(a, b) / RIGHT_DEG,
@@ -135,13 +135,13 @@ impl Measure {
                     f64::INFINITY
                 }
             }
-            // Exactly at the limit it is right, despite rounding.
+            // A number exactly at the limit is right, despite rounding.
             Self::Own { tolerance, .. } => ((a - b).abs() / tolerance - ROUNDING).max(0.0),
         }
     }
 
-    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles its
-    /// negative.
+    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles the
+    /// negative of the largest.
     pub const fn largest(&self) -> f64 {
         match self {
             Self::Angle => 180.0,
@@ -171,7 +171,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_printed_with_sense() {
+    fn numbers_are_printed_with_sensible_precision() {
         for (quantity, x, text) in [
             (Measure::Angle, 63.434_948, "63.4°"),
             (Measure::Share, 25.0, "25.0 %"),
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn near_enough_is_one_and_ratios_count_both_ways_alike() {
+    fn the_limit_is_at_distance_one_and_ratios_are_symmetric() {
         assert!((Measure::Angle.distance(64.0, 60.0) - 1.0).abs() < 1e-12);
         assert!((Measure::Angle.distance(-179.0, 179.0) - 0.5).abs() < 1e-12);
         assert!((Measure::Speed.distance(2.1, 2.0) - 1.0).abs() < 1e-12);
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn small_numbers_count_by_themselves_and_large_ones_by_points() {
+    fn the_tolerance_is_relative_for_small_numbers_and_absolute_for_large_ones() {
         for (quantity, said, truth, right) in [
             (Measure::Angle, 14.0, 10.2, false),
             (Measure::Angle, 11.0, 10.2, true),
@@ -224,10 +224,10 @@ mod tests {
         }
     }
 
-    /// So an answer that fits the truth or a belief fits nothing else, as long as they
-    /// are spaced.
+    /// This is why an answer that fits the truth or a misconception fits no other answer, if the
+    /// answers are far enough apart.
     #[test]
-    fn nothing_is_right_that_is_wide_of_the_spacing() {
+    fn the_distance_is_never_less_than_the_spacing() {
         for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {
             for (said, truth) in (0..=100).flat_map(|a| (0..=100).map(move |b| (a, b))) {
                 let scale = quantity.largest().min(100.0) / 100.0;

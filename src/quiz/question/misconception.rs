@@ -3,8 +3,8 @@
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
 /// A misconception that students may have. First those about the directions of both discs; then
-/// those that show in something else (a speed, a share, a ratio, a choice of words), in the order
-/// in which their subjects are taught.
+/// those that show up in something else (a speed, a share, a ratio, a choice of words), in the
+/// order in which their subjects are taught.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Misconception {
@@ -18,8 +18,8 @@ pub enum Misconception {
     Swapped,
     /// The heavier disc is taken to move on, or to stay at rest, as if there had been no collision.
     HeavyUnmoved,
-    /// The striker is taken to keep its direction, though it is not the heavier one
-    /// (that is another belief).
+    /// The striker is taken to keep its direction, although it is not the heavier one
+    /// (otherwise this is [`HeavyUnmoved`](Self::HeavyUnmoved)).
     StraightOn,
     /// The target is taken to be pushed along the striker's path, not along the line of
     /// impact.
@@ -30,9 +30,9 @@ pub enum Misconception {
     SidesExchanged,
     /// The striker is taken to bounce off the target as off a wall.
     OffAWall,
-    /// α is taken to be 90° · b / (r₁ + r₂), where it is the sine that is b / (r₁ + r₂).
+    /// α is taken to be 90° · b / (r₁ + r₂), although sin α is b / (r₁ + r₂).
     OffsetAsAngle,
-    /// e < 1 is taken for e = 1. With equal masses that is "always 90°".
+    /// e < 1 is taken to be 1. With equal masses that means "always 90°".
     Lossless,
     /// The striker is taken to stop head-on, as it does with equal masses.
     AlwaysStops,
@@ -46,7 +46,7 @@ pub enum Misconception {
     EachKeepsMomentum,
     /// Momentum is taken to be conserved only if something still moves afterwards.
     GoneAtRest,
-    /// Momentum and kinetic energy are taken for one quantity.
+    /// Momentum and kinetic energy are taken to be the same quantity.
     MomentumAsEnergy,
     /// Kinetic energy is given a direction and components.
     EnergyComponents,
@@ -68,17 +68,17 @@ pub enum Misconception {
     EveryAngleAlike,
     /// A ratio is inverted, or the two masses are swapped in a formula.
     UpsideDown,
-    /// The heavier striker is taken to rebound and the lighter one to go on.
+    /// A heavier striker is taken to rebound and a lighter one to move on.
     HeavyRebounds,
     /// The larger angle is taken to have the larger count.
     CountsReversed,
-    /// An inverse proportion is taken for a direct one.
+    /// An inverse proportion is taken to be a direct one.
     DirectForInverse,
     /// The deflection of a heavier striker is taken to have no limit.
     BeyondLargest,
     /// The whole velocity is multiplied by e.
     LossOnEverything,
-    /// e is taken as the share of energy that is left.
+    /// e is taken to be the share of energy that is left.
     EAsEnergy,
     /// A loss is taken to make the angle between the paths larger.
     LossOpensAngle,
@@ -92,15 +92,15 @@ pub enum Misconception {
     FramesMixed,
     /// The frame's velocity is subtracted where it must be added.
     FrameReversed,
-    /// The centre of mass is taken to be halfway, whatever the masses.
+    /// The centre of mass is taken to be halfway between the discs, whatever the masses.
     HalfwayCentre,
-    /// The right angle is expected in the laboratory frame although both move.
+    /// The right angle is expected in the laboratory frame although both discs move.
     SquareOnTheGround,
     /// The whole angle is used instead of half of it.
     HalfAngleForgotten,
-    /// The law falls too slowly: a square instead of the fourth power.
+    /// The count is taken to fall too slowly with the angle: as a square instead of a fourth power.
     TooGentle,
-    /// Nothing heavy or fast is taken ever to bounce back.
+    /// Anything heavy or fast is taken never to bounce back.
     NeverBack,
     /// The rules for a target at rest are used although it moves.
     CoinAtRest,
@@ -112,8 +112,8 @@ impl Misconception {
     /// All of them.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// Those that most students have; the round that finds out what a student believes tests for
-    /// them first.
+    /// The most common ones; the round that finds out what a student believes tests for them
+    /// first.
     pub const COMMON: [Self; 7] = [
         Self::CopiedAngle,
         Self::AlwaysSquare,
@@ -124,8 +124,8 @@ impl Misconception {
         Self::FramesMixed,
     ];
 
-    /// Which misconception the codes of rounds count this one as, so that a code still brings the
-    /// same questions although `upside-down` was split; `None` for those added later.
+    /// The misconception that this one counts as in the codes of rounds, so that a code still gives
+    /// the same questions although `upside-down` was split; `None` for those added later.
     pub fn in_codes(self) -> Option<Self> {
         match self {
             Self::HeavyRebounds
@@ -147,7 +147,7 @@ impl Misconception {
         self.into()
     }
 
-    /// The misconception of an `id`; ids of former versions stay valid.
+    /// The misconception with this `id`; ids of former versions stay valid.
     pub fn with_id(id: &str) -> Option<Self> {
         match id {
             "linear-offset" => Some(Self::OffsetAsAngle),

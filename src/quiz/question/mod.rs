@@ -17,7 +17,7 @@ mod passage;
 mod pieces;
 #[expect(
     clippy::module_inception,
-    reason = "a question is what the room is about"
+    reason = "a question is the subject of this module"
 )]
 mod question;
 mod rays;

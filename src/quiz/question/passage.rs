@@ -1,6 +1,7 @@
 //! Where in the chapters something is taught.
 
-/// A page of the program's own chapters, by names that stay when pages are inserted before it.
+/// A page of the built-in chapters, identified by names that do not change when pages are inserted
+/// before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Passage {
     /// The id of the chapter.

@@ -1,4 +1,4 @@
-//! The sets of pieces that questions are asked with.
+//! The sets of pieces used in questions.
 
 use crate::physics::Disc;
 
@@ -42,7 +42,7 @@ impl Pieces {
         }
     }
 
-    /// What body 2 is called; body 1 is always "striker".
+    /// The name of body 2; body 1 is always the "striker".
     pub(crate) const fn target_name(self) -> &'static str {
         match self {
             Self::Equal | Self::Tournament | Self::Own { .. } => "coin",

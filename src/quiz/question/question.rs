@@ -9,8 +9,8 @@ use super::{
     Answer, Difficulty, Family, Figures, Form, Illustration, Misconception, Ray, Response, Topic,
 };
 
-/// Answers closer to each other than this cannot be told apart, in units of the largest tolerance;
-/// more than 2, so that no answer fits two.
+/// Answers closer to each other than this, in units of the largest tolerance, cannot be told apart.
+/// It is more than 2, so that no answer fits two of them.
 pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
@@ -20,43 +20,44 @@ pub struct Question {
     pub family: Family,
     /// How hard it is.
     pub difficulty: Difficulty,
-    /// What it is about: "equal masses, by offset".
+    /// Its topic: "equal masses, by offset".
     pub topic: Topic,
     /// The question in words.
     pub text: String,
-    /// What is seen beside it.
+    /// The picture beside it.
     pub picture: Illustration,
     /// How it is answered, and the true answer.
     pub form: Form,
     /// The answers of misconceptions, except any that happen to be right.
     pub beliefs: Vec<WrongAnswer>,
-    /// The feedback for wrong choices without a known misconception, by the choice counted from 0;
-    /// a choice that is not listed has no feedback of its own.
+    /// The feedback for wrong choices without a known misconception, by the index of the choice,
+    /// counted from 0; a choice that is not listed has no feedback of its own.
     pub replies: BTreeMap<usize, String>,
     /// The explanation of the right answer with the question's numbers: one to four short
     /// sentences.
     pub why: String,
-    /// The numbers that determine it, with the units in their names, to be stored with every
-    /// answer.
+    /// The numbers that determine the question, with the units in their names, to be stored with
+    /// every answer.
     pub figures: Figures,
 }
 
-/// What a misconception would answer.
+/// The answer that a misconception leads to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrongAnswer {
-    /// Which misconception.
+    /// The misconception.
     pub misconception: Misconception,
     /// Its answer.
     pub said: Response,
     /// The ray that reveals the misconception by itself; `None` if only both rays together do.
     pub telltale: Option<Ray>,
-    /// One or two sentences on what is wrong with it, with the question's numbers.
+    /// One or two sentences on what is wrong with this answer, with the question's numbers.
     pub says: String,
 }
 
 impl WrongAnswer {
-    /// Which misconception the codes of rounds count it as: see [`Misconception::in_codes`].
-    /// `None` also for a choice that followed no known misconception when they were fixed.
+    /// The misconception that this answer counts as in the codes of rounds: see
+    /// [`Misconception::in_codes`]. Also `None` for a choice that showed no known misconception
+    /// when the codes were fixed.
     pub fn in_codes(&self) -> Option<Misconception> {
         match (self.misconception, self.said) {
             (Misconception::LossOpensAngle, Response::Choice(_)) => None,
@@ -68,23 +69,24 @@ impl WrongAnswer {
 /// The misconception that an answer fits best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Diagnosis {
-    /// Which one.
+    /// The misconception.
     pub misconception: Misconception,
-    /// How much of the answer fits it.
+    /// How much of the answer fits this misconception.
     pub fit: Fit,
 }
 
 /// How much of an answer fits a misconception.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fit {
-    /// All of it.
+    /// The whole answer.
     Whole,
     /// Only the ray that reveals it; the other ray has an error of its own.
     OneRay(Ray),
 }
 
 impl Question {
-    /// The frame in which its collision is shown after the answer: the one it asks about.
+    /// The frame in which the collision is shown after the answer: the frame that the question asks
+    /// about.
     pub(crate) fn seen_from(&self) -> Frame {
         match self.family {
             Family::CentreOfMass => Frame::CentreOfMass,
@@ -101,7 +103,7 @@ impl Question {
     }
 
     /// Whether an answer shows which misconception it fits, if any, and cannot simply be copied
-    /// from the text: only such questions are asked.
+    /// from the text. Only questions for which this is true are asked.
     pub(crate) fn is_clear(&self) -> bool {
         let revealed = match &self.form {
             Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
@@ -124,7 +126,7 @@ impl Question {
     /// Finds the misconception that an answer fits best, if it fits one.
     ///
     /// A right answer fits none. A fit of the whole answer takes precedence over a fit of the
-    /// telltale ray alone; among those the closest, compared in steps of a fortieth of the
+    /// telltale ray alone. Among equal fits the closest is chosen, in steps of a fortieth of the
     /// tolerance (a tenth of a degree), and then the first in
     /// [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also be wrong.
     pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
@@ -152,8 +154,8 @@ impl Question {
         self.beliefs.iter().map(|belief| belief.misconception)
     }
 
-    /// How far an answer may be from a misconception's answer and still fit it, as a share of the
-    /// largest tolerance: 1 except for small angles, shares and e.
+    /// How far an answer may be from a misconception's answer and still fit it, as a fraction of
+    /// the largest tolerance: 1 except for small angles, shares and e.
     pub(in crate::quiz) fn width(&self, belief: &WrongAnswer) -> f64 {
         match (&self.form, belief.said) {
             (Form::Number { quantity, .. }, Response::Number(x)) => quantity.width(x),

@@ -27,7 +27,7 @@ impl Ray {
     /// A direction of this ray in words: "60.0° left", "straight ahead", "stays
     /// still". Left and right are as seen along the striker's path.
     pub fn words(self, angle: Option<f64>) -> String {
-        // A scattering angle counts to the left, a recoil angle to the right.
+        // A scattering angle is positive to the left, a recoil angle to the right.
         let leftward = match self {
             Self::Striker => angle,
             Self::Target => angle.map(|angle| -angle),
@@ -48,7 +48,7 @@ impl Ray {
 ///
 /// Angles in radians with the signs of physics: scattering angle θ₁ of the striker positive
 /// anticlockwise, recoil angle θ₂ of the target positive clockwise, both from the striker's
-/// original direction. `None` is a disc that stays still.
+/// original direction. `None` means that the disc stays still.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Rays {
     /// Scattering angle θ₁.
@@ -58,7 +58,7 @@ pub struct Rays {
 }
 
 impl Rays {
-    /// The furthest that a ray can be turned, in degrees either way.
+    /// The largest angle by which a ray can be turned, in degrees either way.
     pub(crate) const FURTHEST_DEG: f64 = 180.0;
 
     /// Both discs move, at these angles in radians.
@@ -69,14 +69,14 @@ impl Rays {
         }
     }
 
-    /// Whether both can be turned so far: by no more than [`Self::FURTHEST_DEG`].
+    /// Whether neither ray is turned by more than [`Self::FURTHEST_DEG`].
     pub(crate) fn are_in_range(&self) -> bool {
         let most = Self::FURTHEST_DEG;
         let mut angles = [self.striker, self.target].into_iter().flatten();
         angles.all(|angle| is_within(deg_from_rad(angle), -most, most))
     }
 
-    /// Both in degrees, with names and signs as `carrom solve` gives them.
+    /// Both angles in degrees, with the names and signs that `carrom solve` uses.
     pub fn json(&self) -> Value {
         json!({
             "theta1_deg": self.striker.map(deg_from_rad),
@@ -106,7 +106,7 @@ impl Rays {
         format!("striker {striker}, {target} {other}")
     }
 
-    /// One of the two.
+    /// One of the two angles.
     pub fn get(&self, ray: Ray) -> Option<f64> {
         match ray {
             Ray::Striker => self.striker,
@@ -114,8 +114,8 @@ impl Rays {
         }
     }
 
-    /// How far one ray is from the same ray of `other`, in radians from 0 to π; 0 if the disc stays
-    /// still in both, `None` if it does so in only one.
+    /// The angle between one ray and the same ray of `other`, in radians from 0 to π; 0 if the disc
+    /// stays still in both, `None` if it stays still in only one.
     pub fn apart(&self, other: &Self, ray: Ray) -> Option<f64> {
         match (self.get(ray), other.get(ray)) {
             (None, None) => Some(0.0),
@@ -127,8 +127,8 @@ impl Rays {
         }
     }
 
-    /// The larger of the two [gaps](Self::apart); infinite where a disc moves in one
-    /// and stays still in the other.
+    /// The larger of the two [gaps](Self::apart); infinite if a disc moves in one and stays still
+    /// in the other.
     pub fn gap(&self, other: &Self) -> f64 {
         Ray::BOTH
             .map(|ray| self.apart(other, ray).unwrap_or(f64::INFINITY))
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn gaps_go_the_short_way_round() {
+    fn gaps_are_measured_the_short_way_round() {
         let a = Rays::new(rad(175.0), rad(-10.0));
         let b = Rays::new(rad(-175.0), rad(20.0));
         assert!((a.apart(&b, Ray::Striker).unwrap() - rad(10.0)).abs() < 1e-12);
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn still_and_moving_are_no_angle_apart() {
+    fn a_still_and_a_moving_disc_have_no_angle_between_them() {
         let still = Rays {
             striker: None,
             ..Rays::new(0.0, 0.0)
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn sides_are_seen_along_the_path() {
+    fn sides_are_named_as_seen_along_the_path() {
         assert_eq!(Ray::Striker.words(Some(rad(60.0))), "60.0° left");
         assert_eq!(Ray::Target.words(Some(rad(30.0))), "30.0° right");
         assert_eq!(Ray::Target.words(Some(rad(-30.0))), "30.0° left");

@@ -1,6 +1,6 @@
 //! The tolerance of every kind of answer.
 
-/// Up to this error an angle counts as right, in degrees.
+/// The largest error in degrees with which an angle counts as right.
 pub const RIGHT_DEG: f64 = 4.0;
 
 /// The chance that two guessed rays fit two given ones: about 8° in 90°, twice.
@@ -12,8 +12,8 @@ pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
 /// The relative error from converting between two units.
 pub(super) const ROUNDING: f64 = 1e-9;
 
-/// Whether a number lies within a range, or beyond one of its ends by no more than rounding
-/// between two units adds.
+/// Whether a number lies within a range, or beyond one of its ends by no more than the rounding
+/// error of a unit conversion.
 pub(super) fn is_within(x: f64, least: f64, most: f64) -> bool {
     let spare = ROUNDING * most;
     (least - spare..=most + spare).contains(&x)

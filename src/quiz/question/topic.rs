@@ -1,4 +1,4 @@
-//! What questions are about: their topics, and which families ask about which.
+//! What questions are about: their topics, and the families that ask about each topic.
 //!
 //! Knowledge and reviews are stored by topic. One family may ask about several topics, and several
 //! families about one, each in its own way. The topic of a question in words is its file's name,
@@ -13,7 +13,7 @@ use serde::Deserialize;
 use super::{Family, Figures, Passage};
 
 /// What a question is about. Store it by its [`id`](Self::id), which never changes; show its
-/// [`name`](Self::name). Two with the same id are one topic.
+/// [`name`](Self::name). Topics with the same id are equal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Topic(Cow<'static, str>);
 
@@ -23,7 +23,7 @@ pub struct Topic(Cow<'static, str>);
 struct TopicRow {
     id: String,
     name: String,
-    /// The generated families that ask about it, by their ids.
+    /// The ids of the generated families that ask about this topic.
     families: String,
     chapter: String,
     page: String,
@@ -121,7 +121,7 @@ impl Topic {
         }
     }
 
-    /// The generated families that ask about it.
+    /// The generated families that ask about this topic.
     pub(in crate::quiz) fn families_of_figures(&self) -> Vec<Family> {
         let families = self.known().map_or("", |row| &row.families);
         families.split(' ').filter_map(Family::with_id).collect()
@@ -133,7 +133,7 @@ impl Topic {
         taught.map(|row| Self::with_id(row.id.as_str()))
     }
 
-    /// The page that teaches it; `None` for a teacher's own subjects.
+    /// The page that teaches this topic; `None` for a teacher's own subjects.
     pub fn taught_on(&self) -> Option<Passage> {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })
@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ids_and_names_are_each_one_topic() {
+    fn no_two_topics_have_the_same_id_or_name() {
         let lines = include_str!("../../../assets/topics.csv").lines().count();
         assert_eq!(ROWS.len(), lines - 1);
         let of = |text: fn(&TopicRow) -> &str| ROWS.iter().map(text).collect::<BTreeSet<_>>();
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn every_family_named_is_one() {
+    fn the_topic_table_names_only_known_families() {
         for row in ROWS.iter().filter(|row| !row.families.is_empty()) {
             for id in row.families.split(' ') {
                 assert!(Family::with_id(id).is_some(), "{}: {id}", row.id);

@@ -1,4 +1,4 @@
-//! Rounds that ask only about what has been read.
+//! Rounds that ask only about chapters that have been read.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -6,8 +6,8 @@ use std::fmt;
 use super::review;
 use crate::quiz::question::{Dice, Question, Topic};
 
-/// The chapters of the program by their ids, each with its letter in codes. The letters never
-/// change: a new chapter gets the next one.
+/// The ids of the built-in chapters, each with its letter in codes. The letters never change: a new
+/// chapter gets the next one.
 const LETTERS: [(char, &str); 12] = [
     ('a', "momentum-is-a-vector"),
     ('b', "the-line-of-impact"),
@@ -23,13 +23,13 @@ const LETTERS: [(char, &str); 12] = [
     ('l', "when-energy-is-lost"),
 ];
 
-/// Some chapters, at least one of which teaches a topic of questions. In codes they are letters:
-/// `read-abd-7` asks about the chapters 1, 2 and 4.
+/// Some chapters, at least one of which teaches a topic that questions ask about. In codes they are
+/// letters: `read-abd-7` asks about chapters 1, 2 and 4.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ChaptersRead(BTreeSet<char>);
 
 impl ChaptersRead {
-    /// The chapters of these ids; `None` if no question is about any of them.
+    /// The chapters with these ids; `None` if no question is about any of them.
     pub(crate) fn of<'a>(ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
         let letter = |id| {
             let found = LETTERS.iter().find(|(_, known)| *known == id);
@@ -57,14 +57,14 @@ impl ChaptersRead {
         taught.then_some(chapters)
     }
 
-    /// The topics that they teach.
+    /// The topics that these chapters teach.
     fn topics(&self) -> impl Iterator<Item = Topic> {
         let ids = LETTERS.iter().filter(|(letter, _)| self.0.contains(letter));
         ids.flat_map(|(_, id)| Topic::taught_in(id))
     }
 
-    /// Up to this many questions about what they teach, every topic once before any is repeated,
-    /// easy ones first.
+    /// Up to this many questions about what these chapters teach: every topic once before any is
+    /// repeated, easy ones first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
         let mut questions = review::in_turn(&topics, count, Topic::families_in_codes, dice);
@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_round_asks_only_about_what_was_read_and_never_twice_the_same() {
+    fn a_round_asks_only_about_the_chapters_read_and_repeats_no_question() {
         for (code, chapters) in [
             ("read-b-7", &["the-line-of-impact"][..]),
             ("read-bf-7", &["the-line-of-impact", "marbles"]),
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn chapters_without_questions_make_no_round() {
+    fn chapters_without_questions_give_no_round() {
         assert_eq!(ChaptersRead::of(["a-worked-shot"]), None);
         assert_eq!(ChaptersRead::of(["my-own-chapter"]), None);
         let read = ChaptersRead::of(["marbles", "my-own-chapter", "the-line-of-impact"]);

@@ -19,9 +19,9 @@ const READ: &str = "read";
 /// What a round is made of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
-    /// Which questions.
+    /// Which questions it asks.
     pub kind: CourseKind,
-    /// How many of them.
+    /// How many questions it asks.
     pub count: usize,
 }
 
@@ -30,9 +30,9 @@ pub struct Course {
 pub enum CourseKind {
     /// Ten hits to predict: the round whose code is a bare number.
     Hits,
-    /// A few of all kinds.
+    /// A few questions of all kinds.
     Quick,
-    /// All kinds, mixed by the earlier rule, for existing codes.
+    /// All kinds, mixed by an earlier rule, for existing codes.
     Mixed,
     /// All kinds, mixed so that every misconception is tested often enough to be detected.
     Even,
@@ -47,7 +47,7 @@ pub enum CourseKind {
     Exam,
     /// One family.
     Topic(Family),
-    /// What these chapters teach.
+    /// The topics that these chapters teach.
     Read(ChaptersRead),
     /// What this player has read or answered before: these topics.
     Met(Vec<Topic>),
@@ -60,8 +60,8 @@ pub enum CourseKind {
 }
 
 impl CourseKind {
-    /// The kinds that do not depend on earlier answers; one topic, and what is due, come after
-    /// them.
+    /// The kinds that are available to everyone; the rounds on one topic and the review are listed
+    /// after them.
     pub const ALWAYS: [Self; 5] = [
         Self::FindOut,
         Self::Quick,
@@ -132,9 +132,9 @@ impl CourseKind {
 }
 
 impl Course {
-    /// Most questions of a round.
+    /// The most questions a round may have.
     pub const MOST: usize = 60;
-    /// Most questions of one review; what is left waits for the next.
+    /// The most questions a review may have; the remaining topics are left for the next review.
     pub const REVIEWED: usize = 10;
 
     /// A round of the usual length.
@@ -143,8 +143,8 @@ impl Course {
         Self { kind, count }
     }
 
-    /// A round of this many questions, clamped from 1 to [`Course::MOST`]; ten hits are always ten,
-    /// and a review has one question per topic.
+    /// A round of this many questions, clamped to between 1 and [`Course::MOST`]; ten hits are
+    /// always ten, and a review has one question per topic.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
             CourseKind::Hits | CourseKind::Review(_) => kind.length(),
@@ -158,8 +158,8 @@ impl Course {
         self.kind == CourseKind::Exam || self.follows_answers()
     }
 
-    /// Whether questions depend on earlier answers, so that the round cannot be on paper or for a
-    /// class.
+    /// Whether questions depend on earlier answers, so that the round cannot be printed or given to
+    /// a class.
     pub(crate) fn follows_answers(&self) -> bool {
         use CourseKind::{FindOut, FindOutFromAny};
         matches!(self.kind, FindOut | FindOutFromAny)
@@ -169,9 +169,9 @@ impl Course {
 /// The code of a round: the same code gives the same questions on every machine and in every
 /// version.
 ///
-/// It reads `even-7`, with a count `even12-7`, a topic `speeds-7`, a misconception
-/// `copied-angle-7`, what some chapters teach `read-abd-7`, and `hits-7` or simply `7` for ten
-/// hits. Only `own-7` depends on something else: on the teacher's own files.
+/// Examples: `even-7`; with a count, `even12-7`; a topic, `speeds-7`; a misconception,
+/// `copied-angle-7`; what some chapters teach, `read-abd-7`; ten hits, `hits-7` or simply `7`. Only
+/// `own-7` depends on something else: on the teacher's own files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
     /// What the round is made of.
@@ -180,10 +180,10 @@ pub struct Code {
     pub seed: u64,
 }
 
-/// Why a text is not the code of a round.
+/// The reason why a text is not the code of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoCode {
-    /// It does not look like one.
+    /// The text does not look like a code.
     #[error(
         "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
          speeds-7, or 7 for ten hits"
@@ -195,19 +195,19 @@ pub enum NoCode {
         Course::MOST
     )]
     Count,
-    /// Ten hits are ten.
-    #[error("expected no number of questions for ten hits, as in hits-7")]
+    /// The number of ten hits is fixed.
+    #[error("expected no number of questions in the code of ten hits, as in hits-7")]
     Hits,
     /// A review, or a round about what a player has met, depends on that player's record.
     #[error(
-        "a review has no code, as everyone has another; choose it in carrom quiz, or give \
-         a code such as mixed-7"
+        "a review has no code, because it is different for everyone; choose it in carrom quiz, or \
+         give a code such as mixed-7"
     )]
     Personal,
 }
 
 impl Code {
-    /// The code of the ten hits of a seed.
+    /// The code of the ten hits for a seed.
     pub fn hits(seed: u64) -> Self {
         Self {
             course: Course::new(CourseKind::Hits),
@@ -215,15 +215,15 @@ impl Code {
         }
     }
 
-    /// Reads a code; `None` if it is not one. Case and surrounding blanks do not matter.
+    /// Reads a code; `None` if the text is not a code. Case and surrounding blanks do not matter.
     pub fn parse(text: &str) -> Option<Self> {
         Self::read(text).ok()
     }
 
-    /// The same.
+    /// Reads a code. Case and surrounding blanks do not matter.
     ///
     /// # Errors
-    /// Why it is none.
+    /// Returns the reason if the text is not a code.
     pub fn read(text: &str) -> Result<Self, NoCode> {
         let text = text.trim().to_ascii_lowercase();
         let (name, seed) = text.rsplit_once('-').unwrap_or(("hits", &text));
@@ -242,7 +242,7 @@ impl Code {
                 let fixed = kind == CourseKind::Hits;
                 let course = (count.parse().ok())
                     .map(|count| (count, Course::of(kind, count)))
-                    // A count that would be changed is not part of a valid code.
+                    // A code with a count that would be clamped is invalid.
                     .filter(|(count, course)| course.count == *count);
                 let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
                 course.ok_or(no_count)?.1
@@ -255,7 +255,7 @@ impl Code {
     /// which cannot be opened again.
     ///
     /// # Errors
-    /// Why it is not such a name.
+    /// Returns the reason if the text is neither.
     pub(crate) fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
         match Self::read(text) {
             Ok(code) => Ok((code.to_string(), Some(code))),
@@ -280,21 +280,21 @@ impl Code {
     /// The code, if its questions are the same for everyone, whatever they answer.
     ///
     /// # Errors
-    /// If the questions depend on the answers, the reason in words.
+    /// Returns the reason in words if the questions depend on the answers.
     pub(crate) fn same_for_all(self) -> Result<Self, String> {
         match self.course.follows_answers() {
             true => Err(format!(
-                "expected a round that is the same for all; {self} asks everyone by their own \
-                 answers"
+                "expected a round that is the same for everyone; the questions of {self} depend on \
+                 the answers"
             )),
             false => Ok(self),
         }
     }
 
-    /// The code with a teacher's questions, if it asks for these.
+    /// The code with a teacher's own questions, if it requires them.
     ///
     /// # Errors
-    /// If it does and there are none, the reason in words.
+    /// Returns the reason in words if it requires them and there are none.
     pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
         if let CourseKind::Own(library) = &mut self.course.kind {
             if own.concepts.is_empty() {
@@ -328,7 +328,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_code_is_read_as_it_is_written() {
+    fn a_code_is_printed_as_it_was_read() {
         for text in [
             "7",
             "mixed-7",
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn the_round_of_a_noted_answer_is_named_by_its_code() {
+    fn the_round_of_a_stored_answer_is_named_by_its_code() {
         let noted = |text| Code::read_noted(text).map(|(name, code)| (name, code.is_some()));
         for (text, name, is_code) in [
             (" MIXED10-007 ", "mixed-7", true),

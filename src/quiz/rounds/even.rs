@@ -1,25 +1,25 @@
 //! Mixed questions that test every misconception often enough to detect it.
 //!
 //! In the older mixed rounds all families are equally frequent, so some misconceptions could show
-//! in every other question and others in none of twenty. Here some candidates are drawn with the
-//! dice, and the round asks the one that best tests what has not been tested enough.
+//! up in every second question and others in none of twenty. Here some candidates are drawn with
+//! the dice, and the round asks the one that best tests what has not been tested enough.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Form, Misconception, Question};
 
 /// How many candidates are drawn for each question.
 const CANDIDATES: usize = 32;
 
-/// How much a common misconception, and another, should be tested in a round of twenty, measured by
-/// [`shown`].
+/// How much each common misconception and each of the others should be tested in a round of twenty,
+/// in the units of [`shown`].
 const ENOUGH: [u32; 2] = [16, 3];
 
-/// The weight of a deficit of a common misconception.
+/// How many times as much a missing test counts for a common misconception as for another one.
 const PREFERRED: u32 = 8;
 
-/// What a question can show, and how strongly: about the logarithm, to base 3, of how much more
-/// likely a fit is than by guessing. Whole numbers, so that no choice depends on the last digit. An
-/// answer that has to be calculated to less than half of the largest tolerance shows too rarely to
-/// count.
+/// What a question can show, and how strongly: roughly the logarithm to base 3 of how many times as
+/// likely a fit is as it would be by guessing. Whole numbers are used, so that no choice depends on
+/// the last digit. An answer that has to be calculated to less than half of the largest tolerance
+/// is given too rarely to be included.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {
         Form::Rays { .. } => 4,
@@ -43,7 +43,8 @@ impl TimesMet {
         met.map(|(_, strength)| strength).sum()
     }
 
-    /// How much a question adds to what has not been tested enough, in a round of `count`.
+    /// How much a question contributes to the tests that are still missing, in a round of `count`
+    /// questions.
     fn gain(&self, question: &Question, count: usize) -> u32 {
         let each = shown(question).map(|(it, strength)| {
             let common = Misconception::COMMON.contains(&it);
@@ -55,12 +56,12 @@ impl TimesMet {
     }
 }
 
-/// In a round shorter than this every third question is of a family that has not come yet, whatever
-/// it can show, so that the round stays mixed. A longer one has room for both.
+/// In a round shorter than this every third question is of a family that has not been used yet,
+/// whatever it can show, so that the round stays mixed. A longer round is mixed anyway.
 const LONG: usize = 16;
 
-/// Questions of these families, rising in difficulty. No family comes twice in a row, and none much
-/// more often than once in four.
+/// Questions of these families, rising in difficulty. No family comes twice in a row, and none
+/// makes up much more than a quarter of the questions.
 pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
     let mut met = TimesMet::default();
     let mut questions: Vec<Question> = Vec::with_capacity(count);

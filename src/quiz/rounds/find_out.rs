@@ -1,20 +1,21 @@
-//! Finding out what a student believes: each question is chosen by the answers before it.
+//! Finding out what a student believes: each question is chosen according to the answers before it.
 //!
 //! The student is assumed to hold one of the misconceptions, or none. The answers determine the
 //! probability of each. Some candidates are drawn with the dice, and the round asks the one whose
-//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). It ends when one
-//! misconception is established, when none is left, or after as many questions as the course has.
+//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). The round ends
+//! when one misconception is established, when all are ruled out, or after as many questions as the
+//! course has.
 
 use crate::quiz::misconceptions::{Clue, Evidence, SLIP, evidence};
 use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};
 
 /// The probability of holding none of the misconceptions, before the first answer.
 const NONE_BEFORE: f64 = 0.25;
-/// How many times as likely a common misconception is as another.
+/// How many times as likely a common misconception is as any other.
 const COMMON: f64 = 5.0;
-/// From this probability on, a named misconception is established.
+/// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
-/// From this probability of "none" on, none is left.
+/// The probability of "none" at which all misconceptions are considered ruled out.
 const NONE_LEFT: f64 = 0.9;
 /// The smallest number of questions before the round can end.
 const FEWEST: usize = 3;
@@ -63,7 +64,7 @@ struct Posterior {
 }
 
 impl Posterior {
-    /// After answers with this evidence.
+    /// The probabilities after answers with this evidence.
     fn new(evidence: &[Evidence]) -> Self {
         let weight = |it: Misconception| {
             let found = evidence.iter().find(|found| found.misconception == it);
@@ -105,8 +106,8 @@ impl Posterior {
             .filter_map(|belief| Some((belief, belief.in_codes()?)))
             .collect();
         let others = (1.0 - by_chance * known.len() as f64).max(0.0);
-        // The probability of each misconception that can show, and that it then shows: an answer
-        // with a small tolerance is missed more easily.
+        // The probability of each misconception that this question can show, and the probability
+        // that its holder then shows it: an answer with a small tolerance is missed more easily.
         let held = known.iter().map(|(belief, misconception)| {
             let shows = (1.0 - SLIP) * question.width(belief);
             (self.of(*misconception), shows)
@@ -116,7 +117,7 @@ impl Posterior {
             .clone()
             .map(|(likely, shows)| likely * (1.0 - shows))
             .sum();
-        // A student who holds none of these fits each by chance.
+        // The answer of a student who holds none of these fits each of them by chance.
         let each = held
             .clone()
             .map(|(likely, shows)| likely * shows + elsewhere * by_chance);
@@ -132,7 +133,8 @@ fn bits(p: f64) -> f64 {
     if p > 0.0 { -p * p.log2() } else { 0.0 }
 }
 
-/// Whether these answers settle it: one misconception is named and established, or none is left. `in_codes` are the same answers with misconceptions as codes count them.
+/// Whether these answers settle the result: one misconception is named and established, or all are
+/// ruled out. `in_codes` are the same answers with misconceptions as codes count them.
 pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;

@@ -2,7 +2,7 @@
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
-/// How many draws are tried before a topic is sought at another difficulty or in another family:
+/// How many draws are tried for a topic before another difficulty or another family is tried:
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
@@ -43,7 +43,8 @@ pub(super) fn questions(
     while !left.is_empty() {
         let last = questions.last().map(|question| question.family);
         let another = |family: &Family| Some(*family) != last;
-        // A topic that only the last family asks about waits, unless nothing else is left.
+        // A topic about which only the family of the previous question asks is postponed, unless
+        // nothing else is left.
         let next = left.iter().position(|(_, all)| all.iter().any(another));
         let (topic, mut families) = left.remove(next.unwrap_or(0));
         dice.shuffle(&mut families);
@@ -54,8 +55,8 @@ pub(super) fn questions(
     questions
 }
 
-/// A question about a topic, of the first of these families that has one, of this
-/// difficulty if there is one.
+/// A question about a topic, from the first of these families that has one, and of this difficulty
+/// if possible.
 fn about(
     topic: &Topic,
     families: &[Family],
@@ -81,7 +82,7 @@ mod tests {
     use super::*;
     use crate::quiz::concepts;
 
-    /// Every topic that there is.
+    /// All topics.
     fn all() -> Vec<Topic> {
         let asked = |seed| {
             let mut dice = Dice::new(seed);
@@ -120,7 +121,7 @@ mod tests {
         }
         let all = ["from-angle", "speeds", "unequal-masses", "where-to"];
         assert_eq!(met.into_iter().collect::<Vec<_>>(), all);
-        // What is alone is asked all the same, and what is unknown is not.
+        // A topic with only one family is still asked about; an unknown topic is left out.
         let same = ["striker-speed", "target-speed", "a-chapter"].map(Topic::with_id);
         assert_eq!(
             questions(&same, Topic::families, &mut Dice::new(7)).len(),

@@ -11,7 +11,7 @@ use crate::quiz::question::{Answer, Dice, Difficulty, Family, Misconception, Que
 
 /// The questions of a round.
 ///
-/// They follow from its [`Code`] alone, which players share: the dice, the lists of this file, the
+/// They follow from its [`Code`] alone, which players share: the dice, the lists in this file, the
 /// numbers each family draws from and the order of the questions in words are all part of the
 /// format, and a test pins the text of several rounds. A family that is added later must not change
 /// the questions of an existing code: it goes into a new kind of course, or into a topic of its
@@ -22,18 +22,18 @@ pub struct Round {
     questions: Vec<Question>,
 }
 
-/// The families of mixed rounds: all of the first version of codes except the first, which has a
-/// course of its own. Families that are added later follow them.
+/// The families of mixed rounds: all families in the first version of codes except the first, which
+/// has a course of its own. Families that are added later come after them.
 const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
 /// How many times a repeated question is redrawn before it is accepted.
 const REDRAWS: usize = 50;
 
-/// How many questions of any family are searched for one that can show a misconception; then those
-/// in words, some of which show each.
+/// How many draws from all families are tried to find a question that can show a misconception;
+/// after that the questions in words are searched, which together can show every misconception.
 const SHOWING_DRAWS: usize = 400;
 
-/// How many questions are searched for one of another version.
+/// How many draws are tried to find a question for another version.
 const VERSION_DRAWS: usize = 400;
 
 impl Round {
@@ -105,7 +105,7 @@ impl Round {
             clues.collect::<Vec<_>>()
         });
         if !find_out::is_settled(&clues, &in_codes) {
-            // Independent of how many numbers earlier questions drew.
+            // The seed does not depend on how many numbers earlier questions drew.
             let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
             let dice = &mut Dice::new(seed);
             let next = match course.kind {
@@ -116,7 +116,7 @@ impl Round {
         }
     }
 
-    /// The ten hits of a seed.
+    /// The ten hits for a seed.
     pub fn hits(seed: u64) -> Self {
         Self::new(Course::new(CourseKind::Hits), seed)
     }
@@ -126,10 +126,10 @@ impl Round {
         Self::new(code.course, code.seed)
     }
 
-    /// Another version of it, for pupils who sit side by side: each question is of the same topic,
-    /// difficulty and form with other numbers; a question in words is replaced by another about the
-    /// same subject, or has its choices in another order. The versions count from 1, which is the
-    /// round itself; the same number gives the same version.
+    /// Another version of the round, for pupils who sit side by side: each question has the same
+    /// topic, difficulty and form but other numbers; a question in words is replaced by another
+    /// about the same subject, or has its choices in another order. Versions are numbered from 1,
+    /// which is the round itself; the same number gives the same version.
     #[must_use]
     pub fn version(&self, number: u64) -> Self {
         let Code { course, seed } = &self.code;
@@ -164,7 +164,7 @@ impl Round {
             let concept = library.concepts.iter().find(|it| it.id == id)?;
             return concept::question(concept, dice);
         }
-        // In ten hits a kind may have another difficulty than in its family.
+        // In a round of ten hits a kind may have a different difficulty from the one in its family.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,
@@ -176,7 +176,8 @@ impl Round {
         })
     }
 
-    /// The code that fixes it; that of a review cannot be opened, because it belongs to one player.
+    /// The code that fixes the round; the code of a review cannot be opened, because a review
+    /// belongs to one player.
     pub fn code(&self) -> &Code {
         &self.code
     }
@@ -193,7 +194,7 @@ impl Round {
 }
 
 /// Questions of these families, shuffled, easy ones first. No family is repeated before all have
-/// come.
+/// been used.
 fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
     let mut order: Vec<Family> = Vec::new();
@@ -221,7 +222,7 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
 /// Questions of any family that can show a misconception, easy ones first as far as possible.
 fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
-    // The code of a misconception that was split later still asks the same questions.
+    // The code of a misconception that was split later still gives the same questions.
     let shows = |question: &Question| {
         let mut beliefs = question.beliefs.iter();
         beliefs.any(|it| it.misconception == misconception || it.in_codes() == Some(misconception))
@@ -230,7 +231,7 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
     for i in 0..course.count {
         let first = Difficulty::rising(i, course.count);
         let fresh = (0..SHOWING_DRAWS).find_map(|draw| {
-            // Later any difficulty will do.
+            // Later draws may have any difficulty.
             let difficulty = match draw < SHOWING_DRAWS / 2 {
                 true => first,
                 false => *dice.pick(&Difficulty::ALL)?,

@@ -16,7 +16,7 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, SplitLayout, text};
 
-/// The most columns for the names of a round.
+/// The largest number of columns for the names of a round.
 const NAMES: usize = 180;
 
 const ROUNDS: KeptKind = KeptKind {
@@ -28,7 +28,7 @@ const ROUNDS: KeptKind = KeptKind {
     remove: StoreRequest::RemoveClass,
 };
 
-/// The list.
+/// The list of earlier rounds.
 #[derive(Debug, Clone)]
 pub(super) struct EarlierRounds {
     /// The page to go back to.
@@ -37,7 +37,7 @@ pub(super) struct EarlierRounds {
 }
 
 impl EarlierRounds {
-    /// The list, which is being requested.
+    /// Requests the list, which is empty until the answer arrives.
     pub(super) fn ask(set_up: SetUp, cx: &mut Context) -> Self {
         let rounds = KeptFiles::ask(ROUNDS, cx);
         Self { set_up, rounds }
@@ -66,7 +66,7 @@ impl EarlierRounds {
         None
     }
 
-    /// The list, and below it the description of the chosen one.
+    /// The list, and below it the description of the chosen round.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
         let mut panel = Panel::new("earlier rounds");
         let title = |kept: &Kept<ClassRound>| match &kept.content {
@@ -100,7 +100,7 @@ fn titled(round: &ClassRound, day: Option<Date>) -> String {
     format!("{class}{}, {}{day}", round.code(), head_count(round))
 }
 
-/// The number of participants: "27 pupils", "4 teams"; for hands the largest count.
+/// The number of participants: "27 pupils", "4 teams"; for counted hands, the largest count.
 pub(super) fn head_count(round: &ClassRound) -> String {
     let people = round.participants().len();
     match round.way() {

@@ -24,13 +24,13 @@ use crate::widgets::{Role, SplitLayout};
 pub(super) enum EndPage {
     /// The scoreboard.
     Board,
-    /// What the class believed.
+    /// The class's misconceptions.
     Held,
-    /// What each question showed.
+    /// The results of each question.
     Items,
 }
 
-/// What keys do after the last question.
+/// The key actions after the last question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum EndAction {
@@ -39,22 +39,22 @@ pub(crate) enum EndAction {
 }
 
 impl EndPage {
-    /// The keys that turn its pages.
+    /// The keys that turn the pages.
     pub(super) fn keys() -> KeyTable<EndAction> {
         let keys = KeyTable::new("class");
         keys.by([Key::Left, Key::Right], EndAction::TurnPage, [-1, 1], "")
     }
 
-    /// The page so many further, as far as there are any.
+    /// The page `by` pages further, or the first or last one.
     pub(super) fn turned(self, by: isize) -> Self {
         let to = (self as usize).saturating_add_signed(by);
         Self::from_repr(to).unwrap_or(Self::Items)
     }
 
-    /// What it shows.
+    /// The view of the page.
     pub(super) fn view(self, play: &Stage) -> View<'_, ClassAction> {
         let mut panel = Panel::new("");
-        // The scoreboard's is that of the last question.
+        // The scoreboard keeps the subject of the last question.
         panel.subject = usize::MAX - self as usize;
         match self {
             Self::Board => return board(play),
@@ -82,19 +82,20 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
     }
 }
 
-/// A result of the votes of a class: a misconception, how many teams hold it by the evidence of
-/// their first votes and after the discussion, and how many votes fit it.
+/// A misconception in a class: the number of teams whose votes show it, before and after the
+/// discussion, and the number of votes that fit it.
 struct ClassBelief {
     misconception: Misconception,
     teams: [usize; 2],
     votes: [usize; 2],
-    /// The evidence of the teams that have any, at first.
+    /// The total evidence in the votes before the discussion.
     weight: f64,
 }
 
-/// The class's misconceptions: first those that most teams hold, then those with the most evidence.
+/// The class's misconceptions, ordered by the number of teams that hold them and, in a tie, by the
+/// evidence.
 fn held(round: &ClassRound) -> Vec<ClassBelief> {
-    // Counted hands have no names, so they are weighed question by question.
+    // Counted hands have no names, so their evidence is weighed question by question.
     let all = match round.way() {
         WayOfVoting::Tally => round.questions().len(),
         WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),
@@ -139,14 +140,14 @@ fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     }
     let about = match round.way() {
         WayOfVoting::Teams => {
-            "Teams whose votes show it: at first, and after talking. A team counts only if two \
-             questions show it. Below: how many votes fit it."
+            "Teams whose votes show it, before and after the discussion. A team is counted only if \
+             two questions show it. Below: the number of votes that fit it."
         }
         WayOfVoting::Devices => {
-            "How many of you show it by your votes: at first, and after talking. You count only if \
-             two questions show it. Below: how many votes fit it."
+            "How many of you show it in your votes, before and after the discussion. You are counted \
+             only if two questions show it. Below: the number of votes that fit it."
         }
-        WayOfVoting::Tally => "How many of all votes fit it: at first, and after talking.",
+        WayOfVoting::Tally => "The number of votes that fit it, before and after the discussion.",
     };
     panel.paragraph(about, Role::Dim);
     for it in held {
@@ -192,10 +193,10 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     }
     panel.gap();
     panel.paragraph(
-        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; of two \
+        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; for two \
          rays the larger error counts. \"tells apart\": how well a question separates the better \
-         teams from the others, -1 to 1; it needs ten teams. \"gain\": the share of what could be \
-         gained by talking.",
+         teams from the others, -1 to 1; it requires ten teams. \"gain\": the share of the \
+         possible improvement that the discussion achieved.",
         Role::Dim,
     );
 }
@@ -223,8 +224,8 @@ fn summary(question: &Question, item: &ItemAnalysis) -> String {
     summary.join(". ")
 }
 
-/// The least rows of a panel with a title in large letters.
+/// The smallest number of rows of a panel with a title in large letters.
 const LARGE_FROM: u16 = 19;
 
-/// The most answers listed with their counts.
+/// The largest number of answers listed with their counts.
 const MOST_COUNTS: usize = 5;

@@ -1,7 +1,7 @@
-//! A round for a class round one screen: one keyboard, a projector, teams.
+//! A round for a class in front of one screen: one keyboard, a projector, teams.
 //!
 //! A question goes through the `ClassStep`s of [`crate::class`]; `play` leads through them, and
-//! each step with an action is a module of its own.
+//! each step with an action has a module of its own.
 
 mod earlier;
 mod ending;
@@ -45,14 +45,14 @@ use tally::CountAction;
 use unfinished::{Unfinished, UnfinishedEnd};
 use vote::VoteAction;
 
-/// What keys do in a class round: each page has actions of its own, and so has each step with
-/// something to do.
+/// The key actions in a class round. Each page has actions of its own, and so does each step at
+/// which there is something to do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ClassAction {
     SetUp(SetUpAction),
     Earlier(KeptAction),
     Unfinished(ListAction),
-    /// On the pages about pupils on devices of their own.
+    /// On the pages about pupils on their own devices.
     Hosting(HostingAction),
     /// At any step.
     Round(RoundAction),
@@ -60,13 +60,13 @@ pub(crate) enum ClassAction {
     Vote(VoteAction),
     /// While votes are counted.
     Count(CountAction),
-    /// While the hit is watched.
+    /// While the collision is replayed.
     Watch(WatchAction),
     /// After the last question.
     End(EndAction),
 }
 
-/// What keys do at any step of a class round.
+/// The key actions at any step of a class round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum RoundAction {
@@ -74,7 +74,7 @@ pub(crate) enum RoundAction {
     Forward,
     /// go back one step
     Backward,
-    /// go to the previous or next question, where you left it
+    /// go to the previous or next question, at the step where you left it
     Leap(isize),
     /// blank the screen; press the key again to return
     Pause,
@@ -84,9 +84,9 @@ pub(crate) enum RoundAction {
     ToTheShot,
     /// show a one-minute countdown, or add half a minute
     Countdown,
-    /// show the question's words alone, as large as they fit
+    /// show only the question's text, as large as possible
     WordsAlone,
-    /// show pupils' names on the scoreboard, or what each question showed
+    /// show pupils' names on the scoreboard, or the results of each question
     BoardNames,
     /// write two tables for a spreadsheet: answers and questions
     Tables,
@@ -94,15 +94,15 @@ pub(crate) enum RoundAction {
     Leave,
 }
 
-/// A round for a class round one screen.
+/// A round for a class in front of one screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Class {
     scene: ClassScene,
-    /// Whether the screen is blank until someone goes on.
+    /// Whether the screen is blank until somebody continues.
     paused: bool,
 }
 
-/// The page shown.
+/// The current page.
 #[derive(Debug, Clone)]
 enum ClassScene {
     SetUp(Box<SetUp>),
@@ -121,8 +121,8 @@ impl Class {
         }
     }
 
-    /// A round on devices of their own: one that was stopped, if the teacher wants that, or
-    /// another one.
+    /// A round on pupils' own devices: an interrupted one if the teacher resumes it, otherwise a
+    /// new one.
     pub(crate) fn with_devices(code: Option<&Code>, name: &str, cx: &mut Context) -> Self {
         let unfinished = Unfinished::ask(code.cloned(), name, cx);
         Self {
@@ -179,8 +179,8 @@ impl Class {
             }
             ClassScene::Play(play) => {
                 let what = match play.unsaved {
-                    true => "It is not saved and would be lost. e writes its tables.",
-                    false => "Then it is saved, and you can resume it.",
+                    true => "It is not saved and would be lost. The e key writes its tables.",
+                    false => "It is saved, and you can resume it later.",
                 };
                 Next::Confirm(Confirmation::new(
                     format!("Leave the round? {what}"),
@@ -216,7 +216,8 @@ impl Screen for Class {
                 let of = play.stage.round().questions().len();
                 let place = format!("question {} of {of}", play.stage.number() + 1);
                 match play.stage.step().vote().filter(|_| !play.is_over()) {
-                    // Otherwise pupils could play the round in advance by its code.
+                    // The code is not shown, because pupils could use it to play the round in
+                    // advance.
                     Some(vote) if play.stage.session.is_hosted() => {
                         format!("{place}  {}", play.stage.session.turnout(vote))
                     }
@@ -258,7 +259,7 @@ impl Screen for Class {
              the shot, the explanation and the scores.",
             "Let every team write down its answer in silence: then nobody copies from the team \
              that types first.",
-            "Rims are smooth unless a question says otherwise. A question gives up to ten points, \
+            "Rims are smooth unless a question says otherwise. A question is worth up to ten points, \
              depending on how close the last vote is. There are no timers, and speed does not \
              matter.",
             "carrom saves after each vote. You can leave when the bell rings and continue the \
@@ -386,7 +387,7 @@ impl Screen for Class {
     }
 }
 
-/// Draws the calm screen of a pause.
+/// Draws the blank screen of a pause.
 fn draw_pause(area: Rect, buf: &mut Buffer, look: &Look) {
     sheet::note(area, || Item::new(Words::large("paused", Role::Dim)));
     if let Some(big) = Big::fit("paused", area.width, area.height / 2, look.charset) {

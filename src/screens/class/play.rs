@@ -1,4 +1,4 @@
-//! A round in progress: its place, and the path through its steps.
+//! A round in progress, and the navigation through its steps.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -24,26 +24,27 @@ use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::panels::Heading;
 use crate::widgets::{SplitLayout, draw_question};
 
-/// A round being played.
+/// A round that is being played.
 #[derive(Debug, Clone)]
 pub(super) struct ClassPlay {
     pub(super) stage: Stage,
     phase: ClassPhase,
-    /// The step at which each question stands.
+    /// The current step of each question.
     steps: Vec<ClassStep>,
-    /// The last question that has been reached; their number if the end was.
+    /// The last question that has been reached, or the number of questions if the end has been
+    /// reached.
     furthest: usize,
-    /// The ticket for saving it.
+    /// The ticket for saving the round.
     ticket: u64,
     /// Whether saving failed: leaving now would lose the round.
     pub(super) unsaved: bool,
     /// Hand-ins that are being saved, by their tickets.
     hand_ins: BTreeMap<u64, HandInOnItsWay>,
-    /// The page about pupils on devices that is open.
+    /// The open page about pupils on devices.
     pub(super) host_page: Option<HostPage>,
 }
 
-/// The actions at a step, if there is more to do than to go on.
+/// The state of a step at which there is more to do than continue.
 #[derive(Debug, Clone)]
 enum ClassPhase {
     Look,
@@ -60,7 +61,7 @@ impl ClassPlay {
         Self::with_ticket(round, ticket, cx)
     }
 
-    /// A saved round, where it was left.
+    /// A saved round, at the step where it was left.
     pub(super) fn with_ticket(round: ClassRound, ticket: u64, cx: &mut Context) -> Self {
         let place = round.place();
         let furthest = place.question.max(round.begun().saturating_sub(1));
@@ -101,7 +102,7 @@ impl ClassPlay {
         self.stage.session.round().is_begun() && (self.unsaved || !self.is_over())
     }
 
-    /// Begins the actions of the present step.
+    /// Begins the actions of the current step.
     fn arrive(&mut self, cx: &Context) {
         let ClassPlace { question, step } = self.stage.session.round().place();
         self.furthest = self.furthest.max(question);
@@ -137,7 +138,7 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// Passes on the requests of the session.
+    /// Passes on the requests that the session has made.
     fn flush(&mut self, cx: &mut Context) {
         for effect in self.stage.session.take_effects() {
             match effect {
@@ -160,13 +161,13 @@ impl ClassPlay {
         }
     }
 
-    /// Handles news from pupils on devices.
+    /// Handles messages from pupils on devices.
     pub(super) fn take_news(&mut self, news: &[HostNews], cx: &mut Context) {
         self.stage.session.take_news(news);
         self.flush(cx);
     }
 
-    /// Carries out an action on pupils on devices.
+    /// Carries out an action that concerns pupils on devices.
     pub(super) fn host(&mut self, action: HostingAction, cx: &mut Context) {
         let page = self.host_page.take();
         self.host_page = HostPage::act(page, action, &mut self.stage.session);
@@ -179,7 +180,8 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// The step this many further in the question; on devices predicting and voting are one step.
+    /// The next or the previous step of the question, as `beside` returns it; on devices,
+    /// predicting and voting are one step.
     fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
         let skips = self.stage.session.round().way() == WayOfVoting::Devices;
         match beside(self.stage.step())? {
@@ -188,7 +190,7 @@ impl ClassPlay {
         }
     }
 
-    /// To what comes next.
+    /// Goes to the next step or page.
     fn forward(&mut self, cx: &mut Context) {
         let question = self.stage.number();
         if let ClassPhase::End(page) = &mut self.phase {
@@ -202,7 +204,7 @@ impl ClassPlay {
         }
     }
 
-    /// To what came before.
+    /// Goes to the previous step or page.
     fn back(&mut self, cx: &mut Context) {
         let question = self.stage.number();
         match &mut self.phase {
@@ -216,15 +218,15 @@ impl ClassPlay {
         }
     }
 
-    /// The question this many further, with the end after the last; `None` if it has not been
-    /// reached yet.
+    /// The question `by` questions further; the end of the round comes after the last question.
+    /// `None` if it has not been reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
         let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
         (to <= self.furthest).then_some(to)
     }
 
-    /// Goes there, at the step where it was left.
+    /// Goes to the question `by` questions further, at the step where it was left.
     fn leap(&mut self, by: isize, cx: &mut Context) {
         match self.leads_to(by).map(|to| (to, self.steps.get(to))) {
             Some((question, Some(step))) => self.go(question, *step, cx),
@@ -248,7 +250,7 @@ impl ClassPlay {
                     && !self.unsaved
                 {
                     cx.notify(format!(
-                        "This round cannot be saved: {reason}. You can play on, but it would be lost when you leave. e writes its tables."
+                        "This round cannot be saved: {reason}. You can continue, but it would be lost when you leave. The e key writes its tables."
                     ));
                 }
                 self.unsaved = saved.is_err();
@@ -269,7 +271,7 @@ impl ClassPlay {
         }
     }
 
-    /// The keys of the step at hand.
+    /// The keys of the current step.
     pub(super) fn keys(&self) -> KeyTable<ClassAction> {
         use RoundAction::{
             Backward, BoardNames, Countdown, Leap, Leave, Light, Pause, Tables, WordsAlone,
@@ -317,7 +319,7 @@ impl ClassPlay {
                 (table.with(on, ClassAction::Round), reads)
             }
         };
-        let keys = keys.on('z', WordsAlone, "words alone").when(read);
+        let keys = keys.on('z', WordsAlone, "text only").when(read);
         let is_board = matches!(
             (&self.phase, self.stage.step()),
             (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores)
@@ -349,7 +351,7 @@ impl ClassPlay {
         table.with(keys, ClassAction::Round)
     }
 
-    /// The key that goes on from a step at which there is nothing else to do.
+    /// The key that continues from a step at which there is nothing else to do.
     fn keys_to_look(&self) -> KeyTable<RoundAction> {
         let is_last = self.stage.number() + 1 == self.stage.round().questions().len();
         let keys = forward(match self.stage.step() {
@@ -418,7 +420,7 @@ impl ClassPlay {
             RoundAction::Tables => {
                 cx.ask(StoreRequest::ExportClass(self.stage.session.shared_round()));
             }
-            // They are the screen's.
+            // The screen itself handles these.
             RoundAction::Pause | RoundAction::Light | RoundAction::Leave => {}
         }
     }
@@ -435,7 +437,7 @@ impl ClassPlay {
         }
     }
 
-    /// What it shows.
+    /// The view of the current step.
     pub(super) fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ClassAction> {
         if let Some(page) = &self.host_page {
             return page.view(&self.stage.session, cx);
@@ -456,7 +458,7 @@ impl ClassPlay {
         }
     }
 
-    /// The question while it is read; on devices pupils vote meanwhile.
+    /// The question while it is read out; on devices, pupils vote at the same time.
     fn reading<'s>(&'s self, step: ClassStep, question: &'s Question) -> View<'s, ClassAction> {
         let turnout = |vote| self.stage.session.turnout(vote);
         let heading = match step {
@@ -487,7 +489,7 @@ impl ClassPlay {
         self.stage.step_view(heading, beside, draw, words)
     }
 
-    /// Handles a typing key.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let page = self.host_page.as_mut();
         match &mut self.phase {
@@ -523,13 +525,13 @@ impl ClassPlay {
         }
     }
 
-    /// When it next needs time.
+    /// The time until the round must next be advanced.
     pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         let shot = match &self.phase {
             ClassPhase::Shot(shown) => shown.reveal.wake(pace),
             _ => None,
         };
-        // Until the next lower second is shown.
+        // Until the countdown shows the next second.
         let left = self.stage.countdown.filter(|left| !left.is_zero());
         let second = left.map(|left| match left.subsec_nanos() {
             0 => Duration::from_secs(1),
@@ -540,7 +542,7 @@ impl ClassPlay {
     }
 }
 
-/// The keys that go on.
+/// The keys that continue.
 fn forward(name: &'static str) -> KeyTable<RoundAction> {
     KeyTable::new("class")
         .on(Key::Enter, RoundAction::Forward, name)

@@ -1,4 +1,4 @@
-//! The words of a question, and the priority of its picture.
+//! The text of a question, and the priority of its picture.
 
 use super::ClassAction;
 use super::stage::Stage;
@@ -8,7 +8,7 @@ use crate::widgets::hit::degrees;
 use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::{Role, brief};
 
-/// Writes a question with its choices; with `vote`, the number of votes for each.
+/// Writes a question with its choices and, if `vote` is given, the number of votes for each.
 pub(super) fn write(
     play: &Stage,
     question: &Question,
@@ -46,8 +46,8 @@ fn in_short(question: &Question, choice: &Response) -> String {
     }
 }
 
-/// The choices: those of a question that has any; if hands or cards are counted, possible answers
-/// of every question.
+/// The choices of a question. If hands or cards are counted and a question has no choices, its
+/// possible answers take their place.
 fn choices(play: &Stage, question: &Question) -> Vec<Response> {
     let has_any = matches!(question.form, Form::Choice { .. });
     match has_any || play.round().way() == WayOfVoting::Tally {
@@ -56,7 +56,7 @@ fn choices(play: &Stage, question: &Question) -> Vec<Response> {
     }
 }
 
-/// Whether the picture of a question shows more than its words.
+/// How much the picture of a question adds to its text.
 pub(super) fn beside(question: &Question) -> Beside {
     match (&question.picture, &question.form) {
         (Illustration::Nothing, _) => Beside::Nothing,

@@ -1,4 +1,4 @@
-//! The scoreboard: everyone's place, points and gain.
+//! The scoreboard: everyone's rank, points and gain.
 
 use ratatui::layout::Rect;
 
@@ -13,7 +13,7 @@ use crate::widgets::panel::BoardRow;
 use crate::widgets::panels::Heading;
 use crate::widgets::{Room, SplitLayout, areas};
 
-/// The standings of the class, under such a heading.
+/// The standings of the class, under a heading.
 pub(super) fn view(play: &Stage, heading: Heading) -> View<'_, ClassAction> {
     let mut panel = play.words();
     panel.board(rows(play));
@@ -24,7 +24,7 @@ pub(super) fn view(play: &Stage, heading: Heading) -> View<'_, ClassAction> {
     }
 }
 
-/// One row per team, or per question if there are no names, or none that all may see.
+/// One row per team, or per question if there are no names or if they are hidden.
 fn rows(play: &Stage) -> Vec<BoardRow> {
     let has_names = match play.round().way() {
         WayOfVoting::Tally => false,

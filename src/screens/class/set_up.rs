@@ -1,4 +1,4 @@
-//! Setting up a round: who plays, and which questions.
+//! Setting up a round: the teams, and the questions.
 
 use std::sync::Arc;
 
@@ -13,27 +13,27 @@ use crate::screens::Context;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
-/// The message for a text that is not a code.
+/// The message for an invalid code.
 const NO_CODE: &str = "expected the code of a round, such as mixed-7, or 7 for ten hits";
-/// The most letters of a name or a code while it is typed.
+/// The largest number of letters in a name or a code while it is typed.
 const LONGEST: usize = 2 * LONGEST_NAME;
 
 /// The page on which a round is set up.
 #[derive(Debug, Clone)]
 pub(super) struct SetUp {
-    /// Names as typed.
+    /// The names of the teams, as typed.
     pub(super) teams: Vec<TextField>,
     /// The name of the class, as typed.
     pub(super) class: TextField,
     list: ListView,
-    /// The kind of round that is chosen.
+    /// The chosen kind of round.
     pub(super) kind: RoundKind,
-    /// The one topic, by its place among [`CourseKind::topics`].
+    /// The chosen topic, as an index into [`CourseKind::topics`].
     pub(super) topic: usize,
     pub(super) code: TextField,
-    /// Why it cannot start.
+    /// The reason why the round cannot start.
     pub(super) trouble: Option<String>,
-    /// The questions of the teacher's own.
+    /// The teacher's own questions.
     pub(super) own: Arc<Library>,
 }
 
@@ -42,22 +42,22 @@ pub(super) struct SetUp {
 pub(super) enum SetUpRow {
     /// The name of a team, counted from 0.
     Team(usize),
-    /// One more team.
+    /// Adds a team.
     Add,
-    /// What the class is called.
+    /// The name of the class.
     Class,
     Kind(RoundKind),
     /// Starts the round.
     Start,
     /// Starts the round with hands or cards that are counted.
     Tally,
-    /// Starts the round with everyone on a device of their own.
+    /// Starts the round with everyone on their own device.
     Devices,
     /// The list of earlier rounds.
     Earlier,
 }
 
-/// Which questions.
+/// The kind of round, by its questions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(super) enum RoundKind {
     Mixed,
@@ -68,7 +68,7 @@ pub(super) enum RoundKind {
     Code,
 }
 
-/// What keys do where a round is set up.
+/// The key actions on the set-up page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SetUpAction {
@@ -116,19 +116,20 @@ impl SetUp {
         set_up
     }
 
-    /// The row of the mark.
+    /// The marked row.
     pub(super) fn at(&self) -> SetUpRow {
         let rows = self.rows();
         rows[self.list.chosen(rows.len())]
     }
 
-    /// Puts the mark at a row.
+    /// Moves the mark to a row.
     pub(super) fn put(&mut self, row: SetUpRow) {
         let at = self.rows().iter().position(|it| *it == row);
         self.list.choose(at.unwrap_or(self.teams.len()));
     }
 
-    /// The available kinds of round; own questions only if there are any.
+    /// The available kinds of round; the teacher's own questions are included only if there are
+    /// any.
     pub(super) fn kinds(&self) -> Vec<RoundKind> {
         let mut kinds = RoundKind::VARIANTS.to_vec();
         kinds.retain(|kind| *kind != RoundKind::Own || !self.own.concepts.is_empty());
@@ -147,7 +148,7 @@ impl SetUp {
         })
     }
 
-    /// All rows, from the top of the left side to the foot of the right one.
+    /// All rows, from the top of the left side to the bottom of the right side.
     pub(super) fn rows(&self) -> Vec<SetUpRow> {
         let mut rows: Vec<SetUpRow> = (0..self.teams.len()).map(SetUpRow::Team).collect();
         if self.teams.len() < MOST_TEAMS {
@@ -174,7 +175,7 @@ impl SetUp {
         }
     }
 
-    /// The keys of the row at hand; letters are typed into it.
+    /// The keys of the marked row; letters are typed into it.
     pub(super) fn keys(&self) -> KeyTable<SetUpAction> {
         use SetUpAction::{List, Remove, Topic};
         let at = self.at();
@@ -184,7 +185,7 @@ impl SetUp {
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
             SetUpRow::Earlier => "open the list",
         };
-        // In a text they go to its ends.
+        // In a text field, these keys move the cursor to its ends.
         let ends = match at {
             SetUpRow::Team(_) | SetUpRow::Class | SetUpRow::Kind(RoundKind::Code) => {
                 [Key::Home, Key::End].as_slice()
@@ -199,7 +200,7 @@ impl SetUp {
             .when(matches!(at, SetUpRow::Team(_)))
     }
 
-    /// Handles a typing key; returns whether it was one.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         if let (SetUpRow::Add, Key::Char(c)) = (self.at(), key)
             && !c.is_whitespace()
@@ -211,7 +212,7 @@ impl SetUp {
         let Some(field) = self.field().filter(|_| key != Key::Char('?')) else {
             return false;
         };
-        // At the end of a name there is nothing to delete but the team.
+        // At the end of a name, Delete removes the team.
         let at_end = field.around_cursor().1.is_empty();
         if (key == Key::Delete && at_end) || !field.update(key) {
             return false;
@@ -242,7 +243,7 @@ impl SetUp {
         }
     }
 
-    /// Moves the mark, or carries out its row. An empty name is removed.
+    /// Moves the mark, or activates the marked row. An empty name is removed.
     fn listed(&mut self, action: ListAction, cx: &mut Context) -> Outcome<SetUpEnd> {
         self.trouble = None;
         let left = self.at();
@@ -256,7 +257,7 @@ impl SetUp {
         Outcome::Used
     }
 
-    /// Leaves a row: an empty name goes.
+    /// Leaves a row, and removes an empty name.
     fn leave(&mut self, left: SetUpRow) {
         let row = self.at();
         if let SetUpRow::Team(team) = left
@@ -271,7 +272,7 @@ impl SetUp {
         }
     }
 
-    /// Handles pasted text: one name per line in the names.
+    /// Handles pasted text; in the row of a name, each line is one name.
     pub(super) fn paste(&mut self, pasted: &str) {
         let mut lines = pasted.lines();
         let first = lines.next().unwrap_or_default();
@@ -302,7 +303,7 @@ impl SetUp {
     fn enter(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
         let at = self.at();
         match at {
-            // An empty name goes on to the next row.
+            // With an empty name, Enter continues to the next row.
             SetUpRow::Add | SetUpRow::Class => self.put(SetUpRow::Kind(self.kind)),
             SetUpRow::Team(team) => {
                 self.list.choose(team + 1);
@@ -321,7 +322,7 @@ impl SetUp {
     fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<SetUpEnd> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
-            // Counted hands have no names, and pupils on devices enter theirs there.
+            // Counted hands have no names, and pupils on devices enter their own.
             Err(_) if at != SetUpRow::Start => Vec::new(),
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));
@@ -356,14 +357,14 @@ impl SetUp {
     }
 }
 
-/// The faults of files of own questions that were left out.
+/// The faults in the files of the teacher's own questions that were left out.
 fn left_out(own: &Library) -> Option<String> {
     let first = own.problems.first()?;
     Some(match own.problems.len() {
         1 => format!("Left out of your own questions: {first}"),
         all => format!(
-            "{all} faults in your own questions, which are left out; carrom concept check lists \
-             all. The first: {first}"
+            "Files with faults in your own questions are left out. carrom concept check lists all \
+             {all} faults. The first: {first}"
         ),
     })
 }

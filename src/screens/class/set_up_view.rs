@@ -55,7 +55,7 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
         SetUpRow::Team(team) => typed(&format!("team {}", team + 1), set_up.teams.get(team)),
         SetUpRow::Add => typed("add a team: type its name", None),
         SetUpRow::Class if set_up.class.text().is_empty() => {
-            typed("the class, for tables: no name", None);
+            typed("class name, for tables: none", None);
         }
         SetUpRow::Class => typed("class", Some(&set_up.class)),
         SetUpRow::Kind(kind) => {
@@ -77,7 +77,7 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
                     "Start with these teams"
                 }
                 SetUpRow::Tally => "Start with hands or cards",
-                SetUpRow::Devices => "Start on devices of their own",
+                SetUpRow::Devices => "Start on pupils' own devices",
                 _ => "Resume an earlier round",
             };
             panel.row((name, Role::Text), ("", Role::Dim), chosen, action);

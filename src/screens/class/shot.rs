@@ -1,4 +1,4 @@
-//! What really happens, and why.
+//! The real outcome of a question, and its explanation.
 
 use super::ClassAction;
 use super::question;
@@ -11,13 +11,13 @@ use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::panels::Heading;
 use crate::widgets::{Role, draw_question, lettered};
 
-/// What really happens, and why.
+/// The real outcome of a question, and its explanation.
 #[derive(Debug, Clone)]
 pub(super) struct ClassReveal {
     /// The collision, if the question is about one.
     pub(super) reveal: Reveal,
-    /// The most frequent wrong answer, and its number of votes: the misconception that fits, or
-    /// else the letter of the choice.
+    /// The most frequent wrong answer (the misconception that it fits, or else the letter of the
+    /// choice), and its number of votes.
     pub(super) held: Option<(String, usize)>,
     /// The explanation.
     pub(super) why: String,
@@ -27,7 +27,7 @@ impl ClassReveal {
     /// The explanation of a question, starting from the class's answers.
     pub(super) fn new(round: &ClassRound, number: usize, pace: HitPace) -> Option<Self> {
         let question = round.questions().get(number)?;
-        // Their votes after the discussion, or before it.
+        // The votes after the discussion or, if there are none, before it.
         let held = commonest(round, number, Vote::Second)
             .or_else(|| commonest(round, number, Vote::First));
         let said = held.as_ref().map(|shared| shared.said);
@@ -76,8 +76,8 @@ fn right_in_words(play: &Stage) -> String {
     format!("right at first: {first}, after talking: {second}")
 }
 
-/// Writes the text of the shot: the steps of the explanation; then the right answer with the one
-/// sentence that matters, and on further pages the whole explanation.
+/// Writes the text of the shot: the steps of the explanation; then the right answer with the most
+/// important sentence and, on further pages, the whole explanation.
 fn write(play: &Stage, question: &Question, shown: &ClassReveal, panel: &mut Panel<ClassAction>) {
     if let Some(watch) = shown.reveal.watch()
         && shown.reveal.is_explaining()
@@ -133,7 +133,7 @@ fn watch(question: &Question, said: Option<Response>, pace: HitPace) -> Option<W
     collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
 }
 
-/// What wrong votes have in common.
+/// The common answer of a group of wrong votes.
 struct SharedAnswer {
     name: String,
     count: usize,
@@ -141,7 +141,7 @@ struct SharedAnswer {
     said: Response,
 }
 
-/// The most frequent group of wrong votes; of equals a misconception.
+/// The most frequent group of wrong votes; in a tie, one that fits a misconception.
 fn commonest(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let shared = [
         commonest_reply(round, question, vote),
@@ -163,7 +163,7 @@ fn commonest_belief(round: &ClassRound, question: usize, vote: Vote) -> Option<S
     })
 }
 
-/// The most frequent wrong choice that fits no misconception but has feedback. Of equals the first.
+/// The most frequent wrong choice that fits no misconception but has feedback. In a tie, the first.
 fn commonest_reply(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let replies = &round.questions().get(question)?.replies;
     let said: Vec<Response> = round.said(question, vote).collect();
@@ -189,9 +189,9 @@ mod tests {
     use super::*;
     use crate::quiz::Code;
 
-    /// A wrong choice that fits no known misconception is told what the question has to say to it.
+    /// For a wrong choice that fits no known misconception, the question's own feedback is shown.
     #[test]
-    fn a_choice_without_a_misconception_is_answered_too() {
+    fn a_choice_without_a_misconception_has_feedback_too() {
         let teams = || ["Ants", "Bees", "Cats"].map(Into::into).to_vec();
         let mut rounds = (0..200).filter_map(|seed| {
             let code = Code::parse(&format!("concept1-{seed}"))?;

@@ -20,14 +20,14 @@ pub(super) struct Stage {
     pub(super) session: Session,
     /// The remaining time of a countdown, if one is shown.
     pub(super) countdown: Option<Duration>,
-    /// Whether only the words of the question are shown.
+    /// Whether only the text of the question is shown.
     pub(super) words_alone: bool,
     /// Whether the scoreboard shows the names of pupils on devices.
     pub(super) names_shown: bool,
 }
 
 impl Stage {
-    /// The round as it stands.
+    /// The current state of the round.
     pub(super) fn round(&self) -> &ClassRound {
         self.session.round()
     }
@@ -36,7 +36,7 @@ impl Stage {
         self.session.round().questions().get(self.number())
     }
 
-    /// Its number, from 0.
+    /// The number of the question, counted from 0.
     pub(super) fn number(&self) -> usize {
         self.session.round().place().question
     }
@@ -45,7 +45,7 @@ impl Stage {
         self.session.round().place().step
     }
 
-    /// A panel for the words of the present step, shown from their beginning.
+    /// A panel for the text of the current step, shown from its beginning.
     pub(super) fn words(&self) -> Panel<ClassAction> {
         let mut panel = Panel::new("");
         panel.open = true;
@@ -53,7 +53,8 @@ impl Stage {
         panel
     }
 
-    /// The view of a step: its name and instruction, the picture, and words as large as they fit.
+    /// The view of a step: its name and instruction, the picture, and the text as large as
+    /// possible.
     pub(super) fn step_view<'s>(
         &self,
         heading: Option<Heading>,

@@ -29,7 +29,7 @@ const MOST_ANGLES: usize = 5;
 pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, ClassAction> {
     let heading = Heading::new(
         &["Talk"],
-        "These are the votes. Find someone who thinks otherwise, and say why.",
+        "These are the votes. Find someone who disagrees, and explain why.",
     );
     let mut words = play.words();
     question::write(play, question, Some(Vote::First), |_| None, &mut words);
@@ -42,7 +42,8 @@ pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, Clas
     }
 }
 
-/// Writes the most frequent directions of each ray, the number without a vote, and the advice.
+/// Writes the most frequent directions of each ray, the number of participants who have not voted,
+/// and the advice.
 fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>) {
     let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
     let advice = Advice::of(play.round(), play.number());
@@ -54,7 +55,7 @@ fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>)
         panel.paragraph(words, Role::Text);
     }
     let missing = match play.round().way() {
-        WayOfVoting::Tally if advice.is_none() => "Nothing counted yet.".to_owned(),
+        WayOfVoting::Tally if advice.is_none() => "No votes counted yet.".to_owned(),
         WayOfVoting::Tally => String::new(),
         _ => vote::missing(play.round(), play.number(), Vote::First),
     };
@@ -71,7 +72,7 @@ fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>)
     }
 }
 
-/// The picture that shows the spread: that of the question with all rays, or numbers on a line.
+/// The picture that shows the distribution: the question's picture with all rays, or a number line.
 fn beside(play: &Stage, question: &Question) -> Beside {
     match question.form {
         _ if play.round().way() == WayOfVoting::Tally => question::beside(question),
@@ -88,7 +89,7 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
     let unit = match &question.form {
         Form::Choice { .. } => return draw_question(area, buf, look, question, None),
         Form::Rays { .. } => {
-            // The question's own labels stay whole.
+            // The rays do not cover the question's own labels.
             if let Some(collision) = question.picture.collision() {
                 draw_fan(collision, votes, area, buf, look);
             }
@@ -96,7 +97,7 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
         }
         _ if is_tally => return draw_question(area, buf, look, question, None),
         Form::Number { quantity, .. } => quantity.unit(),
-        Form::Shot(_) => "mm, a minus for the left",
+        Form::Shot(_) => "mm, negative to the left",
     };
     let rows = match question::beside(question) {
         Beside::Nothing => 0,
@@ -107,7 +108,7 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
     draw_line(unit, votes, line, buf, look);
 }
 
-/// The commonest angles said of a ray, in order, with how many said the same: "30.0, 45.0 (2)".
+/// The most frequent angles for a ray, in order, with the number of equal votes: "30.0, 45.0 (2)".
 fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     let index = usize::from(ray == Ray::Target);
     let mut angles: Vec<Option<f64>> = votes
@@ -139,10 +140,10 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     words.collect::<Vec<_>>().join(", ") + more
 }
 
-/// Ways of one disc from which on not each has a name.
+/// If a disc has more directions than this, not all of them are labelled.
 const MANY_WAYS: usize = 8;
 
-/// All rays, from where the two will meet.
+/// Draws all rays, from the position where the two discs will collide.
 fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let stage = HitLayout::new(area, collision);
     let mut picture = Picture::new(stage.view);
@@ -151,8 +152,8 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
         (Ray::Target, "C", Role::CoinOut),
     ];
     for (ray, name, role) in bodies {
-        // A class votes for the same ways again and again: each is drawn once, by whole degrees,
-        // and where there are many only the one that most are for has a name.
+        // Many votes of a class are equal, so each direction in whole degrees is drawn once. If
+        // there are many, only the most frequent one is labelled.
         let mut ways: BTreeMap<i64, (usize, f64)> = BTreeMap::new();
         let said = votes.iter().filter_map(|said| said.rays()?.get(ray));
         for angle in said {
@@ -177,7 +178,7 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
     picture.draw(buf, look);
 }
 
-/// Bars on a number line, higher for more equal answers.
+/// Bars on a number line: the more answers are equal, the higher the bar.
 fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let numbers = votes.iter().filter_map(|said| match said {
         Response::Number(x) => Some(*x),

@@ -13,10 +13,10 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
 use crate::widgets::{Role, draw_question};
 
-/// Most letters that are typed.
+/// The largest number of characters that can be typed.
 const LONGEST: usize = 40;
 
-/// Counts being typed: "4 17 9 2".
+/// Counts that are being typed: "4 17 9 2".
 #[derive(Debug, Clone)]
 pub(super) struct Tally {
     vote: Vote,
@@ -24,7 +24,7 @@ pub(super) struct Tally {
     field: TextField,
 }
 
-/// What keys do while votes are counted.
+/// The key actions while votes are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum CountAction {
@@ -32,13 +32,13 @@ pub(crate) enum CountAction {
     Count,
 }
 
-/// The keys, except those of every step.
+/// The keys, except those that all steps share.
 pub(super) fn keys() -> KeyTable<CountAction> {
-    KeyTable::new("class").on(Key::Enter, CountAction::Count, "take it")
+    KeyTable::new("class").on(Key::Enter, CountAction::Count, "enter")
 }
 
 impl Tally {
-    /// Earlier counts, for correction, or none.
+    /// The earlier counts, to be corrected, or no counts.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let counts = round.tally(question, vote).unwrap_or_default();
         let counts: Vec<String> = counts.iter().map(ToString::to_string).collect();
@@ -49,7 +49,7 @@ impl Tally {
         }
     }
 
-    /// Handles a typing key: digits and separators.
+    /// Handles a key that edits the counts: digits and separators.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let is_own = match key {
             Key::Char(c) => c.is_ascii_digit() || (matches!(c, ' ' | ',') && !self.is_empty()),
@@ -66,7 +66,7 @@ impl Tally {
     /// The typed counts, one per choice; `None` while nothing is typed.
     ///
     /// # Errors
-    /// The fault in words.
+    /// What is wrong with the counts.
     fn counts(&self, round: &ClassRound) -> Result<Option<Vec<u32>>, String> {
         let text = self.field.text();
         let parts = text.split([' ', ',']).filter(|part| !part.is_empty());
@@ -79,7 +79,7 @@ impl Tally {
         if counts.len() != choices {
             let found = counts.len();
             return Err(format!(
-                "a number for each of A to {last}: {choices} of them, not {found}"
+                "a number for each of A to {last}: {choices} numbers, not {found}"
             ));
         }
         let all = counts.into_iter().collect::<Option<Vec<u32>>>();
@@ -119,7 +119,7 @@ impl Tally {
                 "Who has changed their mind? Show your card once more.",
             ),
         };
-        // Until the second vote is counted, the first is shown.
+        // Until the second vote is counted, the first one is shown.
         let shown = (self.vote == Vote::Second).then_some(Vote::First);
         let mut words = play.words();
         question::write(play, question, shown, |_| None, &mut words);
@@ -138,7 +138,7 @@ impl Tally {
             (Ok(None), Vote::Second) => foot.prompt("all keep their vote", take),
             (Ok(Some(counts)), _) => {
                 let all: u32 = counts.iter().sum();
-                foot.prompt(format!("that is the vote, {all} in all"), take);
+                foot.prompt(format!("record these votes, {all} in all"), take);
             }
         }
         let draw = move |area, buf: &mut _, look: &_| {

@@ -22,9 +22,9 @@ const STEPS: [ClassStep; 6] = [
 ];
 
 /// Every step of every question of three rounds has letters large enough for the back row, and a
-/// short text fits one page or two.
+/// short text fits on one or two pages.
 #[test]
-fn the_back_row_reads_every_step_of_every_question() {
+fn the_back_row_can_read_every_step_of_every_question() {
     let teams: Vec<String> = (1..=8).map(|team| format!("Team {team}")).collect();
     let mut asked = 0;
     let mut faults = Vec::new();
@@ -96,7 +96,7 @@ fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
 
 /// Each of thirty-two pupils can be scrolled into view.
 #[test]
-fn a_long_board_is_scrolled_to_its_end() {
+fn a_long_scoreboard_can_be_scrolled_to_its_end() {
     let names = (0..32).map(|pupil| format!("Pupil {pupil:02}"));
     let code = Code::parse("from-angle2-7").unwrap();
     let mut round = ClassRound::new(code, names.collect());

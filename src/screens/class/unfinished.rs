@@ -1,5 +1,5 @@
-//! A round on devices that a crash or the end of a lesson interrupted: it is offered before the
-//! class begins another one.
+//! A round on devices that a crash or the end of a lesson interrupted. The teacher can resume it
+//! before the class begins another one.
 
 use super::ClassAction;
 use super::earlier::head_count;
@@ -16,10 +16,10 @@ use crate::widgets::{Outcome, Role, text};
 /// The choices.
 const CHOICES: [&str; 2] = ["resume it", "begin another round"];
 
-/// The page that offers it.
+/// The page on which an interrupted round can be resumed.
 #[derive(Debug, Clone)]
 pub(super) struct Unfinished {
-    /// The round that begins otherwise, and the name of its class.
+    /// The round that begins if the interrupted one is not resumed, and the name of its class.
     code: Option<Code>,
     name: String,
     /// The interrupted round; `None` while it is being loaded.
@@ -27,7 +27,7 @@ pub(super) struct Unfinished {
     list: ListView,
     /// The ticket for loading it.
     loading: Option<u64>,
-    /// Why it cannot be resumed.
+    /// Why the round cannot be resumed.
     trouble: Option<String>,
 }
 
@@ -40,7 +40,8 @@ pub(super) enum UnfinishedEnd {
 }
 
 impl Unfinished {
-    /// Looks for an interrupted round, with this code and of this class if they are given.
+    /// Looks for an interrupted round; if a code or a class is given, for one with this code or of
+    /// this class.
     pub(super) fn ask(code: Option<Code>, name: &str, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {
@@ -53,13 +54,13 @@ impl Unfinished {
         }
     }
 
-    /// The round that begins otherwise, and the name of its class.
+    /// The round that begins if the interrupted one is not resumed, and the name of its class.
     pub(super) fn other(&self) -> (Option<&Code>, &str) {
         (self.code.as_ref(), &self.name)
     }
 
     /// The latest round on devices with this code and of this class, if it is not over and somebody
-    /// had joined.
+    /// has joined.
     fn find<'k>(&self, kept: &'k [Kept<ClassRound>]) -> Option<&'k Kept<ClassRound>> {
         let is_meant = |round: &ClassRound| {
             let is_class = self.name.is_empty() || round.is_of_class(&self.name);
@@ -125,13 +126,13 @@ impl Unfinished {
         }
     }
 
-    /// What the page shows.
+    /// The view of the page.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
         let mut panel = Panel::new("an interrupted round");
         let mut beside = Panel::new("the round");
         let stopped = self.stopped.as_ref();
         if let Some((kept, round)) = stopped.and_then(|it| Some((it, it.content.as_ref().ok()?))) {
-            // Not its code: pupils could use it to play the round in advance.
+            // The code is not shown, because pupils could use it to play the round in advance.
             let called = match round.class() {
                 "" => "A class",
                 class => class,
@@ -155,7 +156,7 @@ impl Unfinished {
             }
             panel.paragraph(
                 "If you resume it, it keeps its address and its code: devices that still show the \
-                 page reconnect by themselves, with every vote. Otherwise it stays in the list of \
+                 page reconnect automatically, with every vote. Otherwise it stays in the list of \
                  earlier rounds.",
                 Role::Dim,
             );

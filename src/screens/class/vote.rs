@@ -1,4 +1,4 @@
-//! The teams giving one of their two votes on a question, one after the other.
+//! The page on which the teams, one after another, give one of their two votes on a question.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -13,7 +13,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
 use crate::widgets::{AnswerAction, AnswerInput, Outcome, Role, draw_question};
 
-/// Answers closer to each other than this are the same, in units of the tolerance.
+/// Answers that differ by less than this, in units of the tolerance, count as the same.
 const SAME: f64 = 1e-6;
 
 /// Who has voted, and the team that is voting now.
@@ -21,20 +21,20 @@ const SAME: f64 = 1e-6;
 pub(super) struct TeamVotes {
     vote: Vote,
     question: usize,
-    /// The teams; after the last comes the row for going on.
+    /// The teams; after the last comes the row that continues the round.
     teams: ListView,
     booth: Option<Booth>,
 }
 
-/// The input of the team at the mark.
+/// The input of the marked team.
 #[derive(Debug, Clone)]
 struct Booth {
     input: AnswerInput,
-    /// Whether the class can see it meanwhile.
+    /// Whether the class can see what is typed.
     is_open: bool,
 }
 
-/// What keys do while teams vote.
+/// The key actions while teams vote.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum VoteAction {
@@ -53,8 +53,9 @@ pub(crate) enum VoteAction {
 }
 
 impl TeamVotes {
-    /// At the start the mark is at the first team without a vote. After the discussion every team
-    /// keeps its vote unless it changes it, so there the mark is at going on.
+    /// For the first vote, the mark starts at the first team without a vote. After the discussion
+    /// every team keeps its vote unless it votes again, so the mark starts at the row that
+    /// continues the round.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let mut votes = Self {
             vote,
@@ -71,12 +72,13 @@ impl TeamVotes {
         self.booth.is_some()
     }
 
-    /// The row of the mark: a team, or how many teams there are at going on.
+    /// The marked row: the index of a team, or the number of teams for the row that continues the
+    /// round.
     fn at(&self, round: &ClassRound) -> usize {
         self.teams.chosen(round.participants().len() + 1)
     }
 
-    /// Puts the mark at the next team without a vote, or at going on.
+    /// Moves the mark to the next team without a vote, or to the row that continues the round.
     fn choose_next(&mut self, round: &ClassRound) {
         let count = round.participants().len();
         let waits = |team: &usize| {
@@ -87,14 +89,14 @@ impl TeamVotes {
         self.teams.choose(waiting.unwrap_or(count));
     }
 
-    /// The keys, except those of every step.
+    /// The keys, except those that all steps share.
     pub(super) fn keys(&self, round: &ClassRound) -> KeyTable<VoteAction> {
         use VoteAction::{NotYet, ShowTyped, TakeBack, Team, Teams, Vote};
         let keys = KeyTable::new("class");
         let Some(booth) = &self.booth else {
             let count = round.participants().len();
             let ballot = round.ballot(self.question, self.at(round));
-            // The keys for a page turn those of the question.
+            // The page keys turn the pages of the question.
             let list = ListView::keys("give a vote").without_keys(&[Key::PageUp, Key::PageDown]);
             return keys
                 .with(list, Teams)
@@ -112,7 +114,7 @@ impl TeamVotes {
             .when(booth.is_typed())
     }
 
-    /// Carries out an action; returns whether the class goes on.
+    /// Carries out an action; returns whether the class continues.
     pub(super) fn act(&mut self, action: VoteAction, session: &mut Session) -> bool {
         let round = session.round();
         let count = round.participants().len();
@@ -129,7 +131,7 @@ impl TeamVotes {
             }
             (VoteAction::Vote(action), Some(booth)) => {
                 let outcome = booth.input.act(action);
-                // A choice is given by one key.
+                // A choice requires only one key press.
                 if matches!(action, AnswerAction::Choose(_)) || outcome == Outcome::Done(()) {
                     self.give(session);
                 }
@@ -184,12 +186,12 @@ impl TeamVotes {
         self.choose_next(session.round());
     }
 
-    /// The answer given by pointing at the picture.
+    /// The answer being entered, which the mouse can set in the picture.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         self.booth.as_mut().map(|booth| &mut booth.input)
     }
 
-    /// The action of choosing a team.
+    /// The action that chooses a team.
     pub(super) fn pick(&self, choice: usize) -> Option<VoteAction> {
         self.booth.as_ref()?;
         Some(VoteAction::Vote(AnswerAction::Choose(choice)))
@@ -242,8 +244,8 @@ impl TeamVotes {
         foot.grid(teams, Some(at));
         let last = round.participants().len();
         let next = match self.vote {
-            Vote::First => "Go on: talk",
-            Vote::Second => "Go on: the shot",
+            Vote::First => "Go on to the discussion",
+            Vote::Second => "Go on to the shot",
         };
         let note = note(round, self.question, self.vote);
         foot.row(
@@ -256,12 +258,12 @@ impl TeamVotes {
 }
 
 impl Booth {
-    /// Whether there is anything to be typed: a choice is one key.
+    /// Whether the answer has to be typed; a choice requires only one key press.
     fn is_typed(&self) -> bool {
         !matches!(self.input, AnswerInput::Choice { .. })
     }
 
-    /// Writes which team votes on what. What is typed is shown only on request.
+    /// Writes the team's name and input. What is typed is shown only on request.
     fn write(&self, name: &str, form: &Form, foot: &mut Panel<VoteAction>) {
         if let Form::Choice { options, .. } = form {
             foot.line(name, Role::Title);
@@ -289,7 +291,8 @@ impl Booth {
     }
 }
 
-/// The mark of a team: it has voted or changed its vote; it keeps it; nothing.
+/// The sign beside a team: `[x]` if it has voted or changed its vote, `[=]` if it keeps its vote,
+/// otherwise `[ ]`.
 fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'static str {
     let ballot = round.ballot(question, team);
     match (vote, ballot.vote(Vote::First), ballot.vote(Vote::Second)) {
@@ -299,7 +302,7 @@ fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'stati
     }
 }
 
-/// How many have voted, changed their vote, keep it.
+/// The number of teams that have voted, have changed their vote or keep it.
 fn note(round: &ClassRound, question: usize, vote: Vote) -> String {
     let missing = missing(round, question, Vote::Second);
     let voted = round.voted(question, vote);
@@ -311,7 +314,7 @@ fn note(round: &ClassRound, question: usize, vote: Vote) -> String {
     }
 }
 
-/// "2 teams without a vote"; empty where all have one.
+/// "2 teams without a vote"; empty if all teams have voted.
 pub(super) fn missing(round: &ClassRound, question: usize, vote: Vote) -> String {
     let said = round.said(question, vote).count();
     match round.participants().len().saturating_sub(said) {

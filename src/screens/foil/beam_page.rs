@@ -40,12 +40,12 @@ fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     }
 }
 
-/// The counts, and the law once there are any.
+/// The counts and, once there are any, the line of the law.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
     let name = name_of_counts(foil.setup.counted_for());
-    // On a board all bins are equally wide, like a small screen in space.
+    // On a board all bins have the same size, as they do for a small screen in space.
     let counted_for = foil.setup.counted_for().unwrap_or(CountedFor::Ring);
     let most = Counts::expected(&law, particles)
         .into_iter()
@@ -66,7 +66,7 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
             plot.bar(degrees(bin), degrees(bin + 1), height, Role::Trail);
         }
         // Where almost no counts are expected there is no line, because it would coincide with the
-        // axis. Near 0 the law exceeds the plot.
+        // axis. Near 0° the law exceeds the top of the plot.
         let least = plot.least_clear();
         let thrown = run.thrown();
         let expected = |at| {
@@ -90,9 +90,9 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     plot.picture()
 }
 
-/// Particles expected at an angle in degrees. Per steradian it is the law itself; for a ring the
-/// integral over ±2.5°, so that the curve passes through the expected count at the middle of each
-/// bin.
+/// The number of particles expected at an angle in degrees: per steradian the law itself, in a ring
+/// its integral over ±2.5°, so that the curve passes through the expected count at the middle of
+/// each bin.
 pub(super) fn expected_at(
     law: &ScatteringLaw,
     counted_for: CountedFor,
@@ -109,7 +109,7 @@ pub(super) fn expected_at(
     Some(thrown as f64 * share)
 }
 
-/// Where the label of the curve may be: past the middle, or else closer to its beginning.
+/// Possible positions of the curve's label: past the middle, or otherwise closer to its beginning.
 fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
     let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
     let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));
@@ -186,11 +186,12 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     panel.paragraph(reason(&run.law, share), Role::Text);
     panel.gap();
     cautions::write(&foil.setup, panel);
-    // The standard deviation of a count with this share, √(n p (1 − p)).
+    // The standard deviation, √(n p (1 − p)), of a count out of n particles, each with this
+    // probability p.
     let chance = (run.thrown() as f64 * share * (1.0 - share)).sqrt();
     panel.paragraph(
         format!(
-            "By chance alone such a count differs by about {} from one beam to the next.",
+            "By chance alone this count varies by about {} from one beam to the next.",
             words::count(words::rounded(chance.max(1.0)) as u64)
         ),
         Role::Dim,
@@ -206,7 +207,7 @@ fn about(setup: &FoilSetup) -> &'static str {
              out than near the middle."
         }
         (Obstacle::Nucleus, Beam::Board) => {
-            "As if the atoms lay on a board: every offset along a line is equally likely."
+            "As on a board, every offset along a line is equally likely."
         }
         (Obstacle::Nucleus, Beam::Space) => {
             "Nobody can aim at a nucleus. Each particle passes through some point of the foil, and \
@@ -215,18 +216,19 @@ fn about(setup: &FoilSetup) -> &'static str {
     }
 }
 
-/// Why the share is what it is.
+/// Explains the share.
 fn reason(law: &ScatteringLaw, share: f64) -> String {
     let nearness = law.nearness(PI / 2.0);
     match (law.target, law.beam) {
         (BeamTarget::Hard, Beam::Board) => format!(
-            "Offsets below R cos 45° = {nearness:.3} R turn a particle back. On a line that is {}.",
+            "Offsets below R cos 45° = {nearness:.3} R turn a particle back. On a line they \
+             are {} of all.",
             words::share(share)
         ),
         (BeamTarget::Hard, Beam::Space) => format!(
             "Offsets below R cos 45° = {nearness:.3} R turn a particle back. In space offsets fill \
-             a disc, and this fraction of the radius is {nearness:.3}² = {} of the area. Spheres \
-             scatter equally in all directions: on a small screen the counts are level, and whole \
+             a disc, and this fraction of the radius has {nearness:.3}² = {} of the area. Spheres \
+             scatter equally in all directions: on a small screen the counts are equal, and whole \
              rings count most at 90° only because that ring is the largest.",
             words::share(share)
         ),
@@ -248,7 +250,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_curve_passes_each_bin_at_what_is_expected_in_it() {
+    fn the_curve_passes_through_the_expected_count_of_each_bin() {
         for obstacle in [Obstacle::Hard, Obstacle::Nucleus] {
             for beam in [Beam::Board, Beam::Space] {
                 let law = FoilSetup {

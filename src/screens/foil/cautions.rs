@@ -1,11 +1,11 @@
-//! Warnings where a fixed point charge is no good model of the nucleus.
+//! Warnings where a fixed point charge is not a good model of the nucleus.
 
 use super::setup::{FoilSetup, Obstacle};
 use crate::physics::rutherford::{ALPHA_MASS_NUMBER, FM, recoil_share, touching_distance};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
-/// The error of a fixed nucleus, as a share, from which on it is reported. Copper (6 %) and
+/// The smallest error of the fixed-nucleus model that is reported, as a fraction. Copper (6 %) and
 /// aluminium (15 %) exceed it; silver (4 %), platinum and gold (2 %) do not.
 const REPORTED: f64 = 0.05;
 
@@ -81,7 +81,7 @@ mod tests {
 
     /// 2 · 13 · 1.44 MeV fm / E is 1.2 fm (4^⅓ + 27^⅓) at 6.80 MeV.
     #[test]
-    fn slow_alpha_particles_stay_away_and_heavy_nuclei_stay_still() {
+    fn slow_alpha_particles_do_not_touch_and_heavy_nuclei_do_not_recoil() {
         assert!(said("aluminium", 6.85).contains("touching distance"));
         let slow = said("aluminium", 6.75);
         assert!(!slow.contains("touching distance") && slow.contains("15 %"));

@@ -1,4 +1,4 @@
-//! The settings: name, unit, range and step of each.
+//! The settings of the foil, each with its name, unit, range and step.
 
 use super::setup::{FoilSetup, Obstacle};
 use super::words::count;
@@ -18,7 +18,7 @@ pub(super) struct FoilFields {
 type FoilRow = FieldRow<FoilSetup>;
 
 impl FoilFields {
-    /// Those that apply on the page, in the order of its panel.
+    /// The settings that apply on the page, in the order of its panel.
     pub(super) fn rows(&self) -> Vec<&'static FoilRow> {
         let is_foil = self.setup.obstacle == Obstacle::Nucleus;
         // On a board there is only one way to count.
@@ -79,7 +79,7 @@ static BEAM: FoilRow = FoilRow {
     put: |setup, at| setup.beam = [Beam::Board, Beam::Space][at as usize],
 };
 
-/// The metal, and with it Z.
+/// The metal, which also sets Z.
 static METAL: FoilRow = FoilRow {
     name: "metal",
     about: "what the foil is made of",
@@ -91,7 +91,7 @@ static METAL: FoilRow = FoilRow {
 static ENERGY: FoilRow = FoilRow {
     name: "energy",
     about: "of the α-particles",
-    // Slower α-particles than this hardly pass a foil.
+    // Slower α-particles hardly pass through a foil.
     value: |setup| FieldValue::number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
     shown: |setup| format!("{:.2} MeV", setup.energy_mev),
     put: |setup, energy| setup.energy_mev = energy,
@@ -123,7 +123,7 @@ pub(super) static OFFSET: FoilRow = FoilRow {
     },
 };
 
-/// The least and the greatest power of ten of the particles in a beam.
+/// The smallest and the largest number of particles in a beam, as powers of ten.
 const EXPONENTS: [u32; 2] = [3, 9];
 
 static PARTICLES: FoilRow = FoilRow {
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn choices_go_round_and_numbers_land_on_the_grid() {
+    fn choices_wrap_around_and_numbers_are_rounded_to_the_grid() {
         let mut setup = FoilSetup::default();
         for _ in 0..METALS.len() {
             METAL.step(&mut setup, 1.0);

@@ -1,7 +1,7 @@
 //! The prediction before a beam: the share deflected by more than 90°.
 
-/// The choices in words, and the share that each means. Powers of ten: for a rare event the order
-/// of magnitude matters.
+/// The choices, and the share that each stands for. They are powers of ten, because for a rare
+/// event the order of magnitude matters.
 pub(crate) const CHOICES: [(&str, f64); 9] = [
     ("all of them", 1.0),
     ("seven in ten", 0.7),
@@ -24,7 +24,7 @@ pub(crate) fn explain(said: f64, share: f64) -> String {
     let times = if times < 10.0 {
         format!("{times:.1}")
     } else {
-        // An answer is one of a few powers of ten: more digits would suggest too much precision.
+        // The answers are powers of ten, so more digits would suggest too much precision.
         super::words::count(super::words::to_figures(times, 2) as u64)
     };
     if said > share {
@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_nearest_answer_is_right_and_others_are_told_how_far_off() {
+    fn the_nearest_answer_is_right_and_feedback_on_others_gives_the_factor() {
         assert!(explain(0.7, 0.707).starts_with("Right"));
         assert!(explain(1e-5, 8.5e-6).starts_with("Right"));
         assert!(explain(0.5, 8.5e-6).contains("59,000 times as many"));

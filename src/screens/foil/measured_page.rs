@@ -12,11 +12,11 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Charset, Look, Role};
 
-/// A metal and how it is shown.
+/// A metal, and its appearance in the plot.
 struct ShownMetal {
     name: &'static str,
     count: fn(&Angle) -> f64,
-    /// Its mark in ASCII and in Unicode.
+    /// The mark of its counts in ASCII and in Unicode.
     marks: [char; 2],
     role: Role,
 }
@@ -45,13 +45,13 @@ const METALS: [ShownMetal; 2] = [
 /// The title of the picture.
 pub(super) fn title(levelled: bool) -> &'static str {
     if levelled {
-        "how far off the law"
+        "deviation from the law"
     } else {
         "their counts against the law"
     }
 }
 
-/// The two series, or why they cannot be read.
+/// The two series, or the reason why they cannot be read.
 fn series() -> Result<[Option<Series>; 2], String> {
     let angles = geiger_marsden().map_err(|fault| fault.to_string())?;
     Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
@@ -136,7 +136,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     plot.label(&legend, at, &[LabelSide::Right], role);
 }
 
-/// A share as per cent with its sign.
+/// A fraction as a percentage with its sign.
 fn signed(share: f64) -> String {
     format!("{:+.0}%", 100.0 * share).replace('-', "−")
 }
@@ -166,9 +166,10 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
     panel.paragraph(
         format!(
-            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} \
-             of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
-             thought that this was probably within their errors. The second plot enlarges it.",
+            "The counts for gold go from {least} to {}, a factor of {}, and deviate by {} to {} \
+             from the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
+             thought that this was probably within their errors. The second plot shows the \
+             deviations.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -205,7 +206,7 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     );
 }
 
-/// The one count whose scale is known: 1913, gold of 2.1·10⁻⁵ cm, 45°, a screen of 1 mm²
+/// The only count whose scale is known: from 1913, with gold of 2.1·10⁻⁵ cm, 45°, a screen of 1 mm²
 /// at 1 cm.
 fn absolute_check() -> String {
     let share = Rutherford::radium_c_on_gold().share_into(
@@ -227,7 +228,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_formula_gives_what_is_said() {
+    fn the_text_gives_the_result_of_the_formula() {
         assert!(
             absolute_check().ends_with("3.2×10⁻⁷."),
             "{}",
@@ -236,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn the_band_is_said_with_its_signs() {
+    fn the_range_is_written_with_signs() {
         let [gold, silver] = series().unwrap().map(Option::unwrap);
         let said = |series: &Series| {
             let (low, high) = series.band();

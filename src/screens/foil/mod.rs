@@ -1,4 +1,4 @@
-//! The foil: one particle past a target, a beam of millions, and the counts of 1913.
+//! The foil: one particle that passes a target, a beam of millions, and the counts of 1913.
 
 mod beam_page;
 mod cautions;
@@ -30,7 +30,7 @@ use field::{FoilFields, OFFSET};
 use run::BeamRun;
 use setup::Obstacle::{Hard, Nucleus};
 
-/// What keys do at the foil.
+/// The key actions at the foil.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilAction {
@@ -40,7 +40,7 @@ pub(crate) enum FoilAction {
     Open(FoilPage),
     /// change a setting
     Set(FormAction),
-    /// start a whole beam of such particles
+    /// start a whole beam of these particles
     WholeBeam,
     /// start a beam, let it continue, or start another
     Throw,
@@ -68,18 +68,18 @@ pub(crate) enum FoilAction {
 pub(crate) struct FoilScreen {
     setup: FoilSetup,
     page: FoilPage,
-    /// The setting that keys change.
+    /// The form whose selected setting the keys change.
     form: SettingsForm,
     beam: BeamPhase,
     /// The number of earlier beams.
     runs: u64,
-    /// Whether counts are on the scale that is not usual for their law.
+    /// Whether the player has switched away from the usual scale for the law.
     other_scale: bool,
     /// Whether the counts of 1913 are shown relative to the law.
     levelled: bool,
 }
 
-/// The state of the beam with this setting.
+/// The state of the beam with the current settings.
 #[derive(Debug, Clone, Default)]
 enum BeamPhase {
     #[default]
@@ -90,7 +90,7 @@ enum BeamPhase {
 }
 
 impl FoilScreen {
-    /// The foil at one of its pages.
+    /// The foil, opened at a page.
     pub(crate) fn at(page: FoilPage) -> Self {
         Self {
             page,
@@ -129,7 +129,7 @@ impl FoilScreen {
         }
     }
 
-    /// Changes the setting, which discards the beam of the previous setting.
+    /// Changes the setting and discards the beam of the previous setting.
     fn edit(&mut self, how: impl FnOnce(&mut SettingsForm, &mut FoilFields)) {
         let (before, mut fields) = (self.setup, self.fields());
         how(&mut self.form, &mut fields);
@@ -141,7 +141,7 @@ impl FoilScreen {
         }
     }
 
-    /// Accepts a number that was typed but not entered.
+    /// Accepts a number that was typed but not confirmed with Enter.
     fn commit(&mut self) {
         self.edit(|form, fields| form.commit(fields));
     }
@@ -149,7 +149,7 @@ impl FoilScreen {
     fn turn_to(&mut self, page: FoilPage) {
         self.commit();
         self.halt(true);
-        // The chosen setting stays chosen, if the page has it.
+        // The chosen setting remains chosen if the new page has it.
         let rows = self.fields().rows();
         let chosen = rows.get(self.form.selected(rows.len()));
         let chosen = chosen.map(|row| row.name);
@@ -188,7 +188,7 @@ impl FoilScreen {
         }
     }
 
-    /// Begins a beam of new particles; the prediction for the last one of its kind still counts.
+    /// Begins a beam of new particles; without a new prediction, the previous one remains valid.
     fn begin(&mut self, said: Option<f64>, seed: u64) {
         let said = said.or_else(|| self.run().and_then(|run| run.said));
         let seed = seed.wrapping_add(self.runs);
@@ -198,8 +198,8 @@ impl FoilScreen {
         self.beam = BeamPhase::Thrown(Box::new(run));
     }
 
-    /// Computes the particles between two pictures: a fixed number whatever time has passed, so
-    /// that a beam never delays the next picture.
+    /// Computes the particles for the next frame. Their number does not depend on the time that has
+    /// passed, so that a beam never delays the frame.
     fn throw_on(&mut self) {
         if let BeamPhase::Thrown(run) = &mut self.beam {
             run.advance();
@@ -216,13 +216,13 @@ impl FoilScreen {
         cx.export(name, svg);
     }
 
-    /// Moves the particle by this many steps.
+    /// Changes the particle's offset by this many steps.
     fn step_offset(&mut self, steps: i8) {
         self.edit(|_, fields| OFFSET.step(&mut fields.setup, steps.into()));
     }
 
-    /// Handles the mouse over the picture of one particle, which it drags or moves by steps;
-    /// returns whether it was used.
+    /// Handles the mouse over the picture of one particle: dragging it, or moving it step by step
+    /// with the wheel; returns whether the mouse was used.
     fn move_particle(&mut self, mouse: &Mouse, picture: Rect) -> bool {
         match mouse.kind {
             MouseKind::ScrollUp => self.step_offset(1),
@@ -323,7 +323,7 @@ impl Screen for FoilScreen {
                 .or([(Key::BackTab, TurnPage(-1))]);
         }
         let typing = self.form.is_typing();
-        // Here these keys turn the page and scroll.
+        // On this screen these keys turn pages and scroll.
         let own = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         if let BeamPhase::Guess(guess) = &self.beam {
             let keys = guess.keys().without_keys(&own);

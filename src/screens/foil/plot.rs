@@ -18,13 +18,13 @@ use crate::widgets::picture::Picture;
 /// Ten million particles: enough for some to be deflected by more than 90°, even by a foil.
 const PARTICLES_EXPONENT: u32 = 7;
 
-/// The seed of the first beam: the same for everyone, as in a book.
+/// The seed of the first beam: fixed, so that everyone sees the same figure, as in a book.
 const SEED: u64 = 1913;
 
-/// Steps of the offset that `<` and `>` go at once.
+/// The number of steps by which `<` and `>` change the offset.
 const LEAP: i8 = 10;
 
-/// What keys do to a page of the foil that is a figure.
+/// The key actions on a page of the foil that is shown as a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilFigureAction {
@@ -45,8 +45,8 @@ pub(crate) enum FoilFigureAction {
 pub(crate) struct FoilFigure(FoilScreen);
 
 impl FoilFigure {
-    /// A page as the foil first shows it, with the counts of 1913 `levelled` or not. A beam runs at
-    /// once, or visibly if it is `watched`.
+    /// A page in its initial state, with the counts of 1913 relative to the law if `levelled`. A
+    /// beam is computed at once, or frame by frame if it is `watched`.
     pub(crate) fn new(page: FoilPage, levelled: bool, watched: bool) -> Self {
         let mut setup = FoilSetup {
             particles_exponent: PARTICLES_EXPONENT,
@@ -69,7 +69,7 @@ impl FoilFigure {
         plot
     }
 
-    /// The same, counted in whole `rings` or on a small screen.
+    /// This figure with particles counted in whole `rings` or on a small screen.
     pub(crate) fn counted_in(mut self, rings: bool) -> Self {
         self.0.setup.counted_for = match rings {
             true => CountedFor::Ring,
@@ -87,7 +87,7 @@ impl FoilFigure {
         self.0.is_running()
     }
 
-    /// The keys that work it.
+    /// The keys that control the figure.
     pub(crate) fn keys(&self) -> KeyTable<FoilFigureAction> {
         use FoilFigureAction::{Beam, CountFor, Offset, OtherPlot, Scale};
         let keys = KeyTable::new("foil-figure");
@@ -133,7 +133,7 @@ impl FoilFigure {
         })
     }
 
-    /// Handles the mouse over its picture; returns whether it was used.
+    /// Handles the mouse over the figure's picture; returns whether the mouse was used.
     pub(crate) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
         match self.0.page {
             FoilPage::Tracks => self.0.move_particle(mouse, area),
@@ -141,17 +141,17 @@ impl FoilFigure {
         }
     }
 
-    /// Computes the particles between two pictures.
+    /// Computes the particles for the next frame.
     pub(crate) fn advance(&mut self) {
         self.0.throw_on();
     }
 
-    /// When it next needs time.
+    /// The time until the figure must next be advanced.
     pub(crate) fn wake(&self) -> Option<Duration> {
         self.is_running().then_some(Duration::ZERO)
     }
 
-    /// What it shows.
+    /// The picture of the page.
     pub(crate) fn picture(&self, area: Rect, look: &Look) -> Picture {
         view::picture(&self.0, area, *look)
     }
@@ -162,9 +162,9 @@ mod tests {
     use super::super::beam_page::expected_at;
     use super::*;
 
-    /// What chapter 10 and the quiz say of a small screen holds of the curve that is drawn.
+    /// The curve agrees with what chapter 10 and the quiz say about a small screen.
     #[test]
-    fn on_a_small_screen_the_counts_fall_as_the_texts_say() {
+    fn on_a_small_screen_the_counts_decrease_as_the_texts_say() {
         let figure = FoilFigure::new(FoilPage::Counts, false, false);
         assert_eq!(figure.0.setup.counted_for(), Some(CountedFor::Steradian));
         let run = figure.0.run().unwrap();
@@ -172,13 +172,13 @@ mod tests {
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
         assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
         assert_eq!((at(60.0) / at(120.0)).round(), 9.0);
-        // Half a small angle: about sixteen times as many.
+        // At half of a small angle the count is about sixteen times as high.
         for small in [4.0, 10.0, 20.0] {
             let times = at(small / 2.0) / at(small);
             assert!((times - 16.0).abs() < 0.4, "{times}");
         }
-        // The bars stand on the same scale: where many are counted they meet the curve, but for
-        // the bend of the law within 5°.
+        // The bars have the same scale. Where many particles are counted, the bars meet the curve,
+        // apart from the curvature of the law within 5°.
         for bin in 2..6 {
             let bar = run.counts.bins[bin] as f64 / CountedFor::Steradian.in_bin(bin);
             let bent = bar / at(5.0 * bin as f64 + 2.5);
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beam_that_is_watched_ends_as_one_that_is_thrown_at_once() {
+    fn a_watched_beam_ends_with_the_same_counts_as_one_computed_at_once() {
         let whole = FoilFigure::new(FoilPage::Counts, false, false);
         let mut watched = FoilFigure::new(FoilPage::Counts, false, true);
         assert!(whole.wake().is_none() && watched.wake().is_some());

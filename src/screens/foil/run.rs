@@ -2,11 +2,11 @@
 
 use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 
-/// The number of pictures in which a beam runs, so that the counts grow visibly: about four
+/// The number of frames over which a beam runs, so that the counts grow visibly: about four
 /// seconds.
 const PICTURES: u64 = 240;
 
-/// The most particles between two pictures: less than ten milliseconds of work.
+/// The largest number of particles computed per frame: less than ten milliseconds of work.
 const MOST: u64 = 2_000_000;
 
 /// A beam and its progress.
@@ -19,12 +19,12 @@ pub(super) struct BeamRun {
     pub(super) counts: Counts,
     /// Whether it was stopped.
     pub(super) halted: bool,
-    /// The player's prediction of the share, if asked.
+    /// The player's prediction of the share, if there is one.
     pub(super) said: Option<f64>,
 }
 
 impl BeamRun {
-    /// A beam of `particles`, not started yet.
+    /// A beam of `particles` that has not started yet.
     pub(super) fn new(law: ScatteringLaw, seed: u64, particles: u64, said: Option<f64>) -> Self {
         Self {
             law,
@@ -42,7 +42,7 @@ impl BeamRun {
         self.counts.total()
     }
 
-    /// Whether all have been computed.
+    /// Whether all particles have been computed.
     pub(super) fn is_over(&self) -> bool {
         self.thrown() >= self.particles
     }
@@ -52,7 +52,7 @@ impl BeamRun {
         !self.halted && !self.is_over()
     }
 
-    /// Computes the particles between two pictures.
+    /// Computes the particles for the next frame.
     pub(super) fn advance(&mut self) {
         if self.is_running() {
             let thrown = self.thrown();
@@ -75,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_beam_ends_with_all_its_particles_whatever_the_slices() {
+    fn a_beam_of_any_size_sends_all_its_particles() {
         for particles in [1, 239, 1000, 1_000_000] {
             let law = FoilSetup::default().law();
             let mut run = BeamRun::new(law, 3, particles, None);
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beam_that_is_halted_throws_nothing() {
+    fn a_halted_beam_sends_no_particles() {
         let mut run = BeamRun::new(FoilSetup::default().law(), 3, 100_000_000, None);
         run.advance();
         let thrown = run.thrown();

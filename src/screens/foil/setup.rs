@@ -13,20 +13,20 @@ pub(crate) enum Obstacle {
     Nucleus,
 }
 
-/// The setting, in the units of the screen.
+/// The settings, in the units shown on the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FoilSetup {
     /// The target.
     pub obstacle: Obstacle,
-    /// How the offsets of a beam are spread.
+    /// The distribution of a beam's offsets.
     pub beam: Beam,
-    /// Which of the [`METALS`] the nucleus belongs to.
+    /// The index of the nucleus in [`METALS`].
     pub metal: usize,
     /// Energy of the α-particles in MeV.
     pub energy_mev: f64,
     /// Thickness of the foil in µm.
     pub thickness_um: f64,
-    /// Offset from a hard target, as a share of the touching distance.
+    /// Offset from the centre of a hard target, as a fraction of the touching distance.
     pub offset_share: f64,
     /// Offset from a nucleus in fm.
     pub offset_fm: f64,
@@ -37,7 +37,7 @@ pub(crate) struct FoilSetup {
 }
 
 impl Default for FoilSetup {
-    /// Radium C on the gold foil of 1913.
+    /// α-particles of radium C on the gold foil of 1913.
     fn default() -> Self {
         Self {
             obstacle: Obstacle::Nucleus,
@@ -59,12 +59,12 @@ impl FoilSetup {
         METALS[self.metal % METALS.len()]
     }
 
-    /// The law by which the nucleus deflects a particle.
+    /// The law for the deflection of one particle by the nucleus.
     pub(crate) fn scatterer(&self) -> Rutherford {
         Rutherford::new(ALPHA_CHARGE, self.metal().charge, self.energy_mev * MEV)
     }
 
-    /// The law that holds for a beam.
+    /// The scattering law for a beam.
     pub(crate) fn law(&self) -> ScatteringLaw {
         let foil = Foil {
             metal: self.metal(),
@@ -79,7 +79,7 @@ impl FoilSetup {
         }
     }
 
-    /// The unit of the counts: only the angle on a board, which has no solid angle.
+    /// The unit of the counts; `None` on a board, where there is no solid angle.
     pub(crate) fn counted_for(&self) -> Option<CountedFor> {
         (self.beam == Beam::Space).then_some(self.counted_for)
     }
@@ -88,7 +88,7 @@ impl FoilSetup {
         10_u64.saturating_pow(self.particles_exponent)
     }
 
-    /// What the target is called.
+    /// The name of the target.
     pub(crate) fn obstacle_name(&self) -> &'static str {
         match (self.obstacle, self.beam) {
             (Obstacle::Hard, Beam::Board) => "hard disc",

@@ -1,4 +1,4 @@
-//! One particle past the target, and some beside it.
+//! One particle that passes the target, with some others beside it.
 
 use std::f64::consts::PI;
 
@@ -16,7 +16,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::tracks::draw_way;
 
-/// Particles beside the one that is set, on each side of the middle.
+/// The number of other particles on each side of the middle.
 const BESIDE: i32 = 4;
 
 /// The title of the picture.
@@ -27,18 +27,18 @@ pub(super) fn title(setup: &FoilSetup) -> &'static str {
     }
 }
 
-/// A path, in the units of the picture: fm past a nucleus, touching distances past a hard
+/// A path, in the units of the picture: fm for a nucleus, touching distances for a hard
 /// target.
 struct Path {
     points: Vec<DVec2>,
-    /// The nearest point to the target's centre; on a hard target, where it touches.
+    /// The nearest point to the target's centre; for a hard target, the point of contact.
     nearest: Option<DVec2>,
     /// Scattering angle Θ in radians.
     angle: f64,
 }
 
-/// The scale of the picture: half its height, the offsets in a unit that the mouse can
-/// set, the unit, and the decimals of an offset.
+/// The scale of the picture: half its height, the number of offsets per unit that the mouse can
+/// set, the unit, and the number of decimals of an offset.
 const fn scale(setup: &FoilSetup) -> (f64, f64, &'static str, usize) {
     match setup.obstacle {
         Obstacle::Hard => (1.9, 20.0, "R", 2),
@@ -51,7 +51,7 @@ fn view(area: Rect, setup: &FoilSetup) -> View {
     View::fit(area, dvec2(-half, -half), dvec2(half, half))
 }
 
-/// The offset that a cell of the picture stands for, in the units of the picture.
+/// The offset at a cell of the picture, in the units of the picture.
 pub(super) fn offset_at(area: Rect, setup: &FoilSetup, (column, row): (u16, u16)) -> f64 {
     let (_, per_unit, ..) = scale(setup);
     let y = view(area, setup).world_at(column, row).y;
@@ -65,7 +65,7 @@ fn offset(setup: &FoilSetup) -> f64 {
     }
 }
 
-/// The path at an offset, from `reach` in to `reach` out.
+/// The path at an offset, from distance `reach` before the target to `reach` after it.
 fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     match setup.obstacle {
         Obstacle::Hard => hard_path(offset, reach),
@@ -81,7 +81,7 @@ fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     }
 }
 
-/// Straight on to the touching distance 1, and away as from a mirror.
+/// A straight line to the touching distance 1, then away like light reflected by a mirror.
 fn hard_path(offset: f64, reach: f64) -> Path {
     let start = dvec2(-reach, offset);
     if offset.abs() > 1.0 {
@@ -110,12 +110,12 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let view = view(area, setup);
     let (half, ..) = scale(setup);
     let mut picture = Picture::new(view);
-    // To the corners of the picture, however wide it is.
+    // The paths reach the corners of a picture of any width.
     let wide = (view.to_world(dvec2(f64::from(area.right()), 0.0)).x).abs();
     let reach = 1.2 * wide.hypot(half).max(half);
     let axis = Pen::new(Role::Axis).dotted();
     picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
-    // A head-on particle would come back along its own path.
+    // A head-on particle would return along its own path.
     for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
         picture.curve(beside.points, Pen::new(Role::Trail).dotted());
@@ -130,7 +130,7 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     picture
 }
 
-/// The particle that is set, with what is measured on it.
+/// Draws the particle with the chosen offset, and its measurements.
 fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
     let offset = offset(setup);
     let set = path(setup, offset, reach);
@@ -190,10 +190,10 @@ fn write_hard<A>(angle: f64, offset: f64, panel: &mut Panel<A>) {
     panel.gap();
     let text = if offset.abs() > 1.0 {
         "A miss: beyond R, the sum of the two radii, nothing touches and nothing is deflected. \
-         That is what hard means."
+         A hard target acts only on contact."
     } else if angle >= PI - 1e-9 {
-        "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it \
-         stays where it is."
+        "A head-on collision: straight on, then straight back. R is the sum of the two radii; the \
+         target is so heavy that it stays where it is."
     } else {
         "It leaves like light from a mirror: at the same angle on the other side of the line of \
          impact. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays at \
@@ -212,11 +212,11 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {
         "Straight on: the α-particle is slowed, stops for an instant at d, where all its energy \
-         has gone into the repulsion, and flies straight back."
+         is potential energy, and flies straight back."
             .into()
     } else {
         format!(
-            "Both are positive, so they repel: the α-particle is slowed, deflected and sped up \
+            "Two positive charges repel: the α-particle is slowed, deflected and sped up \
              again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };
@@ -227,7 +227,7 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let times = count((times / 100.0).round() as u64 * 100);
     panel.paragraph(
         format!(
-            "Even head-on it comes no nearer than d. So the charge that deflects it lies within d; \
+            "Even head-on it comes no nearer than d. So the charge that deflects it is within d; \
              and the radius of the atom is about {times} times d."
         ),
         Role::Text,
@@ -247,9 +247,9 @@ mod tests {
         }
     }
 
-    /// The drawn path leaves at the angle that the law says.
+    /// The drawn path leaves at the angle given by the law.
     #[test]
-    fn the_last_piece_of_a_path_lies_at_its_angle() {
+    fn a_drawn_path_ends_at_the_scattering_angle() {
         for (obstacle, offsets) in [
             (Obstacle::Hard, [-0.9, -0.3, 0.0, 0.5, 1.0, 1.2]),
             (Obstacle::Nucleus, [-50.0, -3.0, 0.0, 5.0, 20.0, 60.0]),
@@ -266,9 +266,9 @@ mod tests {
         }
     }
 
-    /// The angle of reflection is that of incidence, on the disc's own rim.
+    /// On the disc's rim the angle of reflection equals the angle of incidence.
     #[test]
-    fn a_hard_target_is_a_mirror() {
+    fn a_hard_target_reflects_like_a_mirror() {
         for offset in [-0.95, -0.4, 0.1, 0.5, 0.8] {
             let path = hard_path(offset, 5.0);
             let contact = path.points[1];
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_of_the_picture_is_an_offset() {
+    fn the_offset_set_by_a_click_is_drawn_in_the_clicked_row() {
         let area = Rect::new(1, 2, 48, 19);
         let nucleus = setup(Obstacle::Nucleus, 0.0);
         for row in area.top()..area.bottom() {

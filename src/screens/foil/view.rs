@@ -1,4 +1,4 @@
-//! What the foil shows: tabs above, the picture of a page, its panel beside it.
+//! The view of the foil: the tabs, the picture of a page, and the panel beside it.
 
 use ratatui::layout::Rect;
 
@@ -9,7 +9,7 @@ use crate::widgets::Look;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 
-/// The page that is open, below the names of all.
+/// The open page, below the names of all pages.
 pub(super) fn view<'s>(foil: &'s FoilScreen, cx: &Context) -> View<'s, FoilAction> {
     let mut tabs = Panel::new("");
     let pages = FoilPage::ALL.map(|page| (page.name(), FoilAction::Open(page)));

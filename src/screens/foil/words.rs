@@ -1,6 +1,6 @@
-//! Numbers in the words of the foil.
+//! Numbers as the foil writes them.
 
-/// A count with commas: 1,234,567.
+/// A count with commas, as in 1,234,567.
 pub(super) fn count(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
@@ -13,7 +13,7 @@ pub(super) fn count(number: u64) -> String {
     text
 }
 
-/// A share: in per cent while it is not small, else "1 in 117,000", to three figures.
+/// A fraction to three figures: as a percentage or, if it is small, as in "1 in 117,000".
 pub(super) fn share(share: f64) -> String {
     if share >= 0.1 {
         return format!("{:.1} %", 100.0 * share);
@@ -25,12 +25,12 @@ pub(super) fn share(share: f64) -> String {
     format!("1 in {}", count(rounded(one_in) as u64))
 }
 
-/// A number above 0 to the nearest whole one, and to three figures.
+/// A positive number, rounded to an integer and to three significant figures.
 pub(super) fn rounded(number: f64) -> f64 {
     to_figures(number, 3)
 }
 
-/// A number above 0 to the nearest whole one, and to this many significant figures.
+/// A positive number, rounded to an integer and to this many significant figures.
 pub(super) fn to_figures(number: f64, figures: u8) -> f64 {
     let beyond = number.log10().floor() + 1.0 - f64::from(figures);
     let unit = 10_f64.powf(beyond.max(0.0));

@@ -23,11 +23,11 @@ pub(crate) enum GlossaryAction {
 
 /// The glossary.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Glossary {
+pub(crate) struct GlossaryScreen {
     list: ListView,
 }
 
-impl Glossary {
+impl GlossaryScreen {
     /// The chosen entry, and its number from 0.
     fn chosen(&self) -> (usize, Option<&'static GlossaryEntry>) {
         let all = GlossaryEntry::all();
@@ -42,7 +42,7 @@ impl Glossary {
     }
 }
 
-impl Screen for Glossary {
+impl Screen for GlossaryScreen {
     type Action = GlossaryAction;
 
     fn title(&self) -> String {
@@ -54,7 +54,8 @@ impl Screen for Glossary {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<GlossaryAction> {
-        // Its own name for Enter: in plain lines, choosing a term must not open the page at once.
+        // Enter has an action of its own: in plain mode, choosing a term must not open the page at
+        // once.
         KeyTable::new("glossary")
             .on(Key::Enter, GlossaryAction::Read, "read")
             .or([(Key::Char(' '), GlossaryAction::Read)])

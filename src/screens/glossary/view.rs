@@ -1,14 +1,14 @@
 //! The view of the glossary.
 
-use super::{Glossary, GlossaryAction};
+use super::{GlossaryAction, GlossaryScreen};
 use crate::lessons::GlossaryEntry;
 use crate::screens::{Context, View, leads};
 use crate::widgets::Role;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 
-/// All terms by topic, and the chosen one explained.
-pub(super) fn view<'s>(glossary: &Glossary, cx: &Context) -> View<'s, GlossaryAction> {
+/// All terms by topic, and an explanation of the chosen one.
+pub(super) fn view<'s>(glossary: &GlossaryScreen, cx: &Context) -> View<'s, GlossaryAction> {
     let (chosen, entry) = glossary.chosen();
     let mut list = Panel::new("glossary");
     let mut topic = "";

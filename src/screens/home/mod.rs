@@ -43,7 +43,7 @@ impl Default for Home {
 }
 
 impl Home {
-    /// Requests what the player has done.
+    /// Requests the player's answers.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         let mut home = Self::default();
         home.resumed(cx);
@@ -151,7 +151,7 @@ impl Screen for Home {
             .on('j', HomeAction::Suggested(HomeLine::Class), "")
             .when(cx.class.is_some())
             .each(letters, "")
-            // The class had this letter before it got its own.
+            // Earlier versions used this letter for the class.
             .or([(Key::Char('g'), HomeAction::Open(CLASS))])
             .on(Key::Escape, HomeAction::Leave, "")
     }

@@ -9,7 +9,7 @@ use crate::widgets::{Outcome, Role};
 
 /// The port of a class if the address has none.
 pub(crate) const PORT: u16 = 8090;
-/// Longest address that can be typed.
+/// The largest number of letters in an address.
 const LONGEST_ADDRESS: usize = 80;
 
 /// The form for joining a class.
@@ -59,7 +59,7 @@ impl JoinForm {
         form
     }
 
-    /// The place that rejoins the class of the form.
+    /// The route that rejoins the class of the form.
     pub(super) fn route(&self) -> Route {
         Route::Join {
             address: self.address.as_ref().map(|it| it.text().to_owned()),
@@ -114,7 +114,7 @@ impl JoinForm {
         ListView::keys(enter).without_keys(ends)
     }
 
-    /// Types a key; returns whether it was a typing key.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let typed = self.field().is_some_and(|field| field.update(key));
         if typed {
@@ -150,7 +150,7 @@ impl JoinForm {
         }
     }
 
-    /// The code of the class, once it is one.
+    /// The typed code, once it is valid.
     pub(super) fn code(&self) -> Option<JoinCode> {
         self.code.text().parse().ok()
     }
@@ -253,7 +253,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_click_comes_in_wherever_the_mark_is() {
+    fn one_click_joins_whichever_row_is_marked() {
         let code = "BCDFGH".parse().ok();
         let mut form = JoinForm::new(None, code, "Ada");
         for at in [2, 1] {

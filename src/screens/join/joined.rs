@@ -32,7 +32,7 @@ pub(super) enum Doing {
 }
 
 impl JoinedClass {
-    /// The seat in this state from the host.
+    /// The seat, with this state from the host.
     pub(super) fn new(state: PupilState, pace: HitPace) -> Self {
         let question = state.question.as_ref().and_then(|asked| asked.question());
         let question = match (&state.revealed, question) {
@@ -48,7 +48,7 @@ impl JoinedClass {
         joined
     }
 
-    /// Takes in a new state. An answer that is being typed stays, as long as the class is at the
+    /// Applies a new state. An answer that is being typed is kept as long as the class stays at the
     /// same step.
     pub(super) fn take(&mut self, state: PupilState, pace: HitPace) {
         let same = (self.state.q, self.state.step) == (state.q, state.step);
@@ -94,7 +94,7 @@ impl JoinedClass {
         collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
     }
 
-    /// The pupil's vote at the host that counts at this step.
+    /// The pupil's vote that the host has recorded and that applies at this step.
     pub(super) fn said(&self) -> Option<Said> {
         let form = &self.question.as_ref()?.form;
         let parse = |text: &str| Said::parse(text).filter(|said| form.accepts(&said.response));
@@ -104,7 +104,7 @@ impl JoinedClass {
         }
     }
 
-    /// Whether the host has a vote that can be taken back.
+    /// Whether the host has a vote that can be withdrawn.
     pub(super) fn has_voted(&self) -> bool {
         match self.state.step.vote() {
             Some(Vote::First) => !self.state.first.is_empty(),
@@ -136,7 +136,7 @@ impl JoinedClass {
         }
     }
 
-    /// The mouse over the picture.
+    /// Handles the mouse over the picture.
     pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect, pressed: bool) -> Next {
         match (&mut self.doing, &self.question) {
             (Doing::Vote(asking), Some(question)) if mouse.is_held() => {

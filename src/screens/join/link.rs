@@ -23,9 +23,9 @@ pub(super) struct Link {
     /// The token that returns the pupil to their seat.
     seat: Option<SeatToken>,
     state: LinkState,
-    /// Failed attempts since the last message from the host.
+    /// The number of failed attempts since the last message from the host.
     tries: u32,
-    /// Why the host has not let them in yet.
+    /// Why the host has not let the pupil in yet.
     held_up: Option<Refusal>,
     /// The number of the last vote on this device.
     n: u64,
@@ -42,10 +42,10 @@ pub(super) struct Link {
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum LinkState {
     Dialling,
-    /// Has asked to join.
+    /// The device has asked to join.
     Asking,
     In,
-    /// Will reconnect after this time.
+    /// The device will reconnect after this time.
     Waiting(Duration),
     /// The host has refused, or the pupil has left.
     Over,
@@ -84,12 +84,12 @@ impl Link {
         cx.join(JoinCall::Dial(self.address.clone()));
     }
 
-    /// Whether the screen shows the present state.
+    /// Whether the screen shows the current state.
     pub(super) fn is_in(&self) -> bool {
         self.state == LinkState::In
     }
 
-    /// Why the host has not let them in yet, if it gave a reason.
+    /// Why the host has not let the pupil in yet, if it gave a reason.
     pub(super) fn held_up(&self) -> Option<Refusal> {
         self.held_up
     }
@@ -109,7 +109,7 @@ impl Link {
         match news {
             _ if self.state == LinkState::Over => {}
             JoinNews::Remembered(seat, name) => {
-                // Another name is another pupil on the same device.
+                // A different name means a different pupil on the same device.
                 if *name == self.name && self.seat.is_none() {
                     self.seat = seat.parse().ok();
                 }
@@ -175,7 +175,7 @@ impl Link {
     }
 
     /// Sends an unconfirmed vote again after the connection was lost, once its question is asked
-    /// again: a restarted host first gathers the class.
+    /// again: a restarted host first waits for the class.
     fn say_again(&mut self, state: &PupilState, cx: &mut Context) {
         let open = state.step.vote();
         match &self.pending {
@@ -219,7 +219,7 @@ impl Link {
         true
     }
 
-    /// Votes; `None` takes the vote back.
+    /// Votes; `None` withdraws the vote.
     pub(super) fn vote(&mut self, q: usize, vote: Vote, said: Option<Said>, cx: &mut Context) {
         self.n = self.n.saturating_add(1);
         let said = said.map(Said::to_text).unwrap_or_default();

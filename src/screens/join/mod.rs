@@ -42,14 +42,14 @@ pub(crate) enum JoinAction {
     TakeBack,
     /// watch the collision
     Watch(WatchAction),
-    /// hand in everything that you have answered alone, for the teacher
+    /// hand in everything that you have answered on your own, for the teacher
     HandIn,
     /// go back to the answer, or leave the class
     Leave,
 }
 
 impl JoinAction {
-    /// An action of the vote; a clicked choice is given at once.
+    /// An action on the vote; a click on a choice gives the answer at once.
     const fn answer(action: AnswerAction) -> Self {
         Self::Ask(AskingAction::Answer(match action {
             AnswerAction::Choose(choice) => AnswerAction::Give(choice),
@@ -64,13 +64,13 @@ pub(crate) struct Join {
     form: JoinForm,
     link: Option<Link>,
     joined: Option<JoinedClass>,
-    /// The answers that the pupil gave alone; not requested before they have joined.
+    /// The answers that the pupil gave on their own; they are requested once the pupil has joined.
     history: Recall,
 }
 
 impl Join {
-    /// Before joining, with what is known. Without an address the host has served the page.
-    /// A pupil who joins `again` sees no form.
+    /// The screen before joining, with the known values filled in. Without an address, the host has
+    /// served the page. A pupil who joins `again` sees no form.
     pub(crate) fn new(
         address: Option<&str>,
         code: Option<JoinCode>,
@@ -95,7 +95,7 @@ impl Join {
         join
     }
 
-    /// The desk, once the pupil has joined.
+    /// The pupil's seat and connection, once they have joined.
     fn joined(&self) -> Option<(&JoinedClass, &Link)> {
         self.joined.as_ref().zip(self.link.as_ref())
     }
@@ -112,7 +112,7 @@ impl Join {
         history.map_or(0, |history| history.attempts.len())
     }
 
-    /// Whether they can be handed in now: not during a vote or an explanation.
+    /// Whether answers can be handed in now: not during a vote or an explanation.
     fn may_hand_in(&self) -> bool {
         let looks = |(joined, _): (&JoinedClass, &Link)| {
             let is_free = matches!(joined.state.step, PupilStep::Lobby | PupilStep::End);
@@ -141,7 +141,7 @@ impl Join {
         self.joined = None;
     }
 
-    /// Hands in all answers that the pupil gave alone.
+    /// Hands in all answers that the pupil gave on their own.
     fn hand_in(&mut self, cx: &mut Context) {
         let (Some(history), Some(link)) = (self.history.history(), &mut self.link) else {
             return;
@@ -151,7 +151,7 @@ impl Join {
         let revealed = match hand_in.value() {
             Ok(file) => match link.hand_in(file, cx) {
                 true => return,
-                false => "There are too many answers to send. On the page Progress, h writes them to a file for your teacher.".to_owned(),
+                false => "There are too many answers to send. On the Progress page, the h key writes them to a file for your teacher.".to_owned(),
             },
             Err(reason) => format!("Your answers cannot be sent: {reason}"),
         };
@@ -221,10 +221,10 @@ impl Screen for Join {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Your class plays a round, and you vote here on your own. The address and the code are on the board. Your votes are saved on the teacher's computer; the class sees only how many voted for each answer.",
+            "Your class is playing a round, and you vote here on your own. The address and the code are on the board. Your votes are saved on the teacher's computer; the class sees only how many voted for each answer.",
             "First vote in silence, then talk, then vote again if you have changed your mind. The last vote counts. The closer it is, the more points you get; speed does not matter.",
             "Your own answers in the quiz and in the chapters stay on this device until you hand them in, before the round or after it.",
-            "If the connection is lost, carrom reconnects by itself, and your votes are still there.",
+            "If the connection is lost, carrom reconnects automatically, and your votes are still there.",
         ]
     }
 

@@ -64,7 +64,7 @@ fn draw(joined: &JoinedClass, question: &Question, area: Rect, buf: &mut Buffer,
     }
 }
 
-/// A number for each step of each question: the text of another step starts at its top.
+/// A number for each step of each question, so that the text of a new step starts at its top.
 fn subject(state: &PupilState) -> usize {
     let step = match state.step {
         PupilStep::Asked(step) => 2 + step as usize,
@@ -110,12 +110,12 @@ fn write(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<Jo
     }
 }
 
-/// Writes what can be handed in, and the result.
+/// Writes the prompt for handing in, and the result.
 fn write_hand_in(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
     let handed = joined.state.handed.map(|it| it.kept);
     let (words, role) = match (link.is_handing_in(), handed) {
         (true, _) if !link.is_in() && joined.state.step == PupilStep::End => (
-            "Your answers will be sent when the teacher's carrom is in reach again.".to_owned(),
+            "Your answers will be sent when the teacher's carrom can be reached again.".to_owned(),
             Role::Warn,
         ),
         (true, _) => ("Sending your answers ..".to_owned(), Role::Warn),
@@ -174,7 +174,7 @@ fn write_step(
         }
         (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_result(joined, question, panel),
         (Doing::Look, step) => {
-            // A text that is too long is cut at its end, so the instruction comes first.
+            // Text that is too long is truncated at its end, so the instruction comes first.
             let words = match step {
                 ClassStep::Describe => "Read it with the class. The vote comes soon.",
                 ClassStep::Predict => "Decide in silence. The vote comes soon.",
@@ -215,8 +215,8 @@ fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinActi
     panel.gap();
 }
 
-/// Whether the state of the vote appears above the question, and stays there: all pupils have
-/// to see that their votes are in, however long the text is.
+/// Whether the state of the vote appears above the question, and stays there: all pupils must see
+/// that their votes have arrived, however long the text is.
 fn is_explained_first(joined: &JoinedClass, link: &Link) -> bool {
     link.is_sending() || joined.state.misfit || joined.has_voted()
 }

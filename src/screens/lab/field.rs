@@ -8,7 +8,7 @@ use crate::widgets::input::{CollisionField, Field, FormFields, collision_fields,
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LabSettings {
     pub(super) setup: CollisionSpec,
-    /// The coin's mass is hidden, or was until it had been weighed.
+    /// The mystery coin, whose mass is hidden until it has been weighed.
     pub(super) mystery: Option<Mystery>,
 }
 

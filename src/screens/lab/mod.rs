@@ -1,4 +1,5 @@
-//! The lab: set up one glancing collision, predict where both discs will go, watch it.
+//! The lab: set up one glancing collision, predict where both discs will go, and watch the
+//! collision.
 
 mod field;
 mod mystery;
@@ -31,7 +32,7 @@ pub(crate) struct Lab {
     phase: LabPhase,
     /// Whether the picture shows the outcome of the settings at once.
     live: bool,
-    /// Whether the set-up comes from another screen and is not kept for the next visit.
+    /// Whether the set-up comes from another screen and is not saved for the next visit.
     lent: bool,
 }
 
@@ -41,12 +42,12 @@ enum LabPhase {
     /// Setting up.
     #[default]
     Aim,
-    /// Predicting where both will go.
+    /// Predicting where both discs will go.
     Predict(RayInput),
     Watch(Box<Watch>),
 }
 
-/// What keys do in the lab.
+/// The key actions in the lab.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LabAction {
@@ -101,7 +102,7 @@ impl Lab {
         cx.settings.predicted >= Settings::ENOUGH_PREDICTED && !self.hides_mass()
     }
 
-    /// Whether it is.
+    /// Whether the picture is live.
     fn is_live(&self, cx: &Context) -> bool {
         self.live && self.may_live(cx)
     }
@@ -111,7 +112,7 @@ impl Lab {
         self.settings.mystery.as_ref().is_some_and(Mystery::is_open)
     }
 
-    /// From aiming to predicting, or to the shot if no prediction is required.
+    /// Goes from aiming to predicting, or to the shot if no prediction is required.
     fn go(&mut self, cx: &mut Context) {
         if cx.settings.predict && !self.is_live(cx) {
             let side = self.settings.setup.collision().side();

@@ -1,4 +1,4 @@
-//! The mystery coin: its mass is hidden, and has to be found from two angles.
+//! The mystery coin: its mass is hidden, and the student finds it from two angles.
 
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
@@ -7,11 +7,12 @@ use crate::widgets::Role;
 use crate::widgets::input::{CollisionField, EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::panel::Panel;
 
-/// The lightest mystery coin in g, and the step and number of the heavier ones.
+/// The smallest mass of a mystery coin and the step to the next one, in g, and the number of
+/// masses.
 const LIGHTEST_G: f64 = 4.0;
 const STEP_G: f64 = 0.5;
 const COINS: u64 = 60;
-/// The tolerance of an answer, as a share of the mass.
+/// The tolerance of an answer, as a fraction of the mass.
 const NEAR: f64 = 0.05;
 
 /// A coin whose mass is hidden until it has been weighed.
@@ -22,8 +23,8 @@ pub(super) struct Mystery {
 }
 
 impl Mystery {
-    /// Sets up a coin whose mass follows from `seed`, at rest, smooth and without loss; its mass is
-    /// never that of the striker.
+    /// Sets up a smooth coin at rest, without energy loss. Its mass follows from `seed` and is
+    /// never the striker's.
     pub(super) fn put_out(setup: &mut CollisionSpec, seed: u64) -> Self {
         let mass = LIGHTEST_G + STEP_G * (seed % COINS) as f64;
         let same = (mass - setup.m1_g).abs() < STEP_G / 2.0;
@@ -34,12 +35,12 @@ impl Mystery {
         Self::default()
     }
 
-    /// Whether the mass is still to be found.
+    /// Whether the mass has not been found yet.
     pub(super) fn is_open(&self) -> bool {
         self.said_g.is_none()
     }
 
-    /// The settings that must stay as they are until the coin has been weighed.
+    /// The settings that cannot be changed until the coin has been weighed.
     pub(super) const LOCKED: [CollisionField; 4] = [
         CollisionField::CoinMass,
         CollisionField::Restitution,
@@ -47,8 +48,8 @@ impl Mystery {
         CollisionField::CoinSpeed,
     ];
 
-    /// The keys that enter the mass while the collision is watched. Signs and points only continue
-    /// a number, because they have other meanings there.
+    /// The keys that enter the mass while the collision is watched. The keys for a sign or a point
+    /// only continue a number, because otherwise they have another meaning there.
     pub(super) fn keys(&self) -> KeyTable<EntryAction> {
         let table = KeyTable::new("mystery");
         match (self.is_open(), self.entry.is_open()) {
@@ -79,14 +80,14 @@ impl Mystery {
     ) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
             panel.paragraph(
-                "There are no two angles to read. Hit the coin off-centre to weigh it.",
+                "You need two angles to weigh the coin: hit it off-centre.",
                 Role::Text,
             );
             return;
         };
         let Some(ratio) = mass_ratio_from_angles(theta1, theta2, setup.restitution) else {
             panel.paragraph(
-                "These angles give no mass: try an offset well between head-on and a graze.",
+                "These angles do not give a mass: try an offset between head-on and a graze.",
                 Role::Text,
             );
             return;
@@ -95,8 +96,8 @@ impl Mystery {
             None => {
                 panel.heading("How heavy is the coin?");
                 panel.paragraph(
-                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. Over 90° between the paths: heavier than the \
-                     striker. Under: lighter.",
+                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. If the paths are more than 90° apart, the coin is \
+                     heavier than the striker; if less, lighter.",
                     Role::Text,
                 );
                 panel.gap();
@@ -149,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn a_typed_mass_is_an_answer_and_frees_the_settings() {
+    fn a_typed_mass_is_an_answer_and_unlocks_the_settings() {
         let mut mystery = Mystery::default();
         assert_eq!(mystery.keys().find(Key::Char(',')), None);
         assert_eq!(mystery.keys().find(Key::Enter), None);

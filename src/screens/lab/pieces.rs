@@ -10,7 +10,7 @@ const PIECE_SETS: [(&str, [(f64, f64); 2]); 3] = [
     ("marbles", [(20.0, 12.4), (40.0, 15.6)]),
 ];
 
-/// The index of the set of these pieces, if they are one.
+/// The index of the set with these pieces, if there is one.
 fn piece_set(setup: &CollisionSpec) -> Option<usize> {
     let pieces = [(setup.m1_g, setup.r1_mm), (setup.m2_g, setup.r2_mm)];
     PIECE_SETS.iter().position(|(_, set)| *set == pieces)
@@ -18,10 +18,10 @@ fn piece_set(setup: &CollisionSpec) -> Option<usize> {
 
 /// The name of these pieces.
 pub(super) fn pieces_name(setup: &CollisionSpec) -> &'static str {
-    piece_set(setup).map_or("own pieces", |at| PIECE_SETS[at].0)
+    piece_set(setup).map_or("custom pieces", |at| PIECE_SETS[at].0)
 }
 
-/// Changes to the next set, and keeps the ratio b/(r₁+r₂).
+/// Changes to the next set, without changing the ratio b/(r₁+r₂).
 pub(super) fn put_out_next(setup: &mut CollisionSpec) {
     let ratio = setup.offset_mm() / setup.contact_distance_mm();
     let next = piece_set(setup).map_or(0, |at| (at + 1) % PIECE_SETS.len());
@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn changing_pieces_keeps_the_shape_of_the_hit() {
+    fn changing_pieces_keeps_the_geometry_of_the_collision() {
         let mut setup = CollisionSpec::default();
         let alpha = setup.collision().alpha();
         for expected in [1, 2, 0] {

@@ -1,4 +1,4 @@
-//! The view of the lab: the picture, and beside it the settings, the prediction, the shot in
+//! The view of the lab: the picture, and beside it the settings, the prediction, and the shot in
 //! numbers.
 
 use glam::DVec2;
@@ -32,7 +32,7 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
     };
     match &lab.phase {
         LabPhase::Aim if lab.is_live(cx) => View::picture(
-            "live: it follows what you set",
+            "live: follows your settings",
             |area, buf, look| live(lab, area, buf, look, cx),
             settings(lab, cx),
         )
@@ -56,10 +56,10 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
 
 const DRAG: &str = "Drag the coin up or down to set the offset.";
 
-/// Fewest rows of a picture that has room for the curves too.
+/// The smallest number of rows of a picture with room for the curves.
 const ROOM_FOR_CURVES: u16 = 18;
 
-/// The collision of the settings, explained to its end.
+/// The collision with the current settings, explained to its end.
 fn live_hit(lab: &Lab) -> Watch {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Trails]);
     Watch::revealed(lab.settings.setup.collision()).with_layers(layers)
@@ -73,8 +73,7 @@ pub(super) fn hit_area(lab: &Lab, picture: Rect, cx: &Context) -> Rect {
     }
 }
 
-/// Whether there are curves to draw, which are those of smooth discs and a coin at rest, and
-/// room for them.
+/// Whether there are curves to draw (only for smooth discs and a coin at rest), and room for them.
 fn has_curves(lab: &Lab, picture: Rect) -> bool {
     let collision = lab.settings.setup.collision();
     let plain = collision.bond == Bond::Slip && collision.u2 == DVec2::ZERO;
@@ -92,7 +91,7 @@ fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
     }
 }
 
-/// The settings, and what follows from them.
+/// The settings, and the quantities that follow from them.
 fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     let mut panel = Panel::new("settings");
     panel.part(LabAction::Set, |panel| {
@@ -128,7 +127,7 @@ fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     panel
 }
 
-/// b/(r₁+r₂), with a note if they miss.
+/// b/(r₁+r₂), with a note if the discs miss.
 fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
     let setup = &lab.settings.setup;
     let ratio = setup.offset_mm().abs() / setup.contact_distance_mm();
@@ -137,7 +136,7 @@ fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
         let why = if ratio > 1.0 {
             "above 1: they will miss"
         } else {
-            "same velocity: no hit"
+            "same velocity: no collision"
         };
         panel.line(why, Role::Warn);
     }
@@ -165,8 +164,8 @@ fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     panel
 }
 
-/// The shot in numbers, the prediction, and the explanation. The explanation is never cut; if there
-/// is not enough room, numbers that the player set are dropped first.
+/// The shot in numbers, the prediction, and the explanation. The explanation is never truncated; if
+/// there is not enough room, the numbers that the player set are omitted first.
 fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
     let mut panel = Panel::new("the shot");
     if !watch.is_revealed() {
@@ -202,7 +201,7 @@ fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
     panel
 }
 
-/// Where they meet.
+/// The position of the contact.
 fn given<A>(lab: &Lab, panel: &mut Panel<A>) {
     for field in [CollisionField::Offset, CollisionField::ImpactAngle] {
         let field = field.field(&lab.settings.setup);
@@ -266,19 +265,19 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
     panel.gap();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let text = if !sticks {
-        "Here the discs always move in opposite directions: total momentum is zero. Add V to both \
-         for the laboratory frame."
+        "Here the discs always move in opposite directions: the total momentum is zero. Add V to \
+         both for the laboratory frame."
             .into()
     } else if outcome.energy_rotation > 0.0 {
         format!(
-            "They meet from opposite sides and stay together. Their centre of mass is at rest \
-             here, and they rotate about it {} times a second; final speeds are those of the two \
-             centres. Add V, and the pair moves on, rotating.",
+            "They meet from opposite sides and stay together. Here their centre of mass is at \
+             rest, and they rotate about it {} times a second; the final speeds are those of the \
+             two centres. Add V, and the pair moves on, rotating.",
             turns_a_second(outcome)
         )
     } else {
-        "They meet from opposite sides, stick and stay at rest: momentum is zero. Add V, and the \
-         pair moves on."
+        "They meet from opposite sides, stick and stay at rest: the total momentum is zero. \
+         Add V, and the pair moves on."
             .into()
     };
     panel.paragraph(text, Role::Text);

@@ -12,7 +12,7 @@ use crate::widgets::{Charset, SplitLayout, formula, text};
 /// The body of a screen of 80×24, below the title and above the keys.
 const BODY: Rect = Rect::new(0, 1, 80, 22);
 
-/// Pages that would be cut off or have to be scrolled at 80×24, in either charset; `[]` if the
+/// Pages that would be truncated or have to be scrolled at 80×24, in either charset; `[]` if the
 /// chapter fits.
 pub fn check(chapter: &Chapter) -> Vec<FileError> {
     let mut faults = Vec::new();
@@ -47,10 +47,10 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
     faults
 }
 
-/// One answer for each different feedback.
+/// One answer for each possible feedback.
 fn answers(asked: &CheckpointKind) -> Vec<Response> {
     match asked {
-        // Straight ahead, half and half, bounced back: each has a long explanation.
+        // Straight ahead, at 45° and backwards: each has a long explanation.
         CheckpointKind::Rays => {
             let rays = |degrees: f64| Rays::new(degrees.to_radians(), degrees.to_radians());
             let rays = [0.0, 45.0, 150.0].map(rays);
@@ -74,14 +74,14 @@ fn too_long(
     let mut cx = Context::new(settings, 0);
     cx.body = BODY;
     let (rows, room) = reading.rows(&cx);
-    // The page is drawn too, so that a panic or a missing figure shows.
+    // The page is drawn too, so that a panic or a missing figure is detected.
     let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
     reading.draw(&mut buf, &cx);
     let what = match answer {
         None if first.is_some() => format!("the hint{}", line_of(first)),
         None => "the page".to_owned(),
-        Some(Response::Choice(_)) => format!("what is said{}", line_of(answer)),
-        Some(_) => "what is said to the answer".to_owned(),
+        Some(Response::Choice(_)) => format!("the feedback{}", line_of(answer)),
+        Some(_) => "the feedback on the answer".to_owned(),
     };
     (rows > room).then(|| {
         format!(
@@ -91,10 +91,10 @@ fn too_long(
     })
 }
 
-/// The choices with feedback.
+/// The last words of an error message: the choice that it is about.
 fn line_of(said: Option<Response>) -> String {
     match said {
-        Some(Response::Choice(line)) => format!(" to choice {}", line + 1),
+        Some(Response::Choice(line)) => format!(" on choice {}", line + 1),
         _ => String::new(),
     }
 }
@@ -112,7 +112,7 @@ fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<File
         Some(_) => SplitLayout::square(BODY),
         None => SplitLayout::text_alone(BODY),
     };
-    // Less the margin and the indentation of formulas.
+    // The width without the margin and the indentation of formulas.
     let room = usize::from(layout.panel.width).saturating_sub(3);
     let checkpoint = page.checkpoint.iter();
     let asked = checkpoint.flat_map(|it| it.question.iter().chain(&it.hint).chain(&it.after));

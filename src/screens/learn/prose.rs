@@ -9,9 +9,9 @@ use crate::widgets::{Charset, Role, formula};
 /// The style of text.
 #[derive(Clone, Copy)]
 pub(super) struct Prose<'a> {
-    /// The collision of the live numbers.
+    /// The collision from which the live numbers are computed.
     pub figure: Option<&'a Collision>,
-    /// In a charset a formula takes one row or several.
+    /// The charset, which determines how many rows a formula takes.
     pub charset: Charset,
 }
 
@@ -20,7 +20,7 @@ impl Prose<'_> {
         self.write_in(None, blocks, panel);
     }
 
-    /// Writes blocks of text that have been read, all in a faint style.
+    /// Writes blocks of text that the student has already read, all in a faint style.
     pub(super) fn write_dimmed<A>(self, blocks: &[TextBlock], panel: &mut Panel<A>) {
         self.write_in(Some(Role::Dim), blocks, panel);
     }
@@ -67,7 +67,7 @@ impl Prose<'_> {
         }
     }
 
-    /// Pieces of text as stretches in their styles; `plain` is that of plain words.
+    /// Pieces of text as runs in their styles; `plain` is the style of plain text.
     pub(super) fn runs(self, pieces: &[Inline], plain: Role) -> Vec<Run> {
         let run = |piece: &Inline| match piece {
             Inline::Text(text, tone) => {
@@ -88,7 +88,7 @@ impl Prose<'_> {
         pieces.iter().map(run).collect()
     }
 
-    /// The same text without styles.
+    /// Pieces of text without styles.
     pub(super) fn plain(self, pieces: &[Inline]) -> String {
         let runs = self.runs(pieces, Role::Text).into_iter();
         runs.map(|run| run.text).collect()

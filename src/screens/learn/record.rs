@@ -7,8 +7,8 @@ use crate::physics::units::deg_from_rad;
 use crate::progress::{Attempt, LESSON, REVIEWED_BY};
 use crate::quiz::{Form, Response, Topic, figures};
 
-/// An answer to the checkpoint of page `at` (from 0), which asks by `form`, marked. After a
-/// hint it earns half the credit.
+/// The marked answer to the checkpoint of page `at` (counted from 0), a question of this `form`.
+/// After a hint, an answer earns half the credit.
 pub fn attempt(
     player: &str,
     chapter: &Chapter,

@@ -1,4 +1,4 @@
-//! The levels: the list of them, and playing one.
+//! The levels: the list, and playing one.
 
 mod list;
 mod play;

@@ -1,4 +1,4 @@
-//! Words and marks that the list and a level share.
+//! Strings and marks that the list and a level share.
 
 use crate::levels::{Dial, DiscKind, MOST_STARS, Scene};
 use crate::widgets::Role;
@@ -29,7 +29,7 @@ pub(super) fn face_of(scene: &Scene, disc: usize) -> Face {
     face(kind.unwrap_or(DiscKind::White))
 }
 
-/// A disc of a scene in one word.
+/// The name of a disc of a scene, in one word.
 pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
     let piece = scene.pieces.get(disc);
     let name = piece.map_or("disc", |piece| piece.kind.name());
@@ -46,7 +46,7 @@ pub(super) const fn dial_words(dial: Dial) -> (&'static str, &'static str, &'sta
             "the direction of the shot, anticlockwise from the right",
         ),
         Dial::Speed => ("speed", " m/s", "the disc's initial speed"),
-        Dial::Place => ("place", " mm", "where the disc starts, from the middle"),
+        Dial::Place => ("place", " mm", "how far from the middle the disc starts"),
         Dial::Mass => ("mass", " g", "the mass of the disc"),
         Dial::Restitution => (
             "restitution",

@@ -7,11 +7,11 @@ use crate::quiz::{NAMED_ODDS, Origin};
 use crate::widgets::Role;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 
-/// Fewest columns for the figures beside the longest name.
+/// The smallest number of columns that fits the figures beside the longest name.
 const WIDE: u16 = 75;
 
-/// One row per belief: how many answers fitted it, of those that could have, in the first half
-/// of all answers and since.
+/// One row per misconception: how many of the answers that could have shown it did so, in the
+/// first half of all answers and since.
 pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressAction>) {
     let beliefs = beliefs(&history.attempts);
     if beliefs.is_empty() {
@@ -61,7 +61,7 @@ fn held(history: &History) -> Option<HeldBelief> {
     { beliefs(&history.attempts).into_iter() }.find(|belief| belief.trend() != Trend::Gone)
 }
 
-/// What helps against a misconception from such a source.
+/// Advice against a misconception of this origin.
 const fn how_it_fades(origin: Origin) -> &'static str {
     match origin {
         Origin::Study(_) => {
@@ -76,7 +76,7 @@ const fn how_it_fades(origin: Origin) -> &'static str {
     }
 }
 
-/// Advice on the strongest belief, or a note that all are gone.
+/// Advice on the strongest misconception, or a note that all have disappeared.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let beliefs = beliefs(&history.attempts);
     let fading = beliefs

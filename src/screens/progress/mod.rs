@@ -40,7 +40,7 @@ pub enum ProgressAction {
 
 /// Fewest columns for a panel of the usual width.
 const NARROW: u16 = 80;
-/// Columns of the panel on a narrow screen, where the tables need the room.
+/// The width of the panel on a narrow screen, where the tables need the room.
 const NARROW_PANEL: u16 = 26;
 
 /// The pages of the screen.
@@ -51,7 +51,7 @@ enum ProgressPage {
     Topics,
     /// Whether confidence matches the answers.
     Sure,
-    /// The same over time.
+    /// Whether confidence matches the answers, over time.
     SureOverTime,
     /// The player's misconceptions.
     Beliefs,
@@ -60,7 +60,7 @@ enum ProgressPage {
 impl ProgressPage {
     const ALL: &[Self] = Self::VARIANTS;
 
-    /// The page this many after this one, cyclically.
+    /// The page this many steps after this one, cyclically.
     fn beside(self, steps: isize) -> Self {
         let count = Self::ALL.len() as isize;
         let at = (self as isize + steps).rem_euclid(count);
@@ -87,7 +87,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Requests what the player has done.
+    /// Requests the player's record.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         Self {
             ahead: Ahead::ask(cx),
@@ -108,7 +108,7 @@ impl Progress {
         View { second, ..view }.laid_out(layout)
     }
 
-    /// Writes the hand-in for a teacher.
+    /// Writes the file that the player hands in to a teacher.
     fn hand_in(&self, cx: &mut Context) {
         let Some(history) = self.history() else {
             return;
@@ -141,7 +141,7 @@ fn nothing_yet(panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// Draws the picture, or writes why there is none.
+/// Draws the picture, or returns the reason why there is none.
 type DrawPlot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>;
 
 impl Screen for Progress {

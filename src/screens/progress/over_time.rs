@@ -12,10 +12,10 @@ use crate::widgets::picture::Picture;
 use crate::widgets::plot::errors_picture;
 use crate::widgets::{Look, Role};
 
-/// The number of latest answers shown.
+/// The number of recent answers that are shown.
 const SHOWN: usize = 100;
 
-/// The error of each answer, and the mean of the last few; or why there is nothing to draw.
+/// The error of each answer, and the mean of the last few; or the reason why there is no plot.
 pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture, &'static str> {
     let picture = errors_picture(&history.attempts, SHOWN, area, look);
     let picture = picture.map(|(picture, _)| picture);
@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_comment_follows_from_the_ends() {
+    fn the_comment_compares_the_first_and_the_last_error() {
         assert!(compared(20.0, 3.0).contains("Well aimed"));
         assert!(compared(20.0, 10.0).contains("closer"));
         assert!(compared(10.0, 20.0).contains("larger"));

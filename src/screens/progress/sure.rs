@@ -12,12 +12,12 @@ use crate::widgets::picture::Picture;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
-/// The number of answers of one confidence in each share.
+/// The number of answers with one confidence in each share.
 const REACH: usize = 10;
-/// The number of latest answers shown.
+/// The number of recent answers that are shown.
 const SHOWN: usize = 200;
 
-/// For each confidence the share of right answers, over its honest range.
+/// For each confidence, the share of right answers and the range in which it should be.
 pub(super) fn table(history: &History, panel: &mut Panel<ProgressAction>) {
     for calibrated in calibration(&history.attempts) {
         let Calibrated { confidence, tally } = calibrated;
@@ -51,8 +51,8 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// For each confidence the share of right answers among the last few; or why there is
-/// nothing to draw.
+/// For each confidence, the share of right answers among the last few; or the reason why there
+/// is no plot.
 pub(super) fn plot_over_time(
     history: &History,
     area: Rect,
@@ -62,7 +62,7 @@ pub(super) fn plot_over_time(
     picture.ok_or("A line appears here after three answers with the same confidence.")
 }
 
-/// Where each line should be, and where it ended.
+/// The range in which each line should be, and where it ended.
 pub(super) fn panel_over_time(history: &History, panel: &mut Panel<ProgressAction>) {
     let shares = calibration_over_time(&history.attempts, REACH);
     panel.heading("Right, of the last ten");

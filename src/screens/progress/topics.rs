@@ -10,13 +10,13 @@ use crate::widgets::bar::bar;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 use crate::widgets::{Look, Role, text};
 
-/// Columns of a topic's name.
+/// The width of a topic's name, in columns.
 const NAME: u16 = 26;
 const BAR: u16 = 20;
-/// The number of names listed.
+/// The largest number of names listed.
 const LISTED: usize = 6;
 
-/// One row per topic, with its last answers as a bar if there is room.
+/// One row per topic, with the last answers as a bar if there is room.
 pub(super) fn table(
     history: &History,
     book: &Book,
@@ -57,7 +57,7 @@ pub(super) fn table(
     chapters(book, panel);
 }
 
-/// Topics of the quiz only; chapters have their own measure.
+/// The topics of the quiz only; chapters have their own measure.
 fn topics_of_the_quiz(history: &History) -> Vec<TopicStanding> {
     topics(history.attempts.iter().filter(|it| it.family != LESSON))
 }
@@ -80,7 +80,7 @@ fn chapters(book: &Book, panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// The number of solid topics; what is due now, and what is due next.
+/// The number of solid topics, those due now, and those due next.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let solid = topics_of_the_quiz(history)
         .iter()
@@ -127,7 +127,7 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     );
 }
 
-/// The first of these names, and the number of others.
+/// Lists the first of these names, and the number of others.
 fn listed(names: Vec<String>, panel: &mut Panel<ProgressAction>) {
     let more = names.len().saturating_sub(LISTED);
     for name in names.into_iter().take(LISTED) {

@@ -45,7 +45,7 @@ pub(crate) enum QuizAction {
     LookBack(ListAction),
     /// start another round of the same kind
     Another,
-    /// open the page of the chapters that settles it
+    /// open the chapter page that explains the answer
     ReadUp,
     /// take the next step
     Next,
@@ -72,7 +72,7 @@ pub(crate) struct Quiz {
     round: Round,
     /// The answers, in the order of the questions.
     answers: Vec<Answer>,
-    /// The same as they are kept.
+    /// The answers in the form in which they are saved.
     attempts: Vec<Attempt>,
     phase: QuizPhase,
     /// The overlays that the player has switched on.
@@ -81,14 +81,14 @@ pub(crate) struct Quiz {
     ahead: Option<Ahead>,
 }
 
-/// The phase of a round.
+/// The phases of a round.
 #[derive(Debug, Clone)]
 enum QuizPhase {
     /// Answering, then choosing a confidence.
     Asked(Box<OpenQuestion>),
     /// Watching what happens, if there is something to watch, and reading the explanation.
     Watch(Box<AnsweredQuestion>),
-    /// The summary, with the mark at one question.
+    /// The summary, with one question marked.
     Summary(ListView),
 }
 
@@ -106,14 +106,14 @@ struct AnsweredQuestion {
     answer: Answer,
     /// The collision, if the question is about one.
     reveal: Reveal,
-    /// The right shot, still to be shown, if the player's shot was wrong.
+    /// The right shot, which is shown next if the player's shot was wrong.
     remedy: Option<Watch>,
-    /// Its index, if it was opened from the summary.
+    /// The question's index, if it was opened from the summary.
     opened: Option<usize>,
 }
 
 impl Quiz {
-    /// The round of a code, at its first question.
+    /// The round with this code, at its first question.
     pub(crate) fn new(code: Code) -> Self {
         Self::of(Round::of(code))
     }
@@ -132,9 +132,9 @@ impl Quiz {
         quiz
     }
 
-    /// The round of a code, resumed after these answers, which are already saved.
-    /// `is_explained` says whether the last of them is still being explained. The first answer
-    /// that does not fit its question is dropped, with all that follow.
+    /// The round with this code, resumed after these answers, which are already saved.
+    /// `is_explained` means that the last answer is still being explained. The first answer that
+    /// does not fit its question is dropped, with all that follow.
     pub(crate) fn left_at(
         code: Code,
         answers: &[Answer],
@@ -195,7 +195,7 @@ impl Quiz {
         self.round.course().feedback_at_end()
     }
 
-    /// Adds the answer to the question at hand, and returns it as it is kept.
+    /// Adds the answer to the current question, and returns it in the form in which it is saved.
     fn note(&mut self, question: &Question, answer: Answer, cx: &Context) -> Attempt {
         self.answers.push(answer);
         let (code, number) = (self.round.code(), self.answers.len() as u32);
@@ -208,7 +208,7 @@ impl Quiz {
     /// Records an answer, then shows the collision or asks the next question.
     fn answer(&mut self, question: Question, answer: Answer, cx: &mut Context) {
         let attempt = self.note(&question, answer, cx);
-        // Saved before the explanation is shown.
+        // The answer is saved before the explanation is shown.
         cx.record(attempt);
         if self.feedback_at_end() {
             return self.ask();
@@ -229,7 +229,7 @@ impl Quiz {
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Plays another round of the same kind. After a review other topics are due.
+    /// Plays another round of the same kind. After a review, other topics are due.
     fn again(&mut self, cx: &mut Context) -> Next {
         let code = self.round.code();
         if let CourseKind::Review(_) = code.course.kind {
@@ -243,14 +243,14 @@ impl Quiz {
         Next::Stay
     }
 
-    /// The misconception that was found, in a round that looks for one.
+    /// The misconception that was found, if the round looks for one.
     fn found(&self) -> Option<Misconception> {
         let follows = self.round.course().follows_answers();
         let named = follows.then(|| self.summary().most_held())?;
         named.map(|(misconception, _)| misconception)
     }
 
-    /// Checks with some questions whether the misconception that was found is still believed.
+    /// Asks further questions to check whether the player still has the misconception found.
     fn check(&mut self) {
         if let Some(misconception) = self.found() {
             let course = Course::new(CourseKind::Check(misconception));
@@ -286,8 +286,8 @@ impl Quiz {
         Summary::new(self.attempts.get(..feedback).unwrap_or_default())
     }
 
-    /// The page to read after a wrong answer, once its result has been shown; after a round, the
-    /// page for most of the wrong answers.
+    /// The page to read after a wrong answer, once the result has been shown; after a round, the
+    /// page that explains the most wrong answers.
     fn passage(&self) -> Option<Passage> {
         match &self.phase {
             QuizPhase::Asked(_) => None,
@@ -297,7 +297,7 @@ impl Quiz {
         }
     }
 
-    /// Closes an answered question: goes to the next one, or back to the list in which it was
+    /// Closes an answered question: goes to the next one, or back to the list from which it was
     /// `opened`.
     fn put_away(&mut self, opened: Option<usize>, layers: Option<Overlays>) {
         self.layers = layers.unwrap_or(self.layers);
@@ -342,7 +342,7 @@ impl Quiz {
 }
 
 impl AnsweredQuestion {
-    /// An answer just given. For an answer by shooting, the shot itself is shown.
+    /// The question with an answer just given. If the answer is a shot, that shot is shown.
     fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
         let rays = answer.said.rays();
         let pace = cx.settings.pace();
@@ -478,7 +478,7 @@ impl Screen for Quiz {
         vec![
             "Answer each question, choose how sure you are, then watch what happens and read why. An exam gives no feedback until the end, and neither does the round that finds out what you believe: there your answers decide the next question. Rims are smooth unless a question says otherwise.",
             "Rays: angles are measured from the striker's original direction. The striker's angle is positive on the side away from the coin, the coin's angle on the coin's side; a minus sign means the other side. Shots: set the offset that sends the disc along the dashed path to the mark.",
-            "A ray is right if its error is at most 4°, and so is a shot that sends its disc within 4° of the path. An angle, a share or e entered as a number is right within a tenth of the true value, but never with an error above 4°, 4 % or 0.04; any other number within a twentieth.",
+            "A ray is right if its error is at most 4°, and so is a shot that sends its disc within 4° of the path. An angle, a percentage or e entered as a number is right if it is within a tenth of the true value, but never with an error above 4°, 4 % or 0.04; any other number must be within a twentieth.",
             "A ray within 2° earns full credit, a ray that is 30° off earns none. \"Sure\" earns the most points if you are right and loses the most if you are wrong, so an honest answer is the best one. Your points may fall below zero: otherwise a wrong \"sure\" would cost nothing there.",
             "After a wrong answer carrom names the page of a chapter that explains it. When you leave that page, you are back where you were.",
             "After the last question you can open each one again; if you leave an exam, it shows your answers. The code at the top fixes the questions: with the same code a friend gets the same round.",
@@ -506,7 +506,7 @@ impl Screen for Quiz {
                 let count = self.answers.len();
                 let before = list.chosen(count);
                 let outcome = list.act(action, count);
-                // At its ends the text scrolls further.
+                // At an end of the list, the text scrolls instead.
                 let is_at_end = list.chosen(count) == before;
                 match (outcome, action) {
                     (Outcome::Done(at), _) => self.open(at, cx),

@@ -30,7 +30,7 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     });
 }
 
-/// The choice of confidence with its points, and the answer it is about.
+/// The choice of confidence with the points, and the answer that it refers to.
 pub(super) fn confidence(
     asked: &OpenQuestion,
     feedback_at_end: bool,
@@ -76,7 +76,7 @@ pub(super) fn watching(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>
 }
 
 /// The points, the answer beside the true one, and the explanation, which is never cut: if
-/// there is not enough room, other things are dropped.
+/// there is not enough room, the other parts are dropped.
 pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Panel<QuizAction>) {
     let question = &watched.question;
     let grade = Grade::new(question, &watched.answer);
@@ -108,7 +108,7 @@ pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Pane
     });
 }
 
-/// The answer beside the true one: rays of a collision as a table, others in words.
+/// The answer beside the true one: the rays of a collision in a table, other answers as text.
 fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
     let form = &watched.question.form;
     match (watched.reveal.watch(), form, &watched.answer.said) {
@@ -116,7 +116,7 @@ fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
             let names = ["striker", target].map(Some);
             said_and_true(watch.collision(), said, names, true, panel);
         }
-        // Without a collision to define the coin's side, rays are written in words.
+        // Without a collision to define the coin's side, rays are written as text.
         (_, _, said) => {
             panel.marked("you    ", lettered(form, said), Role::Predicted);
             panel.marked("truth  ", lettered(form, &form.truth()), Role::Good);

@@ -10,10 +10,10 @@ use crate::widgets::Role;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 
-/// Most columns of the summary, with its frame.
+/// The largest width of the summary with its frame, in columns.
 pub(super) const WIDEST: u16 = 108;
 
-/// The summary: the score, one row per question with a mark at the one `at`, how well
+/// The summary: the score, one row per question with a mark at question `at`, how well
 /// confidence matched the answers, and what to try next.
 pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     let summary = quiz.summary();
@@ -60,7 +60,7 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     panel
 }
 
-/// How a friend gets the same round; a review is personal.
+/// The command that gives a friend the same round; a review has none, because it is personal.
 fn for_a_friend(code: &Code) -> Option<(&'static str, String)> {
     match code.course.kind {
         CourseKind::Met(_) | CourseKind::Review(_) | CourseKind::Own(_) => None,
@@ -101,11 +101,11 @@ fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
     closing
 }
 
-/// One row per question: the answer, the true one, the points, and the topic.
+/// One row per question: the answer, the true answer, the points, and the topic.
 fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction>) {
     let answered = || quiz.round.questions().iter().zip(&quiz.answers);
     let all_rays = answered().all(|(question, _)| matches!(question.form, Form::Rays { .. }));
-    // Answers of many forms are unclear without their topic; but in a round that looks for a
+    // Many answers are unclear without their topic; but in a round that looks for a
     // misconception, the topic matters less than what the answer showed.
     let shows_topic = !all_rays && !quiz.round.course().follows_answers();
     let column = |head: &str, width, flush_right, room| TableColumn {

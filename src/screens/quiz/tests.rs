@@ -1,4 +1,4 @@
-//! Every form of answer and every picture, whatever family they come from.
+//! Tests of every form of answer with every picture, independent of the families of questions.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
@@ -21,7 +21,7 @@ const SIZES: [(u16, u16); 7] = [
     (300, 98),
 ];
 
-/// A round with a question of the test's own at hand.
+/// A round whose current question is made by the test.
 struct TestRound {
     quiz: Hosted<Quiz>,
     cx: Context,
@@ -31,7 +31,7 @@ impl TestRound {
     fn of(picture: Illustration, form: Form) -> Self {
         let mut quiz = Quiz::new(Code::hits(7));
         let question = Question {
-            text: "What comes of it? Assume smooth discs.".into(),
+            text: "What happens? Assume smooth discs.".into(),
             why: "So it is.".into(),
             beliefs: vec![],
             picture,
@@ -56,7 +56,7 @@ impl TestRound {
         for c in keys.chars() {
             let key = match c {
                 '\n' => Key::Enter,
-                // All that a hit tells.
+                // Skips to the end of the explanation.
                 '$' => Key::End,
                 _ => Key::Char(c),
             };
@@ -82,7 +82,7 @@ fn hit(offset_mm: f64) -> Collision {
     Collision::at_offset(disc, disc, DVec2::new(4.0, 0.0), offset_mm / 1000.0)
 }
 
-/// The coin is to go off at 30°: sin 30° of both radii together.
+/// The coin must leave at 30°, so the offset is sin 30° times the sum of the radii.
 fn aim() -> AimTask {
     AimTask {
         collision: hit(0.0),
@@ -128,7 +128,7 @@ fn tracks() -> Illustration {
     }
 }
 
-/// Each picture with each form it may have.
+/// Each picture with each form of answer that it can have.
 fn all() -> Vec<(Illustration, Form)> {
     let rays = Quiz::new(Code::hits(7)).round.questions()[0].form.clone();
     let mut all = vec![(before(), Form::Shot(aim()))];
@@ -156,7 +156,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
             }
             sitting.cx.body = Rect::new(0, 1, 80, 22);
         };
-        look(&mut sitting, "What comes of it?");
+        look(&mut sitting, "What happens?");
         sitting.press("1\n");
         if let Form::Rays { .. } = form {
             sitting.press("1\n");
@@ -169,12 +169,12 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
 }
 
 #[test]
-fn a_shot_is_seen_as_it_was_and_then_as_it_should_have_been() {
+fn after_a_wrong_shot_the_right_one_is_shown() {
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     sitting.press("-5\n3$");
     let screen = sitting.screen();
     assert!(screen.contains("offset 5.00 mm left"), "{screen}");
-    // It takes two rows of the panel.
+    // The answers fill two rows of the panel.
     assert!(
         screen.contains("offset 15.0 mm") && screen.contains("||        right "),
         "{screen}"
@@ -189,22 +189,22 @@ fn a_shot_is_seen_as_it_was_and_then_as_it_should_have_been() {
     assert!(screen.contains("v2 = 3.46 m/s"), "4 cos 30 deg\n{screen}");
     sitting.press("\n");
     assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
-    // What hits the mark has nothing to be put right.
+    // A right shot needs no correction.
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     sitting.press("15\n3$\n");
     assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
 }
 
 #[test]
-fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
+fn the_coin_can_be_dragged_to_set_the_offset() {
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     let offset = |sitting: &TestRound| match &sitting.quiz.screen().phase {
         QuizPhase::Asked(asked) => asked.asking.input().said(),
         _ => None,
     };
-    // The way is level and in the middle, on row 11; to its right is below. The picture is
-    // 6.6 radii of 15 mm over 20 rows, and the coin has half of the offset: 9.9 mm a row,
-    // set to half a millimetre.
+    // The striker's path is horizontal, on row 11; its right-hand side is below. The 20 rows of the
+    // picture span 6.6 radii of 15 mm, and the coin moves by half of the offset: 9.9 mm per row,
+    // rounded to half a millimetre.
     for (row, rows) in [(11, 0.0), (12, 1.0), (13, 2.0), (9, -2.0)] {
         sitting.mouse(MouseKind::Drag, (30, row));
         let Some(Response::Shot(offset)) = offset(&sitting) else {
@@ -215,7 +215,7 @@ fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
 }
 
 #[test]
-fn a_choice_is_clicked_wherever_its_rows_are() {
+fn a_click_on_any_row_of_a_choice_chooses_it() {
     for size in [(60, 18), (80, 22), (120, 38)] {
         for picture in [Illustration::Nothing, after()] {
             let mut sitting = TestRound::of(picture, choice());

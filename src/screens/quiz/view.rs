@@ -67,8 +67,8 @@ fn of_watched<'s>(
     )
 }
 
-/// A text beside the question's picture; without a picture the text is alone, under the
-/// picture's title.
+/// Text beside the question's picture; without a picture, the text alone, under the title that the
+/// picture would have.
 fn beside_picture<'s>(
     title: String,
     question: &Question,

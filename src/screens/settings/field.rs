@@ -1,25 +1,25 @@
-//! The settings: name, values and description of each.
+//! The settings, each with its name, values and description.
 
 use super::values::Settings;
 use crate::widgets::input::{Field, FieldValue, FormFields};
 use crate::widgets::replay::WatchRate;
 use crate::widgets::{Charset, Depth, Palette};
 
-/// A setting with a few values.
+/// A setting with a fixed list of values.
 pub(super) struct Setting {
     /// Its name in the file.
     pub(super) id: &'static str,
-    /// Its values, as the file has them and the screen shows them.
+    /// Its values, as in the file and on the screen.
     pub(super) words: &'static [&'static str],
     /// Its name and description on the screen.
     shown: (&'static str, &'static str),
-    /// The index of its present value.
+    /// The index of its current value.
     pub(super) at: fn(&Settings) -> usize,
     /// Sets it to the value at this index.
     pub(super) choose: fn(&mut Settings, usize),
 }
 
-/// All of them; those on the screen first.
+/// All settings; those shown on the screen come first.
 pub(super) static SETTINGS: [Setting; 8] = [
     Setting {
         id: "charset",
@@ -61,7 +61,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["full", "reduced"],
         shown: (
             "motion",
-            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key that switches it.",
+            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key for it.",
         ),
         at: |settings| settings.reduced_motion.into(),
         choose: |settings, at| settings.reduced_motion = at > 0,
@@ -104,7 +104,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         at: |settings| settings.predict.into(),
         choose: |settings, at| settings.predict = at > 0,
     },
-    // Saved, but not set by hand.
+    // This setting is saved, but the player cannot change it directly.
     Setting {
         id: "foretold",
         words: &["0", "1", "2", "3"],
@@ -114,7 +114,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
     },
 ];
 
-/// The row of the player's name, below the others.
+/// The row of the player's name, below the settings.
 pub(super) const PLAYER: usize = SETTINGS.len() - 1;
 
 impl FormFields for Settings {
@@ -133,7 +133,7 @@ impl FormFields for Settings {
             "player",
             self.player.clone(),
             FieldValue::Choice { at: 0, count: 1 },
-            "The player whose answers, stars and bookmarks these are. Everyone on this computer can have their own.",
+            "The player to whom these answers, stars and bookmarks belong. Everyone on this computer can have their own.",
         );
         let shown = SETTINGS[..PLAYER].iter().map(choice);
         shown.chain([player]).collect()

@@ -1,4 +1,4 @@
-//! The settings that are saved between starts, in `settings.toml`.
+//! The settings that are kept from one run to the next, in `settings.toml`.
 
 use std::collections::BTreeMap;
 
@@ -9,16 +9,16 @@ use crate::game::is_player_name;
 use crate::widgets::Depth;
 
 const FORMAT: u32 = 1;
-/// Largest file that is read, in bytes.
+/// The size of the largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
-/// The longest name.
+/// The greatest length of a name in the file.
 const LONGEST: usize = 200;
 const PLAYER_ID: &str = "player";
 
-/// The settings that a player has changed; the others keep the defaults of each start.
+/// The settings that a player has changed. The others get their defaults at each start.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct KeptSettings {
-    /// The indices of the values, by the names of the settings.
+    /// The index of the value of each changed setting, by its name.
     chosen: BTreeMap<&'static str, usize>,
     player: Option<String>,
 }
@@ -27,7 +27,7 @@ impl KeptSettings {
     /// The name of its file in the data folder.
     pub const FILE: &str = "settings.toml";
 
-    /// Records what differs between two moments; returns whether anything does.
+    /// Records the settings that differ from `before`; returns whether any do.
     pub(crate) fn note(&mut self, before: &Settings, now: &Settings) -> bool {
         let differs = |setting: &&Setting| (setting.at)(before) != (setting.at)(now);
         let changed = SETTINGS.iter().filter(differs);
@@ -40,7 +40,8 @@ impl KeptSettings {
         renamed || !changed.is_empty()
     }
 
-    /// These settings, overridden by the saved ones. A screen without colours stays without.
+    /// The given settings, overridden by the saved ones. A screen without colours stays without
+    /// them.
     #[must_use]
     pub fn over(&self, settings: Settings) -> Settings {
         let depth = settings.depth;
@@ -76,10 +77,10 @@ impl KeptSettings {
         text
     }
 
-    /// Reads such a file.
+    /// Reads a settings file.
     ///
     /// # Errors
-    /// All errors in the file.
+    /// If the file has errors; all of them are reported.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let ids = SETTINGS.iter().map(|setting| setting.id);
         let known: Vec<_> = ["format", PLAYER_ID].into_iter().chain(ids).collect();
@@ -113,7 +114,7 @@ mod tests {
     use crate::widgets::{Charset, Palette};
 
     #[test]
-    fn only_what_was_changed_is_kept_and_reads_back() {
+    fn only_changed_settings_are_saved_and_read_back() {
         let before = Settings::default();
         let mut kept = KeptSettings::default();
         assert!(!kept.note(&before, &before));
@@ -140,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_screen_without_colours_stays_without() {
+    fn a_screen_without_colours_stays_colourless() {
         let file = b"format = 1\ncolours = \"256\"\n";
         let kept = KeptSettings::read("settings.toml", file).unwrap();
         assert_eq!(kept.over(Settings::default()).depth, Depth::None);
@@ -152,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_of_format_1_opens_for_good() {
+    fn a_file_of_format_1_can_always_be_read() {
         let file = "format = 1\ncharset = \"unicode\"\npalette = \"no colour\"\n\
             colours = \"16\"\nmotion = \"reduced\"\npredict_first = \"no\"\n\
             foretold = \"3\"\nplayer = \"Ada\"\n";
@@ -169,9 +170,9 @@ mod tests {
         assert!(over.reduced_motion && !over.predict && over.player == "Ada");
     }
 
-    /// Earlier versions took it.
+    /// Earlier versions accepted an invisible name.
     #[test]
-    fn a_name_that_nobody_can_see_is_none_and_the_other_settings_stay() {
+    fn an_invisible_name_is_ignored_and_the_other_settings_are_kept() {
         let file = "format = 1\ncharset = \"unicode\"\nplayer = \"\u{2800}\"\n";
         let kept = KeptSettings::read("settings.toml", file.as_bytes()).unwrap();
         let over = kept.over(Settings::default());

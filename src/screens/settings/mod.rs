@@ -22,7 +22,7 @@ use crate::widgets::input::{
 use crate::widgets::panel::Panel;
 use field::PLAYER;
 
-/// The longest name.
+/// The largest number of characters of a name.
 const LONGEST: usize = 40;
 
 #[derive(Debug, Clone, Default)]

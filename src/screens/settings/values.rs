@@ -5,27 +5,27 @@ use crate::widgets::input::Rebound;
 use crate::widgets::replay::WatchRate;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
-/// How the app looks and behaves for this player.
+/// The appearance and behaviour of the app for this player.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
-    /// The characters that pictures are drawn with.
+    /// The characters used to draw pictures.
     pub charset: Charset,
-    /// Colours by purpose: dark, light.
+    /// The colours for each purpose: dark, light or none.
     pub palette: Palette,
-    /// The number of colours of the screen.
+    /// The number of colours that the screen supports.
     pub depth: Depth,
-    /// Pictures jump from before the contact to the contact, and then to the result.
+    /// Whether pictures jump from before the contact to the contact, and then to the result.
     pub reduced_motion: bool,
-    /// Each step of the explanation of a hit waits for a key, however long that takes.
+    /// Whether each step of the explanation of a collision waits for a key.
     pub wait_at_beats: bool,
     /// The speed of shots, if the player has chosen one.
     pub watch_rate: Option<WatchRate>,
-    /// Ask for a prediction before each shot in the lab and in levels.
+    /// Whether the player is asked for a prediction before each shot in the lab and in levels.
     pub predict: bool,
-    /// How often the player has predicted both paths correctly in the lab, up to the number that
-    /// unlocks the live picture.
+    /// The number of times the player has predicted both paths correctly in the lab, up to the
+    /// number that unlocks the live picture.
     pub predicted: u8,
-    /// The player's name as shown.
+    /// The player's name, as shown.
     pub player: String,
     /// The keys that the player has rebound.
     pub keys: Rebound,

@@ -6,27 +6,27 @@ use crate::game::{BaseLines, Game, Rules, Seat, Strike};
 use crate::physics::Board;
 use crate::physics::angle::heading;
 
-/// Slowest and fastest stroke, in m/s.
+/// The speeds of the slowest and the fastest stroke, in m/s.
 pub(super) const SPEEDS: (f64, f64) = (0.2, 6.0);
-/// Speed a break begins with, in m/s.
+/// The initial speed setting for a break, in m/s.
 const BREAK_SPEED: f64 = 4.0;
-/// Speed any other stroke begins with, in m/s.
+/// The initial speed setting for any other stroke, in m/s.
 const FIRST_SPEED: f64 = 2.5;
 
-/// An aim in the making.
+/// The aim of a stroke that is being set up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Aim {
-    /// Where the striker stands, in metres from the centre of the board.
+    /// The position of the striker, in metres from the centre of the board.
     pub(super) place: DVec2,
-    /// Direction in degrees as the player at that side sees it: 90 is straight
-    /// across the board. 0 to 360. What is shown and typed counts as the screen does.
+    /// Direction in degrees, 0 to 360, as the player at that seat sees it: 90 is straight across
+    /// the board. Shown and typed directions refer to the screen instead.
     direction_deg: f64,
     /// Speed in m/s.
     pub(super) speed: f64,
 }
 
 impl Aim {
-    /// The aim that a turn begins with: from the middle, or the place nearest to it,
+    /// The initial aim of a turn: from the middle, or the legal position nearest to it,
     /// straight across.
     pub(super) fn begin(game: &Game) -> Self {
         let lines = game.base_lines();
@@ -53,7 +53,7 @@ impl Aim {
         aim
     }
 
-    /// The stroke this is for the player at `seat`.
+    /// This aim as a stroke of the player at `seat`.
     pub(super) fn strike(&self, seat: Seat) -> Strike {
         Strike {
             place: self.place,
@@ -72,38 +72,38 @@ impl Aim {
         (self.direction_deg + seat.turned_by_deg()).rem_euclid(360.0)
     }
 
-    /// Aims in a direction on the screen in degrees; any number will do.
+    /// Aims in a direction on the screen, in degrees; any number is valid.
     pub(super) fn set_shown(&mut self, degrees: f64, seat: Seat) {
         self.set_direction(degrees - seat.turned_by_deg());
     }
 
-    /// Turns by so many degrees, anticlockwise.
+    /// Turns the aim anticlockwise by this many degrees.
     pub(super) fn turn(&mut self, degrees: f64) {
         self.set_direction(self.direction_deg + degrees);
     }
 
     fn set_direction(&mut self, degrees: f64) {
-        // To a hundredth, so that steps do not gather rounding.
+        // Rounded to a hundredth, so that the rounding errors of steps do not add up.
         let hundredths = (degrees * 100.0).round().rem_euclid(36_000.0);
         self.direction_deg = hundredths / 100.0;
     }
 
-    /// Aims at a point of the board.
+    /// Aims at a point on the board.
     pub(super) fn point_at(&mut self, at: DVec2, seat: Seat) {
         if let Some(way) = (at - self.place).try_normalize() {
             self.set_direction(seat.turn_back(way).to_angle().to_degrees());
         }
     }
 
-    /// Sets the speed, held to what a finger can do.
+    /// Sets the speed, limited to what a finger can achieve.
     pub(super) fn set_speed(&mut self, speed: f64) {
         let tenths = (speed * 10.0).round() / 10.0;
         self.speed = tenths.clamp(SPEEDS.0, SPEEDS.1);
     }
 
-    /// Moves the striker, by so many metres to the right and up on the screen; in a
-    /// game only along the base lines, from step to step and over all places that are
-    /// not legal. Where there is no place any more it stays.
+    /// Moves the striker by this many metres to the right and up on the screen. In a game it
+    /// moves only along the base lines, in steps, and skips positions that are not legal. It
+    /// stays where it is if there is no further legal position.
     pub(super) fn move_by(&mut self, step: DVec2, game: &Game) {
         if game.setup().rules == Rules::Practice {
             self.put(self.place + step, game);
@@ -115,8 +115,8 @@ impl Aim {
         }
     }
 
-    /// Puts the striker where it is wanted, in a game on the nearest point of the
-    /// base lines. It need not be a legal place.
+    /// Puts the striker at a point, or in a game at the nearest point of the base lines. The
+    /// position may be illegal.
     pub(super) fn put(&mut self, at: DVec2, game: &Game) {
         let board = Board::default();
         if game.setup().rules == Rules::Practice {
@@ -128,11 +128,11 @@ impl Aim {
         let lines = game.base_lines();
         let end = BaseLines::base_circle_along();
         let along = (lines.along(at) * 10_000.0).round() / 10_000.0;
-        // The very end covers a base circle.
+        // The end position covers a base circle.
         self.place = lines.at(along.clamp(-end, end));
     }
 
-    /// Where the striker stands in words, as it is seen on the screen: "12 mm left".
+    /// The position of the striker as seen on the screen, as in "12 mm left".
     pub(super) fn place_words(&self, game: &Game) -> String {
         if game.setup().rules == Rules::Practice {
             let [x, y] = [self.place.x, self.place.y].map(|x| x * 1000.0 + 0.0);
@@ -142,8 +142,8 @@ impl Aim {
     }
 }
 
-/// The step that means right or up on the screen: along the base lines of a side, or
-/// just to the right in practice.
+/// The direction of a step to the right or up on the screen: along the base lines of a seat, or
+/// simply to the right in a practice game.
 pub(super) fn along_the_screen(seat: Seat, rules: Rules) -> DVec2 {
     match seat {
         Seat::East | Seat::West if rules != Rules::Practice => DVec2::Y,
@@ -151,8 +151,8 @@ pub(super) fn along_the_screen(seat: Seat, rules: Rules) -> DVec2 {
     }
 }
 
-/// The sense in which a turn to the right on the screen changes the direction, in
-/// degrees: clockwise for those who look up or left, anticlockwise for the others.
+/// The sign of the change in direction for a turn to the right on the screen: clockwise for
+/// players who look up or left, anticlockwise for the others.
 pub(super) fn rightwards(seat: Seat) -> f64 {
     match seat {
         Seat::South | Seat::East => -1.0,
@@ -166,7 +166,7 @@ mod tests {
     use crate::game::{GameSetup, Hands};
 
     #[test]
-    fn whatever_is_done_to_it_the_striker_stays_on_the_base_lines() {
+    fn no_action_moves_the_striker_off_the_base_lines() {
         for seat in Seat::ALL {
             let game = Game::new(GameSetup {
                 hands: Hands::Four,
@@ -185,7 +185,7 @@ mod tests {
                 assert!((seen.y - seat.turn_back(Aim::begin(&game).place).y).abs() < 1e-12);
                 assert!(seen.x.abs() <= BaseLines::base_circle_along());
             }
-            // Both ends cover a base circle, which is allowed.
+            // The striker may cover the base circle at either end.
             assert_eq!(game.check_place(aim.place), Ok(()));
             assert!(aim.place_words(&game).ends_with("circle"));
         }
@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn aiming_at_a_point_aims_at_it() {
+    fn a_stroke_aimed_at_a_point_heads_for_it() {
         let game = Game::new(GameSetup::default());
         let mut aim = Aim::begin(&game);
         for at in [DVec2::new(0.1, 0.2), DVec2::new(-0.3, -0.3), DVec2::ZERO] {

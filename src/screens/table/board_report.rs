@@ -8,27 +8,27 @@ use crate::physics::units::deg_from_rad;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BoardReport {
     pub(super) teams: ByTeam<TeamReport>,
-    /// The number of the move that was the best stroke; `None` if nothing fell.
+    /// The move number of the best stroke; `None` if nothing was pocketed.
     pub(super) best: Option<usize>,
-    /// The points of both in this game after each of its boards.
+    /// The points of both teams after each board of this game.
     pub(super) run: Vec<ByTeam<u8>>,
 }
 
-/// What a team did on a board.
+/// The figures of a team for a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct TeamReport {
     pub(super) strokes: u32,
-    /// Those in which something wanted fell, and the striker did not.
+    /// Strokes that pocketed one of the team's pieces but not the striker.
     pub(super) pocketing: u32,
-    /// Those in which the striker fell.
+    /// Strokes that pocketed the striker.
     pub(super) fouls: u32,
-    /// Own coins that were put back.
+    /// Coins of the team that were put back on the board.
     pub(super) put_back: u32,
     pub(super) hints: u32,
 }
 
 impl TeamReport {
-    /// The share of strokes that pocketed something, in per cent.
+    /// The percentage of strokes that pocketed a piece of the team.
     pub(super) fn share(&self) -> u32 {
         (100 * self.pocketing + self.strokes / 2) / self.strokes.max(1)
     }
@@ -71,8 +71,8 @@ impl BoardReport {
     }
 }
 
-/// How good a stroke was: by what it pocketed first, then by how hard that was. 0 if it
-/// pocketed nothing, or the striker too.
+/// The rank of a stroke: first by what it pocketed, then by how difficult that was; 0 if it
+/// pocketed nothing, or if it also pocketed the striker.
 fn rank(past: &Past) -> f64 {
     let Some(Story {
         first_hit: Some(hit),
@@ -92,7 +92,7 @@ fn rank(past: &Past) -> f64 {
         + deg_from_rad(hit.alpha).abs()
 }
 
-/// The points after each board of the present game.
+/// The points after each board of the current game.
 fn run(history: &GameHistory) -> Vec<ByTeam<u8>> {
     let mut run = Vec::new();
     for (number, past) in history.moves().iter().enumerate() {
@@ -108,7 +108,7 @@ fn run(history: &GameHistory) -> Vec<ByTeam<u8>> {
     run
 }
 
-/// The run of points in words: "5:0, 5:3".
+/// The points after each board, as in "5:0, 5:3".
 pub(super) fn run_words(run: &[ByTeam<u8>]) -> String {
     let boards = run.iter().map(|points| {
         let [first, second] = Team::BOTH.map(|team| points[team]);

@@ -1,31 +1,30 @@
-//! "Call it": predicting the directions after the first impact of a stroke.
+//! Calls: predictions of the directions after the first impact of a stroke.
 
 use super::preview::first_hit;
 use crate::game::{Call, Strike};
 use crate::physics::{Collision, Shot};
 use crate::quiz::{Rays, RaysGrade};
 
-/// A call and what came of it.
+/// A call and its result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Called {
     pub(super) said: Rays,
-    /// The hit it was said of.
+    /// The collision that was predicted.
     pub(super) collision: Collision,
 }
 
 impl Called {
-    /// Most points a call can bring.
+    /// The largest number of points for a call.
     pub(super) const MOST: u32 = 10;
 
-    /// The call of a stroke against its shot; `None` if nothing was called or
-    /// nothing was hit.
+    /// The call of a stroke compared with its shot; `None` if there was no call or no collision.
     pub(super) fn new(strike: &Strike, shot: &Shot) -> Option<Self> {
         let said = rays(&strike.call?);
         let collision = first_hit(shot)?.impact.collision;
         Some(Self { said, collision })
     }
 
-    /// Points for it, 0 to [`Called::MOST`], by the error of each ray: graded as in the quiz,
+    /// Points for the call, 0 to [`Called::MOST`], by the error of each ray: graded as in the quiz,
     /// without confidence.
     pub(super) fn points(&self) -> u32 {
         let truth = Rays::from(&self.collision.outcome());
@@ -34,7 +33,7 @@ impl Called {
     }
 }
 
-/// What was said as a record keeps it.
+/// The predicted rays in the form of the record.
 pub(super) fn call(said: &Rays) -> Call {
     Call {
         striker_deg: said.striker.map(f64::to_degrees),
@@ -54,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_call_earns_by_how_near_it_is() {
+    fn a_call_earns_more_points_the_smaller_its_error() {
         let disc = crate::physics::Disc {
             mass: 0.015,
             radius: 0.02,

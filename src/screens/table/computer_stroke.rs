@@ -1,4 +1,4 @@
-//! The computer's intended stroke: shown before it is struck, and afterwards beside the actual one.
+//! The computer's intended stroke, shown before it is played and afterwards beside the actual one.
 
 use super::aim::Aim;
 use super::pointer::Pointer;
@@ -8,23 +8,23 @@ use crate::game::{Game, Strike};
 use crate::numbers::fixed;
 use crate::physics::Motion;
 
-/// The smallest slip of the hand that is told, in degrees.
+/// The smallest error of the hand that is reported, in degrees.
 const SMALLEST_SLIP_DEG: f64 = 0.05;
 
 /// The computer's decision and its intention.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ComputerStroke {
     pub(super) decision: Decision,
-    /// The stroke as it was meant, as a player would set it.
+    /// The intended stroke, in the form in which a player would set it.
     pub(super) aim: Aim,
-    /// What it would meet.
+    /// The first contact of the intended stroke.
     pub(super) preview: Option<Preview>,
-    /// The coin and the pocket it was meant for.
+    /// The coin that the stroke was meant to pocket, and the pocket.
     pub(super) pointer: Option<Pointer>,
 }
 
 impl ComputerStroke {
-    /// What was decided for `game`, at the seat whose turn it is.
+    /// The stroke of a decision in `game`, for the seat whose turn it is.
     pub(super) fn new(decision: Decision, game: &Game) -> Self {
         let meant = strike(decision.meant);
         Self {
@@ -35,13 +35,13 @@ impl ComputerStroke {
         }
     }
 
-    /// The stroke as the hand makes it; the second is what was meant, for when that cannot
-    /// be played.
+    /// The stroke as the hand makes it; then the intended stroke, in case the first cannot be
+    /// played.
     pub(super) fn strikes(&self) -> [Strike; 2] {
         [self.decision.struck(), self.decision.meant].map(strike)
     }
 
-    /// By how much the direction slipped, in words; `None` if it did not.
+    /// The error of the direction, as shown; `None` if it is too small to report.
     pub(super) fn off(&self) -> Option<String> {
         let degrees = self.decision.slip.turn.atan().abs().to_degrees();
         let words = || format!("{}° off", fixed(degrees, 1));

@@ -10,15 +10,15 @@ use crate::game::{
 };
 use crate::physics::Shot;
 
-/// A game and its record, always in step.
+/// A game and its record, which always agree.
 #[derive(Debug, Clone)]
 pub(super) struct GameHistory {
     record: Record,
     game: Game,
     past: Vec<Past>,
-    /// The moves that were made with a hint, by their numbers from 0.
+    /// The numbers, from 0, of the moves that were made with a hint.
     hints: Vec<usize>,
-    /// Whether it has changed since it was last saved.
+    /// Whether the game has changed since it was last saved.
     unsaved: bool,
 }
 
@@ -28,11 +28,11 @@ pub(super) struct Past {
     pub(super) before: Game,
     /// What the referee announced.
     pub(super) rulings: Vec<Ruling>,
-    /// How good the player's call was, if one was made and something was hit.
+    /// The player's call and its result, if there was a call and a collision.
     pub(super) called: Option<Called>,
-    /// What fell in it, the striker among it.
+    /// The pocketed pieces, which may include the striker.
     pub(super) fallen: Vec<Piece>,
-    /// What it was about, if it was a stroke.
+    /// The story of the move, if it was a stroke.
     pub(super) story: Option<Story>,
     /// The computer's intention, if the computer played it in this session.
     pub(super) meant: Option<Box<ComputerStroke>>,
@@ -66,8 +66,8 @@ impl GameHistory {
         }
     }
 
-    /// The game that a record leads to, with all that led to it, and which of its moves
-    /// were made with a hint.
+    /// The game that results from a record, with its history and the moves that were made with a
+    /// hint.
     ///
     /// # Errors
     /// If the record cannot be played.
@@ -85,17 +85,17 @@ impl GameHistory {
         })
     }
 
-    /// Whether it has changed since this was last asked.
+    /// Whether the game has changed since this function was last called.
     pub(super) fn take_unsaved(&mut self) -> bool {
         mem::take(&mut self.unsaved)
     }
 
-    /// The game as it stands.
+    /// The game in its current state.
     pub(super) fn game(&self) -> &Game {
         &self.game
     }
 
-    /// All that is needed to play it again.
+    /// The record, which is sufficient to replay the game.
     pub(super) fn record(&self) -> &Record {
         &self.record
     }
@@ -110,15 +110,15 @@ impl GameHistory {
         self.past.get(number)
     }
 
-    /// How many moves were made.
+    /// The number of moves made.
     pub(super) fn len(&self) -> usize {
         self.past.len()
     }
 
-    /// Makes a move; gives the shot if it was a stroke.
+    /// Makes a move; returns the shot if it was a stroke.
     ///
     /// # Errors
-    /// Why it cannot be made; nothing has then changed.
+    /// If the move cannot be made; then nothing has changed.
     pub(super) fn make(&mut self, next: Move) -> Result<Option<Shot>, MoveError> {
         let before = self.game.clone();
         let (shot, rulings) = next.make(&mut self.game)?;
@@ -129,21 +129,21 @@ impl GameHistory {
         Ok(shot)
     }
 
-    /// Adds what the computer meant by a stroke it has made.
+    /// Adds the computer's intention to a stroke that it has made.
     pub(super) fn notify(&mut self, number: usize, meant: ComputerStroke) {
         if let Some(past) = self.past.get_mut(number) {
             past.meant = Some(Box::new(meant));
         }
     }
 
-    /// Notes that a hint was taken for the next move.
+    /// Records that the player took a hint for the next move.
     pub(super) fn take_hint(&mut self) {
         if self.hints.last() != Some(&self.len()) {
             self.hints.push(self.len());
         }
     }
 
-    /// The moves that were made with a hint, by their numbers from 0.
+    /// The numbers, from 0, of the moves that were made with a hint.
     pub(super) fn hints(&self) -> &[usize] {
         &self.hints
     }
@@ -154,7 +154,7 @@ impl GameHistory {
         next.map_or(&self.game, |next| &next.before)
     }
 
-    /// Takes the last move back; says whether there was one.
+    /// Takes the last move back; returns whether there was one.
     pub(super) fn undo(&mut self) -> bool {
         let Some(past) = self.past.pop() else {
             return false;
@@ -165,7 +165,7 @@ impl GameHistory {
         true
     }
 
-    /// The stroke that a move was, if it was one.
+    /// The stroke of a move, if the move was one.
     pub(super) fn strike(&self, number: usize) -> Option<&Strike> {
         match self.record.moves().get(number)? {
             Move::Strike(strike) => Some(strike),
@@ -173,26 +173,26 @@ impl GameHistory {
         }
     }
 
-    /// How many strokes there are before the move of this number.
+    /// The number of strokes before the move with this number.
     pub(super) fn strokes_before(&self, number: usize) -> usize {
         let moves = self.record.moves().iter().take(number);
         moves.filter(|made| matches!(made, Move::Strike(_))).count()
     }
 
-    /// Plays a stroke that was made once more.
+    /// Computes the shot of an earlier stroke again.
     pub(super) fn shot(&self, number: usize) -> Option<Shot> {
         let before = &self.past(number)?.before;
         self.strike(number)?.shot(before).ok()
     }
 
-    /// The number of the stroke nearest before `number`.
+    /// The move number of the last stroke before `number`.
     pub(super) fn stroke_before(&self, number: usize) -> Option<usize> {
         (0..number.min(self.len()))
             .rev()
             .find(|i| self.strike(*i).is_some())
     }
 
-    /// The number of the first stroke from `number` on.
+    /// The move number of the first stroke from `number` on.
     pub(super) fn stroke_from(&self, number: usize) -> Option<usize> {
         (number..self.len()).find(|i| self.strike(*i).is_some())
     }

@@ -20,6 +20,7 @@ use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, View};
 use crate::messages::{Input, Mouse};
+use crate::numbers::fixed;
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
 use active_game::{
     ActiveGame, AimAction, ArrangeAction, GameAction, OverAction, Playing, ShowAction, StrokeAction,
@@ -34,18 +35,17 @@ pub struct Table {
     page: TablePage,
 }
 
-/// What is on the table.
+/// The pages of the table.
 #[derive(Debug, Clone)]
 enum TablePage {
-    /// A new game is agreed.
+    /// Choosing the options of a new game.
     NewGame(NewGame),
-    /// One is looked for among those that were saved.
+    /// Choosing a saved game.
     SavedGames(Box<SavedGames>),
     Playing(Box<Playing>),
 }
 
-/// What keys do at the table: each page has actions of its own, and so has each phase of a
-/// game.
+/// The key actions at the table: each page and each phase of a game has actions of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TableAction {
     /// On the page of a new game.
@@ -56,20 +56,20 @@ pub enum TableAction {
     Game(GameAction),
     /// While aiming.
     Aim(AimAction),
-    /// While the computer's aim is seen.
+    /// While the computer's aim is shown.
     Show(ShowAction),
-    /// While a hit is called.
+    /// While the player makes a call.
     Call(RayAction),
     /// While a stroke is watched.
     Watch(StrokeAction),
-    /// While coins are laid out.
+    /// While coins are arranged.
     Arrange(ArrangeAction),
     /// At the end of a board.
     Over(OverAction),
 }
 
 impl Default for Table {
-    /// The page on which a new game is agreed.
+    /// The page of a new game.
     fn default() -> Self {
         Self {
             page: TablePage::NewGame(NewGame::default()),
@@ -78,7 +78,7 @@ impl Default for Table {
 }
 
 impl Table {
-    /// A table at which a game with these options begins at once; `seed` shakes its
+    /// A table at which a game with these options begins at once; `seed` determines its opening
     /// packs.
     pub fn playing(options: Options, seed: u64) -> Self {
         let game = Playing::from(ActiveGame::new(options, seed));
@@ -88,7 +88,7 @@ impl Table {
     }
 }
 
-/// The page of a new game, with what was agreed last time.
+/// The page of a new game, with the options of the last one.
 fn agreeing(options: Options) -> TablePage {
     TablePage::NewGame(NewGame {
         options,
@@ -114,7 +114,8 @@ impl Screen for Table {
             TablePage::Playing(playing) => &playing.game.options,
         };
         let rules = <&str>::from(options.rules);
-        format!("{rules}   {}", words::masses(options.set))
+        let (masses, e) = (words::masses(options.set), fixed(options.restitution, 2));
+        format!("{rules}   {masses}   e = {e}")
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<TableAction> {
@@ -133,7 +134,10 @@ impl Screen for Table {
         match (&mut self.page, action) {
             (TablePage::NewGame(page), TableAction::NewGame(action)) => match action {
                 NewGameAction::Agree(action) => page.form.act(action, &mut page.options),
-                NewGameAction::Play => *self = Self::playing(page.options, cx.next_seed()),
+                NewGameAction::Play => {
+                    page.form.commit(&mut page.options);
+                    *self = Self::playing(page.options, cx.next_seed());
+                }
                 NewGameAction::SavedGames => {
                     let saved = SavedGames::ask(page.options, cx);
                     self.page = TablePage::SavedGames(Box::new(saved));

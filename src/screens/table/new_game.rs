@@ -1,4 +1,4 @@
-//! The page on which a new game is agreed.
+//! The page on which the options of a new game are chosen.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -8,26 +8,27 @@ use crate::game::opponent::Strength;
 use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
 use crate::messages::Key;
+use crate::numbers::fixed;
 use crate::screens::View;
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, KeyTable, SettingsForm};
 use crate::widgets::panel::Panel;
 
-/// The page: what is chosen, and the line that keys change.
+/// The page: the chosen options, and the line that keys change.
 #[derive(Debug, Clone, Default)]
 pub(super) struct NewGame {
     pub(super) options: Options,
     pub(super) form: SettingsForm,
 }
 
-/// One thing to be agreed: what it is called, and its choices: the options with each, how it
-/// reads and what it is.
+/// One line of the page: its name and its choices. A choice consists of the resulting options, its
+/// text and its description.
 type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
 
-/// What keys do on the page.
+/// The key actions on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NewGameAction {
-    /// change what is agreed
+    /// change the options of the game
     Agree(FormAction),
     /// play
     Play,
@@ -41,12 +42,14 @@ impl NewGame {
     pub(super) fn keys(&self) -> KeyTable<NewGameAction> {
         KeyTable::new("table")
             .on(Key::Enter, NewGameAction::Play, "play")
+            .when(!self.form.is_typing())
             .on('s', NewGameAction::SavedGames, "saved games")
             .with(self.form.keys(&self.options), NewGameAction::Agree)
             .on(Key::Escape, NewGameAction::Back, "back")
+            .when(!self.form.is_typing())
     }
 
-    /// The pack on the board, and beside it what is agreed.
+    /// The pack on the board, and the options beside it.
     pub(super) fn view(&self) -> View<'_, TableAction> {
         let mut panel = Panel::new("a new game");
         panel.part(TableAction::NewGame, |panel| {
@@ -56,7 +59,10 @@ impl NewGame {
                 self.form.write_about(&self.options, panel);
             });
             panel.gap();
-            panel.prompt("play!", NewGameAction::Play);
+            match self.form.is_typing() {
+                true => panel.prompt("set it", NewGameAction::Agree(SettingsForm::SET)),
+                false => panel.prompt("play!", NewGameAction::Play),
+            }
             panel.prompt("saved games", NewGameAction::SavedGames);
         });
         let set = self.options.set;
@@ -65,7 +71,7 @@ impl NewGame {
     }
 }
 
-/// What is to be agreed, in the order of the page.
+/// The lines of the page, in order.
 fn agreements(now: Options) -> Vec<Agreement> {
     let rules = [
         (
@@ -75,11 +81,11 @@ fn agreements(now: Options) -> Vec<Agreement> {
         ),
         (
             Rules::Friendly,
-            "As most families play: whoever clears first wins the board.",
+            "As most families play: the first to clear their coins wins the board.",
         ),
         (
             Rules::Practice,
-            "No turns and no dues: striker and coins anywhere, and every stroke can be taken back.",
+            "No turns, no penalties: place the striker and coins anywhere; take back any stroke.",
         ),
     ];
     let rules = rules.map(|(rules, about)| {
@@ -93,7 +99,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
             (
                 Hands::Four,
                 "four",
-                "Partners sit opposite: South and North against East and West.",
+                "Partners sit opposite each other: South and North against East and West.",
             ),
         ];
         let hands =
@@ -104,12 +110,12 @@ fn agreements(now: Options) -> Vec<Agreement> {
     let sets = [
         (
             PieceSet::Tournament,
-            "A heavy striker on light coins: it is deflected by at most 21.5°; the paths are at \
-             less than 90°.",
+            "A heavy striker on light coins: the paths are less than 90° apart; at e = 1 the striker is \
+             deflected by at most 21.5°.",
         ),
         (
             PieceSet::EqualMass,
-            "Striker and coins have equal masses, so the paths are at 90°.",
+            "Striker and coins have equal masses, so the paths are 90° apart if e = 1.",
         ),
     ];
     let sets = sets.map(|(set, about)| (Options { set, ..now }, words::masses(set).into(), about));
@@ -125,7 +131,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
     rows
 }
 
-/// Who may play from a seat.
+/// The possible players at a seat.
 fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
     let mut person = now;
     person.set_player(seat, Player::Person);
@@ -133,20 +139,20 @@ fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
         1 => "you",
         _ => "a person",
     };
-    let about = "A person at this keyboard, or the computer in five strengths.";
+    let about = "A person at this keyboard, or the computer at one of five strengths.";
     let mut choices = vec![(person, shown.to_owned(), about)];
     choices.extend(Strength::ALL.map(|strength| {
         let mut options = now;
         options.set_player(seat, Player::Computer);
         options.strengths[seat as usize] = strength;
-        let about = "The computer: the stronger, the farther it looks and the steadier its hand \
-                     is. It always explains its stroke.";
+        let about = "The stronger the computer, the farther it looks ahead and the steadier its \
+                     hand. It always explains its stroke.";
         (options, format!("computer, {strength}"), about)
     }));
     choices
 }
 
-/// What is on or off: its name, where it stands, and what it is.
+/// An option that is on or off: its name, its field in the options, and its description.
 type Switch = (&'static str, fn(&mut Options) -> &mut bool, &'static str);
 
 const SWITCHES: [Switch; 4] = [
@@ -173,6 +179,11 @@ const SWITCHES: [Switch; 4] = [
     ),
 ];
 
+/// The row of the coefficient of restitution: after the pieces, before the switches.
+fn restitution_row(others: usize) -> usize {
+    others - SWITCHES.len()
+}
+
 impl FormFields for Options {
     fn fields(&self) -> Vec<Field> {
         let field = |(name, choices): Agreement| {
@@ -182,11 +193,28 @@ impl FormFields for Options {
             let (shown, about) = chosen.map_or_else(Default::default, |it| (it.1, it.2));
             Field::new(name, shown, FieldValue::Choice { at, count }, about)
         };
-        agreements(*self).into_iter().map(field).collect()
+        let mut fields: Vec<Field> = agreements(*self).into_iter().map(field).collect();
+        let restitution = Field::new(
+            "restitution e",
+            fixed(self.restitution, 2),
+            FieldValue::number(self.restitution, (0.0, 1.0), 0.05, ""),
+            "At e = 1 two discs lose no kinetic energy; real discs lose some. At a cushion e is \
+             always 0.8.",
+        );
+        fields.insert(restitution_row(fields.len()), restitution);
+        fields
     }
 
     fn set(&mut self, at: usize, value: f64) {
-        let row = agreements(*self).into_iter().nth(at);
+        let agreements = agreements(*self);
+        let restitution = restitution_row(agreements.len());
+        if at == restitution {
+            self.restitution = value.clamp(0.0, 1.0) + 0.0;
+            return;
+        }
+        let row = agreements
+            .into_iter()
+            .nth(at - usize::from(at > restitution));
         let chosen = row.and_then(|(_, choices)| choices.into_iter().nth(value as usize));
         if let Some((options, ..)) = chosen {
             *self = options;

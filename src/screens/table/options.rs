@@ -1,4 +1,4 @@
-//! The options of a game, agreed before the first break.
+//! The options of a game, chosen before the first break.
 
 use super::words;
 use crate::game::opponent::Strength;
@@ -7,19 +7,21 @@ use crate::game::{Company, Game, GameSetup, Hands, PieceSet, Rules, SavedGame, S
 use crate::numbers::capital;
 
 /// Everything that can be chosen for a game.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// The rules.
     pub rules: Rules,
     /// Singles or doubles.
     pub hands: Hands,
-    /// Who plays from each seat, in the order of [`Seat::ALL`]; in singles only
-    /// South and North count.
+    /// The player at each seat, in the order of [`Seat::ALL`]; in singles only South and North are
+    /// used.
     pub players: [Player; 4],
-    /// How strong the computer is at each seat, in the same order.
+    /// The strength of the computer at each seat, in the same order.
     pub strengths: [Strength; 4],
     /// The pieces.
     pub set: PieceSet,
+    /// Coefficient of restitution of two discs.
+    pub restitution: f64,
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
     /// Aids while aiming.
@@ -36,6 +38,7 @@ impl Default for Options {
             players: [Person, Computer, Computer, Computer],
             strengths: [Strength::default(); 4],
             set: PieceSet::default(),
+            restitution: GameSetup::default().restitution,
             call: false,
             aids: Aids::default(),
         }
@@ -51,7 +54,7 @@ impl Options {
         }
     }
 
-    /// The game these options make, its packs shaken by `seed`.
+    /// The setup of a game with these options; `seed` determines its opening packs.
     pub fn setup(&self, seed: u64) -> GameSetup {
         GameSetup {
             rules: self.rules,
@@ -60,6 +63,7 @@ impl Options {
                 Rules::Tournament | Rules::Friendly => self.hands,
             },
             set: self.set,
+            restitution: self.restitution,
             first_breaker: Seat::South,
             seed: Some(seed),
         }
@@ -74,12 +78,13 @@ impl Options {
             players: company.players,
             strengths: company.strengths,
             set: setup.set,
+            restitution: setup.restitution,
             call: company.call,
             aids: company.aids,
         }
     }
 
-    /// What a saved game has to say of them beside its setup.
+    /// The options that a saved game contains in addition to its setup.
     pub fn company(&self) -> Company {
         Company {
             players: self.players,
@@ -89,7 +94,7 @@ impl Options {
         }
     }
 
-    /// Who plays from a seat; practice is for people.
+    /// The player at a seat; in a practice game always a person.
     pub fn player(&self, seat: Seat) -> Player {
         match self.rules {
             Rules::Practice => Player::Person,
@@ -97,13 +102,13 @@ impl Options {
         }
     }
 
-    /// How strong the computer is at a seat.
+    /// The strength of the computer at a seat.
     pub fn strength(&self, seat: Seat) -> Strength {
         self.strengths[seat as usize]
     }
 
-    /// The team whose people call the strokes from a seat: their own, and the computer's
-    /// where it plays against them.
+    /// The team whose human players call the strokes from a seat: their own strokes, and those of a
+    /// computer that plays against them.
     pub(super) fn caller(&self, game: &Game, seat: Seat) -> Team {
         let own = game.team(seat);
         let has_person = |team: Team| {
@@ -116,24 +121,24 @@ impl Options {
         }
     }
 
-    /// Sets who plays from a seat.
+    /// Sets the player at a seat.
     pub fn set_player(&mut self, seat: Seat, player: Player) {
         self.players[seat as usize] = player;
     }
 
-    /// The seats that are played from, in the order of turns.
+    /// The seats in use, in the order of turns.
     pub fn seats(&self) -> impl Iterator<Item = Seat> + '_ {
         Seat::ALL.into_iter().filter(|seat| self.hands.plays(*seat))
     }
 
-    /// How many play as this one does.
+    /// The number of seats with this kind of player.
     pub fn count(&self, player: Player) -> usize {
         self.seats()
             .filter(|seat| self.player(*seat) == player)
             .count()
     }
 
-    /// What the player at a seat is called: "you" if nobody else is at the keyboard.
+    /// The name of the player at a seat, which is "you" if nobody else is at the keyboard.
     pub fn seat_name(&self, seat: Seat) -> &'static str {
         match self.player(seat) {
             Player::Person if self.rules == Rules::Practice => "you",
@@ -143,7 +148,7 @@ impl Options {
         }
     }
 
-    /// The score between the names of the teams: points, or in friendly games boards.
+    /// The score between the names of the teams: points, or boards in friendly games.
     pub(super) fn score(&self, game: &Game) -> String {
         let score = game.score();
         let [a, b] = Team::BOTH.map(|team| match self.rules {
@@ -154,13 +159,13 @@ impl Options {
         format!("{first} {a} : {b} {second}")
     }
 
-    /// "You win the match".
+    /// A sentence such as "You win the match".
     pub(super) fn wins(&self, team: Team, what: &str) -> String {
         let wins = words::does(self.team_name(team), "wins");
         capital(&format!("{wins} the {what}"))
     }
 
-    /// What a team is called.
+    /// The name of a team.
     pub fn team_name(&self, team: Team) -> &'static str {
         match (self.hands, team) {
             _ if self.rules == Rules::Practice => "you",
@@ -177,7 +182,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_say_who_is_at_the_keyboard() {
+    fn names_depend_on_who_is_at_the_keyboard() {
         let alone = Options::default();
         assert_eq!(alone.seat_name(Seat::South), "you");
         assert_eq!(alone.team_name(Team::Second), "computer");

@@ -1,4 +1,4 @@
-//! The board with what lies on it.
+//! Pictures of the board with its coins.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -10,12 +10,12 @@ use crate::physics::Board;
 use crate::widgets::picture::{Body, Pen, Picture, View};
 use crate::widgets::{Role, board};
 
-/// Where the board is in an area.
+/// The view of the board in an area.
 fn view(area: Rect) -> View {
     board::view(board::square(area), &Board::default())
 }
 
-/// Where on the board the mouse is, in metres, and whether that is on its picture.
+/// The position of the mouse on the board, in metres, and whether it is inside the picture.
 pub(super) fn pointed(mouse: &Mouse, area: Rect) -> (DVec2, bool) {
     let at = view(area).to_world(mouse.place());
     (at, board::square(area).contains(mouse.cell().into()))

@@ -7,20 +7,20 @@ use crate::game::{Game, Strike};
 use crate::physics::Board;
 use crate::widgets::board;
 
-/// The coin that is spoken of, and its way into the pocket.
+/// A coin, and its path into a pocket.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Pointer {
-    /// Which coin, counted as the game counts them: the one that falls, else the one
-    /// that is met first.
+    /// The index of the coin in the game: the one that is pocketed, otherwise the one that is hit
+    /// first.
     pub(super) coin: usize,
-    /// Corners of its way into the pocket; empty if it does not fall.
+    /// The corners of the coin's path into the pocket; empty if the coin is not pocketed.
     pub(super) way: Vec<DVec2>,
     /// The middle of the pocket.
     pub(super) pocket: Option<DVec2>,
 }
 
 impl Pointer {
-    /// What this story of a stroke in `game` speaks of; `None` if no coin is met.
+    /// The coin and pocket in this story of a stroke in `game`; `None` if the stroke hits no coin.
     pub(super) fn of(story: &Story, stroke: &Strike, game: &Game) -> Option<Self> {
         let Some(fall) = story.fall else {
             return Some(Self {

@@ -7,33 +7,33 @@ use crate::game::{Game, Strike};
 use crate::physics::{DiscState, Shot};
 use crate::widgets::replay::{ShotImpact, impacts};
 
-/// The striker's path to the first disc it hits.
+/// The striker's path to the first disc that it hits.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Preview {
-    /// Corners of the way, from where the striker stands to where the way ends.
+    /// The corners of the path, including its start and end.
     pub(super) way: Vec<DVec2>,
-    /// How it ends.
+    /// How the path ends.
     pub(super) end: WayEnd,
 }
 
-/// How the way of the striker ends.
+/// How the striker's path ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum WayEnd {
     Meets(FirstHit),
-    /// It falls into a pocket without touching anything.
+    /// The striker falls into a pocket without touching anything.
     Falls,
-    /// It comes to rest without touching anything.
+    /// The striker comes to rest without touching anything.
     Stops,
-    /// It comes to rest before the coin that it would touch if it were struck harder,
-    /// counted as the game counts them.
+    /// The striker comes to rest before reaching the coin with this index, which it would hit if it
+    /// were struck harder.
     TooSoft(usize),
 }
 
 impl FirstHit {
-    /// Where the striker is when they touch.
+    /// The position of the striker at contact.
     pub(super) fn ghost(&self) -> DVec2 {
         let collision = &self.impact.collision;
-        // It has a line of impact, or it would be no hit.
+        // Every impact has a line of impact.
         let normal = collision.normal().unwrap_or(DVec2::ZERO);
         self.at - collision.contact_distance() * normal
     }
@@ -42,16 +42,16 @@ impl FirstHit {
 /// The first impact of a stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FirstHit {
-    /// Which coin, counted as the game counts them.
+    /// The index of the coin in the game.
     pub(super) coin: usize,
-    /// Where the coin lies.
+    /// The position of the coin.
     pub(super) at: DVec2,
-    /// The hit by itself.
+    /// The collision.
     pub(super) impact: ShotImpact,
 }
 
 impl Preview {
-    /// What `strike` will meet first; `None` if it cannot be played.
+    /// The path of `strike` up to its first contact; `None` if the stroke cannot be played.
     pub(super) fn of(strike: &Strike, game: &Game) -> Option<Self> {
         let shot = strike.shot(game).ok()?;
         let first = first_hit(&shot);
@@ -79,7 +79,7 @@ impl Preview {
     }
 }
 
-/// The coin that a stroke in this direction would meet if it were as hard as can be.
+/// The coin that the hardest stroke in this direction would hit.
 fn too_soft(strike: &Strike, game: &Game) -> Option<usize> {
     let velocity = strike.velocity.try_normalize()? * SPEEDS.1;
     let hardest = Strike {
@@ -89,7 +89,7 @@ fn too_soft(strike: &Strike, game: &Game) -> Option<usize> {
     Some(first_hit(&hardest.shot(game).ok()?)?.coin)
 }
 
-/// The first impact of a stroke's shot: always the striker's, as nothing else moves
+/// The first impact of a stroke's shot. It is always the striker's, because nothing else moves
 /// before it.
 pub(super) fn first_hit(shot: &Shot) -> Option<FirstHit> {
     let impact = impacts(shot, 0).next()?;
@@ -124,7 +124,28 @@ mod tests {
     }
 
     #[test]
-    fn a_striker_that_meets_nothing_is_followed_to_its_end() {
+    fn the_preview_has_the_restitution_of_the_game() {
+        let strike = Strike {
+            place: DVec2::new(0.0, -0.2526),
+            velocity: DVec2::new(0.0, 4.0),
+            call: None,
+        };
+        for restitution in [1.0, 0.5, 0.0] {
+            let game = Game::new(GameSetup {
+                restitution,
+                ..GameSetup::default()
+            });
+            let preview = Preview::of(&strike, &game).unwrap();
+            let collision = preview.first_hit().unwrap().impact.collision;
+            let outcome = collision.outcome();
+            let separation = (outcome.v2 - outcome.v1).length();
+            let approach = collision.u1.length();
+            assert!((separation - restitution * approach).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_striker_that_hits_nothing_is_followed_to_the_end_of_its_path() {
         let game = Game::new(GameSetup::default());
         let mut strike = Strike {
             place: DVec2::new(0.0, -0.2526),
@@ -138,7 +159,7 @@ mod tests {
         strike.velocity.y = 3.0;
         let hit = Preview::of(&strike, &game).unwrap().first_hit().unwrap();
         assert_eq!(soft, WayEnd::TooSoft(hit.coin));
-        // Into the corner next to the base line.
+        // The striker goes into the corner next to the base line.
         let corner = DVec2::new(0.370 - 0.022_25, -0.370 + 0.022_25);
         strike.velocity = (corner - strike.place).normalize() * 2.0;
         assert_eq!(Preview::of(&strike, &game).unwrap().end, WayEnd::Falls);

@@ -1,4 +1,4 @@
-//! The page of saved games: to resume one, watch it again, export or remove it.
+//! The page of saved games, on which the player can resume, watch, export or delete one.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -26,18 +26,18 @@ const GAMES: KeptKind = KeptKind {
 /// The page.
 #[derive(Debug, Clone)]
 pub(super) struct SavedGames {
-    /// For the page to go back to.
+    /// The options of the previous page, for going back.
     pub(super) options: Options,
     pub(super) files: KeptFiles<(SavedGame, Game)>,
     /// The ticket of a game that will be replayed from its beginning.
     watch: Option<u64>,
 }
 
-/// What keys do on the page.
+/// The key actions on the page of saved games.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SavedGamesAction {
-    /// choose a saved game, resume or remove it
+    /// choose a saved game, then resume or remove it
     Saved(KeptAction),
     /// watch the whole game again, stroke by stroke
     WatchAll,
@@ -48,7 +48,7 @@ pub enum SavedGamesAction {
 }
 
 impl SavedGames {
-    /// The page, with the games asked for; `options` are those of the page before.
+    /// The page, after a request for the games; `options` are those of the previous page.
     pub(super) fn ask(options: Options, cx: &mut Context) -> Self {
         Self {
             options,
@@ -85,7 +85,7 @@ impl SavedGames {
         Next::Stay
     }
 
-    /// Takes in what came of what was asked; gives the game that is to be gone on with.
+    /// Handles the results of requests; returns the game to resume, if there is one.
     pub(super) fn take_answer(
         &mut self,
         answer: &StoreAnswer,
@@ -117,7 +117,7 @@ impl SavedGames {
         None
     }
 
-    /// The board of the chosen game, and beside it the list.
+    /// The board of the chosen game, with the list beside it.
     pub(super) fn view(&self) -> View<'_, TableAction> {
         let mut panel = Panel::new("saved games");
         panel.part(
@@ -146,7 +146,7 @@ impl SavedGames {
     }
 }
 
-/// A game in a few words: who plays, and the score.
+/// The title of a game: the players and the score.
 fn title(kept: &KeptGame) -> String {
     let Ok(game) = &kept.content else {
         return format!("{} ?", kept.name);
@@ -163,7 +163,7 @@ fn title(kept: &KeptGame) -> String {
     }
 }
 
-/// What else there is to know of it.
+/// Further facts about a game.
 fn about(saved: &SavedGame, game: &Game) -> String {
     let options = Options::of(saved);
     let strokes = counted(saved.record.strokes(), "stroke");
@@ -190,7 +190,7 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         GameStage::MatchOver(team) => format!(" {}.", options.wins(team, "match")),
     };
     let whose = match saved.player.as_str() {
-        // A player without a name has none to show.
+        // A player without a name is saved as "player".
         "player" => String::new(),
         name => format!("{name}'s game. "),
     };

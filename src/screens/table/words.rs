@@ -1,4 +1,4 @@
-//! Pieces and players in the words and signs of the screen.
+//! The names and appearance of pieces and players on the screen.
 
 use std::fmt::Display;
 
@@ -6,7 +6,7 @@ use crate::game::{Piece, PieceSet, Team};
 use crate::widgets::Role;
 use crate::widgets::hit::Face;
 
-/// How a piece looks in a picture of one impact.
+/// The appearance of a piece in a picture of one impact.
 pub(super) const fn face(piece: Piece) -> Face {
     let (role, letter) = match piece {
         Piece::Striker => (Role::Striker, 'S'),
@@ -17,7 +17,7 @@ pub(super) const fn face(piece: Piece) -> Face {
     Face { role, letter }
 }
 
-/// The colour a piece is drawn in.
+/// The role in whose colour a piece is drawn.
 pub(super) const fn role(piece: Piece) -> Role {
     face(piece).role
 }
@@ -30,7 +30,7 @@ pub(super) const fn masses(set: PieceSet) -> &'static str {
     }
 }
 
-/// Where a game was exported, or why it was not.
+/// A message that says where a game was exported, or why the export failed.
 pub(super) fn exported(result: &Result<String, String>) -> String {
     match result {
         Ok(place) => format!("The game is written to {place}"),
@@ -38,7 +38,7 @@ pub(super) fn exported(result: &Result<String, String>) -> String {
     }
 }
 
-/// A player in the midst of a sentence, as in "goes to the computer".
+/// The name of a player within a sentence, as in "goes to the computer".
 pub(super) fn player(name: &'static str) -> &'static str {
     match name {
         "computer" => "the computer",
@@ -46,7 +46,7 @@ pub(super) fn player(name: &'static str) -> &'static str {
     }
 }
 
-/// What somebody does, as in "South plays" but "you play".
+/// A name with a verb, as in "South plays" but "you play".
 pub(super) fn does(name: &str, third_person: &str) -> String {
     let verb = match name {
         "you" => third_person.strip_suffix('s').unwrap_or(third_person),
@@ -55,7 +55,7 @@ pub(super) fn does(name: &str, third_person: &str) -> String {
     format!("{name} {verb}")
 }
 
-/// A value of each team, as in "3 : 1".
+/// The values of both teams, as in "3 : 1".
 pub(super) fn versus<T: Display>(value: impl Fn(Team) -> T) -> String {
     let [first, second] = Team::BOTH.map(value);
     format!("{first} : {second}")

@@ -1,12 +1,12 @@
-//! The addresses of this computer in its networks.
+//! The addresses of this computer on the local network.
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddrV4, UdpSocket};
 
 /// An unused address, to find the outgoing interface; nothing is sent there.
 const ELSEWHERE: (Ipv4Addr, u16) = (Ipv4Addr::new(192, 0, 2, 1), 9);
 
-/// The addresses of this computer with this port: the one where devices were before first, then the
-/// one of the outgoing interface; the loopback address if there is no network.
+/// The addresses of this computer with this port: first the address that devices used before, then
+/// that of the outgoing interface; the loopback address if there is no network.
 pub(super) fn own(port: u16, before: Option<SocketAddrV4>) -> Vec<SocketAddrV4> {
     let interfaces = if_addrs::get_if_addrs().unwrap_or_default();
     let mut own: Vec<Ipv4Addr> = interfaces
@@ -28,7 +28,7 @@ pub(super) fn own(port: u16, before: Option<SocketAddrV4>) -> Vec<SocketAddrV4> 
         .collect()
 }
 
-/// The address that others in the network see.
+/// The address of this computer that other devices see.
 fn outward() -> Option<Ipv4Addr> {
     let socket = UdpSocket::bind((Ipv4Addr::UNSPECIFIED, 0)).ok()?;
     socket.connect(ELSEWHERE).ok()?;

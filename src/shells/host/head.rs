@@ -1,4 +1,4 @@
-//! The head of a request: what it asks for, and whether that is allowed.
+//! The head of an HTTP request: what it requests, and whether that is allowed.
 //!
 //! Another web page that a pupil has open must not reach the class: the `Host` has to be an address
 //! of this server, which prevents DNS rebinding, and the `Origin` of a WebSocket has to be the page
@@ -6,25 +6,25 @@
 
 use std::net::IpAddr;
 
-/// Most bytes of a head.
+/// The most bytes in a head.
 pub(super) const LONGEST: usize = 8 * 1024;
-/// Most lines of a head.
+/// The most lines in a head.
 const MOST_LINES: usize = 64;
 pub(crate) const TALK: &str = "/class";
 
-/// What a request asks for.
+/// What a client requests.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum HttpRequest {
     /// The page.
     Page {
-        /// Whether it may be compressed.
+        /// Whether the response may be compressed.
         gzip: bool,
         /// The tag of the page in the browser's cache.
         known: Option<String>,
-        /// Whether only the head of the answer is wanted.
+        /// Whether the client requests only the head (`HEAD`).
         head_only: bool,
     },
-    /// A WebSocket, with this key.
+    /// A WebSocket connection with this key.
     Talk(String),
     /// A refusal: the status and the message.
     No(u16, &'static str),
@@ -52,7 +52,7 @@ pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, HttpRequest)> {
 }
 
 fn requested(request: &httparse::Request, port: u16) -> HttpRequest {
-    // A line that occurs twice cannot be relied upon.
+    // A header that occurs twice is ignored, because its meaning is unclear.
     let only = |name: &str| {
         let mut found = request
             .headers
@@ -94,7 +94,7 @@ fn requested(request: &httparse::Request, port: u16) -> HttpRequest {
             head_only: method == "HEAD",
         },
         ("GET" | "HEAD", _) => HttpRequest::No(404, "There is nothing here. The class is at /."),
-        _ => HttpRequest::No(405, "Only reading is possible here."),
+        _ => HttpRequest::No(405, "Only GET and HEAD are allowed."),
     }
 }
 
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn a_talk_comes_from_the_page_that_was_served() {
+    fn only_the_served_page_can_open_a_websocket() {
         let host = "192.168.1.5:8090";
         assert!(matches!(
             talk(host, Some("http://192.168.1.5:8090")),
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn the_page_is_compressed_for_whom_that_is_right() {
+    fn the_page_is_compressed_for_browsers_that_accept_it() {
         for (encodings, wanted) in [("gzip, br", true), ("br", false), ("gzip;q=0", false)] {
             let encodings = format!("Accept-Encoding: {encodings}");
             let lines = ["GET /?x HTTP/1.1", "Host: localhost:8090", &encodings];

@@ -17,7 +17,7 @@ use super::{hang_up, random, spawn};
 use crate::class::protocol::{
     ClientMessage, HostMessage, LARGEST_HAND_IN, LARGEST_SAYING, Refusal,
 };
-use crate::class::{Allowance, Bucket, SeatToken, Verdict};
+use crate::class::{Allowance, Bucket, CodeVerdict, SeatToken};
 use crate::messages::HostNews;
 use crate::shells::lock;
 
@@ -25,15 +25,15 @@ use crate::shells::lock;
 const HEAD_TIME: Duration = Duration::from_secs(5);
 /// The time limit for joining.
 const JOIN_TIME: Duration = Duration::from_secs(10);
-/// The silence after which a device is pinged, and after which it counts as lost.
+/// How long a device may be silent before it is pinged, and before it counts as lost.
 const PING: Duration = Duration::from_secs(20);
 const GONE: Duration = Duration::from_secs(65);
-/// The time limits for sending a part, and the whole page.
+/// The time limits for sending one part of the page, and for all of it.
 const WRITE_TIME: Duration = Duration::from_secs(10);
 const PAGE_TIME: Duration = Duration::from_secs(120);
 /// The delay for a device that has to try again later.
 const LATER: Duration = Duration::from_secs(1);
-/// Messages at once, and how many a second.
+/// How many messages a device may send at once, and per second.
 const MESSAGES: Allowance = Allowance {
     at_once: 30.0,
     per_s: 10.0,
@@ -41,9 +41,9 @@ const MESSAGES: Allowance = Allowance {
 /// The number of messages that a hand-in counts as.
 const HAND_IN: f64 = 20.0;
 
-/// Serves a connection until it is gone.
+/// Serves a connection until it ends.
 pub(super) fn serve(board: &Arc<Switchboard>, line: &Arc<Line>) {
-    // An error here means that the connection is lost, and nobody has to be notified.
+    // An error here means that the connection is lost, so it needs no reply.
     let _ = answer(board, line);
     hang_up(&line.stream);
     board.remove(line.id);
@@ -65,8 +65,8 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
                 send(line, head.as_bytes(), body)
             }
             None => {
-                let words = "This carrom has no page for browsers. On a computer with carrom: \
-                             carrom join and this address.";
+                let words = "This host has no page for browsers. On a computer with carrom, run \
+                             carrom join with this address.";
                 refuse(line, 200, words)
             }
         },
@@ -102,7 +102,7 @@ fn read_head(line: &Line, port: u16) -> io::Result<(HttpRequest, Vec<u8>)> {
     }
 }
 
-/// What is left until then.
+/// The time left until `end`.
 fn left(end: Instant) -> io::Result<Duration> {
     let left = end.saturating_duration_since(Instant::now());
     if left.is_zero() {
@@ -128,13 +128,13 @@ fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
         left(end)?;
         (&line.stream).write_all(piece)?;
     }
-    // Without this the other side might lose unread bytes.
+    // Without this, the device might lose bytes that it has not read.
     line.stream.shutdown(std::net::Shutdown::Write)?;
     drain(line, Duration::from_secs(2));
     Ok(())
 }
 
-/// Waits until the other side has closed.
+/// Waits until the device has closed the connection.
 fn drain(line: &Line, patience: Duration) {
     let end = Instant::now() + patience;
     let mut piece = [0; 512];
@@ -146,7 +146,7 @@ fn drain(line: &Line, patience: Duration) {
     }
 }
 
-/// A connection for a WebSocket: reading ends at a deadline, and messages are written whole.
+/// A connection for a WebSocket. Reads end at a deadline, and messages are written whole.
 struct ServerStream {
     line: Arc<Line>,
     deadline: Option<Instant>,
@@ -243,12 +243,12 @@ fn join(
         return Err(Some(Refusal::Join));
     };
     match board.judge(line, &code, seat) {
-        Verdict::Right => {}
-        Verdict::Wrong(delay) => {
+        CodeVerdict::Right => {}
+        CodeVerdict::Wrong(delay) => {
             thread::sleep(delay);
             return Err(Some(Refusal::Code));
         }
-        Verdict::Unseen => {
+        CodeVerdict::Unseen => {
             thread::sleep(LATER);
             return Err(Some(Refusal::Later));
         }
@@ -256,7 +256,7 @@ fn join(
     let fresh = SeatToken::of(random().map_err(|_| None)?);
     socket.get_mut().deadline = None;
     line.join();
-    // A pupil who has joined may hand something in.
+    // A pupil who has joined may send a hand-in, which is larger.
     socket.set_config(|config| {
         config.max_message_size = Some(LARGEST_HAND_IN);
         config.max_frame_size = Some(LARGEST_HAND_IN);

@@ -1,13 +1,14 @@
-//! A class on its own devices: a server in the local network, for the teacher's carrom.
+//! A server on the local network, with which the teacher's carrom serves a class on its own
+//! devices.
 //!
-//! It listens when a screen requests it ([`HostCall::Open`]), serves the page to browsers and talks
-//! with pupils by WebSocket. It knows the code of the class and the limits, but nothing of
-//! questions and votes: messages of pupils go to the screen as [`HostNews`], and the screen's
-//! states go to the pupils.
+//! The server starts listening when a screen requests it ([`HostCall::Open`]), serves the page to
+//! browsers and communicates with pupils by WebSocket. It knows the code of the class and the
+//! limits, but nothing about questions and votes: pupils' messages go to the screen as
+//! [`HostNews`], and the screen's states go to the pupils.
 //!
 //! One thread accepts connections; each connection has a thread that reads and, once it has joined,
 //! one that writes from an outbox, in which a newer state replaces an unsent older one: a slow
-//! device gets fewer states and delays nobody.
+//! device gets fewer states and does not delay the others.
 
 mod addresses;
 mod head;
@@ -31,19 +32,18 @@ use switchboard::Switchboard;
 pub(crate) const PORT: u16 = 8090;
 /// How many ports are tried.
 const PORTS: u16 = 10;
-/// How long a carrom that has just ended, or a round that was just left, may need to release its
-/// port.
+/// How long a program or a round that has just ended may take to release its port.
 const LETTING_GO: Duration = Duration::from_millis(300);
-/// How many connections may wait to be accepted: a class that joins at the same moment.
+/// How many connections may wait to be accepted. A whole class may join at the same moment.
 #[cfg(unix)]
 const BACKLOG: i32 = 1024;
-/// The stack of a thread of a connection, in bytes.
+/// The stack size of a connection's thread, in bytes.
 const STACK: usize = 192 * 1024;
 
 /// How a class is served.
 #[derive(Clone, Default)]
 pub struct HostOptions {
-    /// The port; without one the first free one from `PORT` on.
+    /// The port; by default the first free one from `PORT` on.
     pub port: Option<u16>,
     /// The page for browsers, or why there is none.
     pub page: Option<Result<Arc<ServedPage>, String>>,
@@ -59,7 +59,7 @@ pub struct Host {
 }
 
 impl Host {
-    /// Not serving yet. `wake` is called when the first news arrives.
+    /// Creates a server that is not listening yet. `wake` is called when the first news arrives.
     pub fn new(options: HostOptions, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
             options,
@@ -119,7 +119,7 @@ impl Host {
         };
         let page = match &self.options.page {
             Some(page) => page.clone(),
-            None => Err("this carrom contains no page for browsers".into()),
+            None => Err("this program contains no page for browsers".into()),
         };
         let shown = page.as_ref().map(|_| ()).map_err(Clone::clone);
         let board = Arc::new(Switchboard::new(
@@ -137,8 +137,8 @@ impl Host {
         })
     }
 
-    /// Listens at the requested port. Without one, at the port where devices look for the round, or
-    /// else at the first free one.
+    /// Listens at the requested port. If none was requested, it uses the port at which the devices
+    /// look for the round, or else the first free port.
     fn listen(&self, before: Option<u16>) -> io::Result<TcpListener> {
         let first = self.options.port.or(before).map(|port| (port, LETTING_GO));
         let others = match self.options.port {
@@ -169,7 +169,7 @@ impl Drop for Host {
     }
 }
 
-/// Opens a port, waiting this long while it is in use.
+/// Opens a port; waits up to this long if it is in use.
 fn bind(port: u16, patience: Duration) -> io::Result<TcpListener> {
     let end = Instant::now() + patience;
     loop {
@@ -190,7 +190,7 @@ fn accept(listener: &TcpListener, board: &Arc<Switchboard>) {
             return;
         }
         let Ok((stream, address)) = accepted else {
-            // Too many files are open: some of them will close.
+            // Too many files are open; wait until some of them are closed.
             thread::sleep(Duration::from_millis(50));
             continue;
         };
@@ -204,7 +204,7 @@ fn accept(listener: &TcpListener, board: &Arc<Switchboard>) {
     }
 }
 
-/// Starts a thread of this name.
+/// Starts a thread with this name.
 fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     let builder = thread::Builder::new().name(name.into()).stack_size(STACK);
     builder.spawn(work).map(drop)
@@ -224,7 +224,7 @@ fn raise_limit() {
         use rustix::process::{Resource, getrlimit, setrlimit};
         let mut limit = getrlimit(Resource::Nofile);
         limit.current = limit.maximum;
-        // If that fails, the class is only smaller.
+        // If that fails, only the size of the class is limited.
         let _ = setrlimit(Resource::Nofile, limit);
     }
 }

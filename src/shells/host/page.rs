@@ -1,5 +1,5 @@
-//! The page as it is served: the policy of the file allows no connections, that of the served copy
-//! allows its server.
+//! The page as it is served. The content security policy of the file allows no connections; that of
+//! the served copy allows connections to its server.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, Write};
@@ -7,11 +7,12 @@ use std::io::{self, Write};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
-/// The policy of the file, and that of the copy.
+/// The policy of the file, and that of the served copy.
 const CONNECT: [&str; 2] = ["connect-src 'none'", "connect-src 'self'"];
-/// The mark that shows whether a class has served the page.
+/// The root element of the file, and that of the served copy, whose attribute shows that a class
+/// has served the page.
 const ROOT: [&str; 2] = ["<html lang=\"en\">", "<html lang=\"en\" data-class=\"\">"];
-/// Where the policy stands in the file.
+/// The text before the policy in the file.
 const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";
 
 /// The page as it is served.
@@ -28,7 +29,7 @@ impl ServedPage {
     /// The copy of a page that is served.
     ///
     /// # Errors
-    /// None that can be met in practice: it is compressed in memory.
+    /// None in practice, because the page is compressed in memory.
     pub fn new(page: &str) -> io::Result<Self> {
         let text = page.replacen(CONNECT[0], CONNECT[1], 1);
         let text = text.replacen(ROOT[0], ROOT[1], 1);
@@ -51,7 +52,7 @@ impl ServedPage {
         })
     }
 
-    /// The head of an answer with the page, and its body.
+    /// The head and the body of the response with the page.
     pub(super) fn answer(&self, gzip: bool, known: Option<&str>) -> (String, &[u8]) {
         let common = format!(
             "ETag: {}\r\nContent-Security-Policy: {}\r\nCache-Control: no-cache\r\n\
@@ -80,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_copy_may_talk_to_its_server_and_to_nobody_else() {
+    fn the_served_copy_can_connect_only_to_its_server() {
         let file = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
                     script-src 'sha256-x'; connect-src 'none'\">";
         let page = ServedPage::new(file).unwrap();
@@ -93,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_is_known_is_not_sent_again_and_a_changed_one_is() {
+    fn a_cached_page_is_not_sent_again_but_a_changed_one_is() {
         let [old, new] = ["one", "two"].map(|text| ServedPage::new(text).unwrap());
         let (head, _) = old.answer(true, Some(&old.tag));
         assert!(head.starts_with("HTTP/1.1 304 "));

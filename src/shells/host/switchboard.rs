@@ -8,22 +8,22 @@ use std::time::{Duration, Instant};
 
 use super::{ServedPage, hang_up};
 use crate::class::protocol::{HostMessage, PupilState, Refusal};
-use crate::class::{GuardedCode, JoinCode, SeatToken, Verdict};
+use crate::class::{CodeVerdict, GuardedCode, JoinCode, SeatToken};
 use crate::messages::{ConnectionId, HostNews};
 use crate::shells::lock;
 
-/// Most connections at once. When there are more, the oldest one that has not joined is closed, of
-/// the address with the most connections, so that a client that opens many affects only itself.
+/// The most connections at once. If there are more, the address with the most connections loses the
+/// oldest one that has not joined, so that a client that opens many affects only itself.
 const MOST_LINES: usize = 600;
 
 /// All connections of a class.
 pub(super) struct Switchboard {
     /// The code of the class.
     code: Mutex<GuardedCode>,
-    /// The seat tokens of those who have joined.
+    /// The seat tokens of all devices that have joined.
     seats: Mutex<HashSet<SeatToken>>,
     opened: Instant,
-    /// The port on which it listens.
+    /// The port on which the server listens.
     pub(super) port: u16,
     /// The page, if there is one.
     pub(super) page: Option<Arc<ServedPage>>,
@@ -36,19 +36,19 @@ pub(super) struct Switchboard {
 
 /// One connection.
 pub(super) struct Line {
-    /// Its number.
+    /// A number that no other connection has.
     pub(super) id: ConnectionId,
-    /// Where it comes from.
+    /// The address of the device.
     pub(super) address: IpAddr,
     pub(super) stream: TcpStream,
-    /// Held while a frame is written.
+    /// A lock that is held while a frame is written.
     pub(super) writing: Mutex<()>,
     joined: AtomicBool,
     outbox: Mutex<Outbox>,
     filled: Condvar,
 }
 
-/// The message to send: only the latest.
+/// The latest message to send; it replaces earlier unsent ones.
 #[derive(Default)]
 struct Outbox {
     state: Option<String>,
@@ -63,7 +63,7 @@ pub(super) enum Outgoing {
     /// The last message.
     Last(String),
     Nothing,
-    /// It is over.
+    /// The connection is closed.
     Closed,
 }
 
@@ -121,7 +121,7 @@ impl Switchboard {
         Some(most.1)
     }
 
-    /// A connection was lost.
+    /// Removes a lost connection.
     pub(super) fn remove(&self, id: ConnectionId) {
         if let Some(line) = lock(&self.lines).remove(&id) {
             line.close();
@@ -132,18 +132,18 @@ impl Switchboard {
         lock(&self.lines).get(&id).cloned()
     }
 
-    /// The time, since it was opened.
+    /// The time since the server was opened.
     pub(super) fn now(&self) -> Duration {
         self.opened.elapsed()
     }
 
-    /// Checks a typed code. A device that has joined before can always return, however many others
-    /// guess.
-    pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> Verdict {
+    /// Checks a typed code. A device that has joined before can always return, however many wrong
+    /// codes others try.
+    pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> CodeVerdict {
         let was_in = seat.is_some_and(|seat| lock(&self.seats).contains(&seat));
         let mut code = lock(&self.code);
         if was_in && code.is(typed) {
-            return Verdict::Right;
+            return CodeVerdict::Right;
         }
         code.judge(typed, line.address, self.now())
     }
@@ -193,7 +193,7 @@ impl Switchboard {
             line.close();
             hang_up(&line.stream);
         }
-        // The accepting thread has to notice it.
+        // A connection wakes the accepting thread, so that the thread notices the end.
         let own = (std::net::Ipv4Addr::LOCALHOST, self.port);
         let _ = TcpStream::connect_timeout(&own.into(), Duration::from_secs(1));
     }
@@ -204,7 +204,7 @@ impl Line {
         self.joined.load(Ordering::SeqCst)
     }
 
-    /// Notes that it has joined.
+    /// Records that the device has joined.
     pub(super) fn join(&self) {
         self.joined.store(true, Ordering::SeqCst);
     }
@@ -214,7 +214,7 @@ impl Line {
         self.filled.notify_all();
     }
 
-    /// Waits for something to be sent, but no longer than this.
+    /// Waits for a message to send, but no longer than `patience`.
     pub(super) fn take(&self, patience: Duration) -> Outgoing {
         let empty = |it: &mut Outbox| it.state.is_none() && it.last.is_none() && !it.closed;
         let waited = self

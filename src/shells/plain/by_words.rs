@@ -1,9 +1,9 @@
-//! Parts of texts for keyboard, mouse and eyes, which are left out when read aloud.
+//! Removes the parts of a text that are only for users of a keyboard, a mouse or a screen.
 
-/// The mark before the name of a key in a text that is not yet put into words.
+/// The mark before the name of a key in a text that is not yet in spoken form.
 pub(super) const KEY: char = '\u{e0f0}';
 
-/// What leads to the words behind it, and is for hands and eyes alone.
+/// The starts of sentences that are only for sighted users; the rest of the sentence is kept.
 const LEADS: [&str; 4] = [
     "Drag the point: ",
     "Now turn the rays: ",
@@ -11,7 +11,7 @@ const LEADS: [&str; 4] = [
     "Find the line of impact in the picture, where the two will touch: ",
 ];
 
-/// A text without its sentences that name a key or something to drag.
+/// A text without the sentences that name a key or a mouse action.
 pub(super) fn by_words(text: &str) -> String {
     let mut kept: Vec<String> = Vec::new();
     for sentence in sentences(text) {
@@ -24,7 +24,7 @@ pub(super) fn by_words(text: &str) -> String {
     kept.join(" ")
 }
 
-/// Beginnings of sentences for hands and eyes.
+/// The starts of sentences about the keyboard or the mouse.
 const FOR_HANDS: [&str; 6] = [
     "Drag ",
     "Press ",
@@ -34,7 +34,7 @@ const FOR_HANDS: [&str; 6] = [
     "With the mouse",
 ];
 
-/// What else shows that a sentence is for them.
+/// Other phrases in sentences about the keyboard or the mouse.
 const BY_HAND: [&str; 9] = [
     "Enter",
     "Esc ",
@@ -50,12 +50,12 @@ const BY_HAND: [&str; 9] = [
 /// Whether a sentence names a key or a mouse action.
 fn is_for_hands(sentence: &str) -> bool {
     FOR_HANDS.iter().any(|it| sentence.starts_with(it))
-        // By a letter.
+        // The name of a key has one letter here.
         || sentence.get(1..).is_some_and(|it| it.starts_with(" switches it"))
         || BY_HAND.iter().any(|it| sentence.contains(it))
 }
 
-/// A text cut behind the stops of its sentences.
+/// Splits a text after each sentence.
 fn sentences(text: &str) -> Vec<&str> {
     let mut cut = Vec::new();
     let mut rest = text;

@@ -1,21 +1,21 @@
-//! A formula in words, as read aloud.
+//! A formula in spoken form.
 
 use super::spoken::{is_function, spoken_formula, unit_name};
 use crate::lessons::formula::{Formula, Node, subscript, superscript};
 
-/// A formula in words, which [`spoken`](super::spoken()) leaves as they are.
+/// A formula in words, which [`spoken`](super::spoken()) leaves unchanged.
 pub(super) fn aloud(formula: &Formula) -> String {
     spoken_formula(&linear(formula))
 }
 
-/// A formula in one line, its fractions in words and its signs as Unicode writes them.
+/// A formula on one line, with fractions in words and with Unicode symbols.
 fn linear(formula: &Formula) -> String {
     let mut line = String::new();
     let (mut after_fraction, mut after_factor) = (false, false);
     for term in &formula.0 {
         let node = &term.node;
-        // Terms after a fraction would seem to be in its denominator, and a fraction or root after
-        // something would seem separate.
+        // Without these words, a listener would take terms after a fraction for part of its
+        // denominator, and a fraction or a root after a factor for something separate.
         line += match () {
             () if after_fraction && is_factor(node) => " × ",
             () if after_factor && matches!(node, Node::Fraction(..) | Node::Root(_)) => " × ",
@@ -29,12 +29,12 @@ fn linear(formula: &Formula) -> String {
     line.trim().to_owned()
 }
 
-/// Whether it ends in a function, whose argument follows.
+/// Whether the formula ends in a function without its argument.
 fn awaits(formula: &Formula) -> bool {
     formula.0.last().is_some_and(|term| is_named(&term.node))
 }
 
-/// Whether it is the name of a function, raised to a power or not.
+/// Whether the node is the name of a function, with or without a power.
 fn is_named(node: &Node) -> bool {
     match node {
         Node::Word(word) => is_function(word),
@@ -43,7 +43,7 @@ fn is_named(node: &Node) -> bool {
     }
 }
 
-/// Whether it is multiplied by what stands before it: anything but a sign.
+/// Whether the node is a factor after another factor: anything but an operator.
 fn is_factor(node: &Node) -> bool {
     match node {
         Node::Word(word) => word.starts_with(char::is_alphanumeric),
@@ -53,7 +53,7 @@ fn is_factor(node: &Node) -> bool {
 
 fn of_node(node: &Node) -> String {
     match node {
-        // Longer than a letter, it is a unit.
+        // A word with more than one letter is a unit.
         Node::Word(word) if word.chars().count() > 1 => unit_name(word),
         Node::Word(word) => word.clone(),
         Node::Group(inside) => format!("({})", linear(inside)),
@@ -86,7 +86,7 @@ fn of_node(node: &Node) -> String {
     }
 }
 
-/// In brackets, unless it is a single thing.
+/// A formula in brackets, unless it is a single symbol.
 fn tight(formula: &Formula) -> String {
     let line = linear(formula);
     if formula.0.len() == 1 {

@@ -1,8 +1,8 @@
 //! The app in plain lines: for screen readers, Braille displays, dumb terminals and scripts.
 //!
-//! The blocks of the screen, recorded while it is drawn, are written line by line; an input line
-//! carries out its meaning. Nothing moves a cursor or waits for a time, and signs are spelt as they
-//! are read aloud.
+//! The blocks of the screen are recorded while it is drawn and then written line by line. An input
+//! line replaces keys and clicks. The output never moves a cursor and never waits for a fixed time,
+//! and symbols are written as they are read aloud.
 
 mod by_words;
 mod formula;
@@ -25,7 +25,7 @@ pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};
 
-/// Asserts that a line consists of words only.
+/// Asserts that a line contains only words.
 #[cfg(test)]
 fn assert_spoken(line: &str) {
     let plain = |c: char| c.is_ascii_alphanumeric() || " .,;:?!'\"()-/".contains(c);
@@ -42,7 +42,7 @@ fn assert_spoken(line: &str) {
         " 1 grams",
         " 1 degrees",
         "the the ",
-        // No instruction requires a mouse or sight.
+        // No instruction may require a mouse or sight.
         "Drag the ",
         "drag the ",
         "Press ",
@@ -54,7 +54,7 @@ fn assert_spoken(line: &str) {
     ] {
         assert!(!line.contains(never), "{never}: {line}");
     }
-    // A unit is not followed by a number that stands below a letter.
+    // A subscript must not follow a unit.
     for unit in ["metres ", "metre ", "grams ", "seconds "] {
         for (at, _) in line.match_indices(unit) {
             let next = line[at + unit.len()..].chars().next();

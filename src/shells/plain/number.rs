@@ -1,12 +1,13 @@
-//! Reading a number as it is typed.
+//! Reads a typed number.
 
 use super::spoken::{means_unit, unit_name};
 
-/// Reads a number within bounds; its `unit`, which is empty for a pure number, may follow.
+/// Reads a number from `least` to `most`. Its `unit` may follow; the unit of a pure number is
+/// empty.
 ///
 /// # Errors
-/// A kind line on what was expected. Nothing is guessed: 1/2, 1 000 or 5 cm for a length in
-/// millimetres is not accepted.
+/// A friendly line that explains what was expected. carrom does not guess: it does not accept 1/2,
+/// 1 000, or 5 cm for a length in millimetres.
 pub(super) fn number(heard: &str, unit: &str, least: f64, most: f64) -> Result<f64, String> {
     let typed = heard.replace('−', "-");
     let (number, behind) = split(&typed).ok_or("Please type a number, such as 2.5.")?;
@@ -20,12 +21,12 @@ pub(super) fn number(heard: &str, unit: &str, least: f64, most: f64) -> Result<f
     if !(least..=most).contains(&number) {
         return Err(format!("Please type a number from {least} to {most}."));
     }
-    // No minus before a nought.
+    // This turns −0 into 0.
     Ok(number + 0.0)
 }
 
-/// The number at the beginning of a text, and the rest; `None` if there is none, it is ambiguous,
-/// or it is out of range.
+/// The number at the start of a text, and the rest; `None` if there is no number, or if it is
+/// ambiguous or out of range.
 fn split(text: &str) -> Option<(f64, &str)> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let whole = digits(unsigned);
@@ -34,7 +35,7 @@ fn split(text: &str) -> Option<(f64, &str)> {
     if whole + fraction.unwrap_or(0) == 0 {
         return None;
     }
-    // Is 1,500 one and a half or fifteen hundred?
+    // It is unclear whether 1,500 means 1.5 or 1500.
     if comma && fraction == Some(3) && (1..=3).contains(&whole) && !unsigned.starts_with('0') {
         return None;
     }
@@ -53,7 +54,7 @@ fn split(text: &str) -> Option<(f64, &str)> {
     is_held.then_some((number, &text[end..]))
 }
 
-/// How many digits a text begins with.
+/// How many digits a text starts with.
 fn digits(text: &str) -> usize {
     text.bytes().take_while(u8::is_ascii_digit).count()
 }
@@ -87,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn an_invalid_number_is_refused_rather_than_cut() {
+    fn an_invalid_number_is_refused_rather_than_truncated() {
         for heard in [
             "",
             "sixty",

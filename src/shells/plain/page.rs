@@ -1,5 +1,5 @@
-//! A screen in lines, and the possible inputs: made from the blocks that are recorded while it is
-//! drawn.
+//! A screen in lines, and its possible inputs. Both are made from the blocks that are recorded
+//! while the screen is drawn.
 
 use super::by_words::{KEY, by_words};
 use super::formula::aloud;
@@ -12,18 +12,18 @@ use crate::widgets::flow::Run;
 use crate::widgets::input::KeyRow;
 use crate::widgets::{Item, Role, Section, Sheet, SheetKind, Words};
 
-/// Parts of the key table that lines replace, or that only sighted users need.
+/// The parts of the key table that plain lines replace, or that only sighted users need.
 const BY_OTHER_MEANS: [&str; 9] = [
     "list.", "form.", "number.", "dial.", "answer.", "ray.", "hit.", "shot.", "mystery.",
 ];
 
-/// Rows of those parts that are offered all the same.
+/// The rows in those parts that are offered nevertheless.
 const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
 
-/// The row of what goes on to the next question.
+/// The row of the key for the next question.
 pub(super) const ON: &str = "quiz.go-on";
 
-/// The placeholder of an empty text.
+/// The placeholder in an empty text field.
 pub(super) const OPEN: char = '_';
 
 /// A screen, or a layer over it, in lines.
@@ -33,43 +33,43 @@ pub(super) struct PlainPage {
     pub title: String,
     /// The layer over the screen, if there is one.
     pub layer: Option<SheetKind>,
-    /// How it stands, in parts.
+    /// The parts of its status, such as the score.
     pub status: Vec<String>,
-    /// Its parts in the order in which they are read.
+    /// Its sections in reading order.
     pub sections: Vec<PlainSection>,
-    /// What can be chosen.
+    /// Its options.
     pub options: Vec<PlainOption>,
-    /// The meaning of a line.
+    /// How an input line is read.
     pub asked: Asked,
-    /// What its pictures show.
+    /// Descriptions of its pictures.
     pub shown: Vec<String>,
 }
 
-/// What stands in one frame.
+/// The contents of one frame.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct PlainSection {
     /// The title of the frame.
     pub title: String,
-    /// Its first text, which identifies its subject.
+    /// The first text in the frame, which identifies the frame's subject.
     pub subject: String,
-    /// What it says.
+    /// Its text.
     pub lines: Vec<String>,
 }
 
 /// Something that can be chosen.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PlainOption {
-    /// The label that chooses it; empty if only its words do.
+    /// The label that chooses it; empty if only its name does.
     pub label: String,
-    /// What it is called.
+    /// Its name.
     pub words: String,
-    /// What it is among those things.
+    /// Its kind.
     pub kind: OptionKind,
-    /// The cell where a click chooses it.
+    /// The cell on which a click chooses it.
     pub cell: Option<(u16, u16)>,
-    /// The key that does it.
+    /// The key that chooses it.
     pub key: Option<Key>,
-    /// Whether it is the one that is chosen.
+    /// Whether the option is currently chosen.
     pub(crate) is_chosen: bool,
 }
 
@@ -78,29 +78,29 @@ pub(super) struct PlainOption {
 pub(super) enum OptionKind {
     /// An answer, or an entry of a list.
     Entry,
-    /// Something that can be set, and its value as the screen writes it.
+    /// A value that can be set, as shown on the screen.
     Field(String),
-    /// A text that can be typed, and what has been.
+    /// A text field with its current text.
     Text(String),
-    /// Something that can be done.
+    /// An action.
     Deed,
 }
 
-/// The meaning of a line that is not a choice.
+/// How an input line that is not a choice is read.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) enum Asked {
     #[default]
     Nothing,
-    /// A number, of this name and in this unit.
+    /// As a number with this name and unit.
     Number(String, String),
-    /// An angle, of a disc that may stay still.
+    /// As an angle with this name, for a disc that may stay still.
     Angle(String),
-    /// A text of this name.
+    /// As text with this name.
     Text(String),
 }
 
 impl Asked {
-    /// The question that ends what is said.
+    /// The question at the end of the output.
     pub(super) fn question(&self, has_choice: bool) -> String {
         let asked = match self {
             Self::Nothing if has_choice => "Which one?".into(),
@@ -142,7 +142,8 @@ impl PlainPage {
             names.push(option.words.clone());
             is_new
         });
-        // There a line may already answer the next question.
+        // On that row's screen a line may already answer the next question, so nothing gets a
+        // label.
         if !rows.iter().any(|row| row.id == ON) {
             let are_set = options
                 .iter()
@@ -156,12 +157,12 @@ impl PlainPage {
         page
     }
 
-    /// Its lines, without the title.
+    /// All lines of its sections, without the title.
     pub(super) fn lines(&self) -> impl Iterator<Item = &String> {
         self.sections.iter().flat_map(|it| &it.lines)
     }
 
-    /// Whether a line is one of several to choose from.
+    /// Whether a line is an entry that can be chosen.
     pub(super) fn has_entry(&self, line: &str) -> bool {
         let mut entries = self
             .options
@@ -170,13 +171,13 @@ impl PlainPage {
         entries.any(|it| it.line() == line)
     }
 
-    /// What can be done, a line each.
+    /// The actions, one per line.
     pub(super) fn deeds(&self) -> Vec<String> {
         let deeds = self.options.iter().filter(|it| it.kind == OptionKind::Deed);
         deeds.map(PlainOption::line).collect()
     }
 
-    /// The question that ends what is said of it.
+    /// The question at the end of the page.
     pub(super) fn question(&self) -> String {
         let is_entry = |it: &PlainOption| it.kind == OptionKind::Entry;
         let is_set = |it: &PlainOption| matches!(it.kind, OptionKind::Field(_));
@@ -186,7 +187,7 @@ impl PlainPage {
 }
 
 impl PlainOption {
-    /// What an item stands for that can be chosen.
+    /// The option that an item offers; `None` if it cannot be chosen.
     fn of(item: &Item, rows: &[KeyRow<()>]) -> Option<Self> {
         let (words, kind, key) = match &item.words {
             Words::Prompt { words, key } => {
@@ -243,7 +244,7 @@ impl PlainOption {
         })
     }
 
-    /// Whether it has a value to set.
+    /// Whether the option has a value that can be set.
     pub(super) fn is_field(&self) -> bool {
         matches!(self.kind, OptionKind::Field(_) | OptionKind::Text(_))
     }
@@ -263,7 +264,7 @@ impl PlainOption {
     }
 }
 
-/// Actions by key without an item of their own.
+/// An action that has a key but no item on the screen.
 fn deed(row: &KeyRow<()>, taken: &[Key]) -> Option<PlainOption> {
     let mut keys = row.keys();
     let (Some(key), None) = (keys.next(), keys.next()) else {
@@ -280,7 +281,7 @@ fn deed(row: &KeyRow<()>, taken: &[Key]) -> Option<PlainOption> {
     })
 }
 
-/// Whether a line stands for it, or it is for eyes alone.
+/// Whether a typed line replaces the key, or only sighted users need it.
 fn is_by_other_means(row: &KeyRow<()>) -> bool {
     let is = BY_OTHER_MEANS.iter().any(|part| row.id.starts_with(part))
         || row.id.ends_with(".export")
@@ -288,8 +289,8 @@ fn is_by_other_means(row: &KeyRow<()>) -> bool {
     is && !OFFERED.contains(&row.id.as_str())
 }
 
-/// Labels for items without one: numbers, or letters if numbers are typed. Beside answers with
-/// letters, or the few numbers of the confidence, actions have only their words.
+/// Labels for items without a label: numbers, or letters if numbers can be typed. If the answers
+/// have letters, or the choices are the numbers of the confidence, the actions get no labels.
 fn label(options: &mut [PlainOption], types: bool) {
     let own: Vec<_> = options.iter().map(|it| it.label.clone()).collect();
     let last: usize = own
@@ -310,7 +311,7 @@ fn label(options: &mut [PlainOption], types: bool) {
     }
 }
 
-/// The letter or number that an entry begins with, and the rest.
+/// The letter or number at the start of an entry, and the rest.
 fn own_label(words: &str) -> (String, String) {
     let split = words.split_once(' ').unwrap_or((words, ""));
     let number = split.0.trim_end_matches('.');
@@ -324,7 +325,7 @@ fn own_label(words: &str) -> (String, String) {
     }
 }
 
-/// The key that chooses an entry of this label at once.
+/// The key that immediately chooses the entry with this label.
 fn own_key(label: &str, rows: &[KeyRow<()>]) -> Option<Key> {
     let key = label
         .parse()
@@ -336,7 +337,7 @@ fn own_key(label: &str, rows: &[KeyRow<()>]) -> Option<Key> {
         .then_some(key)
 }
 
-/// The meaning of a line.
+/// How an input line is read.
 fn asked(sheet: &Sheet, types: bool, rows: &[KeyRow<()>]) -> Asked {
     let items = sheet.sections.iter().flat_map(|section| &section.items);
     let chosen = items.filter(|item| item.chosen == Some(true));
@@ -354,12 +355,12 @@ fn asked(sheet: &Sheet, types: bool, rows: &[KeyRow<()>]) -> Asked {
         }
     }
     match types {
-        true => Asked::Number("A number, or what next".into(), String::new()),
+        true => Asked::Number("A number or an action".into(), String::new()),
         false => Asked::Nothing,
     }
 }
 
-/// The unit of a value: what stands behind its number.
+/// The unit of a value: the word after its number.
 pub(super) fn unit(value: &str) -> String {
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '−' | OPEN);
     let behind = value.trim_start_matches(number).trim_start();
@@ -374,13 +375,13 @@ pub(super) fn unit(value: &str) -> String {
 
 fn value_words(value: &str) -> String {
     match value.split_once(OPEN) {
-        Some(("", _)) => "not said yet".into(),
+        Some(("", _)) => "not set yet".into(),
         Some((typed, unit)) => format!("{typed}{unit}"),
         None => value.to_owned(),
     }
 }
 
-/// The lines of each part.
+/// The lines of each section.
 fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<PlainSection> {
     let mut left = options.iter().filter(|it| it.kind != OptionKind::Deed);
     let section = |section: &Section| {
@@ -418,7 +419,7 @@ fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<
     sheet.sections.iter().map(section).collect()
 }
 
-/// Whether it is the row of a table above its values.
+/// Whether the row is the head row of a table.
 fn is_head(item: &Item) -> bool {
     match &item.words {
         Words::Columns { values, .. } => {
@@ -428,7 +429,7 @@ fn is_head(item: &Item) -> bool {
     }
 }
 
-/// A row of a table, each value behind the head of its column.
+/// A row of a table, with each value after the head of its column.
 fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> String {
     let Words::Columns { name, values } = &item.words else {
         return String::new();
@@ -507,7 +508,7 @@ fn text(words: &Words, is_help: bool) -> Option<String> {
     })
 }
 
-/// A text as it is read aloud, without signs that are drawn. The name of a file stays as it is.
+/// Text as it is read aloud, without drawing characters. File names stay unchanged.
 pub(super) fn read(text: &str) -> String {
     let word = |word: &str| match is_path(word) {
         true => verbatim(word),
@@ -518,7 +519,7 @@ pub(super) fn read(text: &str) -> String {
     one_line(&spoken(&words.join(" ")).replace(|c| !is_read(c), " "))
 }
 
-/// Whether a word is the name of a file or a folder; a line's number may stand behind it.
+/// Whether a word is the name of a file or a folder, possibly followed by a line number.
 fn is_path(word: &str) -> bool {
     const ENDINGS: [&str; 8] = [
         ".md", ".toml", ".db", ".html", ".csv", ".json", ".tape", ".svg",
@@ -530,7 +531,7 @@ fn is_path(word: &str) -> bool {
     is_below_root || ENDINGS.iter().any(|ending| name.ends_with(ending))
 }
 
-/// A text whose names of keys are marked.
+/// The joined text of the runs, with names of keys marked.
 fn joined(runs: &[Run]) -> String {
     let run = |run: &Run| match (&run.formula, run.role) {
         (Some(formula), _) => aloud(formula),
@@ -540,7 +541,7 @@ fn joined(runs: &[Run]) -> String {
     runs.iter().map(run).collect()
 }
 
-/// What something is called, and what is said of it.
+/// A name and its values in one line.
 fn listed<'v>(name: &str, values: impl IntoIterator<Item = &'v str>) -> String {
     let values = values.into_iter().map(one_line).filter(|it| !it.is_empty());
     let values: Vec<_> = values.collect();
@@ -551,13 +552,13 @@ fn listed<'v>(name: &str, values: impl IntoIterator<Item = &'v str>) -> String {
     }
 }
 
-/// The parts of what stands in the title line.
+/// The parts of the status in the title line.
 fn parts(status: &str) -> Vec<String> {
     let parts = status.split("  ").map(|part| read(part.trim()));
     parts.filter(|part| !part.is_empty()).collect()
 }
 
-/// A frame's title; it shows in front of it which part has the keys.
+/// A frame's title, without the mark of the frame that has the keyboard focus.
 fn title(title: &str) -> String {
     read(title.trim_start_matches('>').trim())
 }

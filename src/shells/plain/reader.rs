@@ -1,4 +1,4 @@
-//! The app in plain lines: a line in, and the changes out.
+//! The app in plain lines: it reads a line and writes the changes.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -16,10 +16,10 @@ use crate::shells::AppHolder;
 use crate::shells::FRAME;
 use crate::widgets::{PictureSizes, SheetKind, recorded};
 
-/// Columns and rows of the invisible screen, large enough for everything.
+/// The columns and rows of the invisible screen, which is large enough for everything.
 const SIZE: (u16, u16) = (160, 200);
 
-/// The sizes of its pictures.
+/// The sizes of the pictures on this screen.
 const PICTURES: PictureSizes = PictureSizes {
     any: [40, 20],
     square: [40, 20],
@@ -28,33 +28,34 @@ const PICTURES: PictureSizes = PictureSizes {
 /// The longest input line, in letters.
 const LONGEST: usize = 1000;
 
-/// Longest time that passes at once while something moves.
+/// The longest motion that is played at once.
 const LONGEST_MOTION: Duration = Duration::from_secs(300);
 
-/// Steps of time between two looks at what moves.
+/// The number of time steps between two checks of a moving screen.
 const LISTENED: u32 = 12;
 
-/// How many recent lines are remembered, and the length from which lines are not repeated.
+/// The number of recent lines that are remembered.
 const RECENT: usize = 60;
+/// The length from which a line is not repeated while it is remembered.
 const LONG: usize = 60;
 
-/// Most steps from one value of a field to another.
+/// The most steps from one value of a field to another.
 const MOST_STEPS: usize = 60;
 
-/// The range of numbers that can be typed in [`SIGNS`] signs.
+/// The range of numbers that can be typed in [`SIGNS`] characters.
 const LEAST: f64 = -99_999_999.0;
 const MOST: f64 = 999_999_999.0;
 
-/// Most signs of a number as it is typed.
+/// The most characters in a typed number.
 const SIGNS: usize = 9;
 
-/// The key of a disc that stays where it is.
+/// The key for a disc that stays still.
 const STILL: Key = Key::Char('x');
 
-/// The words of a title line when something could not be saved.
+/// The status in the title line when something could not be saved.
 const NOT_SAVED: &str = "not saved";
 
-/// The immediate reply to a line, or what is expected instead.
+/// The immediate reply to a line, or a line that explains what was expected.
 type LineAnswer = Result<Vec<String>, String>;
 
 fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
@@ -66,14 +67,14 @@ fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
 pub struct PlainReader {
     screen: Terminal<TestBackend>,
     page: PlainPage,
-    /// What was said since the player was last heard.
+    /// The lines written since the last input.
     said: Vec<String>,
-    /// What was said lately.
+    /// The most recent lines.
     recent: VecDeque<String>,
 }
 
 impl PlainReader {
-    /// Begins with an app, at a size that has room for everything.
+    /// Starts with an app, on a screen that is large enough for everything.
     pub fn new(app: &mut App) -> Self {
         app.set_pictures(Some(PICTURES));
         app.settings_mut().charset = crate::widgets::Charset::Unicode;
@@ -86,7 +87,7 @@ impl PlainReader {
         }
     }
 
-    /// What is said first.
+    /// The first lines.
     pub fn begin(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         holder.input(&Input::Resize(SIZE.0, SIZE.1));
         let mut lines =
@@ -104,12 +105,12 @@ impl PlainReader {
         lines
     }
 
-    /// The same after time has passed; a countdown is not reported.
+    /// The changes after time has passed; a countdown is not reported.
     pub fn news_of_time(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         self.say_moving(holder)
     }
 
-    /// The last output after the end of the input, if it only requires going on.
+    /// The last output after the end of the input, if the only remaining step is to continue.
     pub fn end(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         if !self.goes_on(holder.app()) {
             return Vec::new();
@@ -118,7 +119,7 @@ impl PlainReader {
         self.settle(holder)
     }
 
-    /// Handles a line; returns the reply.
+    /// Handles an input line; returns the reply.
     pub fn hear(&mut self, line: &str, holder: &mut dyn AppHolder) -> Vec<String> {
         let visible = line.chars().filter(|c| !c.is_control()).take(LONGEST);
         let line = visible.collect::<String>().trim().to_owned();
@@ -138,7 +139,7 @@ impl PlainReader {
         if let (Some(option), false) = (&labelled, self.is_text()) {
             return self.choose(&option.clone(), holder);
         }
-        // A single letter may be the requested text, such as a name.
+        // A single letter may be the text that was asked for, such as a name.
         let is_text = self.is_text();
         match lower.as_str() {
             "q" | "h" | "r" if is_text => {}
@@ -169,7 +170,7 @@ impl PlainReader {
         if is_text {
             return self.type_text(line, holder);
         }
-        // A letter alone is none.
+        // A single letter is not a name.
         if let Some(option) = self.named(&lower).filter(|_| lower.len() > 1) {
             return self.choose(&option, holder);
         }
@@ -179,7 +180,7 @@ impl PlainReader {
         match &self.page.asked {
             Asked::Number(..) | Asked::Angle(_) => self.type_number(line, holder),
             _ if self.goes_on(holder.app()) => {
-                // What is typed ahead is the answer to what comes next.
+                // The line already answers the next question.
                 holder.input(&Key::Enter.into());
                 let mut lines = self.settle(holder);
                 lines.extend(self.take(line, holder)?);
@@ -193,12 +194,12 @@ impl PlainReader {
         matches!(self.page.asked, Asked::Text(_))
     }
 
-    /// Whether all that is left to do here is to go on.
+    /// Whether Enter continues to the next question.
     fn goes_on(&self, app: &App) -> bool {
         app.keys().rows().iter().any(|row| row.id == ON)
     }
 
-    /// The option of this label; an answer that has a letter also by its number.
+    /// The option with this label; an answer with a letter can also be chosen by its number.
     fn labelled(&self, label: &str) -> Option<PlainOption> {
         let label = label.trim_end_matches(['.', ':', ')']);
         let mut options = self.page.options.iter();
@@ -212,7 +213,7 @@ impl PlainReader {
         options.find(is).or_else(numbered).cloned()
     }
 
-    /// The option of this name: exactly, or by the beginnings of its words.
+    /// The option with this name, or the one whose words start with these words.
     fn named(&self, words: &str) -> Option<PlainOption> {
         let meant: Vec<_> = words.split_whitespace().collect();
         let is_name = meant
@@ -241,7 +242,7 @@ impl PlainReader {
         found.map(|(option, _)| option.clone())
     }
 
-    /// The key of a word for a step: "more", "much less", "strength more", "back", "next".
+    /// The key for a step in words: "more", "much less", "strength more", "back", "next".
     fn moved(&self, words: &str, app: &App) -> Option<Key> {
         let table = app.keys();
         let (name, last) = words.rsplit_once(' ').unwrap_or(("", words));
@@ -293,10 +294,10 @@ impl PlainReader {
                 .filter(|it| !it.label.is_empty())
                 .collect::<Vec<_>>()[..]
             {
-                [] => "Please press Enter to go on, or type help.".into(),
+                [] => "Please press Enter to continue, or type help.".into(),
                 [one] => format!("Please type {}, or help.", one.label),
                 [first, .., last] => format!(
-                    "Please type a label from {} to {}, the words behind it, or help.",
+                    "Please type a label from {} to {}, the words after it, or help.",
                     first.label, last.label
                 ),
             },
@@ -316,7 +317,7 @@ impl PlainReader {
         if option.key == Some(STILL) && matches!(self.page.asked, Asked::Angle(_)) {
             self.enter(holder, &["ray.next"]);
         }
-        // A click on an entry may only have chosen it.
+        // A click may have chosen the entry without opening it.
         let is_same = |it: &PlainOption| it.words == option.words && it.is_chosen;
         if option.kind == OptionKind::Entry && self.look(holder.app()).options.iter().any(is_same) {
             self.enter(holder, &["answer.enter", "list.open"]);
@@ -328,7 +329,7 @@ impl PlainReader {
             .collect())
     }
 
-    /// Presses Enter if it carries out one of these.
+    /// Presses Enter if it does one of these actions.
     fn enter(&mut self, holder: &mut dyn AppHolder, ids: &[&str]) {
         let table = holder.app().keys();
         let mut rows = table.rows().iter();
@@ -340,7 +341,7 @@ impl PlainReader {
         }
     }
 
-    /// Whether it is still the same screen.
+    /// Whether the screen is still the same.
     fn is_the_same(&mut self, holder: &dyn AppHolder) -> bool {
         let now = self.look(holder.app());
         now.title == self.page.title && now.layer == self.page.layer
@@ -366,7 +367,7 @@ impl PlainReader {
         Ok(Vec::new())
     }
 
-    /// Replaces the text, and goes on.
+    /// Replaces the text and presses Enter.
     fn type_text(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let is_chosen = |it: &&PlainOption| it.is_chosen && matches!(it.kind, OptionKind::Text(_));
         if let Some(PlainOption {
@@ -385,13 +386,13 @@ impl PlainReader {
         press(Key::Enter, holder)
     }
 
-    /// What can be set by this name.
+    /// The field with this name.
     fn field(&self, name: &str) -> Option<PlainOption> {
         let named = self.named(&name.to_lowercase());
         named.filter(PlainOption::is_field)
     }
 
-    /// Sets what is called so.
+    /// Sets the field with this name.
     fn set(&mut self, name: &str, value: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let Some(option) = self.field(name) else {
             let names: Vec<_> = self
@@ -419,7 +420,7 @@ impl PlainReader {
         }
     }
 
-    /// Steps through the values of a field until it has this one.
+    /// Steps through the values of a field until it has the given value.
     fn step_to(
         &mut self,
         option: &PlainOption,
@@ -440,7 +441,7 @@ impl PlainReader {
                 if now.to_lowercase().starts_with(&value) {
                     return Ok(Vec::new());
                 }
-                // At the last value, or at the first one again.
+                // The last value has been reached, or the first one again.
                 if last.as_ref() == Some(&now) || key == Key::Right && seen.contains(&now) {
                     break;
                 }
@@ -458,7 +459,7 @@ impl PlainReader {
         ))
     }
 
-    /// The possible inputs, and the purpose of the screen.
+    /// Describes the possible inputs and the purpose of the screen.
     fn help(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         let mut lines = Vec::new();
         if self.page.layer.is_none() && !self.is_text() {
@@ -469,13 +470,12 @@ impl PlainReader {
                 holder.input(&Key::Escape.into());
             }
         }
-        lines.push(
-            "To choose something, type its label or its words. Enter alone continues.".into(),
-        );
+        lines
+            .push("To choose something, type its label or its name. Enter alone continues.".into());
         lines.push(
             "To set a value, type its name: speed = 3. Or choose it and type more or less.".into(),
         );
-        lines.push("At any time: repeat reads the page again, glossary explains the terms of mechanics, back goes back, quit leaves and saves your answers.".into());
+        lines.push("At any time: repeat reads the page again, glossary explains the terms of mechanics, back goes back, quit saves your answers and ends carrom.".into());
         lines.extend(self.page.deeds());
         lines
     }
@@ -488,9 +488,10 @@ impl PlainReader {
         lines
     }
 
-    /// Skips animations, and closes notices; returns the lines meanwhile and the new page.
+    /// Skips animations and closes notices. Returns the lines that appeared meanwhile and the new
+    /// page.
     fn settle(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
-        // A collision is reported at its end, after the explanation at the contact.
+        // A collision is described at its end, after the explanation at the contact.
         let ends = |app: &App| app.keys().rows().iter().any(|row| row.id == "hit.end");
         for _ in 0..2 {
             if holder.app().motion().is_some() && ends(holder.app()) {
@@ -520,7 +521,7 @@ impl PlainReader {
         lines
     }
 
-    /// Writes the changes.
+    /// Returns the changes.
     fn say(&mut self, holder: &dyn AppHolder) -> Vec<String> {
         let page = self.look(holder.app());
         let mut lines = changes(&self.page, &page, &self.said);
@@ -539,7 +540,7 @@ impl PlainReader {
         self.recent.drain(..old);
     }
 
-    /// The same while something moves: running numbers are not reported.
+    /// The changes while something moves; running numbers are not reported.
     fn say_moving(&mut self, holder: &dyn AppHolder) -> Vec<String> {
         let mut page = self.look(holder.app());
         let known: Vec<_> = self
@@ -553,7 +554,7 @@ impl PlainReader {
         let is_passing = |line: &String| deeds.contains(line) || page.shown.contains(line);
         lines.retain(|line| !known.contains(&without_figures(line)) && !is_passing(line));
         if !lines.is_empty() {
-            // Actions are listed once nothing moves.
+            // Actions are listed only when nothing moves.
             page.options.clone_from(&self.page.options);
             self.page = page;
             self.note(&lines);
@@ -561,7 +562,7 @@ impl PlainReader {
         lines
     }
 
-    /// The screen as it is now.
+    /// The current screen.
     fn look(&mut self, app: &App) -> PlainPage {
         self.screen.current_buffer_mut().reset();
         let ((), sheets) = recorded(|| app.draw(&mut self.screen.get_frame()));
@@ -569,7 +570,7 @@ impl PlainReader {
     }
 }
 
-/// The changes of a page since the previous one; lines `said` recently are not repeated.
+/// The changes since the previous page; lines `said` recently are not repeated.
 fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     let is_new = before.title != now.title || before.layer != now.layer;
@@ -599,7 +600,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
         }
         for line in &section.lines {
             let is_known = known.contains(&line) || said.contains(line);
-            // The same letter stands for an answer to another question, or it was one.
+            // The same letter may belong to an answer to another question.
             let is_entry = now.has_entry(line);
             let was_entry = before.has_entry(line);
             if !is_known || is_new || is_fresh && is_entry || was_entry && !is_entry {
@@ -617,7 +618,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     lines
 }
 
-/// A line with one sign for each of its numbers.
+/// A line with each number replaced with one character.
 fn without_figures(line: &str) -> String {
     let mut text: String = line
         .chars()
@@ -629,7 +630,7 @@ fn without_figures(line: &str) -> String {
     text
 }
 
-/// A name and the value that it is to have: "speed = 3", "set speed 3".
+/// A name and its new value: "speed = 3", "set speed 3".
 fn assignment(line: &str) -> Option<(&str, &str)> {
     let set = line
         .strip_prefix("set ")
@@ -643,7 +644,7 @@ fn is_number(shown: &str) -> bool {
     shown.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '−' | OPEN))
 }
 
-/// A number as it is typed, in at most [`SIGNS`] signs.
+/// A number as it is typed, in at most [`SIGNS`] characters.
 fn digits(value: f64) -> String {
     let places = (0..=6).rev().map(|places| format!("{value:.places$}"));
     let mut exact = std::iter::once(format!("{value}")).chain(places);

@@ -16,19 +16,19 @@ use crate::shells::host::{Host, HostOptions};
 use crate::shells::terminal;
 use crate::store::Store;
 
-/// Something that happened.
+/// An event for the main loop.
 enum Heard {
     Line(String),
-    /// Something for the app.
+    /// An input for the app.
     Input(Input),
-    /// There is news of the class that is served.
+    /// There is news from the class that this program serves.
     Hosted,
-    /// Nothing more is to be heard.
+    /// The input has ended.
     Ended,
 }
 
-/// Runs the app on `input` and `output` until the player leaves or the input ends; a class is
-/// served as `host` says.
+/// Runs the app on `input` and `output` until the player quits or the input ends. `host` contains
+/// the options for serving a class.
 ///
 /// # Errors
 /// If a line cannot be written, or the last changes cannot be saved.
@@ -62,7 +62,7 @@ pub fn run(
     talked.and(kept)
 }
 
-/// Reads a line only on demand, so that a flood of input waits at its source.
+/// Reads a line only on demand, so that a program that writes too fast has to wait.
 fn listen(mut input: impl BufRead, wanted: &Receiver<()>, sender: &Sender<Heard>) {
     while wanted.recv().is_ok() {
         let heard = hear(&mut input)
@@ -136,13 +136,13 @@ fn say(output: &mut dyn Write, lines: &[String]) -> io::Result<()> {
         .write_all(text.as_bytes())
         .and_then(|()| output.flush())
     {
-        // Nobody listens any more.
+        // The program that reads the output has stopped.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         said => said,
     }
 }
 
-/// An app whose effects are carried out on the spot.
+/// An app whose effects are carried out immediately.
 struct PlainApp {
     app: App,
     store: Store,

@@ -1,4 +1,4 @@
-//! Writing and reading lines.
+//! A dialogue that writes and reads lines.
 
 use std::io::{self, BufRead, Write};
 
@@ -8,9 +8,9 @@ use crate::files::read_line;
 /// The longest input line, in bytes; the rest of it is skipped.
 const LONGEST: usize = 1000;
 
-/// Words that are understood at any time.
-const ALWAYS: &str = "At any time: repeat says the question again, help says how to answer, \
-                      quit leaves and saves your answers.";
+/// The help on the words that are understood at any time.
+const ALWAYS: &str = "At any time: repeat reads the question again, help explains how to answer, \
+                      quit saves your answers and ends carrom.";
 
 /// A dialogue in lines.
 pub struct Talk<'a> {
@@ -21,7 +21,7 @@ pub struct Talk<'a> {
 /// Why a dialogue ends early.
 #[derive(Debug)]
 pub enum Leave {
-    /// The player said so.
+    /// The player typed quit.
     Quit,
     /// The input has ended.
     Ended,
@@ -32,7 +32,7 @@ pub enum Leave {
 impl From<io::Error> for Leave {
     fn from(error: io::Error) -> Self {
         match error.kind() {
-            // Nobody listens any more.
+            // The program that reads the output has stopped.
             io::ErrorKind::BrokenPipe => Self::Ended,
             _ => Self::Failed(error),
         }
@@ -40,19 +40,19 @@ impl From<io::Error> for Leave {
 }
 
 impl<'a> Talk<'a> {
-    /// A conversation over this input and output.
+    /// Starts a dialogue with this input and output.
     pub fn new(input: &'a mut dyn BufRead, output: &'a mut dyn Write) -> Self {
         Self { input, output }
     }
 
-    /// Says a text, each of its lines as one.
+    /// Writes each line of a text in spoken form.
     ///
     /// # Errors
-    /// If nobody listens.
+    /// If the output cannot be written.
     pub fn say(&mut self, text: &str) -> Result<(), Leave> {
         for line in text.lines() {
             let line = spoken(line);
-            // A line of a working that goes on from the one before.
+            // A line of the working that continues the line before it.
             let line = match line.strip_prefix("equals ") {
                 Some(rest) => format!("This equals {rest}"),
                 None => line,
@@ -65,10 +65,10 @@ impl<'a> Talk<'a> {
         Ok(())
     }
 
-    /// Says these lines, one after the other.
+    /// Writes these lines, one after the other.
     ///
     /// # Errors
-    /// If nobody listens.
+    /// If the output cannot be written.
     pub(super) fn say_all<S: AsRef<str>>(
         &mut self,
         lines: impl IntoIterator<Item = S>,
@@ -78,9 +78,9 @@ impl<'a> Talk<'a> {
             .try_for_each(|line| self.say(line.as_ref()))
     }
 
-    /// Asks a question, after the lines that `lead` to it, until an answer is understood;
-    /// `help` says how it is answered. `read` gives what was meant, or a kind line on what
-    /// was expected, of a line without the blanks at its ends; it may be empty.
+    /// Writes the `lead` lines and a question, and repeats the question until an answer is
+    /// understood. `help` explains how to answer. `read` gets a trimmed line, which may be empty;
+    /// it returns the answer, or a friendly line that explains what was expected.
     ///
     /// # Errors
     /// If the player quits, or the input ends.
@@ -104,8 +104,7 @@ impl<'a> Talk<'a> {
                 }
                 _ => match read(&heard) {
                     Ok(meant) => return Ok(meant),
-                    // The question stands; what led to it is said again only if it is
-                    // asked for.
+                    // Only the question is repeated; `repeat` also writes the lines before it.
                     Err(expected) => self.say_all([&*expected, question])?,
                 },
             }
@@ -119,10 +118,10 @@ impl<'a> Talk<'a> {
     }
 }
 
-/// Hears a line; `None` once there is none.
+/// Reads a line; `None` at the end of the input.
 ///
 /// # Errors
-/// If none can be read.
+/// If the input cannot be read.
 pub(super) fn hear(input: &mut (impl BufRead + ?Sized)) -> io::Result<Option<String>> {
     let mut line = Vec::new();
     let heard = read_line(input, LONGEST, &mut line)?;
@@ -144,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_are_heard_whatever_their_ends_and_bytes() {
+    fn lines_with_any_line_endings_and_bytes_are_read() {
         assert_eq!(
             hear_all(b" 60 \r\nstill\n\nlast"),
             ["60", "still", "", "last"]

@@ -1,4 +1,4 @@
-//! All texts of questions and chapters can be read aloud.
+//! Checks that all questions and chapters can be read aloud.
 
 use super::by_words::by_words;
 use super::formula::aloud;
@@ -11,7 +11,7 @@ use crate::screens::{Route, Settings};
 use crate::shells::Headless;
 
 #[test]
-fn every_question_is_spoken_whole() {
+fn every_question_is_read_aloud_completely() {
     for &family in Family::ALL {
         for seed in 0..20 {
             let round = Round::new(Course::new(CourseKind::Topic(family)), seed);
@@ -40,7 +40,7 @@ fn every_question_is_spoken_whole() {
 }
 
 #[test]
-fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
+fn no_symbol_in_a_chapter_formula_is_read_as_a_unit() {
     let units = ["metre", "gram", "second", "joule", "volt", "percent"];
     let mut formulas = 0;
     let chapters = &ChapterLibrary::embedded_once().chapters;
@@ -77,9 +77,9 @@ fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
     assert!(formulas > 100, "{formulas}");
 }
 
-/// A pupil may be called by one letter, or by what looks like a setting.
+/// A pupil's name may be a single letter, or look like a setting.
 #[test]
-fn a_text_that_is_asked_for_is_taken_as_it_is() {
+fn a_requested_text_is_accepted_unchanged() {
     for text in ["q", "h", "r", "a=b", "class = 1"] {
         let place = Route::Join {
             address: None,
@@ -98,9 +98,9 @@ fn a_text_that_is_asked_for_is_taken_as_it_is() {
     }
 }
 
-/// A number is taken as it is or refused, never as another one, and no list of values is read.
+/// A number is accepted exactly or refused, never changed, and no list of values is accepted.
 #[test]
-fn a_number_that_cannot_be_typed_is_refused_in_a_line() {
+fn a_number_that_cannot_be_typed_is_refused_in_one_line() {
     let mut app = App::new(Route::Lab, Settings::default(), 1);
     let mut reader = PlainReader::new(&mut app);
     let mut held = Headless::from(app);
@@ -117,7 +117,7 @@ fn a_number_that_cannot_be_typed_is_refused_in_a_line() {
 }
 
 #[test]
-fn the_names_of_files_are_read_as_they_are() {
+fn file_names_are_read_unchanged() {
     for (text, expected) in [
         (
             "left out: a_2*x-1=b/01-bad.md:1: expected +++, found v = 2 m/s",

@@ -1,9 +1,9 @@
-//! The lines of a worked solution, for reading aloud.
+//! The lines of a worked solution in spoken form.
 
 use crate::physics::worked::WorkedStep;
 
-/// The lines of a step: columns are parted by commas, and a line that goes on with the one before
-/// is said together with it.
+/// The lines of a step: columns are separated by commas, and a line that continues the one before
+/// is joined to it.
 pub(super) fn lines(step: &WorkedStep) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for line in &step.lines {
@@ -33,7 +33,7 @@ mod tests {
     use crate::shells::plain::spoken;
 
     #[test]
-    fn no_line_begins_without_what_it_is_about() {
+    fn every_line_starts_with_its_subject() {
         let collision = CollisionSpec::default().collision();
         let steps = steps(&collision, false);
         let said: Vec<String> = steps.iter().flat_map(lines).collect();

@@ -1,4 +1,4 @@
-//! What a tape can say.
+//! The instructions of a tape.
 
 use std::time::Duration;
 
@@ -18,20 +18,19 @@ pub enum Instruction {
     Click((u16, u16)),
     /// Drag from one cell to another.
     Drag((u16, u16), (u16, u16)),
-    /// Press the button over one cell and move to another, without letting go.
+    /// Press the button over one cell and move to another, without releasing it.
     Hold((u16, u16), (u16, u16)),
-    /// Let the button go over a cell.
+    /// Release the button over a cell.
     Release((u16, u16)),
-    /// Turn the wheel this many notches, over a cell or over the middle.
+    /// Turn the wheel by this many notches, over a cell or over the middle of the screen.
     Scroll(MouseKind, u32, Option<(u16, u16)>),
-    /// Let simulated time pass.
+    /// Advance simulated time.
     Sleep(Duration),
-    /// Go to a device in a class: by the name of a pupil, who joins if necessary, or back to the
-    /// teacher's.
+    /// Switch to a device in a class: a pupil's, by name, who joins if necessary, or the teacher's.
     At(Option<String>),
-    /// A pupil's device loses the host, or reaches it again.
+    /// Disconnect a pupil's device from the host (`false`), or connect it again.
     Reach(String, bool),
-    /// Keep the screen under a name.
+    /// Save the screen under a name.
     Screenshot(String),
     /// Fail unless the screen shows this.
     Expect(String),
@@ -39,15 +38,15 @@ pub enum Instruction {
     Refuse(String),
 }
 
-/// What `Set` sets.
+/// A setting that `Set` changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ScreenSetting {
     /// Columns and rows of the screen.
     Size(u16, u16),
     /// The glyphs to draw with.
     Charset(Charset),
-    /// How many colours there are.
+    /// The number of colours.
     Color(Depth),
-    /// What time it is, in seconds since 1970 began: noon of a day, UTC.
+    /// The time in seconds since the start of 1970: noon on a day, UTC.
     Day(i64),
 }

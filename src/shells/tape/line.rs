@@ -4,17 +4,17 @@ use std::fmt;
 
 use crate::files::{LONGEST_QUOTE, escape_control, quoted};
 
-/// A part of a line: a bare word or a text in quotes. Shown as messages quote it.
+/// A part of a line: a bare word or a string in quotes. `Display` writes it as messages quote it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Token {
-    /// A run of characters without a blank.
+    /// A run of characters without a space.
     Word(String),
-    /// What stood between double quotes, its escapes resolved.
+    /// A string in double quotes, with its escapes resolved.
     Text(String),
 }
 
 impl Token {
-    /// The word, unless it is a text.
+    /// The word; `None` for a string in quotes.
     pub(super) fn word(&self) -> Option<&str> {
         match self {
             Self::Word(word) => Some(word),
@@ -35,7 +35,7 @@ impl fmt::Display for Token {
 /// The parts of a line; a `#` at the start of a part begins a comment.
 ///
 /// # Errors
-/// What is wrong with the line, in words.
+/// What is wrong with the line.
 pub(super) fn parts(line: &str) -> Result<Vec<Token>, String> {
     let mut parts = Vec::new();
     let mut rest = line.trim_start();
@@ -45,7 +45,7 @@ pub(super) fn parts(line: &str) -> Result<Vec<Token>, String> {
             Some(inner) => {
                 let (text, after) = text(inner)?;
                 if !after.is_empty() && !after.starts_with(char::is_whitespace) {
-                    return Err("expected a blank after the closing quote".into());
+                    return Err("expected a space after the closing quote".into());
                 }
                 (Token::Text(text), after)
             }
@@ -60,7 +60,7 @@ pub(super) fn parts(line: &str) -> Result<Vec<Token>, String> {
     Ok(parts)
 }
 
-/// The text up to the closing quote, and what comes after it.
+/// The string up to the closing quote, and what comes after it.
 fn text(inner: &str) -> Result<(String, &str), String> {
     let mut text = String::new();
     let mut letters = inner.chars();
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn words_texts_and_comments_are_told_apart() {
+    fn words_strings_and_comments_are_distinguished() {
         let expected = vec![word("Expect"), Token::Text("a # \"b\"\n\\".into())];
         assert_eq!(parts(r#" Expect  "a # \"b\"\n\\" # c "d"#), Ok(expected));
         assert_eq!(parts("   # all of it"), Ok(vec![]));
@@ -102,12 +102,12 @@ mod tests {
     }
 
     #[test]
-    fn broken_texts_are_refused() {
+    fn invalid_strings_are_refused() {
         for (line, message) in [
             ("Type \"60", "expected a closing double quote"),
             ("Type \"60\\", "expected a closing double quote"),
             ("Type \"6\\0\"", "unknown escape \\0; expected"),
-            ("Type \"6\"0", "expected a blank after the closing quote"),
+            ("Type \"6\"0", "expected a space after the closing quote"),
         ] {
             let error = parts(line).unwrap_err();
             assert!(error.starts_with(message), "{line}: {error}");

@@ -26,7 +26,7 @@ const HOUR: f64 = 3600.0;
 pub struct ParseError {
     /// Number of the line, from 1.
     pub line: usize,
-    /// What is wrong with it and what was expected.
+    /// What is wrong with the line, and what was expected.
     pub message: String,
 }
 
@@ -48,7 +48,8 @@ impl Tape {
         Ok(tape)
     }
 
-    /// Adds a line. Each screenshot has a name of its own, which `names` has with its line.
+    /// Adds a line. `names` contains the names of the screenshots so far, which must differ, and
+    /// their lines.
     fn add(
         &mut self,
         line: usize,
@@ -62,7 +63,7 @@ impl Tape {
         let arguments = Arguments { of: first, rest };
         if *first == Token::Word("Run".into()) {
             if self.run.is_some() || !self.steps.is_empty() {
-                return Err("Run must be the first instruction, and only once".into());
+                return Err("Run must be the first instruction and may appear only once".into());
             }
             let [run] = arguments.exactly("the arguments after carrom in quotes")?;
             self.run = Some((line, quoted(run, "the arguments in quotes")?));
@@ -70,7 +71,7 @@ impl Tape {
         }
         let instruction = instruction(&arguments)?;
         if let Instruction::Screenshot(name) = &instruction {
-            // Some file systems do not tell capitals from small letters.
+            // Some file systems do not distinguish between upper and lower case.
             if let Some(before) = names.insert(name.to_lowercase(), line) {
                 return Err(format!(
                     "Screenshot: the name {name} is taken by line {before}"
@@ -82,14 +83,14 @@ impl Tape {
     }
 }
 
-/// What stands after the first word of a line.
+/// The words and strings after the first word of a line.
 struct Arguments<'a> {
     of: &'a Token,
     rest: &'a [Token],
 }
 
 impl<'a> Arguments<'a> {
-    /// Exactly `N` of them, or what was expected.
+    /// Exactly `N` arguments, or an error with what was expected.
     fn exactly<const N: usize>(&self, expected: &str) -> Result<&'a [Token; N], String> {
         self.rest.try_into().map_err(|_| self.not(expected))
     }
@@ -104,7 +105,7 @@ impl<'a> Arguments<'a> {
     }
 }
 
-/// Who has the class.
+/// The name of the teacher's device.
 const TEACHER: &str = "teacher";
 
 fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
@@ -194,7 +195,7 @@ fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     })
 }
 
-/// Noon of a day, such as 2026-01-05, in seconds since 1970 began (UTC).
+/// Noon on a day, such as 2026-01-05, in seconds since the start of 1970 (UTC).
 fn noon(day: &str) -> Option<i64> {
     let date: Date = day.parse().ok()?;
     let noon = date.at(12, 0, 0, 0).to_zoned(TimeZone::UTC).ok()?;
@@ -203,7 +204,7 @@ fn noon(day: &str) -> Option<i64> {
 }
 
 fn scroll(arguments: &Arguments) -> Result<Instruction, String> {
-    let expected = "up or down, then perhaps how far and over which cell";
+    let expected = "up or down, then optionally the number of notches and a cell";
     let (way, rest) = match arguments.rest {
         [Token::Word(way), rest @ ..] if rest.len() <= 2 => (way.as_str(), rest),
         rest => ("", rest),
@@ -264,13 +265,13 @@ fn duration(part: &Token) -> Result<Duration, String> {
         })
 }
 
-/// A number in digits with perhaps a point; no sign, no exponent, no `inf`.
+/// A decimal number; a sign, an exponent or `inf` is not allowed.
 fn decimal(text: &str) -> Option<f64> {
     let plain = text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
     plain.then(|| text.parse().ok())?
 }
 
-/// A name that is safe to make a file of, wherever the tape came from.
+/// A name that is safe as a file name, even if the tape is not trusted.
 fn file_name(part: &Token) -> Result<String, String> {
     let safe = |b: u8| b.is_ascii_alphanumeric() || b == b'-' || b == b'_';
     match part {

@@ -20,10 +20,10 @@ pub enum PlayError {
     Run {
         /// Number of the line, from 1.
         line: usize,
-        /// What is wrong with them.
+        /// What is wrong with the arguments.
         message: String,
     },
-    /// The screen does not show what it must.
+    /// The screen does not show the expected text.
     #[error(
         "{line}: Expect: the screen does not show {}\n\n{screen}",
         quoted(text)
@@ -31,34 +31,34 @@ pub enum PlayError {
     Expect {
         /// Number of the line, from 1.
         line: usize,
-        /// What it was to show.
+        /// The expected text.
         text: String,
-        /// What it showed.
+        /// The screen.
         screen: String,
     },
-    /// The screen shows what it must not.
+    /// The screen shows a text that must not appear.
     #[error("{line}: Refuse: the screen shows {}\n\n{screen}", quoted(text))]
     Refuse {
         /// Number of the line, from 1.
         line: usize,
-        /// What it was not to show.
+        /// The text that must not appear.
         text: String,
-        /// What it showed.
+        /// The screen.
         screen: String,
     },
-    /// There is an instruction after carrom has been left.
-    #[error("{line}: carrom was left in line {left}, so nothing can follow")]
+    /// An instruction follows after carrom has quit.
+    #[error("{line}: carrom quit in line {left}, so no instruction can follow")]
     Left {
         /// Number of the line, from 1.
         line: usize,
-        /// The line that made it leave.
+        /// The line after which it quit.
         left: usize,
     },
 }
 
-/// Plays `tape` on an app that `open` makes of the arguments after `carrom` (in one
-/// string, split into words as a shell would), and gives its screenshots. Games are
-/// kept in memory unless what it makes says otherwise.
+/// Plays `tape` on an app that `open` makes from the arguments after `carrom` (in one string, which
+/// is split into words as in a shell), and returns its screenshots. Games are kept in memory unless
+/// `open` returns an app with another store.
 ///
 /// # Errors
 /// The first instruction that failed.
@@ -136,7 +136,7 @@ pub fn play<G: Into<Headless>>(
     Ok(screenshots)
 }
 
-/// A pupil comes with a device that has the page open, and looks like the teacher's.
+/// Adds a pupil, whose device has the page open and the teacher's settings.
 fn come(class: &mut Classroom, name: &str) -> Who {
     let code = class.code();
     let host = class.game(Who::Host);
@@ -158,7 +158,7 @@ fn come(class: &mut Classroom, name: &str) -> Who {
     class.add(name, app, size.width, size.height)
 }
 
-/// Fails unless the screen shows `text`, or if it does, as is `wanted`.
+/// Fails unless the screen shows `text` (`wanted`) or does not show it (not `wanted`).
 fn judge(line: usize, game: &mut Headless, text: &str, wanted: bool) -> Result<(), PlayError> {
     let screen = game.screen();
     if screen.contains(text) == wanted {

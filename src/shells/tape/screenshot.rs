@@ -1,27 +1,27 @@
-//! A screen that a tape has kept.
+//! The screenshots of a tape.
 
 use ratatui::buffer::Buffer;
 
 use crate::widgets::{Sheet, cells, svg};
 
-/// A screen, kept under a name.
+/// A screen, saved under a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Screenshot {
-    /// Its name: letters, digits, `-` and `_`.
+    /// Its name, which consists of letters, digits, `-` and `_`.
     pub name: String,
-    /// What every cell showed.
+    /// The contents of every cell.
     pub cells: Buffer,
-    /// What the screen said in words.
+    /// The text of the screen, as blocks.
     pub sheets: Vec<Sheet>,
 }
 
 impl Screenshot {
-    /// The rows without the blanks at their ends, a line break after each.
+    /// The rows without trailing spaces, each followed by a line break.
     pub fn text(&self) -> String {
         cells::text(&self.cells)
     }
 
-    /// The screen as a picture that needs nothing else to be shown.
+    /// The screen as a self-contained SVG picture.
     pub fn svg(&self) -> String {
         svg::of_screen(&self.cells)
     }

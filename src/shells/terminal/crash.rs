@@ -10,13 +10,13 @@ use std::thread;
 use super::guard;
 use crate::files::UnplacedFile;
 
-/// The file a report is written to.
+/// The name of the file with the report.
 const FILE: &str = "crash.log";
 
-/// From now on a panic writes a report to `crash.log` in `folder` (made if need be), where there is
-/// one. A panic of the calling thread, which should be the one that draws, also restores the
-/// terminal and prints one line on standard error; a panic of any other thread leaves the screen
-/// alone.
+/// Makes a panic write a report to `crash.log` in `folder`, if there is one; the folder is created
+/// if it does not exist. A panic of the calling thread, which should be the drawing thread, also
+/// restores the terminal and prints one line to standard error. A panic of any other thread does
+/// not touch the screen.
 pub fn report_crashes(folder: Option<PathBuf>) {
     let drawing = thread::current().id();
     panic::set_hook(Box::new(move |info| {
@@ -35,14 +35,14 @@ pub fn report_crashes(folder: Option<PathBuf>) {
                 "carrom: stopped by an internal error: {}; {saved}",
                 what(info)
             );
-            // Standard error may be closed with its window, and a panic in here ends the process at
-            // once.
+            // Standard error may have been closed with its window, and a panic in this hook ends
+            // the process at once.
             let _ = writeln!(io::stderr(), "{line}");
         }
     }));
 }
 
-/// The fault in one line.
+/// The panic message and its location, in one line.
 fn what(info: &PanicHookInfo) -> String {
     let payload = info.payload();
     let message = (payload.downcast_ref::<&str>().copied())

@@ -2,8 +2,8 @@
 //!
 //! crossterm can do this too, but it holds back a paste until its end. A paste that never ends
 //! (because its end was lost, or a program wrote its beginning to the screen) then grows without
-//! limit and swallows every key, Ctrl+C too. Here a paste is truncated at a generous length, Ctrl+C
-//! works within it, and it ends when no more bytes arrive.
+//! limit and blocks every key, including Ctrl+C. Here a paste is truncated at a generous length,
+//! Ctrl+C works within it, and it ends when no more bytes arrive.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -12,17 +12,18 @@ use crossterm::event::{
     Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
 };
 
-/// The most bytes of a paste that are used. No field holds as much.
+/// The most bytes of a paste that are used. No input field can hold more.
 pub(super) const LARGEST_PASTE: usize = 1 << 16;
-/// How a paste begins, after the control sequence introducer, and how it ends.
+/// The start of a paste, after the control sequence introducer, and its end.
 const PASTE: &[u8] = b"200~";
 const PASTE_END: &[u8] = b"\x1b[201~";
-/// Most bytes of a control sequence that are kept; the longest that a terminal sends has some 20.
+/// The most bytes of a control sequence that are kept. The longest sequence that a terminal sends
+/// has about 20 bytes.
 const LONGEST_SEQUENCE: usize = 64;
-/// How long a single Escape waits: every sequence begins with it, and a slow connection may split
-/// them.
+/// How long a single Escape waits for more bytes. Every sequence begins with Escape, and a slow
+/// connection may split a sequence.
 const AFTER_ESCAPE: Duration = Duration::from_millis(10);
-/// The pause within a paste after which it counts as ended.
+/// The pause in a paste after which the paste counts as ended.
 const WITHIN_PASTE: Duration = Duration::from_secs(1);
 
 const ESCAPE: u8 = 0x1b;
@@ -40,14 +41,14 @@ pub(super) struct Decoder {
 #[derive(Debug, Default)]
 struct Paste {
     text: Vec<u8>,
-    /// Whether what still comes of it is dropped.
+    /// Whether the rest of the paste is dropped.
     is_over: bool,
-    /// How many of the last bytes can be the beginning of its end.
+    /// How many of the last bytes match the start of the end marker.
     ending: usize,
 }
 
 impl Decoder {
-    /// How long to wait for more before [`Self::pause`]; `None` for ever.
+    /// How long to wait for more bytes before calling [`Self::pause`]; `None` means for ever.
     pub(super) fn patience(&self) -> Option<Duration> {
         match (&self.paste, self.pending.is_empty()) {
             (Some(_), _) => Some(WITHIN_PASTE),
@@ -56,7 +57,7 @@ impl Decoder {
         }
     }
 
-    /// Notes that nothing has arrived for [`Self::patience`].
+    /// Records that nothing has arrived for [`Self::patience`].
     pub(super) fn pause(&mut self, events: &mut VecDeque<Event>) {
         if let Some(paste) = self.paste.take() {
             paste.end(events);
@@ -84,19 +85,19 @@ impl Decoder {
         let is_whole = match self.pending.as_slice() {
             [] => byte < 0x80 && byte != ESCAPE,
             [ESCAPE] if byte == ESCAPE => {
-                // The first one stands alone.
+                // The first Escape was a key of its own.
                 events.push_back(pressed(KeyCode::Esc, KeyModifiers::NONE));
                 return;
             }
             [ESCAPE] => byte < 0x80 && byte != b'[' && byte != b'O',
             [ESCAPE, b'O'] if byte >= 0x20 => true,
-            // Old reports of the mouse: three bytes follow, which need not be ASCII.
+            // An old mouse report: three bytes follow, which need not be ASCII.
             [ESCAPE, b'[', b'M', rest @ ..] if byte >= 0x20 => rest.len() == 2,
             // Function keys of the Linux console.
             [ESCAPE, b'[', b'['] if byte >= 0x20 => true,
             [ESCAPE, b'['] if byte == b'[' || byte == b'M' => false,
             [ESCAPE, b'[', ..] if (0x20..0x7f).contains(&byte) => byte >= 0x40,
-            // A character of several bytes, perhaps with Escape before it, or something broken.
+            // A character of several bytes, possibly after Escape, or invalid bytes.
             pending => {
                 let letter = pending.strip_prefix(&[ESCAPE]).unwrap_or(pending);
                 let length = letter
@@ -114,7 +115,7 @@ impl Decoder {
         if self.pending.len() < LONGEST_SEQUENCE {
             self.pending.push(byte);
         } else if is_whole {
-            // It cannot be decoded.
+            // The bytes cannot be decoded.
             self.pending.clear();
             return;
         }
@@ -131,7 +132,7 @@ impl Decoder {
 }
 
 impl Paste {
-    /// Takes a byte; says whether that was the last.
+    /// Adds a byte; returns whether it was the last byte of the paste.
     fn take(&mut self, byte: u8, events: &mut VecDeque<Event>) -> bool {
         if byte == CTRL_C {
             // Ctrl+C within a paste discards the paste.
@@ -166,11 +167,11 @@ impl Paste {
         }
     }
 
-    /// Returns the pasted text that was not returned before.
+    /// Sends the pasted text as an event.
     fn end(self, events: &mut VecDeque<Event>) {
         if !self.is_over {
             let text = self.text.get(..LARGEST_PASTE).unwrap_or(&self.text);
-            // The cut may have gone through a character.
+            // The limit may have split a character.
             let whole = match str::from_utf8(text) {
                 Err(error) if error.error_len().is_none() => error.valid_up_to(),
                 _ => text.len(),
@@ -185,8 +186,8 @@ fn pressed(code: KeyCode, held: KeyModifiers) -> Event {
     Event::Key(KeyEvent::new(code, held))
 }
 
-/// A key without a control sequence: a character, a control character, one of these after
-/// Escape, which is how Alt is sent, or a sequence of three bytes with O.
+/// A key without a control sequence: a character, a control character, either of these after Escape
+/// (which means Alt), or a sequence of three bytes with O.
 fn letter(bytes: &[u8]) -> Option<Event> {
     let code = match bytes {
         [ESCAPE, b'O', last] => cursor_key(*last)?,
@@ -212,7 +213,7 @@ fn letter(bytes: &[u8]) -> Option<Event> {
     Some(pressed(code, KeyModifiers::NONE))
 }
 
-/// The key of the last byte of a sequence that has no number of its own.
+/// The key given by the last byte of a sequence without a key number.
 fn cursor_key(last: u8) -> Option<KeyCode> {
     Some(match last {
         b'A' => KeyCode::Up,
@@ -226,7 +227,7 @@ fn cursor_key(last: u8) -> Option<KeyCode> {
     })
 }
 
-/// What a control sequence means, without its beginning: `A`, `1;5A`, `3~`, `<0;12;7M`.
+/// The event of a control sequence, given without its introducer: `A`, `1;5A`, `3~`, `<0;12;7M`.
 fn control_sequence(sequence: &[u8]) -> Option<Event> {
     if let [b'M', button, column, row] = sequence {
         let [button, column, row] = [button, column, row].map(|it| it.saturating_sub(32));
@@ -261,7 +262,7 @@ fn control_sequence(sequence: &[u8]) -> Option<Event> {
             letter => KeyCode::Char(letter),
         },
         b'Z' => KeyCode::BackTab,
-        // With numbers it says where the cursor is.
+        // With numbers, it reports the cursor's position.
         b'R' if !first.is_empty() => return None,
         last => cursor_key(*last)?,
     };
@@ -285,7 +286,7 @@ fn numbered_key(number: u8) -> Option<KeyCode> {
     })
 }
 
-/// The modifiers of a key, one more than a set of bits, and whether it was let go: `5`, `1:3`.
+/// The modifiers of a key, as a bit set plus one, and whether it was released: `5`, `1:3`.
 fn held(number: &str) -> (KeyModifiers, KeyEventKind) {
     const BITS: [KeyModifiers; 6] = [
         KeyModifiers::SHIFT,
@@ -308,19 +309,19 @@ fn held(number: &str) -> (KeyModifiers, KeyEventKind) {
     (held, kind)
 }
 
-/// What a mouse does, by the bits of its report: two of the button, three of keys that are held,
-/// one of a move, two more of the button. Columns and rows count from 1.
+/// The mouse event with these report bits: two for the button, three for the modifier keys, one for
+/// a move, two more for the button. Columns and rows are counted from 1.
 fn mouse(bits: u8, column: u16, row: u16, is_released: bool) -> Option<Event> {
     let is_moved = bits & 0x20 != 0;
     let kind = match (bits & 0x03) | ((bits & 0xc0) >> 4) {
         0 if is_released => MouseEventKind::Up(MouseButton::Left),
         0 if is_moved => MouseEventKind::Drag(MouseButton::Left),
         0 => MouseEventKind::Down(MouseButton::Left),
-        // Old reports do not say which button was let go.
+        // Old reports do not say which button was released.
         3 if !is_moved => MouseEventKind::Up(MouseButton::Left),
         4 if !is_moved => MouseEventKind::ScrollUp,
         5 if !is_moved => MouseEventKind::ScrollDown,
-        // Other buttons, and moves without one, mean nothing.
+        // Other buttons, and moves without a button, are ignored.
         _ => return None,
     };
     Some(Event::Mouse(MouseEvent {
@@ -352,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_of_terminals_are_read_whole_and_byte_by_byte() {
+    fn keys_are_decoded_from_whole_sequences_and_from_single_bytes() {
         let held = |code, held| pressed(code, held);
         let (control, shift) = (KeyModifiers::CONTROL, KeyModifiers::SHIFT);
         for (bytes, expected) in [
@@ -399,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn reports_of_the_mouse_are_read() {
+    fn mouse_reports_are_decoded() {
         let at = |kind, column, row| {
             let modifiers = KeyModifiers::NONE;
             vec![Event::Mouse(MouseEvent {
@@ -419,7 +420,7 @@ mod tests {
             (b"\x1b[32;30;40M", at(MouseEventKind::Down(left), 29, 39)),
             (b"\x1b[M !\"", at(MouseEventKind::Down(left), 0, 1)),
             (b"\x1b[M#!\xff", at(MouseEventKind::Up(left), 0, 222)),
-            // No such cell, other buttons, a move without a button.
+            // A cell that does not exist, other buttons, and a move without a button.
             (b"\x1b[<0;0;0M", vec![]),
             (b"\x1b[M   ", vec![]),
             (b"\x1b[<2;4;5M", vec![]),
@@ -431,7 +432,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_sequences_are_skipped_and_the_next_key_counts() {
+    fn unknown_sequences_are_skipped_and_the_next_key_is_decoded() {
         for noise in [
             &b"\x1b[I"[..],
             b"\x1b[O",
@@ -464,20 +465,20 @@ mod tests {
     }
 
     #[test]
-    fn a_paste_is_one_text_with_what_looks_like_keys_in_it() {
+    fn a_paste_is_one_event_even_if_it_contains_key_sequences() {
         let text = "two\r\nlines \x1b[A \x1b[201 \x1b\x1b[20 ä";
         let bytes = format!("\x1b[200~{text}\x1b[201~q");
         let expected = [Event::Paste(text.into()), key(KeyCode::Char('q'))];
         assert_eq!(decoded(&[bytes.as_bytes()]), expected);
         let single: Vec<&[u8]> = bytes.as_bytes().chunks(1).collect();
         assert_eq!(decoded(&single), expected);
-        // Its end did not come.
+        // The end marker is missing.
         let open = "\x1b[200~abc".as_bytes();
         assert_eq!(decoded(&[open]), [Event::Paste("abc".into())]);
     }
 
     #[test]
-    fn a_long_paste_is_given_at_once_and_the_rest_is_dropped() {
+    fn a_long_paste_is_sent_at_once_and_the_rest_is_dropped() {
         let long = "ä".repeat(LARGEST_PASTE);
         let (mut decoder, mut events) = (Decoder::default(), VecDeque::new());
         decoder.feed(format!("\x1b[200~x{long}").as_bytes(), &mut events);
@@ -489,7 +490,7 @@ mod tests {
     }
 
     #[test]
-    fn ctrl_c_within_a_paste_counts_and_the_rest_of_it_does_not() {
+    fn ctrl_c_works_within_a_paste_and_the_rest_is_dropped() {
         let ctrl_c = pressed(KeyCode::Char('c'), KeyModifiers::CONTROL);
         let bytes = b"\x1b[200~abc\x03y\x03y\x1b[201~q";
         let expected = [ctrl_c.clone(), ctrl_c, key(KeyCode::Char('q'))];

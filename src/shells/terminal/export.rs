@@ -1,4 +1,4 @@
-//! Writing what the player exports.
+//! Writes the files that the player exports.
 
 use std::io;
 use std::path::Path;
@@ -8,16 +8,16 @@ use crate::files::UnplacedFile;
 /// How many names are tried before giving up.
 const MOST: u32 = 1000;
 
-/// Writes a text to a file of this name in the current folder, or, where there is one
-/// already, with a number behind its name: nothing is ever overwritten. Gives the path
-/// of the file, or why there is none.
+/// Writes text to a file with this name in the current folder. If the file exists, a number is
+/// added to the name, so nothing is ever overwritten. Returns the file's path, or why it could not
+/// be written.
 pub(in crate::shells) fn write(name: &str, content: &str) -> Result<String, String> {
     write_beside(name, content)
         .map_err(|error| error.to_string())?
-        .ok_or_else(|| format!("there are {MOST} files of this name already"))
+        .ok_or_else(|| format!("there are already {MOST} files with this name"))
 }
 
-/// The same; `None` where all names that are tried are taken.
+/// Writes the file; `None` if files with all the tried names exist.
 fn write_beside(name: &str, content: &str) -> io::Result<Option<String>> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "txt"));
     let draft = UnplacedFile::write(Path::new("."), content)?;

@@ -1,5 +1,5 @@
 //! Sets up and restores the terminal: raw mode, the alternate screen, the mouse, bracketed paste
-//! and the cursor, all of them or none.
+//! and the cursor, either all or none.
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -15,11 +15,11 @@ use crossterm::terminal::{
 };
 use crossterm::{execute, queue};
 
-/// Whether the terminal is ours. There is one terminal a process, so this is the
-/// process's own; the panic hook and the watchdog reach it from outside.
+/// Whether carrom has set up the terminal. This is global because a process has one terminal, and
+/// because the panic hook and the watchdog use it.
 static HELD: AtomicBool = AtomicBool::new(false);
 
-/// Holds the terminal; restores it when dropped.
+/// Keeps the terminal set up; restores it when dropped.
 #[derive(Debug)]
 pub(super) struct Guard(());
 
@@ -30,19 +30,19 @@ impl Guard {
         Ok(guard)
     }
 
-    /// Whether the terminal is held now.
+    /// Whether the terminal is set up now.
     pub(super) fn holds(&self) -> bool {
         HELD.load(Ordering::SeqCst)
     }
 
-    /// Gives the terminal back until [`Guard::take_again`].
+    /// Restores the terminal until [`Guard::take_again`].
     #[cfg(unix)]
     pub(super) fn give_back(&self) {
         restore();
     }
 
-    /// Takes the terminal again, whatever was done to it in between: a process
-    /// stopped from outside had no chance to give it back.
+    /// Sets the terminal up again, whatever its state: a process stopped by another process could
+    /// not restore it first.
     #[cfg(unix)]
     pub(super) fn take_again(&self) -> io::Result<()> {
         restore();
@@ -68,19 +68,19 @@ impl Drop for Guard {
     }
 }
 
-/// Gives the terminal back if it is held; any thread may call this, any number of times. Failures
-/// cannot be reported, because the terminal is gone.
+/// Restores the terminal if it is set up. Any thread may call this any number of times. Errors are
+/// not reported, because they mean that the terminal is closed.
 pub(super) fn restore() {
     if !HELD.swap(false, Ordering::SeqCst) {
         return;
     }
-    // First, because it cannot block: a terminal that takes no more output would
-    // otherwise be left raw.
+    // Raw mode is left first because that cannot block. A terminal that accepts no more output
+    // would otherwise stay in raw mode.
     let _ = disable_raw_mode();
     if let Ok(mut out) = unlocked_stdout() {
         let _ = queue!(
             out,
-            // A picture may have been in progress.
+            // A frame may have been in progress.
             EndSynchronizedUpdate,
             ResetColor,
             DisableBracketedPaste,
@@ -92,8 +92,8 @@ pub(super) fn restore() {
     }
 }
 
-/// Standard output without its lock, which a thread that is stuck in writing may
-/// never let go.
+/// Standard output without its lock, because a thread that is stuck in a write never releases the
+/// lock.
 #[cfg(unix)]
 fn unlocked_stdout() -> io::Result<impl Write> {
     use std::os::fd::AsFd;

@@ -1,4 +1,4 @@
-//! The messages of other threads to the thread that draws.
+//! Messages from other threads to the drawing thread.
 
 use std::io;
 use std::sync::Arc;
@@ -7,16 +7,16 @@ use std::sync::mpsc::Sender;
 
 use crate::messages::{Input, Key};
 
-/// The most keys that may wait, more than anyone types before the next picture.
+/// The most keys that may wait. Nobody types that many between two frames.
 const MOST_WAITING: usize = 1000;
 
-/// What the keyboard and the signals send, and how much of it still waits to be taken.
+/// Sends messages from the keyboard and from signals, and counts those not yet received.
 #[derive(Debug, Clone)]
 pub(super) struct Inbox {
     sender: Sender<Message>,
-    /// Keys and the like that wait.
+    /// The number of waiting inputs from the user.
     waiting: Arc<AtomicUsize>,
-    /// Waiting messages to quit: keys typed before one are discarded.
+    /// The number of waiting messages to quit. Keys typed before such a message are discarded.
     leaving: Arc<AtomicUsize>,
 }
 
@@ -29,8 +29,8 @@ impl Inbox {
         }
     }
 
-    /// Sends a message; says whether anybody listens still. Keys that come in a flood are
-    /// dropped.
+    /// Sends a message; returns whether anybody still receives it. Keys are dropped if too many
+    /// wait.
     pub(super) fn send(&self, message: Message) -> bool {
         if message.leaves() {
             self.leaving.fetch_add(1, Ordering::SeqCst);
@@ -46,7 +46,7 @@ impl Inbox {
         self.sender.send(message).is_ok()
     }
 
-    /// Notes that a message was taken; says whether it counts.
+    /// Records that a message was received; returns whether it should be handled.
     pub(super) fn take(&self, message: &Message) -> bool {
         if message.is_typed() {
             self.waiting.fetch_sub(1, Ordering::SeqCst);
@@ -59,28 +59,28 @@ impl Inbox {
     }
 }
 
-/// One thing that happened.
+/// An event for the main loop.
 #[derive(Debug)]
 pub(super) enum Message {
-    /// Something for the app.
+    /// An input for the app.
     Input(Input),
-    /// There is news of the class that is served.
+    /// There is news from the class that this program serves.
     Hosted,
     /// The terminal can no longer be read.
     Lost(io::Error),
-    /// A signal of this number asks carrom to end.
+    /// The signal with this number requests that carrom end.
     #[cfg(unix)]
     Leave(i32),
-    /// The player wants the shell back for a while.
+    /// The player has pressed Ctrl+Z to return to the shell.
     #[cfg(unix)]
     Stop,
-    /// carrom was stopped and runs again.
+    /// carrom was stopped and is running again.
     #[cfg(unix)]
     Continue,
 }
 
 impl Message {
-    /// Whether it is an input of the user.
+    /// Whether the message is an input from the user.
     fn is_typed(&self) -> bool {
         matches!(
             self,
@@ -88,7 +88,7 @@ impl Message {
         )
     }
 
-    /// Whether it asks to leave, now.
+    /// Whether the message requires carrom to quit at once.
     fn leaves(&self) -> bool {
         match self {
             Self::Input(Input::Key(Key::Ctrl('c'))) => true,
@@ -109,7 +109,7 @@ mod tests {
         Message::Input(Input::Key(Key::Char(c)))
     }
 
-    /// What counts of these messages, sent at once.
+    /// How many of these messages are handled if all are sent at once.
     fn counted(messages: impl Iterator<Item = Message>) -> usize {
         let (sender, receiver) = mpsc::channel();
         let inbox = Inbox::new(sender);
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_flood_of_keys_no_more_counts_than_can_be_meant() {
+    fn excess_keys_in_a_burst_are_dropped() {
         assert_eq!(counted((0..5).map(|_| key('a'))), 5);
         assert_eq!(counted((0..100_000).map(|_| key('a'))), MOST_WAITING);
         let sizes = (0..5000).map(|_| Message::Input(Input::Resize(80, 24)));

@@ -1,9 +1,9 @@
 //! The app in a terminal, through crossterm.
 //!
-//! The thread that called [`run`] holds the app and draws. One reads the keyboard and the
-//! mouse (on Unix two: one reads bytes, one makes keys of them), one waits for signals, and one
-//! does what is asked of the store; each line of a class that is served or joined has one of its
-//! own. These only send messages; while nothing moves, all are blocked.
+//! The thread that called [`run`] owns the app and draws. One thread reads the keyboard and the
+//! mouse (on Unix two: one reads bytes, the other decodes them), one waits for signals, and one
+//! carries out requests to the store. Each connection of a class has its own thread. These threads
+//! only send messages; while nothing moves, all of them are blocked.
 
 mod crash;
 #[cfg(unix)]
@@ -47,13 +47,13 @@ use message::{Inbox, Message};
 use pace::Pace;
 use store_worker::StoreWorker;
 
-/// Why the terminal could not be used any longer.
+/// Why the terminal could not be used.
 #[derive(Debug, Error)]
 pub enum TerminalError {
-    /// It could not be switched to what a game needs.
-    #[error("cannot set the terminal up: {0}")]
+    /// The terminal could not be switched to raw mode or the alternate screen.
+    #[error("cannot set up the terminal: {0}")]
     SetUp(#[source] io::Error),
-    /// A picture could not be written to it.
+    /// A frame could not be written to it.
     #[error("cannot write to the terminal: {0}")]
     Write(#[source] io::Error),
     /// Nothing can be read from it any more.
@@ -64,41 +64,41 @@ pub enum TerminalError {
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
-    /// The player left.
+    /// The player has quit.
     Quit,
-    /// A signal of this number told carrom to go.
+    /// The signal with this number ended carrom.
     Signal(i32),
 }
 
-/// A picture is collected in memory and written at once.
+/// A terminal that collects each frame in memory and writes it at once.
 ///
-/// Never dropped: ratatui would show the cursor once more, which is the guard's
-/// business, and on a terminal that is gone it would print to standard error,
-/// which is gone too, and panic.
+/// The terminal is never dropped. When dropped, it would show the cursor, which the guard already
+/// does. If its window is closed, ratatui would print an error to standard error, which is closed
+/// too, and panic.
 type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
-/// The largest screen that is drawn, in columns and rows; a terminal may say anything, and
-/// memory has its limits. Of a larger one the rest stays empty.
+/// The largest screen that is drawn, in columns and rows. This limits the memory, because a
+/// terminal may report any size. The rest of a larger terminal stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
-/// How long keys may be processed without a new picture.
+/// The longest time for which keys are processed without a new frame.
 const UNSEEN: Duration = Duration::from_millis(50);
 
-/// What is drawn of a terminal of this size.
+/// The area that is drawn in a terminal of this size.
 fn drawn(columns: u16, rows: u16) -> Rect {
     Rect::new(0, 0, columns.min(LARGEST.0), rows.min(LARGEST.1))
 }
 
-/// Starts a thread of this name.
+/// Starts a thread with this name.
 fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
     thread::Builder::new().name(name.into()).spawn(work)
 }
 
-/// Runs `app` in the terminal until it is left, with what it keeps in `store`; a class is
-/// served as `host` says. The terminal is afterwards as it was before, however the run ends.
+/// Runs `app` in the terminal until the player quits. The app's data is kept in `store`, and `host`
+/// contains the options for serving a class. The terminal is restored however the run ends.
 ///
 /// # Errors
-/// If the terminal cannot be used, or no longer.
+/// If the terminal cannot be used, or can no longer be used.
 pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
     let (to_host, to_client) = (sender.clone(), sender.clone());
@@ -113,8 +113,7 @@ pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, Terminal
     let store_worker = StoreWorker::start(store, sender.clone()).map_err(TerminalError::SetUp)?;
     let guard = Guard::take().map_err(TerminalError::SetUp)?;
     reader::start(inbox.clone()).map_err(TerminalError::SetUp)?;
-    // Colours are the theme's business. Left to itself, crossterm answers NO_COLOR
-    // by wiping bold and reverse too.
+    // The theme handles NO_COLOR. By default, crossterm would remove bold and reverse too.
     crossterm::style::force_color_output(true);
     let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
     let (columns, rows) = crossterm::terminal::size().map_err(TerminalError::SetUp)?;
@@ -143,7 +142,7 @@ struct TerminalRun {
     guard: Guard,
     messages: Receiver<Message>,
     inbox: Inbox,
-    /// For the store.
+    /// The sender for the store's results.
     sender: Sender<Message>,
     store_worker: StoreWorker,
     /// Serves a class.
@@ -153,7 +152,7 @@ struct TerminalRun {
     pace: Pace,
 }
 
-/// Whether to go on.
+/// Whether to continue the run.
 type Flow = std::ops::ControlFlow<Ending>;
 
 impl TerminalRun {
@@ -171,7 +170,8 @@ impl TerminalRun {
             if let Flow::Break(ending) = self.carry_out(&effects) {
                 return Ok(ending);
             }
-            // All there is, then one picture of it; in a flood a picture now and then.
+            // Handles all waiting messages before one frame; if they keep coming, a frame is drawn
+            // now and then.
             let start = Instant::now();
             while start.elapsed() < UNSEEN
                 && let Some(message) = first.take().or_else(|| self.messages.try_recv().ok())
@@ -186,11 +186,11 @@ impl TerminalRun {
         }
     }
 
-    /// Blocks until there is something to do: a message, time to let the app live
-    /// on, or time for the next picture.
+    /// Blocks until there is something to do: a message, time to advance the app, or time for the
+    /// next frame.
     fn wait(&self) -> Result<Option<Message>, TerminalError> {
         let gone = || TerminalError::Read(io::ErrorKind::BrokenPipe.into());
-        // While the terminal is given back nobody watches, so nothing moves.
+        // While the terminal is released, nobody sees the game, so nothing moves.
         let until = (self.guard.holds())
             .then(|| self.pace.next(self.app.wake()))
             .flatten();
@@ -242,17 +242,17 @@ impl TerminalRun {
         })
     }
 
-    /// Fits the picture to the terminal as it is now.
+    /// Fits the picture to the terminal's current size.
     fn fit_again(&mut self) -> Result<Flow, TerminalError> {
         let size = self.screen.size().map_err(TerminalError::SetUp)?;
         self.fit(size.width, size.height)
     }
 
-    /// Fits the picture to a terminal of this size, to be drawn afresh.
+    /// Fits the picture to a terminal of this size and draws all of it again.
     fn fit(&mut self, columns: u16, rows: u16) -> Result<Flow, TerminalError> {
         let area = drawn(columns, rows);
-        // Not by `clear`: that asks the terminal where its cursor is, and the answer goes
-        // to the reader.
+        // `clear` cannot be used: it requests the cursor's position, and the reply goes to the
+        // reader.
         self.screen.resize(area).map_err(TerminalError::Write)?;
         let effects = self.app.update(&Input::Resize(area.width, area.height));
         Ok(self.carry_out(&effects))
@@ -273,7 +273,7 @@ impl TerminalRun {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Keep(request) => {
                     if self.store_worker.ask(request, &self.sender) {
-                        // It asks for nothing itself.
+                        // This input causes no further effects.
                         self.app.update(&Input::Saving(request.ticket));
                     }
                 }
@@ -281,7 +281,7 @@ impl TerminalRun {
                 Effect::Join(call) => self.client.call(call),
                 Effect::Export { name, content } => {
                     let exported = Input::Exported(export(name, content));
-                    // If nobody receives it, nobody waits for it either.
+                    // If nobody receives it, nobody is waiting for it.
                     let _ = self.sender.send(Message::Input(exported));
                 }
             }
@@ -295,11 +295,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_screen_without_end_is_drawn_in_part() {
+    fn only_part_of_a_huge_screen_is_drawn() {
         assert_eq!(drawn(80, 24), Rect::new(0, 0, 80, 24));
         assert_eq!(drawn(300, 100), Rect::new(0, 0, 300, 100));
         let most = drawn(u16::MAX, u16::MAX);
-        // Two pictures of it are kept.
+        // ratatui keeps two buffers of this size.
         assert!(most.area() < 1_000_000, "{most}");
     }
 }

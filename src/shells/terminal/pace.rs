@@ -6,20 +6,19 @@ use crate::app::App;
 use crate::messages::Effect;
 use crate::shells::FRAME;
 
-/// Keeps the app's time in step with the clock's, and pictures at least a
-/// [`FRAME`] apart.
+/// Advances the app's time with the clock, and leaves at least one [`FRAME`] between two frames.
 #[derive(Debug)]
 pub(super) struct Pace {
     /// The time up to which the app has advanced.
     lived: Instant,
-    /// The earliest moment for the next picture.
+    /// The earliest time for the next frame.
     earliest: Instant,
-    /// Whether the last picture no longer shows the app as it is.
+    /// Whether the app has changed since the last frame.
     outdated: bool,
 }
 
 impl Pace {
-    /// A pace that starts with a picture, at once.
+    /// Starts with a frame that is due at once.
     pub(super) fn new(now: Instant) -> Self {
         Self {
             lived: now,
@@ -28,12 +27,12 @@ impl Pace {
         }
     }
 
-    /// Notes that the app has changed.
+    /// Records that the app has changed.
     pub(super) fn outdated(&mut self) {
         self.outdated = true;
     }
 
-    /// Advances the app to `now`, if it needs time.
+    /// Advances the app to `now` if anything moves.
     pub(super) fn live(&mut self, app: &mut App, now: Instant) -> Vec<Effect> {
         let passed = now.saturating_duration_since(self.lived);
         self.lived = now;
@@ -44,19 +43,19 @@ impl Pace {
         app.advance(passed)
     }
 
-    /// Whether it is time for a picture.
+    /// Whether a frame is due.
     pub(super) fn is_due(&self, now: Instant) -> bool {
         self.outdated && self.earliest <= now
     }
 
-    /// Notes that a picture is drawn `now`.
+    /// Records that a frame is drawn `now`.
     pub(super) fn drawn(&mut self, now: Instant) {
         self.outdated = false;
         self.earliest = now + FRAME;
     }
 
-    /// When to look again, if nothing happens before; `wake` is what the app asks
-    /// for.
+    /// When to check again if nothing happens before then; `wake` is the time that the app
+    /// requested.
     pub(super) fn next(&self, wake: Option<Duration>) -> Option<Instant> {
         if self.outdated {
             return Some(self.earliest);
@@ -71,7 +70,7 @@ mod tests {
     use crate::screens::{Route, Settings};
 
     #[test]
-    fn the_first_picture_is_drawn_at_once_and_the_next_a_frame_later() {
+    fn the_first_frame_is_drawn_at_once_and_the_next_one_later() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         assert!(pace.is_due(start));
@@ -83,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn an_app_at_rest_is_waited_for_without_end() {
+    fn an_app_at_rest_needs_no_timer() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start);
@@ -94,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn an_app_in_a_hurry_gets_sixty_pictures_a_second_and_a_slow_one_what_it_asks() {
+    fn a_fast_app_gets_sixty_frames_per_second_and_a_slow_one_as_many_as_it_requests() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start);

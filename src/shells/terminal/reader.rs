@@ -12,7 +12,7 @@ use super::spawn;
 use super::tty::EventSource;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 
-/// Starts the thread that reads. It ends with the process, or with the terminal.
+/// Starts the reading thread. It ends when the process ends or the terminal is closed.
 pub(super) fn start(inbox: Inbox) -> io::Result<()> {
     #[cfg(unix)]
     let mut source = EventSource::open()?;
@@ -27,7 +27,7 @@ pub(super) fn start(inbox: Inbox) -> io::Result<()> {
                 Err(error) => Some(Message::Lost(error)),
             };
             let is_last = matches!(message, Some(Message::Lost(_)));
-            // Nobody listens any more only when carrom is leaving anyway.
+            // There is no receiver only when carrom is quitting anyway.
             if message.is_some_and(|it| !inbox.send(it)) || is_last {
                 return;
             }
@@ -36,25 +36,25 @@ pub(super) fn start(inbox: Inbox) -> io::Result<()> {
     spawn("reader", read).map(drop)
 }
 
-/// What an event means, if it means anything.
+/// The message for an event; `None` if carrom ignores the event.
 fn message(event: &Event) -> Option<Message> {
     let input = match event {
         Event::Key(event) => match key(event)? {
-            // In raw mode the terminal leaves this one to us.
+            // In raw mode the terminal does not handle Ctrl+Z itself.
             #[cfg(unix)]
             Key::Ctrl('z') => return Some(Message::Stop),
             key => Input::Key(key),
         },
         Event::Mouse(event) => Input::Mouse(mouse(event)?),
         Event::Paste(text) => Input::Paste(text.clone()),
-        // Where there are signals, they tell it.
+        // On systems with signals, a signal reports the new size.
         Event::Resize(columns, rows) if cfg!(windows) => Input::Resize(*columns, *rows),
         Event::Resize(..) | Event::FocusGained | Event::FocusLost => return None,
     };
     Some(Message::Input(input))
 }
 
-/// The key of a press or a repeat.
+/// The key that was pressed or repeated.
 fn key(event: &KeyEvent) -> Option<Key> {
     let held = event.modifiers;
     // AltGr, which types characters, is reported as Control and Alt together on
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn a_release_is_no_press_but_a_repeat_is() {
+    fn a_repeated_key_is_a_press_but_a_released_key_is_not() {
         let with = |kind| {
             key(&KeyEvent::new_with_kind(
                 KeyCode::Up,
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_main_button_and_the_wheel_count() {
+    fn only_the_main_button_and_the_wheel_are_used() {
         let with = |kind| {
             mouse(&MouseEvent {
                 kind,

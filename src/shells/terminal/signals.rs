@@ -1,5 +1,5 @@
-//! Signals: those that end carrom, those that stop it and let it go on, and the one
-//! that tells of another size of the window.
+//! Signals: those that end carrom, those that stop and continue it, and the one that reports a new
+//! window size.
 
 use std::io;
 use std::process;
@@ -15,14 +15,14 @@ use super::message::{Inbox, Message};
 use super::{guard, spawn};
 use crate::messages::Input;
 
-/// How long the thread that draws may take to leave.
+/// How long the drawing thread may take to quit.
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Starts the thread that waits for signals.
 ///
-/// It is a watchdog too. The drawing thread may be stuck in writing to a blocked terminal, and the
-/// reading thread spins once its window is closed; so a process that is still running after
-/// [`PATIENCE`] is ended from this thread, with the terminal restored.
+/// This thread is also a watchdog. The drawing thread may be stuck while it writes to a blocked
+/// terminal, and the reading thread spins once its window is closed. Therefore this thread restores
+/// the terminal and ends the process if it is still running after [`PATIENCE`].
 pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let wait = move || {
@@ -37,8 +37,8 @@ pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
                 _ => Message::Leave(signal),
             };
             let leave = matches!(message, Message::Leave(_));
-            // A send fails only when the run is over: then there is nobody to stop
-            // or to wake, but the process must still end.
+            // A send fails only when the run is over. Then there is nothing to stop or to wake, but
+            // the process must still end.
             let _ = inbox.send(message);
             if leave {
                 thread::sleep(PATIENCE);
@@ -49,7 +49,7 @@ pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     spawn("signals", wait).map(drop)
 }
 
-/// Ends the process as one that a signal ended.
+/// Ends the process with the exit status of a process that was ended by a signal.
 fn end(signal: i32) -> ! {
     // Writing to a stuck terminal would hold up this thread as well.
     let (done, restored) = mpsc::channel();
@@ -61,16 +61,15 @@ fn end(signal: i32) -> ! {
     process::exit(128 + signal)
 }
 
-/// Whether there is a shell that could let a stopped carrom go on: one with job
-/// control puts every job in a process group of its own.
+/// Whether there is a shell that could continue carrom after it was stopped. A shell with job
+/// control puts every job in its own process group.
 pub(super) fn can_stop() -> bool {
     getsid(None).is_ok_and(|session| session != getpgrp())
 }
 
-/// Stops the whole job until it is continued, which arrives as
-/// [`Message::Continue`]. The whole job, because whatever started carrom, such as
-/// `cargo run`, would otherwise keep the shell waiting.
+/// Stops the whole job until it is continued, which arrives as [`Message::Continue`]. If only
+/// carrom stopped, the program that started it, such as `cargo run`, would keep the shell waiting.
 pub(super) fn stop() {
-    // Fails only if there is no such group, and it is our own.
+    // This fails only if the group does not exist, but this process belongs to the group.
     let _ = kill_current_process_group(Signal::STOP);
 }

@@ -1,5 +1,4 @@
-//! Keeps games and answers beside the app, so that the screen never waits long for the
-//! disk.
+//! Saves games and answers on a separate thread, so that the screen never waits long for the disk.
 
 use std::io::{self, Write};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
@@ -11,18 +10,18 @@ use crate::files::escape_control;
 use crate::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::store::Store;
 
-/// How long the screen waits for a stroke or the vote of a team to be saved before it shows it.
-/// Nearly all disks need a small part of this, and then none that was seen can be lost. (Votes
-/// from devices keep the screen waiting for nothing: a pupil is told of one when it is kept.)
+/// How long the screen waits for a stroke or a team's vote to be saved before it shows it. Nearly
+/// all disks are much faster, so a stroke or vote that was shown is never lost. (The screen does
+/// not wait for votes from devices; a pupil's device confirms a vote once it is saved.)
 const PATIENCE: Duration = Duration::from_millis(500);
-/// How long it waits for an answer: none is ever lost, for no explanation is drawn before
-/// that is safe, unless something is wrong with the disk or another program holds the
-/// database; then the player is told that it is being saved, and goes on.
+/// How long the screen waits for an answer to be saved before it shows the explanation, so that no
+/// answer that was explained is lost. If the disk is faulty or another program has locked the
+/// database, the screen shows that the answer is being saved, and the player can continue.
 const ANSWER_PATIENCE: Duration = Duration::from_secs(1);
 
 /// A thread that carries out requests to the store, one after the other.
 pub(super) struct StoreWorker {
-    /// Gone once nothing will be asked any more.
+    /// `None` once there will be no more requests.
     jobs: Option<Sender<Job>>,
     thread: Option<JoinHandle<()>>,
     /// Reports when an overdue save is done.
@@ -36,7 +35,7 @@ struct Job {
 }
 
 impl StoreWorker {
-    /// Starts the thread, which sends what came of each request.
+    /// Starts the thread, which sends the result of each request.
     pub(super) fn start(mut store: Store, sender: Sender<Message>) -> io::Result<Self> {
         let (jobs, asked) = mpsc::channel::<Job>();
         let keep = move || {
@@ -56,8 +55,8 @@ impl StoreWorker {
         })
     }
 
-    /// Asks for something to be done. Says `true` if that takes so long that the player
-    /// should be told; what comes of it comes as an input, in time or not.
+    /// Passes a request to the thread. Returns `true` if the request takes so long that the screen
+    /// should show this. The result always arrives as an input.
     pub(super) fn ask(&mut self, request: &StoreCall, sender: &Sender<Message>) -> bool {
         let (done, wait) = mpsc::channel();
         let job = Job {
@@ -66,7 +65,7 @@ impl StoreWorker {
         };
         let asked = self.jobs.as_ref().map(|jobs| jobs.send(job));
         if !matches!(asked, Some(Ok(()))) {
-            // A fault has ended the thread; its report is in crash.log.
+            // The thread has panicked; its report is in crash.log.
             tell(request.refused("the store has stopped"), sender);
             return false;
         }
@@ -87,7 +86,7 @@ impl StoreWorker {
     }
 }
 
-/// What was asked for last is still done before carrom is left.
+/// The last requests are completed before carrom quits.
 impl Drop for StoreWorker {
     fn drop(&mut self) {
         self.jobs = None;
@@ -101,14 +100,14 @@ impl Drop for StoreWorker {
         if !thread.is_finished() {
             say("saving the last changes ...");
         }
-        // Should it have been ended by a fault, that has been reported.
+        // If the thread has panicked, the panic has already been reported.
         let _ = thread.join();
     }
 }
 
 fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
     let shown = sender.send(Message::Input(Input::Kept(Box::new(answer))));
-    // Nobody listens any more only when carrom is leaving anyway.
+    // There is no receiver only when carrom is quitting anyway.
     if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = shown
         && let StoreReply::Saved(Err(reason)) = answer.done
     {
@@ -116,9 +115,9 @@ fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
     }
 }
 
-/// Prints a message after the screen was restored.
+/// Prints a message after the screen has been restored.
 fn say(words: &str) {
-    // Standard error may be gone with its window, and then nobody is left to tell.
+    // Standard error may have been closed with its window; then the message cannot be shown.
     let _ = writeln!(io::stderr(), "carrom: {}", escape_control(words, 400));
 }
 
@@ -131,9 +130,9 @@ mod tests {
     use crate::progress::Attempt;
     use crate::quiz::Figures;
 
-    /// A locked database delays neither the keys nor the picture for long.
+    /// A locked database delays neither the keys nor the next frame for long.
     #[test]
-    fn nobody_waits_long_for_an_answer_to_be_kept() {
+    fn a_locked_database_delays_the_screen_only_briefly() {
         let folder = env::temp_dir().join(format!("carrom-store-worker-{}", process::id()));
         let _ = fs::remove_dir_all(&folder);
         let (sender, messages) = mpsc::channel();
@@ -166,7 +165,7 @@ mod tests {
         };
         assert!(
             !store_worker.ask(&star(1), &sender),
-            "nobody waits for stars"
+            "a star does not keep the screen waiting"
         );
         messages.recv().unwrap();
         let other = rusqlite::Connection::open(folder.join("progress.db")).unwrap();
@@ -178,7 +177,10 @@ mod tests {
         assert!(store_worker.ask(&record(2), &sender), "it is being saved");
         let start = Instant::now();
         assert!(store_worker.ask(&record(3), &sender));
-        assert!(start.elapsed() < ANSWER_PATIENCE, "nobody waits twice");
+        assert!(
+            start.elapsed() < ANSWER_PATIENCE,
+            "the second save waited too"
+        );
         other.execute_batch("COMMIT").unwrap();
         for expected in [2, 3] {
             match messages.recv().unwrap() {

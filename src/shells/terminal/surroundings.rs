@@ -11,18 +11,17 @@ use crate::widgets::{Charset, Depth};
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Unusable {
     /// Standard input or output is a file, a pipe or nothing.
-    #[error("a terminal is needed, and {0} is not one")]
+    #[error("a terminal is needed, but {0} is not one")]
     NoTerminal(&'static str),
-    /// The terminal cannot place text.
-    #[error("a terminal that can place text is needed, and TERM is {0}")]
+    /// The terminal cannot position text.
+    #[error("a terminal that can position text is needed, but TERM is {0}")]
     Dumb(String),
 }
 
-/// Makes sure that there is a terminal to play in. `env` reads a variable of the
-/// environment.
+/// Checks that carrom can be played in this terminal. `env` reads an environment variable.
 ///
 /// # Errors
-/// Why not, with what to use instead.
+/// The reason why it cannot be played here.
 pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), Unusable> {
     if !io::stdin().is_terminal() {
         return Err(Unusable::NoTerminal("standard input"));
@@ -36,7 +35,7 @@ pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), Unusable> {
     }
 }
 
-/// What `TERM` says, if that rules a game out. Windows sets none and needs none.
+/// The value of `TERM` if carrom cannot be played with it. Windows neither sets nor needs `TERM`.
 fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
     match env("TERM").filter(|term| !term.is_empty()) {
         None => cfg!(unix).then(|| "not set".into()),
@@ -44,12 +43,12 @@ fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
     }
 }
 
-/// The richest glyphs to be trusted: Unicode where the locale is UTF-8. Windows has no
-/// such locale; there its newer terminal, which says so by `WT_SESSION`, and editors that
-/// name themselves find a font for every glyph, but its old console has no braille. `env`
-/// reads a variable of the environment.
+/// The richest charset that will display correctly: Unicode if the locale is UTF-8. Windows has no
+/// such locale. There the newer terminal, which sets `WT_SESSION`, and editors that set
+/// `TERM_PROGRAM` find a font for every glyph, but the old console has no braille. `env` reads an
+/// environment variable.
 pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
-    // The first that is set decides, as POSIX has it.
+    // POSIX: the first of these variables that is set decides.
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| env(name).filter(|value| !value.is_empty()));
@@ -72,13 +71,12 @@ pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
     }
 }
 
-/// How many colours standard output shows; none if the player wants none: if `NO_COLOR`
-/// is set to anything at all, as no-color.org has it. `env` reads a variable of the
-/// environment.
+/// How many colours standard output shows; none if `NO_COLOR` is set and not empty (see
+/// no-color.org). `env` reads an environment variable.
 pub fn depth(env: impl Fn(&str) -> Option<String>) -> Depth {
     match env("NO_COLOR") {
         Some(set) if !set.is_empty() => return Depth::None,
-        // What detects colours would take it for a wish.
+        // The library that detects colours would take an empty value as a request for colours.
         Some(_) => return depth_by_name(env),
         None => {}
     }
@@ -90,7 +88,7 @@ pub fn depth(env: impl Fn(&str) -> Option<String>) -> Depth {
     }
 }
 
-/// How many colours a terminal shows that is named as this one is.
+/// How many colours this terminal shows, judged by its name.
 fn depth_by_name(env: impl Fn(&str) -> Option<String>) -> Depth {
     let named = |name| env(name).unwrap_or_default();
     if matches!(named("COLORTERM").as_str(), "truecolor" | "24bit") {
@@ -114,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn only_an_empty_no_color_is_none() {
+    fn only_an_empty_no_color_is_ignored() {
         for set in ["1", "0", "no"] {
             let with = |name: &str| (name == "NO_COLOR").then(|| set.to_owned());
             assert_eq!(depth(with), Depth::None);
@@ -126,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_locale_that_is_set_decides() {
+    fn the_first_locale_variable_that_is_set_decides() {
         assert_eq!(charset(from(&[("LANG", "de_DE.UTF-8")])), Charset::Unicode);
         assert_eq!(charset(from(&[("LC_CTYPE", "C.utf8")])), Charset::Unicode);
         let overruled = from(&[("LANG", "de_DE.UTF-8"), ("LC_ALL", "C")]);
@@ -137,7 +135,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn a_terminal_must_be_able_to_place_text() {
+    fn a_terminal_must_be_able_to_position_text() {
         assert_eq!(dumb(from(&[("TERM", "xterm-256color")])), None);
         assert_eq!(dumb(from(&[("TERM", "dumb")])).as_deref(), Some("dumb"));
         assert_eq!(dumb(from(&[])).as_deref(), Some("not set"));

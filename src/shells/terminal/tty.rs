@@ -13,10 +13,10 @@ use crossterm::event::Event;
 use super::decoder::Decoder;
 use super::spawn;
 
-/// Most pieces of input that are read ahead of what is decoded.
+/// The most blocks of input that are read ahead of the decoder.
 const READ_AHEAD: usize = 16;
 
-/// What the terminal sends, as events.
+/// The terminal's input as events.
 pub(super) struct EventSource {
     bytes: Receiver<io::Result<Vec<u8>>>,
     decoder: Decoder,
@@ -24,10 +24,10 @@ pub(super) struct EventSource {
 }
 
 impl EventSource {
-    /// Starts to read from standard input, which is a terminal.
+    /// Starts reading from standard input, which is a terminal.
     ///
-    /// A thread does nothing but read: not every system can wait for a terminal for a limited
-    /// time only, as the decoder has to.
+    /// A separate thread reads, because the decoder needs a time limit and not every system can
+    /// wait for a terminal with a time limit.
     pub(super) fn open() -> io::Result<Self> {
         let terminal = File::from(io::stdin().as_fd().try_clone_to_owned()?);
         let (sender, bytes) = mpsc::sync_channel(READ_AHEAD);
@@ -39,7 +39,7 @@ impl EventSource {
         })
     }
 
-    /// The next event, once there is one.
+    /// Waits for the next event.
     pub(super) fn next(&mut self) -> io::Result<Event> {
         let gone = || io::Error::from(ErrorKind::BrokenPipe);
         loop {
@@ -62,7 +62,7 @@ impl EventSource {
     }
 }
 
-/// Reads until the terminal is gone or nobody listens any more.
+/// Reads until the terminal is closed or the receiver is dropped.
 fn read(mut terminal: File, sender: &SyncSender<io::Result<Vec<u8>>>) {
     let mut buffer = [0; 1 << 12];
     loop {
@@ -70,7 +70,7 @@ fn read(mut terminal: File, sender: &SyncSender<io::Result<Vec<u8>>>) {
             Ok(0) => Err(ErrorKind::UnexpectedEof.into()),
             Ok(count) => Ok(buffer.get(..count).unwrap_or_default().to_vec()),
             Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-            // Another program may have set the terminal so that reading does not wait.
+            // Another program may have set the terminal to non-blocking mode.
             Err(error) if error.kind() == ErrorKind::WouldBlock => {
                 thread::sleep(Duration::from_millis(10));
                 continue;

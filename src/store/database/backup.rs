@@ -14,13 +14,13 @@ use super::{schema, unchanged};
 use crate::files::fsync_dir;
 
 const KEPT: usize = 3;
-/// A copy, until it is whole.
+/// The temporary name of an unfinished copy.
 const DRAFT: &str = ".progress-backup.db";
-/// How their names begin; then comes the day.
+/// The start of the copies' names; the day follows.
 const START: &str = "progress-backup-";
 
-/// Keeps a copy of a sound database as that of this day, unless there is one. Nobody else
-/// may do so meanwhile.
+/// Makes today's copy of an undamaged database, unless the copy already exists. The caller must
+/// hold the lock.
 pub(super) fn keep(
     connection: &Connection,
     folder: &Path,
@@ -33,7 +33,7 @@ pub(super) fn keep(
     let draft = Draft::beside(&path, DRAFT)?;
     let mut copy = Connection::open(draft.path())?;
     Backup::new(connection, &mut copy)?.step(-1)?;
-    // One file, that can be looked at without another beside it.
+    // A single file that can be opened without a log.
     copy.pragma_update(None, "journal_mode", "DELETE")?;
     drop(copy);
     fs::rename(draft.path(), &path)?;

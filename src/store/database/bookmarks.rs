@@ -1,7 +1,7 @@
 //! The tables of bookmarks.
 //!
-//! Only what was done is written, row by row: of several carroms at once each keeps what was seen
-//! and answered there, and the last one to turn a page decides where the chapter opens.
+//! Only changes are written, row by row. So if several copies of carrom run at once, all pages seen
+//! and all answers are kept, and the last copy to turn a page decides where the chapter opens.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ const PAGES: &str = "SELECT chapter, page, asked, answer, is_right FROM page_see
     WHERE player = ?1";
 
 impl Database {
-    /// Adds what a player has done in a chapter to its bookmark.
+    /// Adds a player's latest actions in a chapter to the bookmark.
     pub(in crate::store) fn mark(
         &mut self,
         player: &str,
@@ -51,7 +51,7 @@ impl Database {
         })
     }
 
-    /// Forgets what is to be forgotten of a player's bookmarks.
+    /// Deletes the given part of a player's bookmarks.
     pub(in crate::store) fn forget(&mut self, player: &str, what: &Forget) -> Result<(), String> {
         if self.is_nowhere() {
             return Ok(());
@@ -67,7 +67,7 @@ impl Database {
         })
     }
 
-    /// All bookmarks of a player, by the ids of the chapters.
+    /// All bookmarks of a player, by chapter id.
     pub(in crate::store) fn marks(
         &mut self,
         player: &str,
@@ -92,7 +92,7 @@ impl Database {
     }
 }
 
-/// Forgets all of a chapter, or of all of them.
+/// Deletes everything about one chapter, or about all of them.
 fn forget_all(
     transaction: &Transaction,
     player: &str,
@@ -106,7 +106,7 @@ fn forget_all(
     Ok(forget("bookmark")? + forget("page_seen")?)
 }
 
-/// The answer in a row; none if it cannot be read.
+/// The answer in a row; `None` if it cannot be read.
 fn given(row: &Row) -> rusqlite::Result<Option<GivenAnswer>> {
     let (asked, answer): (Option<String>, Option<String>) = (row.get("asked")?, row.get("answer")?);
     let right: Option<bool> = row.get("is_right")?;

@@ -1,5 +1,5 @@
-//! A database as bytes, because in a browser there is no file to open. The bytes are those of a
-//! `progress.db` file.
+//! A database as bytes, because a browser has no files. The bytes are those of a `progress.db`
+//! file.
 
 use rusqlite::Connection;
 
@@ -7,11 +7,11 @@ use super::error::DatabaseError;
 use super::{Database, Location, limits, mend, schema, tables};
 use crate::progress::Attempt;
 
-/// Where the header of a file says how it is written: through a log beside it (2), which bytes
-/// alone do not have, or not (1).
+/// The position of the write and read versions in the file's header: 2 means a write-ahead log,
+/// which is a separate file and does not exist here; 1 means no such log.
 const WAYS_OF_WRITING: std::ops::Range<usize> = 18..20;
 
-/// Adds what one database has beside its answers to another.
+/// Adds everything except the answers from one database to another.
 const TAKE_IN: &str = "
     INSERT INTO star (player, pack, level, stars)
         SELECT player, pack, level, stars FROM opened.star WHERE true
@@ -26,13 +26,13 @@ const TAKE_IN: &str = "
         WHERE page_seen.answer IS NULL AND excluded.answer IS NOT NULL;";
 
 impl Database {
-    /// A database in memory that begins as these bytes. One that a newer carrom has written
-    /// stays as it is, and refuses everything. Of a damaged one all that can be read is taken,
-    /// and a notice says so; whether it was one is said too, for it is the caller's to keep it
-    /// under this name.
+    /// A database in memory with the contents of these bytes. A database that a newer version of
+    /// carrom has written stays unchanged, and refuses every request. If the bytes are damaged, all
+    /// readable rows are copied and a notice reports it. Also returns whether they were damaged,
+    /// because the caller has to keep them under the name `kept`.
     ///
     /// # Errors
-    /// If the bytes are not carrom's, or too damaged, in words.
+    /// The reason why the bytes cannot be used: they are not carrom's, or too damaged.
     pub(in crate::store) fn of_bytes(bytes: &[u8], kept: &str) -> Result<(Self, bool), String> {
         let sound = |location| Ok((Self::at(location), false));
         match open(bytes) {
@@ -52,7 +52,7 @@ impl Database {
     /// The bytes; `None` while nothing has been stored.
     ///
     /// # Errors
-    /// If they cannot be read, the reason in words.
+    /// The reason why they cannot be read.
     pub(in crate::store) fn bytes(&mut self) -> Result<Option<Vec<u8>>, String> {
         Ok(match &mut self.location {
             Location::Memory(Some(connection)) => Some(
@@ -66,16 +66,16 @@ impl Database {
         })
     }
 
-    /// Adds what is in the bytes of another database and not in this one.
+    /// Adds everything that this database does not have from another database, given as bytes.
     ///
     /// # Errors
-    /// If they are damaged, not carrom's, or of a newer one; then nothing is added.
+    /// If the bytes are damaged, not carrom's, or from a newer version; then nothing is added.
     pub(in crate::store) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
         let reported = |trouble: DatabaseError| trouble.to_string();
         let mut other = open(bytes).map_err(reported)?;
         let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;
         let own = self.attempts(None)?;
-        // The tables are there from here on.
+        // This ensures that the tables exist.
         self.change(|transaction| {
             let fresh = theirs.iter().filter(|attempt| !own.contains(attempt));
             fresh
@@ -89,7 +89,7 @@ impl Database {
     }
 }
 
-/// A database in memory that begins as these bytes, of the present version.
+/// A database in memory with the contents of these bytes, upgraded to the current version.
 fn open(bytes: &[u8]) -> Result<Connection, DatabaseError> {
     let mut bytes = bytes.to_vec();
     if let Some(ways) = bytes.get_mut(WAYS_OF_WRITING) {
@@ -100,7 +100,7 @@ fn open(bytes: &[u8]) -> Result<Connection, DatabaseError> {
     connection.deserialize_read_exact("main", &*bytes, bytes.len(), false)?;
     schema::prepare(&mut connection)?;
     schema::check(&connection)?;
-    // It lives for as long as the page.
+    // This connection stays open for as long as the page is open.
     limits::unlimit_work(&mut connection)?;
     Ok(connection)
 }
@@ -155,10 +155,10 @@ mod tests {
     }
 
     #[test]
-    fn bytes_are_a_database_again_and_those_of_a_file_too() {
+    fn a_database_opens_from_its_bytes_and_from_those_of_a_file() {
         assert_eq!(Database::in_memory().bytes(), Ok(None));
         let mut bytes = with(&[1, 2], 3).bytes().unwrap().unwrap();
-        // As a file on a disk has it.
+        // A file on a disk has these values.
         bytes[WAYS_OF_WRITING].fill(2);
         let (mut again, was_damaged) = Database::of_bytes(&bytes, "aside").unwrap();
         assert!(!was_damaged);
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn what_another_has_is_added_once() {
+    fn the_contents_of_another_database_are_added_once() {
         let mut own = with(&[1, 2], 1);
         let other = with(&[2, 3], 3).bytes().unwrap().unwrap();
         for _ in 0..2 {
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_bytes_are_refused_and_newer_ones_left_alone() {
+    fn unusable_bytes_are_refused_and_those_of_a_newer_version_left_unchanged() {
         let whole = with(&[1], 1).bytes().unwrap().unwrap();
         assert!(Database::of_bytes(b"no database", "aside").is_err());
         assert!(with(&[2], 1).take_in(&whole[..whole.len() / 2]).is_err());
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_bytes_are_mended_as_a_file_is() {
+    fn damaged_bytes_are_repaired_like_a_file() {
         let numbers: Vec<_> = (1..=200).collect();
         let whole = with(&numbers, 2).bytes().unwrap().unwrap();
         let (mut same, _) = Database::of_bytes(&whole, "aside").unwrap();

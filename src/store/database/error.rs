@@ -1,4 +1,4 @@
-//! Faults of a database.
+//! The errors of a database.
 
 use std::io::{self, ErrorKind};
 
@@ -7,28 +7,28 @@ use thiserror::Error;
 
 use super::schema::VERSION;
 
-/// What is wrong.
+/// Why a request to the database failed.
 #[derive(Debug, Error)]
 pub(super) enum DatabaseError {
-    /// It is damaged, with SQLite's message.
-    #[error("it is damaged; SQLite says: {0}")]
+    /// The database is damaged; this is SQLite's message.
+    #[error("it is damaged; SQLite reports: {0}")]
     Damaged(String),
-    /// It is damaged and was not repaired, for this reason.
+    /// The database is damaged and was not repaired, for this reason.
     #[error("it is damaged and could not be repaired: {0}")]
     Unmended(Box<DatabaseError>),
-    /// It is something else.
+    /// The file is not a carrom database, for this reason.
     #[error("it is not a carrom database: {0}")]
     NotOurs(String),
-    /// Something else than a file has its name.
+    /// Something that is not a file has its name.
     #[error("{0}")]
     NoFile(String),
-    /// A newer carrom has written it.
+    /// A newer version of carrom has written it.
     #[error(
-        "it was written by a newer carrom (format {0}, and this one knows formats up to \
-         {VERSION}), so it is left as it is"
+        "a newer version of carrom wrote it (format {0}; this one knows formats up to {VERSION}), so \
+         it is left unchanged"
     )]
     Newer(i64),
-    /// A part of it is in its log, and nothing can be written.
+    /// Part of the data is in its log, and nothing can be written.
     #[error(
         "the latest data is in {0}, which cannot be read in a read-only folder; copy the folder to \
          one that can be written to"
@@ -42,24 +42,24 @@ pub(super) enum DatabaseError {
 }
 
 impl DatabaseError {
-    /// A file that does not begin as those of carrom do.
+    /// The error for a file that does not start like a carrom database.
     pub(super) fn begins_otherwise() -> Self {
         Self::NotOurs("it does not start like one".into())
     }
 
-    /// Whether a later try may succeed.
+    /// Whether a later attempt may succeed.
     pub(super) fn is_busy(&self) -> bool {
         let busy = [ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked];
         self.code().is_some_and(|code| busy.contains(&code))
     }
 
-    /// Whether something else has the name of the database.
+    /// Whether the file is not a carrom database, or not a file.
     pub(super) fn is_strange(&self) -> bool {
         matches!(self, Self::NotOurs(_) | Self::NoFile(_))
     }
 
-    /// Whether the file is no sound database of ours. One of ours never needs more work than
-    /// it is allowed.
+    /// Whether the file is damaged. An interruption means damage too, because an undamaged database
+    /// never exceeds the limit on work.
     pub(super) fn is_damage(&self) -> bool {
         let damage = [
             ErrorCode::DatabaseCorrupt,
@@ -69,20 +69,20 @@ impl DatabaseError {
         matches!(self, Self::Damaged(_)) || self.code().is_some_and(|code| damage.contains(&code))
     }
 
-    /// Whether there is no room for more.
+    /// Whether the disk is full.
     pub(super) fn is_full(&self) -> bool {
         self.code() == Some(ErrorCode::DiskFull)
             || matches!(self, Self::Folder(error) if is_full(error))
     }
 
-    /// Whether there may be no room for more: SQLite says of some of its files only that they
-    /// cannot be made, or cannot be written.
+    /// Whether the disk may be full: for some of its files SQLite reports only that they cannot be
+    /// created or written.
     pub(super) fn may_be_full(&self) -> bool {
         let unclear = [ErrorCode::SystemIoFailure, ErrorCode::CannotOpen];
         self.code().is_some_and(|code| unclear.contains(&code))
     }
 
-    /// Whether nothing may be written where it is.
+    /// Whether carrom may not write to the file or its folder.
     pub(super) fn is_forbidden(&self) -> bool {
         let forbidden = [ErrorCode::ReadOnly, ErrorCode::CannotOpen];
         match self {
@@ -102,22 +102,24 @@ impl DatabaseError {
     }
 }
 
-/// Whether something could not be written because there is no room for it.
+/// Whether something could not be written because the disk is full.
 pub(super) fn is_full(error: &io::Error) -> bool {
     let full = [ErrorKind::StorageFull, ErrorKind::QuotaExceeded];
     full.contains(&error.kind())
 }
 
-/// The same in words, for whatever reason that is known.
+/// The message for a full disk, with the reported reason.
 pub(super) fn no_room(why: &dyn std::error::Error) -> String {
     format!("there is no room on the disk ({why})")
 }
 
-/// What SQLite failed at, before its own words.
+/// An explanation of SQLite's error, followed by its message.
 fn in_words(error: &rusqlite::Error) -> String {
     let words = match error.sqlite_error_code() {
         Some(ErrorCode::DiskFull) => return no_room(error),
-        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => "another program holds it; ",
+        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => {
+            "another program has locked it; "
+        }
         Some(
             ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase | ErrorCode::OperationInterrupted,
         ) => "it is damaged; ",
@@ -127,5 +129,5 @@ fn in_words(error: &rusqlite::Error) -> String {
         Some(ErrorCode::SystemIoFailure) => "the disk does not work properly; ",
         _ => "",
     };
-    format!("{words}SQLite says: {error}")
+    format!("{words}SQLite reports: {error}")
 }

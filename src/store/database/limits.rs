@@ -4,12 +4,12 @@
 use rusqlite::Connection;
 use rusqlite::config::DbConfig;
 
-/// How many instructions SQLite runs between two looks at the budget.
+/// How many instructions SQLite runs between two checks of the budget.
 const STEP: u32 = 1000;
-/// Steps that any database may take.
+/// The number of steps that any database may use.
 const STEPS: u64 = 10_000;
-/// Further steps for each kibibyte of its file. Upgrading, checking and reading everything
-/// takes about 10.
+/// The number of further steps for each kibibyte of the file. Upgrading, checking and reading
+/// everything requires about 10.
 const STEPS_PER_KIB: u64 = 64;
 
 /// Restricts a connection to the tables and indexes of a schema.
@@ -25,8 +25,8 @@ pub(super) fn distrust(connection: &Connection) -> rusqlite::Result<()> {
     Ok(())
 }
 
-/// Interrupts a connection once it has worked for longer than any database of this many
-/// bytes needs.
+/// Interrupts a connection once it has done more work than any database of this many bytes
+/// requires.
 pub(super) fn limit_work(connection: &mut Connection, bytes: u64) -> rusqlite::Result<()> {
     let mut left = STEPS + bytes / 1024 * STEPS_PER_KIB;
     let is_spent = move || {
@@ -36,7 +36,7 @@ pub(super) fn limit_work(connection: &mut Connection, bytes: u64) -> rusqlite::R
     connection.progress_handler(STEP.cast_signed(), Some(is_spent))
 }
 
-/// Lets a connection work for as long as it likes: what it holds is known.
+/// Removes the limit on work, once the database has been checked.
 pub(super) fn unlimit_work(connection: &mut Connection) -> rusqlite::Result<()> {
     connection.progress_handler(0, None::<fn() -> bool>)
 }
@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_query_without_end_is_interrupted() {
+    fn an_endless_query_is_interrupted() {
         let mut connection = Connection::open_in_memory().unwrap();
         limit_work(&mut connection, 0).unwrap();
         let endless = "WITH RECURSIVE number (n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM number) \

@@ -1,4 +1,4 @@
-//! Repairs a damaged database: copies all readable rows into a new file. The damaged one is kept
+//! Repairs a damaged database: copies all readable rows into a new file. The damaged file is kept
 //! unchanged under another name.
 
 use std::fs::{self, File};
@@ -14,23 +14,23 @@ use super::salvage::{Saved, salvage};
 use super::{backup, limits, path, schema, size};
 use crate::files::fsync_dir;
 
-/// The new file, until it is whole.
+/// The temporary name of the unfinished new file.
 const DRAFT: &str = ".progress-mended.db";
-/// A copy of the damaged one that may be worked on.
+/// A copy of the damaged file that can be changed.
 const COPY: &str = ".progress-copy.db";
-/// The first bytes of every database of carrom's: the name of the format, pages of 4,096
-/// bytes, a log, nothing reserved, and three fixed numbers. (Database File Format, section
+/// The first bytes of every carrom database: the name of the format, pages of 4,096 bytes, a
+/// write-ahead log, no reserved space, and three fixed numbers. (Database File Format, section
 /// 1.3.)
 const HEADER: [u8; 24] = *b"SQLite format 3\0\x10\0\x02\x02\0\x40\x20\x20";
-/// How the names of the files end that belong to a database, those beside it first.
+/// The suffixes of the files that belong to a database; the database itself is last.
 pub(super) const ENDINGS: [&str; 4] = ["-journal", "-wal", "-shm", ""];
 
-/// A database that is not finished; removed, with all that belongs to it, unless it is put in
-/// its place.
+/// An unfinished database. When dropped, it is removed with its other files, unless it has been
+/// renamed.
 pub(super) struct Draft(PathBuf);
 
 impl Draft {
-    /// A draft of this name beside a file. What a killed carrom left there is removed.
+    /// A draft with this name beside a file. Any draft that a killed process left there is removed.
     pub(super) fn beside(path: &Path, name: &str) -> io::Result<Self> {
         let draft = Self(path.with_file_name(name));
         remove(&draft.0)?;
@@ -44,13 +44,13 @@ impl Draft {
 
 impl Drop for Draft {
     fn drop(&mut self) {
-        // What cannot be removed takes some room, no more.
+        // A file that cannot be removed only takes up space.
         let _ = remove(&self.0);
     }
 }
 
-/// Puts a mended database in the place of a damaged one, for that `trouble`; says what was
-/// saved. Nobody else may use it meanwhile.
+/// Replaces a damaged database with a repaired one; `trouble` is the damage that was found. Returns
+/// a notice of what was saved. The caller must hold the lock.
 pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, DatabaseError> {
     let damaged = path(folder);
     if !schema::is_ours(&damaged) {
@@ -64,16 +64,16 @@ pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, Dat
 /// The notice about a repaired database.
 fn notice(saved: &str, kept: &str, trouble: &DatabaseError) -> String {
     format!(
-        "The file of your answers was damaged and is repaired. {saved} The damaged file is kept \
-         as {kept} ({trouble})."
+        "The file with your answers was damaged and has been repaired. {saved} The damaged file \
+         is kept as {kept} ({trouble})."
     )
 }
 
-/// Reports what was saved, and where the damaged one is kept.
+/// Repairs the database; returns what was saved, and where the damaged file is kept.
 fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseError> {
     let draft = Draft::beside(damaged, DRAFT)?;
     copy_damaged(damaged, draft.path())?;
-    // The answers themselves are whole if all that was damaged is an index.
+    // If only an index is damaged, the answers themselves are not.
     let saved = match reindexed(draft.path()) {
         Ok(()) => "Everything in it could be saved.".into(),
         Err(error) if error.is_full() => return Err(error),
@@ -88,7 +88,7 @@ fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseEr
     Ok((saved, kept))
 }
 
-/// Copies a damaged database, with what its first bytes should be.
+/// Copies a damaged database, and corrects its first bytes.
 fn copy_damaged(from: &Path, to: &Path) -> io::Result<()> {
     for ending in ["", "-wal"] {
         match fs::copy(with_ending(from, ending), with_ending(to, ending)) {
@@ -99,7 +99,7 @@ fn copy_damaged(from: &Path, to: &Path) -> io::Result<()> {
     File::options().write(true).open(to)?.write_all(&HEADER)
 }
 
-/// Makes new indexes; fails unless the database is sound then.
+/// Rebuilds the indexes; fails if the database is still damaged afterwards.
 fn reindexed(draft: &Path) -> Result<(), DatabaseError> {
     let mut connection = Connection::open(draft)?;
     limits::limit_work(&mut connection, size(draft))?;
@@ -111,10 +111,10 @@ fn reindexed(draft: &Path) -> Result<(), DatabaseError> {
     finish(&connection)
 }
 
-/// Makes the draft a new database with every row of the damaged one that can be read, and with
-/// those of the latest copy where some could not be.
+/// Fills the draft with all readable rows of the damaged database, and adds missing rows from the
+/// latest copy.
 fn salvaged(folder: &Path, damaged: &Path, draft: &Path) -> Result<Saved, DatabaseError> {
-    // The last connection that closes moves what is in the log into the pages.
+    // Closing the last connection moves the contents of the log into the database.
     let version = version_of_damaged(&Connection::open(damaged)?)?;
     let mut new = Connection::open(draft)?;
     let mut saved = refilled(&mut new, version, File::open(damaged)?)?;
@@ -127,8 +127,8 @@ fn salvaged(folder: &Path, damaged: &Path, draft: &Path) -> Result<Saved, Databa
     Ok(saved)
 }
 
-/// A database in memory with every row of a damaged one that can be read, and what the player
-/// is to know of it: that was damaged for this `trouble`, and is kept under this name.
+/// A database in memory with all readable rows of a damaged one, and a notice for the player. The
+/// notice gives the reason (`trouble`) and the name under which the damaged database is kept.
 pub(super) fn mended_bytes(
     damaged: &[u8],
     kept: &str,
@@ -147,8 +147,8 @@ pub(super) fn mended_bytes(
     Ok((new, notice(&saved.reported(), kept, trouble)))
 }
 
-/// Makes an empty database one of this version, with every row that can be read of a damaged
-/// one.
+/// Creates the tables of this version in an empty database, and copies all readable rows of a
+/// damaged one.
 fn refilled(
     new: &mut Connection,
     version: i64,
@@ -161,10 +161,10 @@ fn refilled(
     Ok(saved)
 }
 
-/// Which version a damaged database has, or may have.
+/// The version of a damaged database, or its likeliest version.
 fn version_of_damaged(old: &Connection) -> Result<i64, DatabaseError> {
     limits::distrust(old)?;
-    // Else SQLite reads nothing of a file that has been cut off.
+    // Without these settings SQLite does not read a truncated file.
     old.set_db_config(DbConfig::SQLITE_DBCONFIG_DEFENSIVE, false)?;
     old.pragma_update(None, "writable_schema", true)?;
     Ok(
@@ -178,24 +178,24 @@ fn version_of_damaged(old: &Connection) -> Result<i64, DatabaseError> {
     )
 }
 
-/// Brings a draft to the disk as one file.
+/// Writes a draft to the disk as one file.
 fn finish(connection: &Connection) -> Result<(), DatabaseError> {
     connection.pragma_update(None, "journal_mode", "DELETE")?;
     Ok(())
 }
 
-/// Keeps the damaged database under another name, and puts the draft in its place; says where
-/// the damaged one is.
+/// Renames the damaged database, and gives its name to the draft; returns the damaged one's new
+/// path.
 fn put_in_place(damaged: &Path, draft: &Path) -> io::Result<PathBuf> {
     let kept = free_place(damaged);
     let folder = damaged.parent().unwrap_or(Path::new("."));
-    // There is a database at any moment: the damaged one has two names until the new one
-    // takes its place.
+    // There is always a database under this name: the damaged one has two names until it is
+    // replaced.
     if fs::hard_link(damaged, &kept).is_err() {
         fs::copy(damaged, &kept).inspect_err(|_| drop(fs::remove_file(&kept)))?;
     }
     fsync_dir(folder)?;
-    // What belongs to it goes first: the new database must not find it.
+    // The log and similar files are renamed first, because the new database must not find them.
     for ending in ENDINGS.iter().filter(|ending| !ending.is_empty()) {
         match fs::rename(with_ending(damaged, ending), with_ending(&kept, ending)) {
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
@@ -207,14 +207,14 @@ fn put_in_place(damaged: &Path, draft: &Path) -> io::Result<PathBuf> {
     Ok(kept)
 }
 
-/// A place beside it for a damaged database where nothing is yet.
+/// An unused path beside a damaged database, for keeping it.
 fn free_place(damaged: &Path) -> PathBuf {
     let place = |number: u32| damaged.with_file_name(format!("progress-damaged-{number}.db"));
     let is_free = |place: &PathBuf| !matches!(fs::exists(place), Ok(true));
     (1..).map(place).find(is_free).unwrap_or_else(|| place(0))
 }
 
-/// Removes a database and all that belongs to it, if it is there.
+/// Removes a database and its other files, if they exist.
 pub(super) fn remove(path: &Path) -> io::Result<()> {
     for ending in ENDINGS {
         match fs::remove_file(with_ending(path, ending)) {

@@ -1,20 +1,20 @@
-//! Every answer, every level won and every bookmark, in an SQLite database.
+//! Stores every answer, every level won and every bookmark in an SQLite database.
 //!
-//! Several carroms may use it at once, any of them may be killed at any moment, and
-//! the file may be damaged or of another version. So:
+//! Several copies of carrom may use the database at once, any of them may be killed at any moment,
+//! and the file may be damaged or of another version. So:
 //!
-//! - it is opened for one thing at a time, which is one transaction, and that has come
-//!   to the disk when it is done (write-ahead log, `synchronous = FULL`);
-//! - if it is busy, carrom waits and tries again;
-//! - it is looked through once a day and whenever carrom starts, and of a sound one a copy
-//!   is kept; a damaged one is mended: what can be read of it goes into a new file, and
-//!   the damaged one is kept under another name;
-//! - one that a newer carrom has written is refused, and not a byte of it is changed; so
-//!   is whatever is no database of carrom's;
-//! - one that cannot be changed, such as a copy on a disk for reading, can be looked up,
-//!   and who only looks up changes none.
+//! - each request is one transaction, which is on the disk when the request is done (write-ahead
+//!   log, `synchronous = FULL`);
+//! - if the database is busy, carrom waits and tries again;
+//! - it is checked once a day and whenever carrom starts. An undamaged database is copied; a
+//!   damaged one is repaired: its readable rows go into a new file, and the damaged file is
+//!   kept under another name;
+//! - a database that a newer version of carrom has written, or a file that is not a carrom
+//!   database, is refused and not changed at all;
+//! - a read-only database, such as a copy on a read-only disk, can be read, and reading
+//!   changes nothing.
 //!
-//! It is not touched before it is first needed: carrom starts no slower for it.
+//! The database is opened only when it is first needed, so that carrom starts quickly.
 
 mod backup;
 mod bookmarks;
@@ -40,47 +40,48 @@ use super::folder_lock::FolderLock;
 use crate::files::{UnplacedFile, not_a_file};
 use error::DatabaseError;
 
-/// How long SQLite waits by itself for others.
+/// How long SQLite itself waits for other connections.
 const WAIT: Duration = Duration::from_secs(2);
-/// For how long what is busy is tried again.
+/// How long carrom retries while the database is busy.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// The same after a failure, so that a player does not wait for it at every answer.
+/// Both limits after a failure, so that the player does not have to wait so long for every answer.
 const LITTLE: Duration = Duration::from_millis(500);
-/// The lock file for using the database, or replacing it.
+/// The lock file for using or replacing the database.
 const LOCK: &str = ".progress.lock";
 
-/// Where progress is kept.
+/// The database with the players' progress.
 pub(super) struct Database {
     location: Location,
-    /// Whether nothing may be changed, not even to mend it.
+    /// Whether nothing may be changed, not even to repair the database.
     only_looks: bool,
-    /// Today, if that is known.
+    /// The current day, if it is known.
     today: Option<Date>,
-    /// Whether it was looked through by this process, and on which day.
+    /// The day on which this process last checked the database; `None` before the first check.
     checked: Option<Option<Date>>,
-    /// Whether it was busy for longer than is waited.
+    /// Whether the last request failed because the database was busy.
     was_busy: bool,
     notice: Option<String>,
-    /// Whether the player has been notified of answers that are left out.
+    /// Whether the player has been notified of invalid answers.
     reported_misfits: bool,
 }
 
 enum Location {
-    /// Gone with the process; opened when it is first needed.
+    /// In memory, and therefore lost when the process ends; opened when it is first needed.
     Memory(Option<Connection>),
     /// `progress.db` in this folder.
     Folder(PathBuf),
-    /// Bytes of this version, which is newer than this carrom knows.
+    /// The bytes of a database with this format number, which is newer than those that this version
+    /// of carrom knows.
     Newer(i64, Vec<u8>),
 }
 
 impl Database {
-    /// A database that is gone with the process.
+    /// A database in memory, which is lost when the process ends.
     pub(super) fn in_memory() -> Self {
         Self::at(Location::Memory(None))
     }
 
-    /// A database in `folder`; both are made when there is first something to keep.
+    /// A database in `folder`; both are created when something is first stored.
     pub(super) fn in_folder(folder: PathBuf) -> Self {
         Self::at(Location::Folder(folder))
     }
@@ -97,22 +98,22 @@ impl Database {
         }
     }
 
-    /// Has it looked up alone from now on: nothing there is changed.
+    /// Only reads from now on; nothing is changed.
     pub(super) fn only_look(&mut self) {
         self.only_looks = true;
     }
 
-    /// Tells which day it is.
+    /// Sets the current day.
     pub(super) fn on_day(&mut self, today: Option<Date>) {
         self.today = today;
     }
 
-    /// What the player should know of it, once.
+    /// The pending notice for the player; it is returned only once.
     pub(super) fn take_notice(&mut self) -> Option<String> {
         self.notice.take()
     }
 
-    /// Whether there is no database yet, and so nothing to be found in it.
+    /// Whether there is no database yet.
     fn is_nowhere(&self) -> bool {
         match &self.location {
             Location::Memory(connection) => connection.is_none(),
@@ -121,7 +122,7 @@ impl Database {
         }
     }
 
-    /// Looks something up; where there is no database there is nothing.
+    /// Reads something; the default if there is no database.
     fn look_up<T: Default>(
         &mut self,
         look: impl Fn(&Transaction) -> rusqlite::Result<T>,
@@ -132,7 +133,7 @@ impl Database {
         self.run(TransactionBehavior::Deferred, look)
     }
 
-    /// Changes something; the database is made if there is none.
+    /// Changes something; the database is created if there is none.
     fn change<T>(
         &mut self,
         change: impl Fn(&Transaction) -> rusqlite::Result<T>,
@@ -140,7 +141,7 @@ impl Database {
         self.run(TransactionBehavior::Immediate, change).map(drop)
     }
 
-    /// Does something as one transaction. If it fails, nothing of it is done.
+    /// Runs `act` as one transaction. If it fails, nothing is changed.
     fn run<T>(
         &mut self,
         behavior: TransactionBehavior,
@@ -188,7 +189,8 @@ impl Database {
         };
         look_at_file(&path(&folder))?;
         if self.only_looks {
-            // Nobody writes meanwhile; where that cannot be known it is looked up all the same.
+            // The lock keeps others from writing meanwhile. Without the lock, the database is read
+            // nevertheless.
             let _turn = FolderLock::alone(&folder, LOCK);
             return self.look_up_in(&folder, act);
         }
@@ -196,18 +198,19 @@ impl Database {
             self.look_after(&folder)?;
             self.checked = Some(self.today);
         }
-        // Nobody mends it meanwhile: what is done must be found again.
+        // The lock keeps others from repairing the database meanwhile, which would lose this
+        // change.
         let _turn = FolderLock::shared(&folder, LOCK)?;
         let mut connection = open(&folder, self.wait())?;
         transact(&mut connection, behavior, act)
     }
 
-    /// How long SQLite waits for others.
+    /// How long SQLite waits for other connections.
     fn wait(&self) -> Duration {
         if self.was_busy { LITTLE } else { WAIT }
     }
 
-    /// Looks a database through, mends it where it is damaged, and keeps a copy of it.
+    /// Checks a database, repairs it if it is damaged, and makes the copy of the day.
     fn look_after(&mut self, folder: &Path) -> Result<(), DatabaseError> {
         let turn = FolderLock::alone(folder, LOCK)?;
         let was_there = fs::exists(path(folder))?;
@@ -226,14 +229,13 @@ impl Database {
             && was_there
             && turn.is_certain()
         {
-            // A full disk must not keep anybody from looking at what is there; what is
-            // written next tells of it.
+            // A full disk must not prevent reading; the next write will report it.
             let _ = backup::keep(&connection, folder, today);
         }
         Ok(())
     }
 
-    /// Looks something up where nothing can be written, for that `trouble`.
+    /// Reads something if nothing can be written because of this `trouble`.
     fn look_only<T>(
         &mut self,
         look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
@@ -245,7 +247,7 @@ impl Database {
         }
     }
 
-    /// Looks something up and changes nothing.
+    /// Reads something without changing anything.
     fn look_up_in<T>(
         &mut self,
         folder: &Path,
@@ -281,8 +283,8 @@ impl Database {
     }
 }
 
-/// Whether what was first asked `since` then is not past this patience. The clock is not
-/// looked at before it is needed: in a browser there is none.
+/// Whether less time than `patience` has passed `since` the first call. The clock is read only
+/// here, because a browser has none.
 fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience
 }
@@ -291,16 +293,16 @@ fn is_look_up(behavior: TransactionBehavior) -> bool {
     matches!(behavior, TransactionBehavior::Deferred)
 }
 
-/// Fails unless what is there, if anything is, can be a database that this carrom knows. It
-/// is looked at as any file is: SQLite would wait at a pipe, and put files of its own beside
-/// what is none of ours.
+/// Fails if the path has something that cannot be a database for this version of carrom. It is read
+/// as an ordinary file, because SQLite would wait for a pipe, and create files beside foreign
+/// files.
 fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
     match fs::metadata(path) {
         Ok(about) if !about.is_file() => {
             Err(DatabaseError::NoFile(not_a_file(path).without_file()))
         }
         Ok(about) if about.len() > 0 => match schema::version_in_header(path) {
-            // With the tables of this version it is the number that is damaged.
+            // If the tables are those of a known version, the format number is damaged.
             Some(found)
                 if is_newer(&found)
                     && !unchanged::examine(path).is_err_and(|trouble| trouble.is_damage()) =>
@@ -318,11 +320,11 @@ fn is_newer(version: &i64) -> bool {
     *version > schema::VERSION
 }
 
-/// The name of the database.
+/// The file name of the database.
 const NAME: &str = "progress.db";
 
-/// Where the database of a folder is: what belongs to it is beside the file, which a link may
-/// lead to.
+/// The path of the database in a folder. Links are resolved, because SQLite's other files are
+/// beside the target.
 fn path(folder: &Path) -> PathBuf {
     let path = folder.join(NAME);
     match fs::canonicalize(&path) {
@@ -331,20 +333,20 @@ fn path(folder: &Path) -> PathBuf {
     }
 }
 
-/// The bytes of a database and its log.
+/// The size of a database and its log, in bytes.
 fn size(path: &Path) -> u64 {
     let files = ["", "-wal"].map(|ending| fs::metadata(mend::with_ending(path, ending)));
     files.into_iter().flatten().map(|about| about.len()).sum()
 }
 
-/// Whether a folder has room for what SQLite keeps beside a database.
+/// Whether a folder has room for the files that SQLite creates beside a database.
 fn has_room(folder: &Path) -> bool {
-    // Its index of the log alone takes 32 KiB.
+    // The index of the log alone takes up 32 KiB.
     let tried = UnplacedFile::write(folder, &" ".repeat(1 << 16));
     !tried.is_err_and(|error| error::is_full(&error))
 }
 
-/// Opens the database and brings it to the present version.
+/// Opens the database and upgrades it to the current version.
 fn open(folder: &Path, wait: Duration) -> Result<Connection, DatabaseError> {
     let path = path(folder);
     let mut connection = Connection::open(&path)?;

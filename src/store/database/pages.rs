@@ -1,4 +1,4 @@
-//! The pages of a database file, read one by one, skipping damaged ones.
+//! Reads the pages of a database file one by one, and skips damaged ones.
 //!
 //! SQLite ends a scan at the first unreadable page, and later rows can only be found by their keys.
 //! Walking the tree finds every page without keys. The numbers are those of the Database File
@@ -10,22 +10,22 @@ use std::ops::RangeInclusive;
 
 use rusqlite::types::ValueRef;
 
-/// Bytes of a page: carrom makes no others.
+/// The size of a page in bytes; carrom's databases have no other size.
 const PAGE: usize = 4096;
-/// Bytes before the first page's own header.
+/// The size of the file's header, which precedes the header of the first page.
 const FILE_HEADER: usize = 100;
-/// Where the file's header gives the first page of the list of unused ones.
+/// Where the file's header gives the number of the first page in the list of unused pages.
 const UNUSED: usize = 32;
-/// How many times its size may be read of a file, so that cells that overlap and chains that
-/// meet do not multiply the work. A sound file is read twice.
+/// The most bytes that are read, as a multiple of the file's size, so that overlapping cells and
+/// merging chains do not multiply the work. An undamaged file is read twice.
 const READINGS: u64 = 16;
 
-/// How the pages of a tree are laid out.
+/// The layout of the pages of a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PageLayout {
-    /// A table whose rows have ids; the pages at the bottom hold the rows.
+    /// A table whose rows have ids; only the leaves have rows.
     Table,
-    /// A table without ids, or an index; every page holds rows.
+    /// A table without ids, or an index; every page has rows.
     Index,
 }
 
@@ -33,11 +33,11 @@ pub(super) enum PageLayout {
 #[derive(Debug, Default)]
 pub(super) struct Tree {
     pub(super) pages: BTreeSet<u32>,
-    /// Whether each of them could be read.
+    /// Whether all of them could be read.
     pub(super) is_whole: bool,
 }
 
-/// What is in one place of a page.
+/// A cell of a page.
 pub(super) struct BtreeCell {
     /// The row's id, in a table that has them.
     pub(super) id: Option<i64>,
@@ -45,11 +45,11 @@ pub(super) struct BtreeCell {
     pub(super) record: Option<Vec<u8>>,
 }
 
-/// What is on one page.
+/// The contents of one page.
 pub(super) struct PageContents {
     pub(super) layout: PageLayout,
     pub(super) cells: Vec<BtreeCell>,
-    /// Whether each cell could be found.
+    /// Whether all cells could be found.
     pub(super) is_whole: bool,
 }
 
@@ -57,7 +57,7 @@ pub(super) struct PageContents {
 pub(super) struct Pages<F> {
     file: F,
     count: u32,
-    /// Bytes that may still be read.
+    /// The number of bytes that may still be read.
     left: u64,
 }
 
@@ -70,10 +70,10 @@ struct Page {
 }
 
 impl<F: Read + Seek> Pages<F> {
-    /// The pages of a file. The last may be cut off: what is missing of it counts as zeros.
+    /// The pages of a file. The last page may be truncated; its missing bytes are read as zeros.
     ///
     /// # Errors
-    /// If the size of the file cannot be found out.
+    /// If the size of the file cannot be determined.
     pub(super) fn of(mut file: F) -> io::Result<Self> {
         let bytes = file.seek(SeekFrom::End(0))?;
         Ok(Self {
@@ -88,12 +88,12 @@ impl<F: Read + Seek> Pages<F> {
         1..=self.count
     }
 
-    /// Bytes of all pages.
+    /// The size of all pages in bytes.
     pub(super) fn size(&self) -> usize {
         PAGE.saturating_mul(self.count as usize)
     }
 
-    /// The pages that are reached from a root.
+    /// The pages below a root, and the root itself.
     pub(super) fn tree(&mut self, root: u32, layout: PageLayout) -> Tree {
         let mut pages = BTreeSet::new();
         let mut is_whole = true;
@@ -116,7 +116,7 @@ impl<F: Read + Seek> Pages<F> {
         Tree { pages, is_whole }
     }
 
-    /// What is on a page; `None` if it is none of a tree.
+    /// The contents of a page; `None` if it does not belong to a tree.
     pub(super) fn contents(&mut self, number: u32) -> Option<PageContents> {
         let page = self.page(number)?;
         let mut contents = PageContents {
@@ -139,7 +139,7 @@ impl<F: Read + Seek> Pages<F> {
         Some(contents)
     }
 
-    /// The pages that the file lists as unused: what they held was deleted.
+    /// The pages that the file lists as unused; their contents were deleted.
     pub(super) fn unused(&mut self) -> HashSet<u32> {
         let mut unused = HashSet::new();
         let first = self.bytes(1);
@@ -156,7 +156,7 @@ impl<F: Read + Seek> Pages<F> {
         unused
     }
 
-    /// A whole row, of which this part is on its page.
+    /// The whole row, given the part that is on the cell's page.
     fn record(&mut self, part: &Payload) -> Option<Vec<u8>> {
         if part.length > self.size() {
             return None;
@@ -190,7 +190,7 @@ impl<F: Read + Seek> Pages<F> {
         })
     }
 
-    /// The bytes of a page; `None` if it cannot be read, or too much was read already.
+    /// The bytes of a page; `None` if it cannot be read, or too much has been read already.
     fn bytes(&mut self, number: u32) -> Option<Vec<u8>> {
         if !self.numbers().contains(&number) {
             return None;
@@ -209,15 +209,15 @@ impl<F: Read + Seek> Pages<F> {
 /// The part of a row that is on the page of its cell.
 struct Payload<'a> {
     id: Option<i64>,
-    /// Bytes of the whole row.
+    /// The size of the whole row in bytes.
     length: usize,
     bytes: &'a [u8],
-    /// The page on which it goes on; 0 if it does not.
+    /// The page on which the row continues; 0 if it does not.
     next: u32,
 }
 
 impl Page {
-    /// Where its cells start; `None` for each that cannot be.
+    /// The start of each cell; `None` if it is impossible.
     fn starts(&self) -> impl Iterator<Item = Option<usize>> {
         let count = short_at(&self.bytes, self.header + 3).unwrap_or_default();
         let list = self.header + if self.is_bottom { 8 } else { 12 };
@@ -230,7 +230,7 @@ impl Page {
         })
     }
 
-    /// The pages below it; `None` for each that cannot be found.
+    /// The number of each page below this one; `None` if the number cannot be read.
     fn children(&self) -> impl Iterator<Item = Option<u32>> {
         let below = self
             .starts()
@@ -239,7 +239,7 @@ impl Page {
         below.chain([last]).filter(|_| !self.is_bottom)
     }
 
-    /// What the page holds of the row whose cell starts there.
+    /// The part on this page of the row whose cell starts there.
     fn part(&self, start: usize) -> Option<Payload<'_>> {
         let start = start + if self.is_bottom { 0 } else { 4 };
         let (length, rest) = varint(self.bytes.get(start..)?)?;
@@ -273,8 +273,7 @@ impl Page {
     }
 }
 
-/// The values of a row, its columns in the order in which they are kept; `None` if it makes no
-/// sense.
+/// The values of a row in stored order; `None` if the row is invalid.
 pub(super) fn values(record: &[u8]) -> Option<Vec<ValueRef<'_>>> {
     let (length, _) = varint(record)?;
     let (header, mut body) = record.split_at_checked(usize::try_from(length).ok()?)?;
@@ -318,7 +317,7 @@ fn integer(bytes: &[u8]) -> i64 {
         .fold(sign, |number, byte| number << 8 | i64::from(*byte))
 }
 
-/// A number of one to nine bytes, seven bits in each but the ninth, and what follows it.
+/// A number of one to nine bytes, with seven bits in each except the ninth, and the bytes after it.
 fn varint(bytes: &[u8]) -> Option<(i64, &[u8])> {
     let mut number = 0;
     for (place, byte) in bytes.iter().enumerate().take(9) {
@@ -352,7 +351,7 @@ mod tests {
 
     use super::*;
 
-    /// A file that counts the bytes that are read of it.
+    /// A file that counts the bytes that are read from it.
     struct Counted<'a>(Cursor<Vec<u8>>, &'a Cell<usize>);
 
     impl Read for Counted<'_> {
@@ -369,9 +368,10 @@ mod tests {
         }
     }
 
-    /// Each of 1,200 cells is the same row, as long as the file, on a page that follows itself.
+    /// Each of 1,200 cells is the same row. The row is as long as the file, and the page on which
+    /// it continues refers to itself.
     #[test]
-    fn cells_that_overlap_and_chains_without_end_do_not_multiply_the_work() {
+    fn overlapping_cells_and_endless_chains_do_not_multiply_the_work() {
         let mut bytes = vec![0; 256 * PAGE];
         let length: u32 = 255 * 4096;
         let (leaf, next, start) = (PAGE, 2 * PAGE, 2500);
@@ -383,7 +383,7 @@ mod tests {
         let digits = [length >> 14 | 128, length >> 7 & 127 | 128, length & 127, 1];
         let cell = &mut bytes[leaf + start..2 * PAGE];
         cell[..4].copy_from_slice(&digits.map(|digit| digit as u8));
-        // 1,020 bytes of it are on its page; it goes on at page 3.
+        // 1,020 bytes of the row are on the cell's page; it continues on page 3.
         cell[1024..1028].copy_from_slice(&3_u32.to_be_bytes());
         bytes[next..next + 4].copy_from_slice(&3_u32.to_be_bytes());
         let read = Cell::new(0);
@@ -396,6 +396,6 @@ mod tests {
             "{}",
             read.get()
         );
-        assert!(pages.contents(4).is_none(), "no more is read");
+        assert!(pages.contents(4).is_none(), "nothing more may be read");
     }
 }

@@ -8,41 +8,40 @@ use rusqlite::{Connection, ErrorCode, params_from_iter};
 
 use super::pages::{PageContents, PageLayout, Pages, Tree, values};
 
-/// The table of answers, and the index that lists them once more.
+/// The table of answers, and the index that also lists them.
 const ANSWERS: &str = "attempt";
 const LIST_OF_ANSWERS: &str = "attempt_of_player";
-/// The fewest bytes that an answer takes. An id is believed to be one of a file's if the file
-/// has room for as many answers.
+/// The fewest bytes in an answer. An id is accepted as valid only if the file has room for that
+/// many answers.
 const LEAST_ANSWER: usize = 32;
 
-/// Numbers of rows, each with the name of their table.
+/// The names of tables, each with a number of rows.
 pub(super) type RowCounts = Vec<(String, usize)>;
 
 #[derive(Debug, Default)]
 pub(super) struct Saved {
-    /// Rows of each table, in the order in which the tables were made.
+    /// The rows saved from each table, in the order in which the tables were created.
     tables: RowCounts,
-    /// The tables of which something is lost.
+    /// The tables that have lost rows.
     damaged: Vec<String>,
-    /// Answers that were there and are lost.
+    /// The number of answers that are known to be lost.
     lost_answers: usize,
-    /// Whether there may be more of them.
+    /// Whether more answers may be lost.
     or_more: bool,
-    /// The copy from which rows were taken, and how many of each table.
+    /// The copy from which rows were restored, and how many for each table.
     pub(super) copy: Option<(String, RowCounts)>,
 }
 
-/// A table of the new database, and where its rows are in the damaged one.
+/// A table of the new database, and the location of its rows in the damaged one.
 struct SalvagedTable {
     name: String,
     columns: Columns,
     tree: Tree,
-    /// Rows that were saved.
+    /// The number of rows that were saved.
     rows: usize,
 }
 
-/// Copies into the tables of `new` every row that can be read on the pages of a damaged
-/// database.
+/// Copies all readable rows from the pages of a damaged database into the tables of `new`.
 pub(super) fn salvage<F: Read + Seek>(
     pages: &mut Pages<F>,
     new: &Connection,
@@ -87,8 +86,7 @@ pub(super) fn salvage<F: Read + Seek>(
     Ok(saved)
 }
 
-/// Takes the rows on pages that no tree leads to any more, where one table alone can have lost
-/// them.
+/// Copies the rows on pages that no tree leads to any more, if only one table can have lost them.
 fn take_cut_off<F: Read + Seek>(
     pages: &mut Pages<F>,
     tables: &mut [SalvagedTable],
@@ -136,7 +134,7 @@ fn roots<F: Read + Seek>(pages: &mut Pages<F>) -> HashMap<String, u32> {
 }
 
 impl SalvagedTable {
-    /// Saves the rows of a page; says whether that was all of them.
+    /// Saves the rows of a page; returns whether all of them could be saved.
     fn take(&mut self, contents: &PageContents, new: &Connection) -> rusqlite::Result<bool> {
         let mut is_whole = true;
         for cell in &contents.cells {
@@ -151,15 +149,15 @@ impl SalvagedTable {
         Ok(is_whole)
     }
 
-    /// Puts a row into the new table unchanged: interpreting it is up to the reader.
-    /// Returns how many rows were added: none if the row is invalid or already there.
+    /// Adds a row to the new table unchanged; its values are checked when they are read. Returns
+    /// the number of rows added, which is 0 if the row is invalid or exists already.
     fn insert(
         &self,
         id: Option<i64>,
         mut values: Vec<ValueRef>,
         new: &Connection,
     ) -> rusqlite::Result<usize> {
-        // A row of before a column was added ends before it.
+        // A row that is older than a column has no value for it.
         let names = match self.columns.names.get(..values.len()) {
             Some(names) if !names.is_empty() => names,
             _ => return Ok(0),
@@ -186,7 +184,7 @@ impl SalvagedTable {
     }
 }
 
-/// The names of the tables, in the order in which they were made.
+/// The names of the tables, in the order in which they were created.
 fn table_names(connection: &Connection) -> rusqlite::Result<Vec<String>> {
     let mut names = connection
         .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY rootpage")?;
@@ -195,15 +193,15 @@ fn table_names(connection: &Connection) -> rusqlite::Result<Vec<String>> {
 
 /// The columns of a table.
 pub(super) struct Columns {
-    /// Their names, in the order in which rows hold them.
+    /// Their names, in the order of the values in a row.
     pub(super) names: Vec<String>,
-    /// The one that is the row's id.
+    /// The index of the column that is the row's id.
     id: Option<usize>,
     layout: PageLayout,
 }
 
 impl Columns {
-    /// Those of a table of this name.
+    /// The columns of the table with this name.
     pub(super) fn of(connection: &Connection, table: &str) -> rusqlite::Result<Self> {
         let mut query = connection.prepare(
             "SELECT list.wr, info.name, info.pk > 0 \
@@ -230,8 +228,8 @@ impl Columns {
 }
 
 impl Saved {
-    /// Counts the answers that the list knows, or that are missing between others where the
-    /// list cannot be read either.
+    /// Counts the lost answers: those that are only in the list, and, if the list cannot be read
+    /// either, the gaps between the saved ones.
     fn count_lost_answers<F: Read + Seek>(
         &mut self,
         list: &Tree,
@@ -264,12 +262,12 @@ impl Saved {
         Ok(())
     }
 
-    /// The tables of which something is lost.
+    /// The tables that have lost rows.
     pub(super) fn damaged(&self) -> &[String] {
         &self.damaged
     }
 
-    /// What was saved and what was not, in sentences.
+    /// Sentences about what was saved and what was lost.
     pub(super) fn reported(&self) -> String {
         let saved = listed(&self.tables);
         let mut reported = match (saved.is_empty(), self.damaged.is_empty()) {
@@ -284,7 +282,7 @@ impl Saved {
         };
         if let Some((copy, rows)) = &self.copy {
             let taken = match listed(rows) {
-                nothing if nothing.is_empty() => "nothing that was missing".into(),
+                nothing if nothing.is_empty() => "none of the missing rows".into(),
                 taken => taken,
             };
             reported += &format!(" Taken from {copy}: {taken}.");
@@ -292,7 +290,7 @@ impl Saved {
         reported
     }
 
-    /// What is lost of a damaged table.
+    /// The lost rows of a damaged table, in words.
     fn lost(&self, table: &str) -> String {
         match (table, self.lost_answers) {
             (ANSWERS, 1..) => {
@@ -304,20 +302,20 @@ impl Saved {
     }
 }
 
-/// Rows of tables, those without any left out.
+/// The numbers of rows of tables, in words; empty tables are left out.
 fn listed(tables: &[(String, usize)]) -> String {
     let some = tables.iter().filter(|(_, rows)| *rows > 0);
     let some: Vec<_> = some.map(|(name, rows)| counted(name, *rows)).collect();
     some.join(", ")
 }
 
-/// Rows of a table, as a player knows them.
+/// A number of rows of a table, in the player's words.
 fn counted(table: &str, rows: usize) -> String {
     let (one, more) = things(table);
     format!("{rows} {}", if rows == 1 { one } else { more })
 }
 
-/// What a table holds, as a player knows it: one of them, and more.
+/// The contents of a table in the player's words: singular and plural.
 fn things(table: &str) -> (&str, &str) {
     match table {
         ANSWERS => ("answer", "answers"),

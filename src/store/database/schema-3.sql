@@ -1,6 +1,6 @@
--- Answers are kept under the ids of their topics, no longer under their names, so that what
--- had two names is one topic. The subject of a written question becomes its id by hyphens;
--- what chapters asked stays under their titles. Two beliefs that were one get one id.
+-- Stores answers under the ids of their topics instead of the names, so that a topic with two names
+-- becomes one topic. The subject of a written question becomes an id with hyphens; questions of
+-- chapters stay under the chapter's title. Two ids of the same misconception become one.
 WITH known (name, id) AS (VALUES
     ('equal masses', 'equal-masses'),
     ('equal masses, by offset', 'equal-masses-by-offset'),

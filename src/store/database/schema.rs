@@ -1,9 +1,9 @@
 //! The versions of the database.
 //!
-//! `user_version` says which one a file has. A step leads from each version to the
-//! next and is never changed once it was released; a change is a new step. Each step from
-//! the fourth on must change the schema: then a number that is too high for the schema is
-//! known to be damaged, and not that of a newer carrom.
+//! `user_version` is the version of a file. A step leads from each version to the next. A step is
+//! never changed once it is released; a change is a new step. Each step from the fourth on must
+//! change the schema, so that a number that is too high for the schema is known to be damaged and
+//! not that of a newer version of carrom.
 
 use std::fs::File;
 use std::io::Read;
@@ -17,14 +17,14 @@ use super::error::DatabaseError;
 use super::limits;
 use crate::files::escape_control;
 
-/// The steps, each to the version of its place, from 1.
+/// The steps; step n, counted from 1, leads to version n.
 const STEPS: [&str; 3] = [
     include_str!("schema-1.sql"),
     include_str!("schema-2.sql"),
     include_str!("schema-3.sql"),
 ];
 
-/// How every SQLite database begins.
+/// The first bytes of every SQLite database.
 pub(super) const MAGIC: &[u8] = b"SQLite format 3\0";
 
 pub(super) const VERSION: i64 = STEPS.len() as i64;
@@ -34,16 +34,16 @@ pub(super) const VERSION: i64 = STEPS.len() as i64;
 struct SchemaItem {
     kind: String,
     name: String,
-    /// All that the schema says of it, without spaces and comments.
+    /// Its definition in the schema, without spaces and comments.
     text: Vec<u8>,
 }
 
-/// How many letters of a schema may be wrong for it to be ours and damaged.
+/// The most wrong letters in a schema that counts as carrom's but damaged.
 const WRONG_LETTERS: usize = 4;
 
-/// Brings a database to the present version, unless it is a newer one.
+/// Upgrades a database to the current version, unless it is newer.
 pub(super) fn prepare(connection: &mut Connection) -> Result<(), DatabaseError> {
-    // Closing must not move anything about in a file that is not ours to change.
+    // Closing must not change a file that is not carrom's.
     let no_checkpoint = DbConfig::SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE;
     connection.set_db_config(no_checkpoint, true)?;
     limits::distrust(connection)?;
@@ -59,16 +59,16 @@ pub(super) fn prepare(connection: &mut Connection) -> Result<(), DatabaseError> 
 
 fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
-    // Another carrom may have been first.
+    // Another process may have upgraded it in the meantime.
     let found = examine(&transaction)?;
     take_steps(&transaction, found, VERSION)?;
     transaction.commit()?;
     Ok(())
 }
 
-/// The version of a database that this carrom may read, by its number and by its schema, which
-/// must be the one that carrom makes: a view in place of a table could make any query endless.
-/// Must be in a transaction, so that both are of one moment.
+/// The version of a database that this version of carrom can read. The number must fit the schema,
+/// and the schema must be one that carrom creates, because a view instead of a table could make any
+/// query endless. The caller must begin a transaction, so that both are read at the same time.
 pub(super) fn examine(connection: &Connection) -> Result<i64, DatabaseError> {
     let found = version(connection)?;
     let items = items(connection)?;
@@ -102,7 +102,7 @@ pub(super) fn examine(connection: &Connection) -> Result<i64, DatabaseError> {
     ))
 }
 
-/// The latest version that has the schema of this database; `None` if no version has.
+/// The latest version with the schema of this database; `None` if there is none.
 pub(super) fn version_of_tables(connection: &Connection) -> Result<Option<i64>, DatabaseError> {
     let items = items(connection)?;
     let known = (0..).zip(known()?).skip(1);
@@ -110,8 +110,7 @@ pub(super) fn version_of_tables(connection: &Connection) -> Result<Option<i64>, 
     Ok(same.map(|(version, _)| version).last())
 }
 
-/// What is in the schema of a database. What SQLite notes there of how tables are best
-/// searched is left out.
+/// The items in the schema of a database, without SQLite's statistics for queries.
 fn items(connection: &Connection) -> rusqlite::Result<Vec<SchemaItem>> {
     let mut items = connection.prepare(
         "SELECT type, name, tbl_name, sql FROM sqlite_schema \
@@ -142,7 +141,7 @@ fn items(connection: &Connection) -> rusqlite::Result<Vec<SchemaItem>> {
     items.collect()
 }
 
-/// What is in the schema of each version, from 0, which is empty.
+/// The items in the schema of each version, from 0, which is empty.
 fn known() -> rusqlite::Result<&'static [Vec<SchemaItem>]> {
     static KNOWN: OnceLock<Vec<Vec<SchemaItem>>> = OnceLock::new();
     if let Some(known) = KNOWN.get() {
@@ -157,7 +156,7 @@ fn known() -> rusqlite::Result<&'static [Vec<SchemaItem>]> {
     Ok(KNOWN.get_or_init(|| known))
 }
 
-/// Whether a schema differs from another in so few letters that they were damaged.
+/// Whether a schema differs from another in so few letters that it must be a damaged copy.
 fn is_nearly(items: &[SchemaItem], known: &[SchemaItem]) -> bool {
     let text =
         |items: &[SchemaItem]| -> Vec<u8> { items.iter().flat_map(|it| it.text.clone()).collect() };
@@ -166,7 +165,7 @@ fn is_nearly(items: &[SchemaItem], known: &[SchemaItem]) -> bool {
         && items.iter().zip(&known).filter(|(a, b)| a != b).count() <= WRONG_LETTERS
 }
 
-/// Brings a database from one version to a later one.
+/// Upgrades a database from one version to a later one.
 fn take_steps(connection: &Connection, from: i64, to: i64) -> rusqlite::Result<()> {
     let steps = (1..)
         .zip(STEPS)
@@ -178,7 +177,7 @@ fn take_steps(connection: &Connection, from: i64, to: i64) -> rusqlite::Result<(
     Ok(())
 }
 
-/// Lays out the tables of this version in an empty database.
+/// Creates the tables of this version in an empty database.
 pub(super) fn lay_out(connection: &Connection, version: i64) -> rusqlite::Result<()> {
     take_steps(connection, 0, version)
 }
@@ -187,9 +186,9 @@ pub(super) fn version(connection: &Connection) -> Result<i64, DatabaseError> {
     Ok(connection.query_row("PRAGMA user_version", [], |row| row.get(0))?)
 }
 
-/// The version that the header of a file says, which is looked at as any file is: SQLite
-/// would put files of its own beside it. `None` where there is no such header. (Database
-/// File Format, section 1.3: the user version is the big-endian number at byte 60.)
+/// The version in the header of a file; `None` if there is no such header. The file is read as an
+/// ordinary file, because SQLite would create files beside it. (Database File Format, section 1.3:
+/// the user version is the big-endian number at byte 60.)
 pub(super) fn version_in_header(path: &Path) -> Option<i64> {
     let mut header = [0; 64];
     File::open(path).ok()?.read_exact(&mut header).ok()?;
@@ -199,15 +198,16 @@ pub(super) fn version_in_header(path: &Path) -> Option<i64> {
         .then(|| i32::from_be_bytes(*version).into())
 }
 
-/// Whether a file is a database of carrom's, damaged or not.
+/// Whether a file is a carrom database, damaged or not.
 pub(super) fn is_ours(path: &Path) -> bool {
     let mut start = Vec::new();
     let read = File::open(path).and_then(|file| file.take(1 << 20).read_to_end(&mut start));
     read.is_ok() && begins_like_ours(&start)
 }
 
-/// Whether a database of carrom's begins like this, damaged or not: as every database but for a
-/// byte at most, and near its beginning with how the answers' table was made, or its index.
+/// Whether these are the first bytes of a carrom database, damaged or not: they start like every
+/// database, except for at most one byte, and contain the definition of the answers' table or of
+/// its index.
 pub(super) fn begins_like_ours(start: &[u8]) -> bool {
     let strange = start
         .iter()
@@ -218,12 +218,12 @@ pub(super) fn begins_like_ours(start: &[u8]) -> bool {
         && (holds("CREATE TABLE attempt (") || holds("CREATE INDEX attempt_of_player ON"))
 }
 
-/// Looks a database through, page by page.
+/// Checks a database page by page.
 pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
     let found: String = connection.query_row("PRAGMA integrity_check(1)", [], |row| row.get(0))?;
     match found.as_str() {
         "ok" => Ok(()),
-        // It says in which database of a connection, and there is one.
+        // SQLite's report begins with the name of the database, but a connection here has only one.
         _ => Err(DatabaseError::Damaged(
             found.replace("*** in database main ***", "").trim().into(),
         )),

@@ -1,4 +1,4 @@
-//! What is written to the tables and read from them.
+//! Writes to the tables and reads from them.
 
 use rusqlite::types::{FromSql, FromSqlResult, ValueRef};
 use rusqlite::{Connection, Row, named_params, params};
@@ -37,8 +37,8 @@ impl Database {
         self.change(|transaction| insert_attempt(transaction, attempt))
     }
 
-    /// All answers of a player, or of everyone, in the order in which they were kept. The player
-    /// hears once how many fit no question and are left out.
+    /// All answers of a player, or of everyone, in the order in which they were stored. A notice
+    /// reports once how many fit no question and are left out.
     pub(in crate::store) fn attempts(
         &mut self,
         player: Option<&str>,
@@ -55,7 +55,7 @@ impl Database {
         Ok(attempts)
     }
 
-    /// Keeps the stars of a player's level, unless there are as many already.
+    /// Stores a player's stars for a level, unless there are already as many.
     pub(in crate::store) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
         self.change(|transaction| {
             transaction.execute(
@@ -110,7 +110,7 @@ pub(super) fn insert_attempt(
     )
 }
 
-/// The answers, and how many rows are none.
+/// The answers, and the number of invalid rows.
 pub(super) fn attempts(
     connection: &Connection,
     player: Option<&str>,
@@ -129,7 +129,7 @@ pub(super) fn attempts(
     Ok((attempts, misfits))
 }
 
-/// Whether a row cannot be read because carrom cannot have written it; one damaged row must not
+/// Whether a row cannot be read because carrom cannot have written it. One damaged row must not
 /// hide the others.
 fn is_nonsense(error: &rusqlite::Error) -> bool {
     use rusqlite::Error::{FromSqlConversionFailure, IntegralValueOutOfRange, InvalidColumnType};
@@ -139,7 +139,7 @@ fn is_nonsense(error: &rusqlite::Error) -> bool {
     )
 }
 
-/// A text, whatever its bytes have become.
+/// A string, even if its bytes are damaged.
 struct LossyText(String);
 
 impl FromSql for LossyText {
@@ -152,7 +152,7 @@ impl FromSql for LossyText {
 
 fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
     let text = |name| row.get::<_, LossyText>(name).map(|text| text.0);
-    // Without its figures an answer still counts; without what was answered it is none.
+    // An answer without the question's numbers is still valid; one without the given answer is not.
     let figures = |name| text(name).map(|text| read_figures(&text).unwrap_or_default());
     let answer = text("answer")?;
     let answer = read_figures(&answer).map_err(|error| {
@@ -182,7 +182,7 @@ fn read_figures(text: &str) -> serde_json::Result<Figures> {
     serde_json::from_str(text)
 }
 
-/// A credit; in older rows that of a wrong answer is only nearly nothing.
+/// A credit. In older rows the credit of a wrong answer is tiny instead of 0.
 fn nothing_or_more(credit: f64) -> f64 {
     if credit < 1e-12 { 0.0 } else { credit }
 }

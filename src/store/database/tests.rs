@@ -76,7 +76,7 @@ fn starred(level: &str, stars: u8) -> Starred {
 }
 
 #[test]
-fn what_is_kept_is_found_again_bit_for_bit() {
+fn stored_answers_are_read_back_bit_for_bit() {
     let scratch = Scratch::new("kept");
     for mut database in [Database::in_memory(), scratch.database()] {
         let names = [
@@ -110,7 +110,7 @@ fn what_is_kept_is_found_again_bit_for_bit() {
 }
 
 #[test]
-fn the_most_stars_of_each_player_stay() {
+fn each_player_keeps_the_most_stars_of_each_level() {
     let mut database = Database::in_memory();
     for (player, level, stars) in [
         ("Ada", "a", 2),
@@ -127,7 +127,7 @@ fn the_most_stars_of_each_player_stay() {
     assert_eq!(database.stars("Cy").unwrap(), []);
 }
 
-/// A page seen, and the place there.
+/// A bookmark for a page that was seen and is still open.
 fn seen(page: &str) -> Bookmark {
     Bookmark {
         place: Some(page.into()),
@@ -150,7 +150,7 @@ fn answered(page: &str, answer: Response, right: bool) -> Bookmark {
 }
 
 #[test]
-fn bookmarks_add_up_as_they_do_in_memory() {
+fn bookmarks_are_merged_in_the_database_as_in_memory() {
     let scratch = Scratch::new("marks");
     for mut database in [Database::in_memory(), scratch.database()] {
         let dial = Bookmark {
@@ -179,7 +179,7 @@ fn bookmarks_add_up_as_they_do_in_memory() {
 }
 
 #[test]
-fn what_is_forgotten_is_gone_and_nothing_else() {
+fn only_the_given_part_of_the_bookmarks_is_deleted() {
     let mut database = Database::in_memory();
     for (player, chapter) in [("Ada", "shots"), ("Ada", "atoms"), ("Bo", "shots")] {
         let answer = answered("One", Response::Choice(0), true);
@@ -193,7 +193,11 @@ fn what_is_forgotten_is_gone_and_nothing_else() {
     };
     database.forget("Ada", &answer).unwrap();
     let ada = database.marks("Ada").unwrap();
-    assert_eq!(ada["shots"], seen("One"), "it is still seen");
+    assert_eq!(
+        ada["shots"],
+        seen("One"),
+        "the page is still marked as seen"
+    );
     assert!(ada["atoms"].pages["One"].is_some());
     database
         .forget("Ada", &Forget::Chapter("shots".into()))
@@ -207,7 +211,7 @@ fn what_is_forgotten_is_gone_and_nothing_else() {
 }
 
 #[test]
-fn an_answer_that_makes_no_sense_is_none() {
+fn an_invalid_answer_in_a_bookmark_is_ignored() {
     let scratch = Scratch::new("senseless");
     let mut database = scratch.database();
     let answer = answered("One", Response::Choice(0), true);
@@ -228,7 +232,7 @@ fn an_answer_that_makes_no_sense_is_none() {
 }
 
 #[test]
-fn looking_makes_no_file() {
+fn reading_creates_no_file() {
     let scratch = Scratch::new("looking");
     let mut database = scratch.database();
     assert_eq!(database.attempts(None).unwrap(), []);
@@ -238,7 +242,7 @@ fn looking_makes_no_file() {
     assert_eq!(scratch.names(), Vec::<String>::new());
 }
 
-/// A database with some hundred answers.
+/// A database with 200 answers.
 fn filled(name: &str) -> (Scratch, Vec<u8>) {
     let scratch = Scratch::new(name);
     let mut database = scratch.database();
@@ -249,7 +253,7 @@ fn filled(name: &str) -> (Scratch, Vec<u8>) {
     (scratch, bytes)
 }
 
-/// What mending says, and how many answers are there afterwards.
+/// The notice about the repair, and the number of answers afterwards.
 fn mended(scratch: &Scratch, damaged: &[u8]) -> (String, usize) {
     fs::write(scratch.path(), damaged).unwrap();
     let files = || {
@@ -263,22 +267,22 @@ fn mended(scratch: &Scratch, damaged: &[u8]) -> (String, usize) {
     let mut database = scratch.database();
     let answers = database.attempts(None).unwrap().len();
     let notice = database.take_notice().unwrap();
-    assert_eq!(database.take_notice(), None, "it is told once");
-    assert_eq!(files(), kept + 1, "one file more: the damaged one");
+    assert_eq!(database.take_notice(), None, "the notice is shown once");
+    assert_eq!(files(), kept + 1, "there is one more file, the damaged one");
     database.record(&attempt("Bo", 7)).unwrap();
     assert_eq!(scratch.database().attempts(Some("Bo")).unwrap().len(), 1);
     (notice, answers)
 }
 
-/// The first page after the first that begins with this kind of page. (Database File Format,
-/// section 1.6: 10 a leaf of an index, 13 of a table.)
+/// The start of a page of this kind, not counting page 1. (Database File Format, section 1.6: 10 is
+/// a leaf of an index, 13 a leaf of a table.)
 fn page(database: &[u8], kind: u8) -> usize {
     let mut starts = (4096..database.len()).step_by(4096);
     starts.find(|start| database[*start] == kind).unwrap()
 }
 
 #[test]
-fn a_damaged_database_is_mended_and_the_damaged_file_kept() {
+fn a_damaged_database_is_repaired_and_the_damaged_file_is_kept() {
     let (scratch, sound) = filled("damaged");
     let with = |start: usize, bytes: &[u8]| {
         let mut damaged = sound.clone();
@@ -286,20 +290,20 @@ fn a_damaged_database_is_mended_and_the_damaged_file_kept() {
         damaged
     };
     let cases = [
-        // No more than an index.
+        // Only an index is damaged.
         (with(page(&sound, 10), &[0; 4096]), "Everything in it", 200),
         (
             with(page(&sound, 13), &[0; 4096]),
             "Could not be read: ",
             150,
         ),
-        // Cut off behind the first page of answers.
+        // The file is truncated after the first page of answers.
         (
             sound[..page(&sound, 13) + 4096].to_vec(),
             "Could not be read: ",
             30,
         ),
-        // A letter of the name of the format.
+        // A letter in the name of the format is wrong.
         (with(3, b"j"), "Everything in it", 200),
     ];
     for (i, (damaged, reported, least)) in cases.into_iter().enumerate() {
@@ -312,9 +316,9 @@ fn a_damaged_database_is_mended_and_the_damaged_file_kept() {
     }
 }
 
-/// The pages below a zeroed one are found by what is on them.
+/// If an inner page is zeroed, the pages below it are recognized by their contents.
 #[test]
-fn answers_that_no_page_leads_to_any_more_are_saved() {
+fn answers_on_pages_without_a_parent_are_saved() {
     let (scratch, mut damaged) = filled("cut-off");
     let start = page(&damaged, 5);
     damaged[start..start + 4096].fill(0);
@@ -323,7 +327,7 @@ fn answers_that_no_page_leads_to_any_more_are_saved() {
     assert_eq!(answers, 200);
 }
 
-/// Rows that run over to other pages, and rows that were written last and are in the log.
+/// The database has rows that continue on other pages, and rows that are only in the log.
 #[test]
 fn long_rows_and_rows_in_the_log_of_a_damaged_database_are_saved() {
     let (scratch, _) = filled("long");
@@ -357,9 +361,9 @@ fn long_rows_and_rows_in_the_log_of_a_damaged_database_are_saved() {
     assert_eq!(database.attempts(Some("Bo")).unwrap(), of_the_log);
 }
 
-/// Pages that are in use no more still hold what was on them.
+/// Unused pages still contain deleted rows.
 #[test]
-fn what_was_forgotten_does_not_come_back_from_a_damaged_database() {
+fn deleted_rows_are_not_restored_from_a_damaged_database() {
     let scratch = Scratch::new("forgotten");
     let mut database = scratch.database();
     for (chapter, number) in (0..300).flat_map(|n| [("kept", n), ("forgotten", n)]) {
@@ -377,7 +381,7 @@ fn what_was_forgotten_does_not_come_back_from_a_damaged_database() {
     assert_eq!(marks.keys().collect::<Vec<_>>(), ["kept"]);
     assert!(
         marks["kept"].pages.len() > 290,
-        "but for those that were on the page"
+        "only the rows on the damaged page are lost"
     );
     assert!(
         database
@@ -389,7 +393,7 @@ fn what_was_forgotten_does_not_come_back_from_a_damaged_database() {
 
 #[cfg(unix)]
 #[test]
-fn a_damaged_database_behind_a_link_is_mended_where_the_link_leads() {
+fn a_damaged_database_behind_a_link_is_repaired_at_the_target() {
     let (scratch, sound) = filled("link");
     let elsewhere = Scratch::new("link-target");
     let target = elsewhere.0.join("answers.sqlite");
@@ -416,7 +420,7 @@ fn a_damaged_database_behind_a_link_is_mended_where_the_link_leads() {
     );
 }
 
-/// Who only looks follows the link too, to what was written last.
+/// A store that only reads also follows the link, and finds the log there.
 #[cfg(unix)]
 #[test]
 fn the_log_of_a_database_behind_a_link_is_read() {
@@ -433,7 +437,7 @@ fn the_log_of_a_database_behind_a_link_is_read() {
 }
 
 #[test]
-fn what_cannot_be_read_is_taken_from_the_copy_of_the_day_before() {
+fn unreadable_rows_are_restored_from_the_latest_copy() {
     let (scratch, sound) = filled("filled-in");
     let mut database = scratch.database();
     database.on_day(Some(jiff::civil::date(2026, 11, 21)));
@@ -448,7 +452,7 @@ fn what_cannot_be_read_is_taken_from_the_copy_of_the_day_before() {
 }
 
 #[test]
-fn the_copies_of_three_days_are_kept() {
+fn the_copies_of_the_last_three_days_are_kept() {
     let (scratch, _) = filled("days");
     let mut database = scratch.database();
     for day in [3, 4, 4, 9, 10] {
@@ -462,12 +466,16 @@ fn the_copies_of_three_days_are_kept() {
     );
     let copy = Connection::open(scratch.0.join(&copies[2])).unwrap();
     let (rows, _) = tables::attempts(&copy, None).unwrap();
-    assert_eq!(rows.len(), 204, "all that was there when the day began");
+    assert_eq!(
+        rows.len(),
+        204,
+        "the copy has the rows from the start of the day"
+    );
 }
 
-/// Who only looks leaves everything as it is and says what is wrong.
+/// A store that only reads changes nothing and reports the damage.
 #[test]
-fn who_only_looks_mends_nothing() {
+fn a_store_that_only_reads_repairs_nothing() {
     let (scratch, sound) = filled("only-looks");
     let mut damaged = sound.clone();
     let start = page(&sound, 10);
@@ -486,7 +494,7 @@ fn who_only_looks_mends_nothing() {
 }
 
 #[test]
-fn what_is_no_database_of_ours_is_refused_and_left() {
+fn a_file_that_is_not_a_carrom_database_is_refused_and_left_unchanged() {
     let refused = |scratch: &Scratch| {
         let mut database = scratch.database();
         let message = database.record(&attempt("Ada", 1)).unwrap_err();
@@ -519,10 +527,10 @@ fn what_is_no_database_of_ours_is_refused_and_left() {
     refused(&scratch);
 }
 
-/// What somebody could make of a database of the present version: each changes a schema so that
-/// looking something up, checking or writing runs what is not carrom's.
+/// Manipulations of a database of the current version. Each changes the schema so that reading,
+/// checking or writing would run foreign code.
 pub(super) const FOREIGN_SCHEMAS: [&str; 7] = [
-    // Not endless, so that a carrom that falls for it fails and goes on.
+    // The view is finite, so that this test fails instead of running for ever if the view is read.
     "ALTER TABLE attempt RENAME TO hidden;
      CREATE VIEW attempt AS
         WITH RECURSIVE number (n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM number LIMIT 200000)
@@ -539,7 +547,7 @@ pub(super) const FOREIGN_SCHEMAS: [&str; 7] = [
         asked TEXT, answer TEXT, is_right INTEGER AS (length(hex(player))))",
 ];
 
-/// A database of the present version to which this was done.
+/// A database of the current version after this manipulation.
 pub(super) fn with_foreign_schema(
     connection: rusqlite::Result<Connection>,
     sql: &str,
@@ -577,9 +585,10 @@ fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
     }
 }
 
-/// Each bit of the number, with which a file that is whole seemed to be a newer carrom's.
+/// A flipped bit in the format number once made an undamaged file look like that of a newer version
+/// of carrom.
 #[test]
-fn a_flipped_bit_of_the_format_number_is_mended() {
+fn a_flipped_bit_of_the_format_number_is_repaired() {
     let (scratch, sound) = filled("version");
     for (place, bit) in (60..64).flat_map(|place| (0..8).map(move |bit| (place, bit))) {
         let mut damaged = sound.clone();
@@ -591,7 +600,7 @@ fn a_flipped_bit_of_the_format_number_is_mended() {
         let mut database = scratch.database();
         let answers = database.attempts(None).map(|it| it.len());
         assert_eq!(answers, Ok(200), "{place} {bit}");
-        // The schemas of 2 and 3 are the same, and so are the answers after the step.
+        // Versions 2 and 3 have the same schema, and the upgrade leaves these answers unchanged.
         let is_two = (place, bit) == (63, 0);
         let notice = database.take_notice();
         assert_eq!(notice.is_none(), is_two, "{place} {bit}: {notice:?}");
@@ -601,7 +610,7 @@ fn a_flipped_bit_of_the_format_number_is_mended() {
     }
 }
 
-/// A letter of a column's name.
+/// The flipped byte is a letter of a column's name.
 #[test]
 fn a_flipped_byte_of_the_schema_is_damage() {
     let (scratch, mut damaged) = filled("schema");
@@ -614,9 +623,9 @@ fn a_flipped_byte_of_the_schema_is_damage() {
     assert!(database.take_notice().unwrap().contains("damaged"));
 }
 
-/// What SQLite notes of how tables are best searched is in nobody's way.
+/// The statistics that ANALYZE stores in the schema are ignored.
 #[test]
-fn a_database_that_somebody_analyzed_is_still_ours() {
+fn a_database_with_statistics_is_accepted() {
     let (scratch, _) = filled("analyzed");
     let other = Connection::open(scratch.path()).unwrap();
     other.execute_batch("ANALYZE; VACUUM").unwrap();
@@ -627,9 +636,9 @@ fn a_database_that_somebody_analyzed_is_still_ours() {
     assert_eq!(database.take_notice(), None);
 }
 
-/// One row that makes no sense hides none of the others.
+/// One invalid row does not hide the others.
 #[test]
-fn a_row_of_nonsense_hides_no_other() {
+fn an_invalid_row_does_not_hide_the_others() {
     let (scratch, _) = filled("nonsense");
     let strange = Connection::open(scratch.path()).unwrap();
     strange
@@ -643,7 +652,7 @@ fn a_row_of_nonsense_hides_no_other() {
     assert_eq!(found[2].topic, "a\u{fffd}");
 }
 
-/// Impossible answers are not counted, and the player is notified once. The rows stay.
+/// Impossible answers are not counted, and the player is notified once. The rows are kept.
 #[test]
 fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
     let (scratch, _) = filled("misfits");
@@ -676,9 +685,9 @@ fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
 }
 
 #[test]
-fn a_newer_database_is_refused_untouched() {
+fn a_newer_database_is_refused_and_left_unchanged() {
     let (scratch, _) = filled("newer");
-    // Once with its last changes still in the log, as a killed carrom leaves it.
+    // The second time, the last changes are still in the log, as a killed process leaves them.
     for in_log in [false, true] {
         let newer = Connection::open(scratch.path()).unwrap();
         if in_log {
@@ -690,7 +699,7 @@ fn a_newer_database_is_refused_untouched() {
             .unwrap();
         drop(newer);
         let log = scratch.0.join("progress.db-wal");
-        // An empty log beside it says nothing.
+        // An empty log is the same as none.
         let log = || fs::read(&log).unwrap_or_default();
         let files = || (fs::read(scratch.path()).unwrap(), log());
         let before = files();
@@ -707,7 +716,10 @@ fn a_newer_database_is_refused_untouched() {
         ];
         for refusal in refusals {
             let message = refusal.unwrap_err();
-            assert!(message.contains("newer carrom (format 99"), "{message}");
+            assert!(
+                message.contains("newer version of carrom wrote it (format 99"),
+                "{message}"
+            );
         }
         assert_eq!(database.take_notice(), None);
         assert!(files() == before, "the files were changed");
@@ -748,7 +760,7 @@ const PINNED_2: &str = "
         ('Ada', 'shots', 'Two', 'choice\nWhich?', '{\"choice\":2}', 1);
     PRAGMA user_version = 2;";
 
-/// What is there of bookmarks in [`PINNED_2`].
+/// The bookmarks in [`PINNED_2`].
 fn pinned_marks() -> BTreeMap<String, Bookmark> {
     let mut mark = seen("One");
     mark.merge(seen("Two"));
@@ -765,7 +777,7 @@ fn a_database_of_each_older_format_opens() {
         let old = Connection::open(scratch.path()).unwrap();
         old.execute_batch(sql).unwrap();
         drop(old);
-        // Where nothing can be written it means the same.
+        // A database that cannot be written to is read with the same result.
         let unwritten = unchanged::open(&scratch.path(), true).unwrap();
         let found = tables::attempts(&unwritten, None).unwrap();
         assert_eq!(found, (vec![attempt("Ada", 5)], 0));
@@ -782,9 +794,9 @@ fn a_database_of_each_older_format_opens() {
     }
 }
 
-/// Every name that topics were kept by is that of a topic there is, or was in words.
+/// Every name under which a topic was stored leads to the id of an existing topic.
 #[test]
-fn every_topic_kept_by_name_has_its_id() {
+fn every_topic_stored_by_name_has_an_id() {
     let lines = include_str!("schema-3.sql").lines();
     let lines = lines.filter(|line| line.starts_with("    ('"));
     let ids = lines.filter_map(|line| line.strip_suffix(')').or(line.strip_suffix("),")));
@@ -796,7 +808,7 @@ fn every_topic_kept_by_name_has_its_id() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_is_no_more_than_a_message() {
+fn a_folder_that_cannot_be_created_causes_only_a_message() {
     let scratch = Scratch::new("file");
     let file = scratch.0.join("file");
     fs::write(&file, "x").unwrap();
@@ -805,16 +817,16 @@ fn a_folder_that_cannot_be_is_no_more_than_a_message() {
     assert!(message.contains("progress.db: "), "{message}");
 }
 
-/// Whoever may write everywhere may not be kept from it, so this asks for no more than to
-/// look.
+/// Permissions do not restrict an administrator, so this test opens the database for reading
+/// directly.
 #[test]
-fn what_cannot_be_changed_can_be_looked_up() {
+fn a_read_only_database_can_be_read() {
     for in_log in [false, true] {
         let scratch = Scratch::new("unchanged");
         let mut database = scratch.database();
         database.record(&attempt("Ada", 1)).unwrap();
         let held = in_log.then(|| {
-            // Who has it open keeps the last changes in the log.
+            // An open connection keeps the last changes in the log.
             let held = Connection::open(scratch.path()).unwrap();
             held.query_row("SELECT count(*) FROM attempt", [], |row| {
                 row.get::<_, i64>(0)
@@ -837,7 +849,7 @@ fn what_cannot_be_changed_can_be_looked_up() {
 }
 
 #[test]
-fn the_credit_of_an_older_row_is_nothing_where_it_is_nearly_so() {
+fn a_tiny_credit_in_an_older_row_is_read_as_zero() {
     let scratch = Scratch::new("credit");
     let mut database = scratch.database();
     for credit in [3.7e-33, 0.25] {
@@ -853,7 +865,7 @@ fn the_credit_of_an_older_row_is_nothing_where_it_is_nearly_so() {
 }
 
 #[test]
-fn who_is_kept_waiting_for_long_waits_less_the_next_time() {
+fn after_a_long_wait_for_the_database_the_next_wait_is_shorter() {
     let scratch = Scratch::new("busy");
     let mut database = scratch.database();
     database.record(&attempt("Ada", 1)).unwrap();

@@ -1,5 +1,4 @@
-//! A database where nothing can be written: a copy on a disk for reading, or somebody
-//! else's.
+//! Databases that cannot be changed: on a read-only disk, or owned by another user.
 
 use std::fs;
 use std::path::Path;
@@ -12,8 +11,7 @@ use super::mend::with_ending;
 use super::{limits, schema, size};
 use crate::files::percent_encoded;
 
-/// Opens a database to look things up, without a file beside it; looks it through first if it
-/// is to be `checked`.
+/// Opens a database for reading, without creating a file beside it; checks it first if `checked`.
 pub(super) fn open(path: &Path, checked: bool) -> Result<Connection, DatabaseError> {
     let log = with_ending(path, "-wal");
     let connection = connection(path)?;
@@ -38,14 +36,14 @@ pub(super) fn open(path: &Path, checked: bool) -> Result<Connection, DatabaseErr
     Ok(connection)
 }
 
-/// The version of a database that this carrom may read; no file is made or changed for it.
+/// The version of a database that this version of carrom can read. No file is created or changed.
 pub(super) fn examine(path: &Path) -> Result<i64, DatabaseError> {
     schema::examine(&*connection(path)?.unchecked_transaction()?)
 }
 
-/// A connection that changes nothing.
+/// A read-only connection.
 pub(super) fn connection(path: &Path) -> Result<Connection, DatabaseError> {
-    // What cannot change needs no locks, but its log is not looked at either.
+    // An immutable database needs no locks, but SQLite does not read its log.
     let how = if is_in_log(&with_ending(path, "-wal")) {
         "mode=ro"
     } else {
@@ -58,12 +56,12 @@ pub(super) fn connection(path: &Path) -> Result<Connection, DatabaseError> {
     Ok(connection)
 }
 
-/// Whether there is anything in a log.
+/// Whether a log exists and is not empty.
 fn is_in_log(log: &Path) -> bool {
     fs::metadata(log).is_ok_and(|about| about.len() > 0)
 }
 
-/// A copy in memory of an older database that cannot be changed, in the present version.
+/// A copy in memory of an older database, upgraded to the current version.
 fn brought_up(older: &Connection) -> Result<Connection, DatabaseError> {
     let mut copy = Connection::open_in_memory()?;
     Backup::new(older, &mut copy)?.step(-1)?;
@@ -71,7 +69,7 @@ fn brought_up(older: &Connection) -> Result<Connection, DatabaseError> {
     Ok(copy)
 }
 
-/// A path as the address of a file, to be opened in this way.
+/// A path as a URI with this parameter, which determines how SQLite opens the file.
 fn address(path: &Path, how: &str) -> String {
     let path = percent_encoded(path.as_os_str().as_encoded_bytes());
     format!("file:{path}?{how}")

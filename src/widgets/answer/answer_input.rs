@@ -16,22 +16,22 @@ use crate::widgets::{NumberInput, Outcome, RayInput, Role};
 /// An answer being entered.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AnswerInput {
-    /// Two rays to turn.
+    /// Two rays that the player turns.
     Rays(RayInput),
-    /// A number to type or to dial.
+    /// A number that is typed or dialled.
     Number(NumberInput),
-    /// Choices: the chosen one, and their number.
+    /// A choice from a list.
     Choice {
-        /// The chosen one, counted from 0; `None` while there is none.
+        /// The index of the chosen option; `None` until one is chosen.
         chosen: Option<usize>,
-        /// How many there are.
+        /// The number of choices.
         count: usize,
     },
-    /// An offset in millimetres to type or to dial.
+    /// An offset in millimetres that is typed or dialled.
     Shot(NumberInput),
 }
 
-/// What keys do to an answer.
+/// The key actions for entering an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum AnswerAction {
@@ -43,14 +43,14 @@ pub(crate) enum AnswerAction {
     Move(isize),
     /// choose an answer by its letter or number
     Choose(usize),
-    /// choose an answer and give it
+    /// choose and give an answer
     Give(usize),
     /// give the chosen answer
     Enter,
 }
 
 impl AnswerInput {
-    /// No answer yet.
+    /// An input without an answer yet.
     pub(crate) fn new(form: &Form) -> Self {
         match form {
             Form::Rays { side, .. } => Self::Rays(RayInput::new(*side)),
@@ -66,7 +66,7 @@ impl AnswerInput {
         }
     }
 
-    /// An earlier answer, for changing.
+    /// An earlier answer, so that the player can change it.
     pub(crate) fn saying(form: &Form, said: &Response) -> Self {
         let mut input = Self::new(form);
         match (&mut input, said) {
@@ -93,7 +93,7 @@ impl AnswerInput {
         })
     }
 
-    /// The rays, for a ray answer.
+    /// The rays, if the answer consists of rays.
     pub(crate) fn rays(&self) -> Option<&RayInput> {
         match self {
             Self::Rays(rays) => Some(rays),
@@ -101,7 +101,7 @@ impl AnswerInput {
         }
     }
 
-    /// Its keys.
+    /// The keys for this form of answer.
     pub(crate) fn keys(&self) -> KeyTable<AnswerAction> {
         use AnswerAction::{Choose, Enter, Move, Number, Ray};
         match self {
@@ -123,7 +123,7 @@ impl AnswerInput {
         }
     }
 
-    /// Carries out an action; done once the answer is complete.
+    /// Carries out an action; `Done` once the answer is complete.
     pub(crate) fn act(&mut self, action: AnswerAction) -> Outcome {
         match (self, action) {
             (Self::Rays(rays), AnswerAction::Ray(action)) => return rays.act(action),
@@ -151,8 +151,8 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Points at a place of the question's picture, in cells of the screen, with the button down,
-    /// just now (`pressed`) or for some time: turns a ray, or drags the coin sideways. Returns
+    /// Points at a place in the question's picture, in cells of the screen, with the mouse button
+    /// just pressed (`pressed`) or held down: turns a ray, or drags the coin sideways. Returns
     /// whether there is anything to point at.
     pub(crate) fn point(
         &mut self,
@@ -178,7 +178,7 @@ impl AnswerInput {
         true
     }
 
-    /// What can be dragged in the question's picture, in a sentence.
+    /// A sentence about what can be dragged in the question's picture.
     pub(crate) fn drag(&self, question: &Question) -> Option<&'static str> {
         match (self, question.picture.collision()) {
             (Self::Rays(_), Some(_)) => Some(RayInput::DRAG),
@@ -187,8 +187,8 @@ impl AnswerInput {
         }
     }
 
-    /// Writes the answer so far, with all choices. The distance between choices has the priority
-    /// `apart`, if there is one.
+    /// Writes the answer so far, with all choices. Any gaps between the choices have the priority
+    /// `apart`.
     pub(crate) fn write(&self, form: &Form, apart: Option<u8>, panel: &mut Panel<AnswerAction>) {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => {
@@ -210,7 +210,8 @@ impl AnswerInput {
         }
     }
 
-    /// The key that goes on: to the other ray, or with the answer.
+    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
+    /// the answer.
     fn go_on(&self) -> AnswerAction {
         match self {
             Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
@@ -230,18 +231,18 @@ impl AnswerInput {
         (words, self.go_on())
     }
 
-    /// Writes that.
+    /// Writes the next prompt.
     pub(crate) fn write_prompt(&self, form: &Form, last: &str, panel: &mut Panel<AnswerAction>) {
         panel.prompts([self.next(form, last)]);
     }
 
-    /// How it is answered, in a sentence or two.
+    /// How to answer, in a sentence or two.
     pub(crate) fn about(&self, form: &Form) -> String {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => rays.about(target),
             (Self::Number(number), _) => number.about(),
             (Self::Shot(_), _) => {
-                "The offset: millimetres from the striker's path to the coin's centre, a minus for the left.".into()
+                "The offset: millimetres from the striker's path to the coin's centre, negative to the left.".into()
             }
             _ => "Choose one answer.".into(),
         }

@@ -1,4 +1,4 @@
-//! Answering a question, then choosing a confidence: shared by all screens that ask for both.
+//! Answering a question, then choosing a confidence level: shared by all screens that do both.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -13,11 +13,11 @@ use crate::widgets::{Outcome, Role};
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Asking {
     input: AnswerInput,
-    /// How sure the player is, once the answer is given.
+    /// The confidence; `None` until the answer is given.
     sure: Option<Confidence>,
 }
 
-/// What keys do to it.
+/// The key actions for a question being answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum AskingAction {
@@ -32,32 +32,32 @@ pub(crate) enum AskingAction {
 }
 
 impl Asking {
-    /// An answer being entered.
+    /// A question whose answer is being entered.
     pub(crate) fn new(input: AnswerInput) -> Self {
         Self { input, sure: None }
     }
 
-    /// The answer in the making.
+    /// The answer being entered.
     pub(crate) fn input(&self) -> &AnswerInput {
         &self.input
     }
 
-    /// The same, until the answer is given.
+    /// The answer being entered; `None` once it is given.
     pub(crate) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         self.sure.is_none().then_some(&mut self.input)
     }
 
-    /// How sure the player is as chosen so far; `None` until the answer is given.
+    /// The confidence chosen so far; `None` until the answer is given.
     pub(crate) fn sure(&self) -> Option<Confidence> {
         self.sure
     }
 
-    /// Goes back from the confidence to the answer; returns whether it was there.
+    /// Goes back from the confidence to the answer; returns whether that was possible.
     pub(crate) fn back(&mut self) -> bool {
         self.sure.take().is_some()
     }
 
-    /// Its keys, in the group of the screen: `next` is the label for confirming the confidence.
+    /// The keys, in the screen's group: `next` is the label for confirming the confidence.
     pub(crate) fn keys(&self, group: &'static str, next: &'static str) -> KeyTable<AskingAction> {
         use AskingAction::{Answer, MoreSure, Sure, Take};
         let keys = KeyTable::new(group);
@@ -73,7 +73,7 @@ impl Asking {
             .or([(Key::Char(' '), Take)])
     }
 
-    /// Whether Escape is free for the screen: while a number is typed it cancels that.
+    /// Whether the screen can use Escape: while a number is being typed, Escape cancels it.
     pub(crate) fn leaves_escape(&self) -> bool {
         self.sure.is_some() || self.input.keys().exact(Key::Escape).is_none()
     }
@@ -105,7 +105,7 @@ impl Asking {
         said.map_or(Outcome::Ignored, Outcome::Done)
     }
 
-    /// Writes the levels of confidence, with their columns under `heads`.
+    /// Writes the confidence levels, with their columns under `heads`.
     pub(crate) fn write_confidence(
         &self,
         heads: &[&str],
@@ -124,7 +124,7 @@ impl Asking {
         }
     }
 
-    /// Writes what is said so far.
+    /// Writes the answer so far.
     pub(crate) fn write_said<A>(&self, form: &Form, panel: &mut Panel<A>) {
         if let (AnswerInput::Rays(rays), Form::Rays { target, .. }) = (&self.input, form) {
             return rays.write_said(target, panel);
@@ -135,7 +135,7 @@ impl Asking {
     }
 }
 
-/// An answer in words, a choice with its letter.
+/// An answer as text; a choice is preceded by its letter.
 pub(crate) fn lettered(form: &Form, said: &Response) -> String {
     match said {
         Response::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),

@@ -10,8 +10,8 @@ use crate::widgets::picture::Picture;
 use crate::widgets::tracks::tracks_picture;
 use crate::widgets::{Look, sheet};
 
-/// The picture of a question, with only the given information, and the answer so far; none for a
-/// question in words alone.
+/// The picture of a question, with only the given information and the answer so far; `None` for a
+/// question without a picture.
 #[must_use]
 pub(crate) fn question_picture(
     area: Rect,
@@ -57,7 +57,7 @@ pub fn draw_question(
 }
 
 /// What the picture shows beyond the text of the question. The text describes the whole collision
-/// unless it gives no numbers: then all information is in the picture.
+/// unless it gives no numbers; in that case all information is in the picture.
 fn shows(question: &Question) -> Vec<String> {
     match &question.picture {
         Illustration::Before { collision, shown } if !shown.figures => seen(collision, shown.angle),
@@ -65,14 +65,14 @@ fn shows(question: &Question) -> Vec<String> {
     }
 }
 
-/// A description of a collision, as estimated by eye.
+/// A description of a collision as it can be estimated by eye.
 fn seen(collision: &Collision, line: bool) -> Vec<String> {
     let share = collision.offset / collision.contact_distance();
     let percent = (100.0 * share.abs()).round();
     let side = if share < 0.0 { "left" } else { "right" };
     let place = format!(
         "Seen along the striker's path, the target's centre lies to the {side} of the path, by \
-         about {percent:.0} percent of the two radii together."
+         about {percent:.0} percent of the sum of the radii."
     );
     let alpha = collision.alpha().filter(|_| line).map(|alpha| {
         let alpha = (alpha.abs().to_degrees() / 5.0).round() * 5.0;
@@ -123,9 +123,9 @@ mod tests {
         Collision::at_angle(striker, coin, u, f64::to_radians(alpha_deg))
     }
 
-    /// The angles stand there as they are; nothing tells of masses and speeds.
+    /// The picture gives the angles, but neither masses nor speeds.
     #[test]
-    fn a_hit_that_was_seen_shows_its_angles_alone() {
+    fn an_observed_collision_shows_only_its_angles() {
         let collision = hit(30.0);
         let outcome = collision.outcome();
         let picture = drawn(Illustration::After { collision }, number());
@@ -137,7 +137,7 @@ mod tests {
             !picture.contains("m/s") && !picture.contains(" g"),
             "{picture}"
         );
-        // As fast again, it looks the same.
+        // At twice the speed it looks the same.
         let faster = Collision {
             u1: 2.0 * collision.u1,
             ..collision
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn two_ways_past_a_nucleus_have_their_angles() {
+    fn two_paths_past_a_nucleus_show_their_angles() {
         for angles in [[60.0, 120.0], [15.0, 90.0], [5.0, 10.0], [180.0, 0.0]] {
             let picture = drawn(
                 Illustration::Tracks {
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shot_shows_its_mark() {
+    fn a_shot_shows_its_target_mark() {
         let aim = AimTask {
             collision: hit(0.0),
             ray: Ray::Target,

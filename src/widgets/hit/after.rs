@@ -1,4 +1,4 @@
-//! The picture after a collision: the initial and final paths, with their angles. It reveals
+//! The picture after a collision: the initial and final paths, with their angles. It shows
 //! neither masses nor speeds.
 
 use glam::DVec2;
@@ -10,10 +10,10 @@ use crate::physics::Collision;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// Length of every arrow, in radii of the larger disc: it does not show a speed.
+/// The length of every arrow, in radii of the larger disc; it does not show a speed.
 const ARROW: f64 = 2.1;
 
-/// The paths of a striker and a coin, with both angles.
+/// The paths of a striker and a coin after a collision, with both angles.
 pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
     let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let stage = sketch.stage;
@@ -34,7 +34,7 @@ pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
         let role = [Role::StrikerOut, Role::CoinOut][body];
         let Some(direction) = scale.direction(after[body]) else {
             let below = centre + radius * DVec2::NEG_Y;
-            sketch.label("stands still", below, DVec2::NEG_Y, role);
+            sketch.label("at rest", below, DVec2::NEG_Y, role);
             continue;
         };
         let rim = centre + radius * direction;

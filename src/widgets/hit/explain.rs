@@ -8,7 +8,7 @@ use crate::physics::units::mm_from_m;
 use crate::physics::{Bond, CollisionOutcome, Meeting};
 use crate::quiz::why;
 
-/// A title, which may be empty, and a text for the panel.
+/// The title, which may be empty, and the text for the panel.
 pub(crate) fn explain(watch: &Watch) -> (&'static str, String) {
     let collision = watch.collision();
     let text = match watch.outcome().meeting {
@@ -19,7 +19,7 @@ pub(crate) fn explain(watch: &Watch) -> (&'static str, String) {
         }
         Meeting::Miss => format!(
             "A miss. The offset of {:.1} mm is more than r₁ + r₂ = {:.1} mm, so the discs do not \
-             touch: the striker goes straight on, and the coin stays as it was.",
+             touch: the striker goes straight on, and the coin is unaffected.",
             tidy(mm_from_m(collision.offset.abs())),
             tidy(mm_from_m(collision.contact_distance()))
         ),
@@ -55,13 +55,13 @@ fn stuck(watch: &Watch) -> String {
     };
     format!(
         "The collision is perfectly inelastic: the discs move on together, and their centre of \
-         mass moves at V = {:.2} m/s.{turning} This is not the same as e = 0 with smooth rims: \
-         then the discs would still slip past each other.",
+         mass moves at V = {:.2} m/s.{turning} This is not the same as e = 0 with smooth rims, \
+         where the discs still slip past each other.",
         outcome.v1.length()
     )
 }
 
-/// The rotations per second of a pair that sticks, with enough digits.
+/// The number of rotations per second of a pair that moves on together, with enough digits.
 pub(crate) fn turns_a_second(outcome: &CollisionOutcome) -> String {
     let turns = outcome.spin.abs() / std::f64::consts::TAU;
     let decimals = if turns < 0.1 { 3 } else { 1 };

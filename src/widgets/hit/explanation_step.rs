@@ -1,4 +1,4 @@
-//! The steps of the explanation at the contact, and their words.
+//! The steps of the explanation at the contact, and their texts.
 
 use glam::DVec2;
 
@@ -6,22 +6,23 @@ use super::Face;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
-/// Seconds to look at the picture, and for each word that is read: 150 words a minute.
+/// The time to look at the picture and the time to read one word (150 words per minute), in
+/// seconds.
 const LOOK: f64 = 3.0;
 const WORD: f64 = 0.4;
-/// The shortest time of a step, in seconds.
+/// The shortest duration of a step, in seconds.
 const SHORTEST: f64 = 5.0;
 /// Components that differ by less than this, in m/s, are printed as equal.
 const ALIKE: f64 = 0.005;
 
-/// One step of the explanation. Each adds to the picture of those before it.
+/// One step of the explanation. Each adds something to the picture of the previous steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum ExplanationStep {
     /// The rims touch.
     Contact,
     /// Line of impact and tangent.
     Line,
-    /// The initial velocities, resolved along both.
+    /// The initial velocities, resolved along n and t.
     Split,
     /// The target's final velocity.
     Coin,
@@ -32,7 +33,7 @@ pub(crate) enum ExplanationStep {
 }
 
 impl ExplanationStep {
-    /// The steps of a hit, in order.
+    /// The steps of a collision, in order.
     pub(super) const fn of(meeting: Meeting, bond: Bond) -> &'static [Self] {
         use ExplanationStep::{Coin, Contact, Line, Split, Striker, Whole};
         match (meeting, bond) {
@@ -47,15 +48,15 @@ impl ExplanationStep {
         match self {
             Self::Contact => "contact",
             Self::Line => "line of impact",
-            Self::Split => "the split",
-            Self::Coin => "what was hit",
-            Self::Striker => "what hit it",
-            Self::Whole => "the whole",
+            Self::Split => "the components",
+            Self::Coin => "the struck disc",
+            Self::Striker => "the striking disc",
+            Self::Whole => "the result",
         }
     }
 }
 
-/// The words for the steps of one collision, in a frame.
+/// The texts for the steps of one collision, in a frame.
 pub(super) struct StepWords<'a> {
     collision: &'a Collision,
     outcome: &'a CollisionOutcome,
@@ -85,14 +86,14 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// Seconds that a step lasts without a key: time to read its words and to find them in the
+    /// The seconds that a step lasts without a key press: enough to read its text and look at the
     /// picture.
     pub(super) fn hold(&self, step: ExplanationStep) -> f64 {
         let words = self.of(step).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)
     }
 
-    /// The number of a step among all, and its name.
+    /// The number of a step, the number of steps, and its name.
     pub(super) fn heading(&self, step: ExplanationStep) -> String {
         let steps = ExplanationStep::of(self.outcome.meeting, self.collision.bond);
         let number = steps.iter().position(|it| *it == step).map_or(1, |i| i + 1);
@@ -104,7 +105,7 @@ impl<'a> StepWords<'a> {
         format!("{number} of {}: {name}", steps.len())
     }
 
-    /// The words of a step. Each screen explains the last one in its own way.
+    /// The text of a step. Each screen explains the last step in its own way.
     pub(super) fn of(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.bond == Bond::Stick;
         match step {
@@ -134,8 +135,8 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// Whether the target is at rest before the collision, in this frame and named as in the
-    /// laboratory frame.
+    /// Whether the target is at rest before the collision and the velocities have their
+    /// laboratory-frame names.
     fn is_plain(&self) -> bool {
         self.frame == Frame::Laboratory && self.collision.u2 == DVec2::ZERO
     }
@@ -226,7 +227,7 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// The words for a body that moves before the collision too.
+    /// The text for a body that also moves before the collision.
     fn changed(&self, body: usize, title: &str) -> String {
         let before = self.parts([self.collision.u1, self.collision.u2][body]);
         let after = self.parts([self.outcome.v1, self.outcome.v2][body]);
@@ -251,7 +252,7 @@ fn speed(v: f64) -> String {
     format!("{:.2} m/s", v.abs())
 }
 
-/// A component along n with its direction in words.
+/// A component along n, with its direction in words.
 fn signed(v: f64) -> String {
     match (is_none(v), v > 0.0) {
         (true, _) => "zero".into(),
@@ -260,7 +261,7 @@ fn signed(v: f64) -> String {
     }
 }
 
-/// What the two discs are called.
+/// The names of the two discs.
 fn names(faces: [Face; 2]) -> [&'static str; 2] {
     let name = |face: Face| match face.role {
         Role::Striker => "striker",
@@ -270,7 +271,7 @@ fn names(faces: [Face; 2]) -> [&'static str; 2] {
     };
     match faces.map(name) {
         ["striker", other] => ["striker", other],
-        [one, other] if one == other => ["disc that struck", "disc that was struck"],
+        [one, other] if one == other => ["striking disc", "struck disc"],
         both => both,
     }
 }
@@ -292,7 +293,7 @@ mod tests {
 
     /// 4 m/s at 30°: uₙ = 3.46, uₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of uₙ.
     #[test]
-    fn the_figures_are_those_of_the_closed_forms() {
+    fn the_numbers_agree_with_the_closed_forms() {
         let lab = |m2, step| words(&hit(15.0, m2, 30.0), Frame::Laboratory, step);
         assert!(lab(15.0, ExplanationStep::Split).contains("uₙ = 3.46 m/s along n"));
         assert!(lab(15.0, ExplanationStep::Split).contains("uₜ = 2.00 m/s along t"));
@@ -302,12 +303,12 @@ mod tests {
         assert!(lab(45.0, ExplanationStep::Striker).contains("rebounds at 1.73 m/s"));
         assert!(lab(5.0, ExplanationStep::Coin).contains("1.50 of uₙ: v₂ = 5.20 m/s"));
         assert!(lab(5.0, ExplanationStep::Striker).contains("1.73 m/s left"));
-        // √(4 + 3): both parts together.
+        // √(4 + 3), from both components.
         assert!(lab(5.0, ExplanationStep::Striker).contains("v₁ = 2.65 m/s"));
     }
 
     #[test]
-    fn from_the_centre_of_mass_the_part_along_n_turns_round() {
+    fn in_the_centre_of_mass_frame_the_component_along_n_is_reversed() {
         let seen = words(
             &hit(15.0, 15.0, 30.0),
             Frame::CentreOfMass,
@@ -319,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn every_step_stands_long_enough_to_be_read() {
+    fn every_step_lasts_long_enough_to_be_read() {
         let collision = hit(15.0, 15.0, 30.0);
         let outcome = collision.outcome();
         let all = StepWords::new(
@@ -330,13 +331,13 @@ mod tests {
         );
         for step in ExplanationStep::of(Meeting::Hit, Bond::Slip) {
             let words = all.of(*step).split_whitespace().count() as f64;
-            // 200 words a minute is a quick reader's pace.
+            // 200 words per minute is fast reading.
             assert!(all.hold(*step) >= f64::max(5.0, words / 200.0 * 60.0));
         }
     }
 
     #[test]
-    fn head_on_nothing_is_said_of_a_part_that_is_not_there() {
+    fn for_a_head_on_collision_no_component_along_t_is_mentioned() {
         let head_on = hit(15.0, 15.0, 0.0);
         assert!(words(&head_on, Frame::Laboratory, ExplanationStep::Split).contains("all along n"));
         let striker = words(&head_on, Frame::Laboratory, ExplanationStep::Striker);

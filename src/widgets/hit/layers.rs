@@ -11,11 +11,11 @@ pub enum Overlay {
     Split,
     /// Velocities before and after.
     Velocities,
-    /// Arcs of θ₁ and θ₂, and the square corner.
+    /// Arcs of θ₁ and θ₂, and the right-angle mark.
     Angles,
     /// The triangle of momenta.
     Triangle,
-    /// Where the discs came from and have gone.
+    /// The paths of the discs so far.
     Trails,
     /// The player's prediction.
     Prediction,
@@ -25,11 +25,11 @@ impl Overlay {
     /// All layers, in the order of their keys.
     pub(crate) const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// What it shows, in a few words.
+    /// A short name for what the layer shows.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Lines => "line of impact",
-            Self::Split => "split of u",
+            Self::Split => "components of u",
             Self::Velocities => "velocities",
             Self::Angles => "angles",
             Self::Triangle => "momentum triangle",
@@ -39,14 +39,14 @@ impl Overlay {
     }
 }
 
-/// Which layers are on.
+/// The layers that are on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Overlays {
     on: [bool; Overlay::ALL.len()],
 }
 
 impl Default for Overlays {
-    /// All except the components, which would cover the final velocities.
+    /// All layers except the components, which would cover the final velocities.
     fn default() -> Self {
         let mut layers = Self {
             on: [true; Overlay::ALL.len()],
@@ -61,7 +61,7 @@ impl Overlays {
         self.on[layer as usize]
     }
 
-    /// The same with these layers off.
+    /// This set with the given layers off.
     #[must_use]
     pub(crate) fn without<const N: usize>(mut self, layers: [Overlay; N]) -> Self {
         for layer in layers {

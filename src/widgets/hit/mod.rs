@@ -1,5 +1,5 @@
-//! The picture of a collision, which shows why the discs leave as they do. The lab, the quiz and
-//! every enlarged impact use it.
+//! The picture of a collision, which explains the final directions of the discs. The lab, the quiz
+//! and every enlarged impact use it.
 
 mod after;
 mod explain;
@@ -25,6 +25,8 @@ pub(crate) use names::VelocityNames;
 pub(crate) use pencil::{protractor_picture, scale_picture};
 pub(crate) use playback::{FRAME, HitPace};
 pub(crate) use reveal::Reveal;
-pub(crate) use setup::{Markings, aim_picture, drag_offset, point_at, setup_picture};
+pub(crate) use setup::{
+    CONTACT, Markings, aim_picture, contact_picture, drag_offset, point_at, setup_picture,
+};
 pub(crate) use stage::HitLayout;
 pub(crate) use watch::{Face, Watch, WatchAction};

@@ -4,17 +4,17 @@ use glam::DVec2;
 
 use crate::physics::{Collision, Frame};
 
-/// The names of a collision's velocities: those of the striker and of the target.
+/// The names of a collision's velocities, of the striker and of the target.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct VelocityNames {
     /// Before the collision; in another frame the name includes the subtracted velocity.
     pub before: [&'static str; 2],
-    /// After the collision; in the centre-of-mass frame as in chapter 11.
+    /// After the collision; in the centre-of-mass frame the names are those of chapter 11.
     pub after: [&'static str; 2],
 }
 
 impl VelocityNames {
-    /// Those of a collision seen from a frame.
+    /// The names for a collision in a frame.
     pub(crate) fn new(collision: &Collision, frame: Frame) -> Self {
         let stands = collision.u2 == DVec2::ZERO;
         let (before, after) = match (frame, stands) {

@@ -1,5 +1,5 @@
-//! Pictures on paper to be completed with a pencil: a protractor for both directions, and a scale
-//! for an offset.
+//! Printed pictures that students complete with a pencil: a protractor for both directions, and a
+//! scale for an offset.
 
 use glam::DVec2;
 
@@ -11,18 +11,18 @@ use crate::quiz::{AimTask, Ray};
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// Columns for the radius of the larger disc.
+/// The radius of the larger disc, in columns.
 const COLUMNS: f64 = 4.7;
-/// The same where a scale is to be read.
+/// The radius of the larger disc in a picture with a scale, in columns.
 const LARGE_COLUMNS: f64 = 6.0;
-/// Millimetres between two ticks of the scale, and between two that are numbered.
+/// Millimetres between two ticks of the scale, and between two numbered ticks.
 const TICK_MM: i32 = 5;
 const NUMBER_MM: i32 = 10;
-/// Length of the required path and radius of its arc, in radii of the larger disc.
+/// The length of the required path and the radius of its arc, in radii of the larger disc.
 const WAY: f64 = 2.8;
 const ARC: f64 = 1.9;
 
-/// The corners of what holds circles, given by centres and radii.
+/// The corners of the smallest rectangle around circles, given by centres and radii.
 fn around(circles: impl IntoIterator<Item = (DVec2, f64)>) -> [DVec2; 2] {
     let mut corners = [DVec2::INFINITY, DVec2::NEG_INFINITY];
     for (centre, radius) in circles {
@@ -39,15 +39,15 @@ fn along(collision: &Collision) -> DVec2 {
         .unwrap_or(DVec2::X)
 }
 
-/// Two discs about to meet, with an empty protractor around the striker's position at contact. Both
-/// final paths begin in its middle: the target's too, because it runs along the line through both
-/// centres.
+/// Two discs that are about to collide, with an empty protractor around the striker's position at
+/// contact. Both final paths begin in its middle, even the target's, because that path runs along
+/// the line through both centres.
 pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
     let radius = collision.contact_distance() + collision.target.radius + 0.45 * unit;
     let fastest = collision.u1.length().max(collision.u2.length());
-    // So far away that its arrow, too, is outside the protractor.
+    // The distance is so large that the arrow, too, is outside the protractor.
     let time = (radius + 2.9 * unit) / fastest;
     let places: [DVec2; 2] = match time.is_finite() {
         true => collision.positions_before(time).into(),
@@ -89,9 +89,9 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
     sketch.picture
 }
 
-/// A shot whose offset the student chooses: the striker on its path, a scale of offsets in
-/// millimetres across it, true to the size of the discs, and the required path of one disc. The
-/// student marks the target's position on the scale; at 0, head-on, it is dotted.
+/// A shot whose offset the student chooses: the striker on its path, a perpendicular scale of
+/// offsets in millimetres, at the scale of the discs, and the required path of one disc. The
+/// student marks the target's position on the scale; its head-on position at 0 is dotted.
 pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     let collision = aim.with(0.0);
     let unit = collision.striker.radius.max(collision.target.radius);
@@ -121,7 +121,7 @@ pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     picture.disc(start, radius, face.role, face.letter);
     picture.line(zero - reach * right, zero + reach * right, Role::Text);
     let last = (1e3 * reach / f64::from(TICK_MM)).floor() as i32;
-    // Every second number if there is not enough room.
+    // Only every second number is printed if there is not enough room.
     let crowded = m_from_mm(f64::from(NUMBER_MM)) / unit * LARGE_COLUMNS < 3.5;
     let every = if crowded { 2 * NUMBER_MM } else { NUMBER_MM };
     for offset_mm in (-last..=last).map(|tick| TICK_MM * tick) {

@@ -1,26 +1,27 @@
-//! The clock of a collision: up to the contact, step by step there, and on.
+//! The clock of a collision: up to the contact, step by step at the contact, and beyond it.
 
 use std::time::Duration;
 
-/// One frame at most every sixtieth of a second.
+/// The shortest time between two frames: a sixtieth of a second.
 pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 
 /// The duration of the approach on the screen, without slowing down, in seconds.
 const APPROACH: f64 = 1.1;
-/// Time it takes to ease into the contact, and out of it, in seconds.
+/// The time over which motion slows down before the contact and speeds up after it, in seconds.
 const EASE: f64 = 0.35;
-/// A step in time, as a share of the whole.
+/// A small step in time, as a fraction of the shot's duration.
 const STEP: f64 = 1.0 / 96.0;
 
-/// How a hit is played.
+/// How a collision is played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum HitPace {
-    /// It moves, and each step of the explanation lasts as long as reading it takes.
+    /// The discs move, and each step of the explanation lasts long enough to be read.
     #[default]
     Flowing,
-    /// It moves, and each step waits for a key.
+    /// The discs move, and each step waits for a key.
     Waiting,
-    /// Nothing moves: it goes from the contact, where each step waits for a key, to the end.
+    /// Nothing moves: the picture jumps from the contact, where each step waits for a key, to the
+    /// end.
     Still,
 }
 
@@ -29,32 +30,31 @@ pub(crate) enum HitPace {
 enum PlaybackStage {
     /// Running towards the contact; seconds on the screen so far.
     Approach(f64),
-    /// Held at the contact, at this step of the explanation; seconds it has stood so far.
+    /// Held at the contact, at this step of the explanation; `stood` is the time so far in seconds.
     Contact { step: usize, stood: f64 },
     /// Running on from the contact; seconds on the screen so far.
     Departure(f64),
-    /// Halted by hand at this time of the shot, before or after the contact.
+    /// Halted by the player at this time in the shot, before or after the contact.
     Halted(f64),
 }
 
-/// The clock of a hit.
+/// The clock of a collision.
 ///
-/// `contact` and `end` are times of the shot, in its own seconds; what it shows
-/// is always derived from the stage, so that steps, scrubbing and slow motion are
-/// only other values of one number. At the contact it holds for the steps of the
-/// explanation.
+/// `contact` and `end` are times in the shot, in its own seconds. The picture is always derived
+/// from the stage, so that steps, scrubbing and slow motion only set one number. At the contact the
+/// clock stops for the steps of the explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Playback {
     pub(super) contact: f64,
     end: f64,
-    /// The seconds that each step lasts without a key; the last one stays.
+    /// The seconds that each step lasts without a key press; the last step stays.
     holds: Vec<f64>,
     stage: PlaybackStage,
 }
 
 impl Playback {
-    /// A clock at the start of a shot whose discs meet at `contact` and that is shown until `end`;
-    /// with reduced motion it begins at the contact. There is at least one step of the explanation.
+    /// A clock at the start of a shot whose discs touch at `contact` and that is shown until `end`;
+    /// with reduced motion it begins at the contact. There is at least one step of explanation.
     pub(crate) fn new(contact: f64, end: f64, holds: Vec<f64>, pace: HitPace) -> Self {
         Self {
             contact,
@@ -67,7 +67,7 @@ impl Playback {
         }
     }
 
-    /// The same with one step at the contact.
+    /// This clock with only one step at the contact.
     #[must_use]
     pub(super) fn in_one_step(mut self) -> Self {
         self.holds.truncate(1);
@@ -82,11 +82,11 @@ impl Playback {
         self.holds.len().saturating_sub(1)
     }
 
-    /// Time of the shot to show, in its own seconds.
+    /// The time in the shot to show, in its own seconds.
     pub(crate) fn time(&self) -> f64 {
         match self.stage {
             PlaybackStage::Approach(s) => {
-                // Constant rate, then a rate that falls to 0 evenly over EASE.
+                // The rate is constant, then it decreases linearly to 0 over EASE.
                 let coasting = s.min(self.coasting());
                 let easing = (s - coasting).min(EASE);
                 let time = self.rate() * (coasting + easing - easing * easing / (2.0 * EASE));
@@ -107,17 +107,17 @@ impl Playback {
         self.contact / APPROACH
     }
 
-    /// By what factor the collision is slowed down.
+    /// The factor by which the collision is slowed down.
     pub(crate) fn slowed(&self) -> f64 {
         1.0 / self.rate()
     }
 
-    /// Seconds on the screen before the slowing down begins.
+    /// Seconds on the screen before the motion slows down.
     fn coasting(&self) -> f64 {
         APPROACH - EASE / 2.0
     }
 
-    /// When it next needs time; `None` while it waits for a key, or is over.
+    /// The delay until the clock next has to advance; `None` while it waits for a key, or is over.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match self.stage {
             PlaybackStage::Approach(_) => Some(FRAME),
@@ -139,12 +139,12 @@ impl Playback {
         }
     }
 
-    /// Whether the shot stands at, or is past, the contact.
+    /// Whether the shot is at or after the contact.
     pub(crate) fn has_met(&self) -> bool {
         self.time() >= self.contact
     }
 
-    /// Whether the shot stands exactly at the contact.
+    /// Whether the shot is exactly at the contact.
     pub(crate) fn at_contact(&self) -> bool {
         self.has_met() && self.time() <= self.contact
     }
@@ -154,7 +154,7 @@ impl Playback {
         self.time() >= self.end
     }
 
-    /// The step of the explanation that has been reached: none before the contact, all
+    /// The step of the explanation that has been reached: none before the contact, the last one
     /// after it.
     pub(crate) fn step_reached(&self) -> Option<usize> {
         match self.stage {
@@ -168,7 +168,8 @@ impl Playback {
         self.step_reached() == Some(self.last())
     }
 
-    /// Advances by `passed` on the screen. Time left over at the end of a step counts for the next.
+    /// Advances by `passed` on the screen. Time left over at the end of a step is carried over to
+    /// the next.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if self.wake(pace).is_none() {
             return;
@@ -207,8 +208,8 @@ impl Playback {
         };
     }
 
-    /// Goes on: to the contact at once while still approaching, there to the next step, and
-    /// from a halt or from the last step on to the end.
+    /// Continues: during the approach it jumps to the contact, at the contact it goes to the next
+    /// step, and from a halt or from the last step it runs to the end.
     pub(crate) fn go_on(&mut self) {
         self.stage = match self.stage {
             PlaybackStage::Approach(_) => PlaybackStage::at_step(0),
@@ -227,12 +228,12 @@ impl Playback {
         };
     }
 
-    /// Goes to the contact at once, with the whole explanation.
+    /// Jumps to the contact, with the whole explanation.
     pub(crate) fn reveal(&mut self) {
         self.stage = PlaybackStage::at_step(self.last());
     }
 
-    /// To the end of the explanation, and from there to the end.
+    /// Goes to the end of the explanation, and from there to the end of the shot.
     pub(crate) fn finish(&mut self) {
         match self.is_revealed() {
             true => self.stage = PlaybackStage::Halted(self.end),
@@ -244,13 +245,13 @@ impl Playback {
         self.stage = PlaybackStage::Halted(0.0);
     }
 
-    /// Plays the whole again.
+    /// Plays the whole shot again.
     pub(crate) fn rewind(&mut self) {
         self.stage = PlaybackStage::Approach(0.0);
     }
 
-    /// This many steps forwards or backwards: at the contact steps of the explanation, before and
-    /// after it small steps in time.
+    /// Goes this many steps forwards or backwards: steps of the explanation at the contact, small
+    /// steps in time before and after it.
     pub(crate) fn step(&mut self, by: i8) {
         let next = match self.stage {
             PlaybackStage::Contact { step, .. } => step.checked_add_signed(by.into()),
@@ -262,8 +263,8 @@ impl Playback {
         }
     }
 
-    /// Halts, and moves by this share of the whole. A move across the contact stops there: at the
-    /// first step of the explanation, or coming back at the last.
+    /// Halts, and moves by this fraction of the shot's duration. A move across the contact stops
+    /// there: forwards at the first step of the explanation, backwards at the last.
     pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();
         let to = (from + share * self.end).clamp(0.0, self.end);
@@ -298,7 +299,7 @@ impl Playback {
 }
 
 impl PlaybackStage {
-    /// At a step of the explanation, from its beginning.
+    /// The stage at the beginning of a step of the explanation.
     const fn at_step(step: usize) -> Self {
         Self::Contact { step, stood: 0.0 }
     }
@@ -322,11 +323,11 @@ mod tests {
     }
 
     #[test]
-    fn it_slows_into_the_contact_and_each_step_stands_for_its_time() {
+    fn it_slows_down_before_the_contact_and_each_step_lasts_its_full_time() {
         let mut clock = clock(HitPace::Flowing);
         let mut last = -1.0;
         while !clock.has_met() {
-            assert!(clock.time() > last, "time always runs on");
+            assert!(clock.time() > last, "time always advances");
             last = clock.time();
             clock.advance(FRAME, HitPace::Flowing);
         }
@@ -334,17 +335,17 @@ mod tests {
             assert_eq!(clock.step_reached(), Some(step));
             run(&mut clock, HitPace::Flowing, hold - 0.3);
             assert!(clock.at_contact());
-            assert_eq!(clock.step_reached(), Some(step), "it stands");
+            assert_eq!(clock.step_reached(), Some(step), "the step has not ended");
             run(&mut clock, HitPace::Flowing, 0.4);
         }
-        // The last one stays.
+        // The last step stays.
         run(&mut clock, HitPace::Flowing, 100.0);
         assert!(clock.at_contact() && clock.is_revealed());
         assert_eq!(clock.wake(HitPace::Flowing), None);
     }
 
     #[test]
-    fn where_steps_wait_no_time_is_asked_for_and_none_moves_them_on() {
+    fn steps_that_wait_for_a_key_never_advance_by_themselves() {
         for pace in [HitPace::Waiting, HitPace::Still] {
             let mut clock = clock(pace);
             run(&mut clock, pace, 10.0);
@@ -360,7 +361,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_go_both_ways_through_all_that_is_told() {
+    fn steps_go_through_the_explanation_in_both_directions() {
         let mut clock = clock(HitPace::Still);
         let mut met = vec![clock.step_reached()];
         for by in [1, 1, 1, -1, -1, -1, -1] {
@@ -376,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn with_no_motion_it_goes_from_the_contact_to_the_end_at_once() {
+    fn without_motion_it_jumps_from_the_contact_to_the_end() {
         let mut clock = clock(HitPace::Still);
         clock.reveal();
         clock.go_on();
@@ -388,7 +389,7 @@ mod tests {
     }
 
     #[test]
-    fn from_the_contact_it_goes_on_to_the_end() {
+    fn from_the_contact_it_continues_to_the_end() {
         let mut clock = clock(HitPace::Flowing);
         clock.finish();
         assert!(clock.at_contact() && clock.is_revealed() && !clock.is_moving());
@@ -399,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn scrubbing_never_leaps_over_the_contact() {
+    fn scrubbing_never_skips_the_contact() {
         let mut clock = Playback::new(0.031, 0.06, HOLDS.into(), HitPace::Still);
         clock.scrub(0.05);
         assert!(clock.has_met() && !clock.at_contact());
@@ -416,7 +417,7 @@ mod tests {
     }
 
     #[test]
-    fn going_on_after_a_halt_starts_where_it_stood() {
+    fn after_a_halt_it_continues_from_the_same_time() {
         for (pace, shares) in [
             (HitPace::Flowing, [0.1, 0.3, 0.45, 0.49]),
             (HitPace::Still, [0.01, 0.1, 0.3, 0.45]),

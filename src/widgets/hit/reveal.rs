@@ -6,7 +6,7 @@ use super::{HitPace, Overlays, Watch, WatchAction};
 use crate::messages::Key;
 use crate::widgets::input::KeyTable;
 
-/// What is to be watched, if anything, and whether its outcome has been revealed.
+/// The collision to watch, if there is one, and whether its outcome has been revealed.
 #[derive(Debug, Clone)]
 pub(crate) struct Reveal {
     watch: Option<Watch>,
@@ -14,7 +14,7 @@ pub(crate) struct Reveal {
 }
 
 impl Reveal {
-    /// Before it is watched; without a collision it is already revealed.
+    /// The state before watching; without a collision, the outcome is already revealed.
     pub(crate) fn new(watch: Option<Watch>) -> Self {
         Self {
             revealed: watch.as_ref().is_none_or(Watch::is_revealed),
@@ -22,30 +22,30 @@ impl Reveal {
         }
     }
 
-    /// The hit, where there is one.
+    /// The collision, if there is one.
     pub(crate) fn watch(&self) -> Option<&Watch> {
         self.watch.as_ref()
     }
 
-    /// Whether the outcome has been revealed; it stays so while the hit is seen again.
+    /// Whether the outcome has been revealed; it stays revealed during a replay.
     pub(crate) fn is_revealed(&self) -> bool {
         self.revealed
     }
 
-    /// Whether the picture is just explaining itself, step by step: for the first time, or
-    /// looked at again.
+    /// Whether the picture is showing the explanation step by step, for the first time or in a
+    /// replay.
     pub(crate) fn is_explaining(&self) -> bool {
         let watch = self.watch.as_ref();
         let at_step = watch.is_some_and(|watch| watch.has_met() && !watch.is_revealed());
         at_step || !self.revealed
     }
 
-    /// Shows another hit; what has been revealed stays so.
+    /// Shows another collision; a revealed outcome stays revealed.
     pub(crate) fn show(&mut self, watch: Watch) {
         self.watch = Some(watch);
     }
 
-    /// The keys of the hit, where there is one; at its end the space bar plays it again.
+    /// The keys of the collision, if there is one; at its end the space bar plays it again.
     pub(crate) fn keys(&self) -> KeyTable<WatchAction> {
         let Some(watch) = &self.watch else {
             return KeyTable::new("hit");
@@ -72,12 +72,12 @@ impl Reveal {
         }
     }
 
-    /// When it next needs time; `None` while nothing moves.
+    /// The delay until the picture next has to change; `None` while nothing moves.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         self.watch.as_ref().and_then(|watch| watch.wake(pace))
     }
 
-    /// Reveals what happened at once.
+    /// Reveals the outcome at once.
     pub(crate) fn at_once(&mut self) {
         if let Some(watch) = &mut self.watch {
             watch.reveal();
@@ -85,7 +85,7 @@ impl Reveal {
         self.revealed = true;
     }
 
-    /// What is drawn on top of the hit, where there is one.
+    /// The layers on top of the collision, if there is one.
     pub(crate) fn layers(&self) -> Option<Overlays> {
         self.watch.as_ref().map(Watch::layers)
     }

@@ -7,16 +7,16 @@ use super::sketch::Sketch;
 use super::{Face, HitLayout, VelocityNames};
 use crate::physics::{Collision, Frame};
 use crate::quiz::{AimTask, Ray};
-use crate::widgets::picture::{Pen, Picture};
+use crate::widgets::picture::{Pen, Picture, View};
 use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
 
-/// The least and the greatest length of the faster arrow, in radii of the larger disc.
+/// The least and the greatest length of the faster disc's arrow, in radii of the larger disc.
 const SHORTEST: f64 = 0.5;
 const LONGEST: f64 = 1.1;
 
-/// Two discs about to meet, with the given information and the rays being turned.
+/// Two discs that are about to collide, with the given information and the rays being turned.
 pub(crate) fn setup_picture(
     area: Rect,
     faces: [Face; 2],
@@ -31,8 +31,30 @@ pub(crate) fn setup_picture(
     sketch.picture
 }
 
-/// A striker and a coin about to meet at an offset in metres, with the required path of one of
-/// them.
+/// The title of [`contact_picture`].
+pub(crate) const CONTACT: &str = "the contact, enlarged";
+
+/// The striker's outline where it meets the target, and its path to that point: this shows the aim
+/// on a board with small discs.
+pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collision) -> Picture {
+    let [striker, target]: [DVec2; 2] = collision.placed_at_contact().into();
+    let [r1, r2] = [collision.striker, collision.target].map(|disc| disc.radius);
+    let rims = [(striker, r1), (target, r2)];
+    let low = rims.map(|(at, r)| at - r).into_iter().reduce(DVec2::min);
+    let high = rims.map(|(at, r)| at + r).into_iter().reduce(DVec2::max);
+    let [low, high] = [low, high].map(|corner| corner.unwrap_or(DVec2::ZERO));
+    let mut picture = Picture::new(View::fit(area, low, high));
+    let along = collision.relative_velocity().normalize_or_zero();
+    let start = striker - 2.0 * (high - low).length() * along;
+    picture.line(start, striker, Pen::new(Role::Aim).dotted());
+    let [_, face] = faces;
+    picture.disc(target, r2, face.role, face.letter);
+    picture.circle(striker, r1, Role::Predicted);
+    picture
+}
+
+/// A striker and a coin that are about to collide at an offset in metres, with the required path
+/// of one of them.
 pub(crate) fn aim_picture(area: Rect, aim: &AimTask, offset: f64, given: Markings) -> Picture {
     let mut sketch = setup(area, Face::STRIKER_AND_COIN, &aim.with(offset), given);
     sketch.wanted_way(aim);
@@ -48,8 +70,8 @@ fn setup(area: Rect, faces: [Face; 2], collision: &Collision, given: Markings) -
     sketch
 }
 
-/// Two discs before the contact, and the given information. The offset is drawn `ahead` of the
-/// target's centre at contact, the line of impact extends this far `beyond` it.
+/// Two discs before the contact, and the given information. The offset is drawn at the distance
+/// `ahead` of the target's centre at contact; the line of impact extends by `beyond` behind it.
 pub(super) fn about_to_meet(
     sketch: &mut Sketch,
     faces: [Face; 2],
@@ -90,7 +112,7 @@ fn before(stage: &HitLayout) -> [DVec2; 2] {
     if speed > 0.0 {
         let time = 1.35 * stage.unit() / speed;
         let collision = &stage.collision;
-        // Neither may begin outside the picture.
+        // Neither disc may begin outside the picture.
         let whole = |body: usize, v: DVec2| {
             let room = stage.room(stage.centres[body], -v.normalize_or_zero());
             (room - stage.radius(body)).max(0.0) / v.length()
@@ -102,8 +124,8 @@ fn before(stage: &HitLayout) -> [DVec2; 2] {
     }
 }
 
-/// The impact parameter: the line through the coin's centre beside the striker's,
-/// and the distance between them.
+/// The impact parameter: the line through the coin's centre parallel to the striker's path, and
+/// the distance between them.
 fn offset(sketch: &mut Sketch, along: DVec2, ahead: f64, figures: bool) {
     let stage = sketch.stage;
     let [c1, c2] = stage.centres;
@@ -120,12 +142,12 @@ fn offset(sketch: &mut Sketch, along: DVec2, ahead: f64, figures: bool) {
     sketch.label(text, foot - 0.5 * across, along, Role::Arc);
 }
 
-/// The name of a quantity, and its value where it is given.
+/// The name of a quantity, with its value if it is given.
 fn named(name: &str, value: Option<String>) -> String {
     value.map_or(name.to_owned(), |value| format!("{name} = {value}"))
 }
 
-/// The line of impact where the two will meet, and the angle to it.
+/// The line of impact at the future contact, and the angle to it.
 fn impact_angle(sketch: &mut Sketch, beyond: f64, figures: bool) {
     let stage = sketch.stage;
     let [c1, c2] = stage.centres;
@@ -155,7 +177,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
     let speeds = [stage.collision.u1, stage.collision.u2];
     let fastest = speeds[0].length().max(speeds[1].length());
     let names = VelocityNames::new(&stage.collision, Frame::Laboratory);
-    // Arrows end before a disc that is in their way; two that face each other share the room.
+    // An arrow ends before a disc in its way; two that point at each other share the room.
     let facing = (0..2).filter(|body| stage.is_towards(places, *body, speeds[*body]));
     let apart = places[0].distance(places[1]) - stage.radius(0) - stage.radius(1);
     let room = match facing.count() {
@@ -174,7 +196,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
         sketch.picture.arrow(from, from + length * direction, pen);
         let text = named(name, figures.then(|| format!("{:.2} m/s", v.length())));
         let beside = direction.perp() * stage.side();
-        // Beside its own disc, away from the other.
+        // The label is beside its own disc, on the side away from the other.
         let away = match body {
             1 if beside.dot(places[1] - places[0]) < 0.0 => -beside,
             _ => beside,
@@ -184,7 +206,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
     }
 }
 
-/// The predicted rays so far, from where the discs will meet.
+/// The rays predicted so far, from where the discs will touch.
 fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     let said = rays.so_far();
     for ray in Ray::BOTH.into_iter().filter(|ray| rays.asks(*ray)) {
@@ -207,8 +229,8 @@ fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     }
 }
 
-/// Points the ray at a place of the screen, in cells: the one whose tip is nearer when the
-/// button goes down (`choose`), else the one being turned.
+/// Points a ray at a place on the screen, in cells: the ray whose tip is nearer when the button
+/// is pressed (`choose`), otherwise the ray being turned.
 pub(crate) fn point_at(
     area: Rect,
     collision: &Collision,
@@ -235,7 +257,7 @@ pub(crate) fn point_at(
     }
 }
 
-/// The offset in metres that puts the coin at a cell of the picture beside the striker's path.
+/// The offset in metres that places the coin at a cell of the picture beside the striker's path.
 pub(crate) fn drag_offset(area: Rect, collision: &Collision, place: DVec2) -> f64 {
     let stage = HitLayout::new(area, collision);
     let at = stage.view.to_world(place);
@@ -243,6 +265,6 @@ pub(crate) fn drag_offset(area: Rect, collision: &Collision, place: DVec2) -> f6
         return collision.offset;
     };
     // Positive is to the right of the path. The contact point is in the middle, so the coin's
-    // centre has only its share of the offset.
+    // centre moves by only its share of the offset.
     -at.dot(along.perp()) * collision.contact_distance() / collision.target.radius
 }

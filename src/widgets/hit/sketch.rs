@@ -1,5 +1,4 @@
-//! A picture of a collision under construction: its stage, and the parts that all such pictures
-//! have.
+//! A picture of a collision under construction, with the parts that all such pictures share.
 
 use glam::DVec2;
 
@@ -8,42 +7,43 @@ use crate::quiz::AimTask;
 use crate::widgets::Role;
 use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
 
-/// Longest arrow, in radii of the larger disc.
+/// The length of the longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
-/// Longest arrow of a velocity that is resolved, in the same radii.
+/// The length of the longest arrow of a velocity with components, in the same radii.
 const LONGEST_ROOTED: f64 = 2.9;
-/// Longest component along n from a centre, as a share of the distance between the centres, where
-/// the other disc's component begins.
+/// The length of the longest component along n that begins at a centre, as a fraction of the
+/// distance to the other centre, where the other disc's component begins.
 const LONGEST_ALONG: f64 = 0.96;
-/// How far to the side of its disc the leading disc's arrow is drawn, in the same radii.
+/// The distance from the leading disc's rim to its arrow, which is drawn at its side, in the same
+/// radii.
 const BESIDE: f64 = 0.4;
-/// Room for the head of an arrow, in the same radii.
+/// The room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
-/// Radius of an arc, in radii of its disc.
+/// The radius of an arc, in radii of its disc.
 const ARC: f64 = 1.55;
-/// An angle this small, in radians, has no arc.
+/// The smallest angle for which an arc is drawn, in radians.
 const LEAST_ARC: f64 = 1e-6;
 /// The tolerance of a right angle, in radians.
 const SQUARE: f64 = 1e-9;
-/// The share of the greatest speed below which a disc counts as at rest.
+/// The fraction of the greatest speed below which a disc counts as at rest.
 const STILL: f64 = 1e-9;
 /// A speed below this, in m/s, is printed as 0.00.
 const LEAST_SPEED: f64 = 0.005;
-/// Width and height of the triangle of momenta as a share of the picture.
+/// The width and height of the triangle of momenta, as fractions of the picture's.
 const INSET: DVec2 = DVec2::new(0.26, 0.30);
 
-/// The scale of velocities as arrows.
+/// The scale of velocity arrows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArrowScale {
-    /// Metres on the picture for each m/s.
+    /// Metres on the picture per m/s.
     per_speed: f64,
     /// The greatest speed in the picture.
     fastest: f64,
 }
 
 impl ArrowScale {
-    /// The largest scale at which arrows for `after`, drawn outwards from the rims
-    /// at contact, stay within the picture.
+    /// The largest scale at which the arrows for `after`, drawn outwards from the rims at contact,
+    /// stay within the picture.
     pub(super) fn fit(stage: &HitLayout, before: [DVec2; 2], after: [DVec2; 2]) -> Self {
         let speeds = before.iter().chain(&after).map(|v| v.length());
         let fastest = speeds.fold(0.0, f64::max);
@@ -55,8 +55,8 @@ impl ArrowScale {
         Self::scaled(room.fold(LONGEST * stage.unit(), f64::min), fastest)
     }
 
-    /// The largest scale at which velocities stay within the picture, each drawn at its
-    /// root, and one `along` the line of impact from one centre ends before the other.
+    /// The largest scale at which velocities attached at their roots stay within the picture, and a
+    /// component `along` the line of impact that begins at one centre ends before the other.
     pub(super) fn fit_rooted(
         stage: &HitLayout,
         along: DVec2,
@@ -77,7 +77,7 @@ impl ArrowScale {
         Self::scaled(room.fold(longest, f64::min), fastest)
     }
 
-    /// The scale at which the greatest speed is so long, in metres on the picture.
+    /// The scale at which the greatest speed has the length `longest`, in metres on the picture.
     fn scaled(longest: f64, fastest: f64) -> Self {
         let per_speed = if fastest > 0.0 {
             longest / fastest
@@ -101,9 +101,9 @@ impl ArrowScale {
 /// The end at which a velocity and its components are attached.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Root {
-    /// All of them begin here.
+    /// The velocity and its components begin here.
     From(DVec2),
-    /// The velocity ends here; its components begin where it does.
+    /// The velocity ends here; its components begin where the velocity begins.
     UpTo(DVec2),
 }
 
@@ -117,7 +117,7 @@ impl Root {
     }
 }
 
-/// A velocity as an arrow: its name, and what it is drawn as.
+/// A velocity with its name and the appearance of its arrow.
 #[derive(Debug, Clone)]
 pub(super) struct NamedVelocity {
     pub(super) name: String,
@@ -137,7 +137,7 @@ impl Sketch {
         Self { stage, picture }
     }
 
-    /// A label on the side of its anchor that lies in a direction.
+    /// Adds a label beside its anchor, in the given direction.
     pub(super) fn label(
         &mut self,
         text: impl Into<String>,
@@ -149,8 +149,8 @@ impl Sketch {
             .label(text, anchor, &LabelSide::towards(towards), role)
     }
 
-    /// The arc from one direction to another around the centre of `body`, with its reference line
-    /// and the angle beside it.
+    /// Draws the arc from one direction to another around the centre of `body`, with its reference
+    /// line and the angle beside it.
     pub(super) fn arc(&mut self, body: usize, [from, to]: [DVec2; 2], name: &str, pen: Pen) {
         let (Some(from), Some(to)) = (from.try_normalize(), to.try_normalize()) else {
             return;
@@ -168,19 +168,19 @@ impl Sketch {
         self.angle(name, turn, middle, middle - centre);
     }
 
-    /// Whether there is an arc from one direction to another.
+    /// Whether an arc is drawn from one direction to another.
     pub(super) fn has_arc(from: DVec2, to: DVec2) -> bool {
         from.angle_to(to).abs() >= LEAST_ARC
     }
 
-    /// An angle in radians, without its sign, beside `at`.
+    /// Writes the size of an angle, given in radians, beside `at`.
     pub(super) fn angle(&mut self, name: &str, angle: f64, at: DVec2, towards: DVec2) {
         let text = format!("{name}{:.1}°", angle.to_degrees().abs());
         self.label(text, at, towards, Role::Arc);
     }
 
-    /// The square corner between two final paths, at the striker's centre: both lines pass through
-    /// it, one along the tangent, the other along the line of impact.
+    /// Draws the right-angle mark between two final paths at the striker's centre: both lines pass
+    /// through it, one along the tangent, the other along the line of impact.
     pub(super) fn square_corner(&mut self, v1: DVec2, v2: DVec2, pen: Pen) {
         if let (Some(a), Some(b)) = (v1.try_normalize(), v2.try_normalize())
             && a.dot(b).abs() <= SQUARE
@@ -191,19 +191,18 @@ impl Sketch {
         }
     }
 
-    /// A dashed path from the disc at the contact, and the target mark.
+    /// Draws the required path as a dashed line from the disc at the contact, and the target mark.
     pub(super) fn wanted_way(&mut self, aim: &AimTask) {
         let (direction, [rim, end]) = self.stage.ray(aim.ray, aim.wanted);
-        // Too small to be drawn as a disc: a token.
+        // This radius is too small for a disc, so a token is drawn.
         let radius = 0.01 * self.stage.view.per_row();
         self.picture.line(rim, end, Pen::new(Role::Good).dashed());
         self.picture.disc(end, radius, Role::Marble, ' ');
         self.label("mark", end, direction, Role::Good);
     }
 
-    /// An arrow up to the rim of a disc that arrives, and its speed beside the visible part of it.
-    /// The arrow of a disc ahead of the other is beside its disc, because the other disc is behind
-    /// it.
+    /// Draws an arrow that ends at the rim of an arriving disc, with the speed beside its visible
+    /// part. If the other disc is right behind this one, the arrow is beside the disc.
     pub(super) fn incoming(
         &mut self,
         scale: &ArrowScale,
@@ -217,7 +216,7 @@ impl Sketch {
         let stage = &self.stage;
         let radius = stage.radius(body);
         let way = scale.per_speed * v;
-        // Across the arrow, on the side away from the coin.
+        // The label is beside the arrow, on the side away from the coin.
         let across = DVec2::from_angle(stage.side()).rotate(direction).perp() * stage.side();
         let (tip, anchor, across) = if stage.runs_ahead(body, v) {
             let out = direction.perp();
@@ -235,9 +234,9 @@ impl Sketch {
         self.label(text, anchor, across, Role::Incoming).short(name);
     }
 
-    /// An arrow away from the rim of a disc that leaves, with its speed at the tip; or
-    /// that it stops. The arrow ends at the edge of the picture; where not even its head
-    /// has room there is none. `room` is that around the disc's centre for the label.
+    /// Draws an arrow from the rim of a disc that leaves, with the speed at the tip; or writes
+    /// that the disc stops. The arrow ends at the edge of the picture, and is left out if there is
+    /// no room for its head. `room` is the room for the label around the disc's centre.
     pub(super) fn outgoing(
         &mut self,
         scale: &ArrowScale,
@@ -260,12 +259,13 @@ impl Sketch {
         let (text, anchor, towards) = match tip {
             Some(tip) => (format!("{name} = {:.2} m/s", v.length()), tip, v),
             None => (
-                format!("{name} = 0: it stands still"),
+                format!("{name} = 0: at rest"),
                 centre + room * DVec2::NEG_Y,
                 DVec2::NEG_Y,
             ),
         };
-        // Beside the disc, as after a head-on hit the arrow may be on the other disc.
+        // The label is beside the disc, because after a head-on collision the arrow may be on
+        // the other disc.
         let across = v.perp().normalize_or_zero();
         let across = across * 1.0_f64.copysign(across.y);
         self.picture
@@ -273,8 +273,8 @@ impl Sketch {
             .or(centre + room * across, &LabelSide::towards(across));
     }
 
-    /// A velocity of a disc and its components along n and t, with the sides that complete the
-    /// rectangle. If there is only one component, both are the same arrow, with both names.
+    /// Draws a velocity of a disc and its components along n and t, with the sides that complete
+    /// the rectangle. If there is only one component, it is the same arrow, with both names.
     pub(super) fn split(
         &mut self,
         scale: &ArrowScale,
@@ -286,7 +286,7 @@ impl Sketch {
         match some.collect::<Vec<_>>().as_slice() {
             [] => {
                 let below = self.stage.centres[body] + self.stage.radius(body) * DVec2::NEG_Y;
-                let text = format!("{} = 0: it stands still", whole.name);
+                let text = format!("{} = 0: at rest", whole.name);
                 self.label(text, below, DVec2::NEG_Y, whole.role);
             }
             [part] => {
@@ -299,14 +299,14 @@ impl Sketch {
             both => {
                 let tail = root.tail(scale.per_speed * whole.v);
                 let end = |v: DVec2| tail + scale.per_speed * v;
-                // The side beyond a part is as long as the other one, and as it is coloured.
+                // The side at the tip of one component has the length and colour of the other.
                 for (part, other) in both.iter().zip(both.iter().rev()) {
                     let pen = Pen::new(other.role).dotted();
                     let closing = pen.on(DrawLayer::Construction);
                     self.picture.line(end(part.v), end(whole.v), closing);
                 }
-                // The longest below: near the root they share cells. Its name comes last,
-                // as it may stand at either end.
+                // The longest arrow is drawn first, because all arrows share cells near the root.
+                // Its name is written last, because it can be at either end.
                 let pen = Pen::new(whole.role).bold();
                 self.picture.arrow(tail, end(whole.v), pen);
                 for part in both {
@@ -315,7 +315,7 @@ impl Sketch {
                         Root::From(_) => self.velocity(scale, root, part),
                         Root::UpTo(_) => {
                             self.picture.arrow(tail, tip, Pen::new(part.role).bold());
-                            // Out of the rectangle, and away from the other disc.
+                            // Outside the rectangle, on the side away from the other disc.
                             let aside = (tip - end(whole.v / 2.0)).normalize_or_zero();
                             self.name(part, tip, aside + tip.normalize_or_zero());
                         }
@@ -327,7 +327,7 @@ impl Sketch {
         }
     }
 
-    /// A velocity as an arrow, with its speed at the free end.
+    /// Draws a velocity as an arrow, with the speed at its free end.
     pub(super) fn velocity(&mut self, scale: &ArrowScale, root: Root, velocity: &NamedVelocity) {
         if scale.is_still(velocity.v) {
             return;
@@ -341,14 +341,14 @@ impl Sketch {
         self.name(velocity, at, towards);
     }
 
-    /// The end of an arrow that is not its root, and the direction that leads on: out of
-    /// the discs, which labels never cover.
+    /// The free end of an arrow, and the direction in which it points away: out of the discs, which
+    /// labels never cover.
     fn free_end(&self, root: Root, [tail, tip]: [DVec2; 2]) -> (DVec2, DVec2) {
         let direction = (tip - tail).normalize_or_zero();
         if let Root::UpTo(_) = root {
             return (tail, -direction);
         }
-        // Out of the one disc it may be in the other.
+        // A point outside one disc may be inside the other.
         let outside = (0..2).chain([0]).fold(tip, |at, body| {
             let (centre, radius) = (self.stage.centres[body], self.stage.radius(body));
             let to = centre - at;
@@ -362,14 +362,14 @@ impl Sketch {
         (outside, direction)
     }
 
-    /// The name and the speed of a velocity, on the side of `at` that lies in a direction.
+    /// Writes the name and the speed of a velocity beside `at`, in the given direction.
     fn name(&mut self, velocity: &NamedVelocity, at: DVec2, towards: DVec2) {
         let text = format!("{} = {:.2} m/s", velocity.name, velocity.v.length());
         self.label(text, at, towards, velocity.role)
             .short(&velocity.name);
     }
 
-    /// The triangle of momenta in kg·m/s: total = p₁ + p₂, tail to tip, in the corner
+    /// Draws the triangle of momenta in kg·m/s: total = p₁ + p₂, tail to tip, in the corner
     /// furthest from `busy`, the directions in which something is drawn.
     pub(super) fn triangle(&mut self, p1: DVec2, p2: DVec2, busy: &[DVec2]) {
         let total = p1 + p2;
@@ -408,7 +408,7 @@ impl Sketch {
     }
 }
 
-/// The corner, as signs of x and y, that keeps furthest from all busy directions.
+/// The corner, as signs of x and y, that is furthest from all busy directions.
 fn freest_corner(half: DVec2, busy: &[DVec2]) -> DVec2 {
     let corners = [(-1.0, 1.0), (-1.0, -1.0), (1.0, 1.0), (1.0, -1.0)].map(DVec2::from);
     let crowding = |corner: &DVec2| {
@@ -429,7 +429,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_corner_away_from_everything_is_taken() {
+    fn the_corner_furthest_from_busy_directions_is_chosen() {
         let half = DVec2::new(4.0, 3.0);
         let busy = [DVec2::new(1.0, 1.0), DVec2::new(1.0, -0.5), DVec2::NEG_X];
         let corner = freest_corner(half, &busy);

@@ -10,22 +10,23 @@ use crate::widgets::picture::View;
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
 
-/// The same in a low picture, where the discs would otherwise be too small to be round.
+/// Half of a low picture's shorter side, in the same radii. It is smaller because the discs would
+/// otherwise be too small to be round.
 const LOW_HALF_HEIGHT: f64 = 2.9;
 
-/// Share of the picture's half height that is certainly visible.
+/// The fraction of half the picture's height that is certainly visible.
 const IN_SIGHT: f64 = 0.92;
 
-/// Rows below which a picture is low.
+/// The number of rows below which a picture counts as low.
 const LOW: u16 = 12;
 
-/// Longest ray, in radii of the larger disc.
+/// The length of the longest ray, in radii of the larger disc.
 const RAY: f64 = 2.9;
 
-/// The geometry of a hit as drawn: the contact point is in the middle.
+/// The geometry of a collision as drawn, with the contact point in the middle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HitLayout {
-    /// Where the world is on the screen.
+    /// The mapping from the world to the screen.
     pub view: View,
     /// The collision.
     pub collision: Collision,
@@ -36,7 +37,7 @@ pub(crate) struct HitLayout {
 }
 
 impl HitLayout {
-    /// The stage of `collision` in `area`.
+    /// The layout of `collision` in `area`.
     pub(crate) fn new(area: Rect, collision: &Collision) -> Self {
         let largest = collision.striker.radius.max(collision.target.radius);
         let half = if area.height < LOW {
@@ -53,8 +54,8 @@ impl HitLayout {
         }
     }
 
-    /// The stage of `collision` on paper: as large as it must be to show what lies
-    /// between two corners, with this many columns for the radius of the larger disc.
+    /// The layout of `collision` on paper: just large enough to show the rectangle between two
+    /// corners, with this many columns for the radius of the larger disc.
     pub(super) fn between(collision: &Collision, [low, high]: [DVec2; 2], columns: f64) -> Self {
         let largest = collision.striker.radius.max(collision.target.radius);
         let size = (high - low) / largest * columns;
@@ -67,17 +68,17 @@ impl HitLayout {
         }
     }
 
-    /// Radius of the larger disc: the picture's own unit of length.
+    /// The radius of the larger disc, which is the unit of length in the picture.
     pub(crate) fn unit(&self) -> f64 {
         self.radius(0).max(self.radius(1))
     }
 
-    /// Radius of the striker (0) or the target (1).
+    /// The radius of the striker (0) or the target (1).
     pub(crate) fn radius(&self, body: usize) -> f64 {
         [self.collision.striker, self.collision.target][body].radius
     }
 
-    /// The direction that angles are measured from: that of the striker.
+    /// The striker's direction, from which angles are measured.
     pub(crate) fn heading(&self) -> DVec2 {
         self.collision.u1.try_normalize().unwrap_or(DVec2::X)
     }
@@ -87,25 +88,26 @@ impl HitLayout {
         self.collision.side()
     }
 
-    /// Whether one disc, at these positions, has the other straight ahead in a direction.
+    /// Whether, at these positions, the other disc is straight ahead of a disc moving in a
+    /// direction.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
         let other = places[1 - body] - places[body];
         let direction = direction.normalize_or_zero();
         other.dot(direction) > 0.0 && other.perp_dot(direction).abs() < self.radius(1 - body)
     }
 
-    /// Whether a disc with this initial velocity has the other one right behind it.
+    /// Whether the other disc is right behind a disc with this initial velocity.
     pub(super) fn runs_ahead(&self, body: usize, v: DVec2) -> bool {
         self.is_towards(self.centres, body, -v)
     }
 
-    /// The direction of a ray at an angle in radians, with the signs of physics.
+    /// The direction of a ray at an angle in radians, with the signs used in physics.
     fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
         DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
     }
 
-    /// The ray of a disc at an angle in radians, from where the two will meet: its
-    /// direction, where it leaves the rim, and its tip.
+    /// The ray of a disc at an angle in radians, from its position at contact: the direction, and
+    /// the points where it leaves the rim and where it ends.
     pub(crate) fn ray(&self, ray: Ray, angle: f64) -> (DVec2, [DVec2; 2]) {
         let centre = self.centres[ray as usize];
         let direction = self.direction(ray, angle);
@@ -114,14 +116,14 @@ impl HitLayout {
         (direction, ends.map(|away| centre + away * direction))
     }
 
-    /// The angle in degrees that a player gives a ray in this direction: positive
-    /// away from the coin for the striker, to the coin's side for the coin.
+    /// The angle in degrees, as players write it, of a ray in this direction: for the striker
+    /// positive on the side away from the coin, for the coin positive on the coin's side.
     pub(crate) fn angle_deg_of(&self, ray: Ray, direction: DVec2) -> f64 {
         self.side() * turn(ray) * self.heading().angle_to(direction).to_degrees()
     }
 
-    /// Half the width and height of the picture, less a margin for arrow tips and
-    /// labels; in a low picture hardly any, or no arrow would be left.
+    /// Half the width and height of the picture, less a margin for arrow tips and labels. A low
+    /// picture has hardly any margin, because otherwise there would be no room for arrows.
     pub(crate) fn half_extent(&self) -> DVec2 {
         let area = self.view.area();
         let margin = if area.height < LOW { 0.5 } else { 1.5 };
@@ -133,7 +135,7 @@ impl HitLayout {
         )
     }
 
-    /// How far one can go from `from` along `direction` inside the picture.
+    /// The distance from `from` along `direction` to the edge of the picture.
     pub(crate) fn room(&self, from: DVec2, direction: DVec2) -> f64 {
         let half = self.half_extent();
         let along = |from: f64, step: f64, half: f64| {
@@ -150,8 +152,8 @@ impl HitLayout {
     }
 }
 
-/// The time after the contact for which both discs are completely in the picture, in the laboratory
-/// frame and in the centre-of-mass frame.
+/// The time after the contact for which both discs are completely inside the picture, both in the
+/// laboratory frame and in the centre-of-mass frame.
 pub(super) fn time_in_sight(collision: &Collision) -> f64 {
     let largest = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
@@ -175,8 +177,8 @@ pub(super) fn time_in_sight(collision: &Collision) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// The sense in which a ray's angle counts: the scattering angle anticlockwise, the
-/// recoil angle clockwise.
+/// The sign of a ray's angle: the scattering angle is positive anticlockwise, the recoil angle
+/// clockwise.
 fn turn(ray: Ray) -> f64 {
     match ray {
         Ray::Striker => 1.0,
@@ -189,11 +191,11 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    /// Whatever the masses and angles: both discs are whole as long as they are followed,
-    /// from the board and from the centre of mass, and in one of the two one of them comes
-    /// to the edge.
+    /// For all masses and angles, both discs stay completely inside the picture while they are
+    /// shown, in the laboratory frame and in the centre-of-mass frame, and in one of the two
+    /// frames a disc reaches the edge.
     #[test]
-    fn discs_are_followed_as_long_as_they_are_whole_in_the_picture() {
+    fn discs_are_shown_while_they_are_completely_inside_the_picture() {
         let disc = |mass, radius| Disc { mass, radius };
         for alpha_deg in [-70.0_f64, 0.0, 30.0, 60.0, 85.0] {
             for (m2, r2) in [(0.0055, 0.016), (0.015, 0.02), (0.04, 0.02)] {

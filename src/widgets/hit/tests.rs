@@ -53,7 +53,7 @@ fn collisions() -> Vec<Collision> {
     all
 }
 
-/// A picture as it is printed.
+/// A printed picture, as an SVG file.
 fn file(picture: &Picture) -> String {
     let look = Look {
         charset: Charset::Unicode,
@@ -62,8 +62,8 @@ fn file(picture: &Picture) -> String {
     Svg::new("a hit", picture, &look, 0.75).file()
 }
 
-/// What is written in a picture, once it is plain that it is whole: as large as paper
-/// takes it, well-formed, and made of lines and circles of finite numbers.
+/// The labels of a picture, after checking that the file is complete: it fits the paper, is
+/// well-formed, and consists of lines and circles with finite numbers.
 fn labels(picture: &Picture) -> Vec<String> {
     let area = picture.area();
     assert!(area.width.min(area.height) >= 10, "{area}");
@@ -92,7 +92,7 @@ const GIVEN: Markings = Markings {
 };
 
 #[test]
-fn every_hit_can_be_printed_before_it_and_after_it() {
+fn every_collision_can_be_printed_before_and_after_the_contact() {
     for collision in collisions() {
         let before = labels(&protractor_picture(&collision, GIVEN));
         for angle in ["30", "60", "90", "120", "150"] {
@@ -110,9 +110,9 @@ fn every_hit_can_be_printed_before_it_and_after_it() {
 }
 
 #[test]
-fn a_hit_that_was_seen_tells_its_angles_alone() {
+fn an_observed_collision_shows_only_its_angles() {
     for collision in collisions() {
-        // As fast again, with masses twice as large, it looks the same.
+        // At twice the speed and with twice the masses it looks the same.
         let heavier = |disc: Disc| Disc {
             mass: 2.0 * disc.mass,
             ..disc
@@ -131,7 +131,7 @@ fn a_hit_that_was_seen_tells_its_angles_alone() {
 }
 
 #[test]
-fn a_shot_to_be_set_has_its_angle_and_a_scale_true_to_size() {
+fn a_shot_to_set_up_shows_its_angle_and_a_scale_in_true_size() {
     for (m1, r1, m2, r2) in PIECES {
         let (striker, target) = (Disc::from_g_mm(m1, r1), Disc::from_g_mm(m2, r2));
         for turn in 0..12 {
@@ -165,7 +165,7 @@ fn a_shot_to_be_set_has_its_angle_and_a_scale_true_to_size() {
 }
 
 #[test]
-fn letters_and_numbers_are_those_of_the_hit() {
+fn letters_and_numbers_match_the_collision() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
     // 4 m/s sin 30° and cos 30°.
@@ -201,17 +201,17 @@ fn letters_and_numbers_are_those_of_the_hit() {
 }
 
 #[test]
-fn what_stands_still_and_what_misses_is_said() {
+fn a_disc_at_rest_and_a_miss_are_labelled() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let head_on = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.0);
     let found = labels(&revealed(&head_on));
-    let still = "v₁ = 0: it stands still".to_owned();
+    let still = "v₁ = 0: at rest".to_owned();
     assert!(found.contains(&still), "{found:?}");
     let miss = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.04);
     assert!(!labels(&revealed(&miss)).iter().any(|it| it.contains('α')));
 }
 
-/// A picture in cells, on the background of its theme.
+/// A picture drawn into cells, on the background of its theme.
 fn cells(picture: &Picture, look: &Look) -> Buffer {
     let mut buffer = Buffer::empty(picture.area());
     buffer.set_style(picture.area(), look.theme.base());
@@ -219,8 +219,8 @@ fn cells(picture: &Picture, look: &Look) -> Buffer {
     buffer
 }
 
-/// How far along an arrow, in columns from its tail, cells in a colour of their own lie
-/// that show something and are not like what lies beneath.
+/// The distances along an arrow, in columns from its tail, of cells that show its colour and differ
+/// from what is beneath.
 fn seen_along(
     buffer: &Buffer,
     picture: &Picture,
@@ -238,7 +238,7 @@ fn seen_along(
     near.map(|offset| offset.dot(along)).collect()
 }
 
-/// The steps of a hit at which arrows are told, seen from a frame, with their pictures.
+/// The steps of a collision that explain arrows, in a frame, with their pictures.
 fn steps(
     collision: &Collision,
     frame: Frame,
@@ -254,7 +254,7 @@ fn steps(
 }
 
 #[test]
-fn each_arrow_is_seen_from_end_to_end_in_the_colour_of_its_label() {
+fn each_arrow_is_visible_from_end_to_end_in_the_colour_of_its_label() {
     let themes = [
         (Palette::Dark, Depth::True),
         (Palette::Dark, Depth::Indexed256),
@@ -312,7 +312,7 @@ fn each_arrow_is_seen_from_end_to_end_in_the_colour_of_its_label() {
                         last > length - 2.0,
                         "{place}: {role:?} ends at {last} of {length}"
                     );
-                    // The arrow that comes in begins outside of the picture.
+                    // An incoming arrow begins outside the picture.
                     if role != Role::Incoming || picture.view().cell_at(*from).is_some() {
                         let shared = f64::max(3.0, 0.5 * length);
                         assert!(first < shared, "{place}: {role:?} begins at {first}");
@@ -326,7 +326,7 @@ fn each_arrow_is_seen_from_end_to_end_in_the_colour_of_its_label() {
 }
 
 #[test]
-fn what_a_step_tells_has_the_same_length_in_the_next() {
+fn an_arrow_of_one_step_has_the_same_length_in_the_next() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
     let steps: Vec<_> = steps(&hit, Frame::Laboratory, AREA)
@@ -346,15 +346,15 @@ fn what_a_step_tells_has_the_same_length_in_the_next() {
     assert!((length(4, Role::StrikerOut).unwrap() - across).abs() < 1e-12);
 }
 
-/// Where both move each has its arrows and their names on its own side.
+/// If both discs move, each has its arrows and their names on its own side.
 #[test]
-fn no_name_stands_at_the_other_disc() {
+fn no_name_is_beside_the_other_disc() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let at = |alpha_deg: f64| {
         let alpha = alpha_deg.to_radians();
         Collision::at_angle(piece, piece, dvec2(3.0, 0.0), alpha)
     };
-    // One comes up behind the other.
+    // The striker catches up with the coin.
     let chase = Collision {
         u2: dvec2(1.0, 0.0),
         ..at(0.0)
@@ -376,11 +376,11 @@ fn no_name_stands_at_the_other_disc() {
                     let mut labels = canvas.labels().iter();
                     let label = labels
                         .find(|it| it.text == name || it.text.starts_with(&format!("{name} =")));
-                    // In a narrow picture one may have found no room.
+                    // In a narrow picture there may be no room for a label.
                     let Some(label) = label else {
                         continue;
                     };
-                    // The end of it that is nearer to the disc's own side.
+                    // The end of the label that is nearer to the disc's own side.
                     let ends = [label.place.left(), label.place.right()];
                     let end = ends[usize::from([c1.x, c2.x][body] > 0.0)];
                     let x = picture.view().world_at(end, label.place.y).x;
@@ -392,9 +392,9 @@ fn no_name_stands_at_the_other_disc() {
     }
 }
 
-/// Before the hit the arrow of one that comes head-on ends before the other disc.
+/// Before a head-on collision, an arrow ends before the other disc.
 #[test]
-fn no_arrow_before_the_hit_runs_into_the_other_disc() {
+fn no_arrow_before_the_collision_runs_into_the_other_disc() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let head_on = Collision::at_angle(piece, piece, dvec2(3.0, 0.0), 0.0);
     for u2 in [dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(-2.0, 0.0)] {

@@ -14,10 +14,10 @@ use crate::quiz::{AimTask, Rays};
 use crate::widgets::panels::{impact_angle, masses, offset, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
-/// Share of the whole that `<` and `>` scrub by.
+/// The fraction of the shot's duration by which `<` and `>` scrub.
 const SCRUB: f64 = 1.0 / 16.0;
 
-/// A hit being watched.
+/// A collision being watched.
 #[derive(Debug, Clone)]
 pub(crate) struct Watch {
     collision: Collision,
@@ -32,15 +32,15 @@ pub(crate) struct Watch {
     pub(super) faces: [Face; 2],
     /// The explanation at the contact, step by step.
     steps: &'static [ExplanationStep],
-    /// The layer that was switched by the last key.
+    /// The layer that the last key switched on or off.
     switched: Option<Overlay>,
 }
 
-/// What keys do to a hit that is watched.
+/// The key actions for a collision that is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WatchAction {
-    /// go on: to the contact, through the explanation step by step, and to the end
+    /// go on to the contact, through the explanation step by step, and to the end
     GoOn,
     /// move one step back or forward; at the contact, through the explanation
     Step(i8),
@@ -50,7 +50,7 @@ pub enum WatchAction {
     Start,
     /// skip to the last step of the explanation, then to the end
     End,
-    /// play it again
+    /// replay the collision
     Again,
     /// switch between the laboratory, centre-of-mass and coin frames
     Frame,
@@ -58,7 +58,7 @@ pub enum WatchAction {
     ToggleLayer(Overlay),
 }
 
-/// How a disc of a hit is drawn.
+/// How a disc of a collision is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Face {
     /// Its colour.
@@ -68,19 +68,19 @@ pub(crate) struct Face {
 }
 
 impl Face {
-    /// A striker and a coin.
+    /// The faces of a striker and a coin.
     pub(crate) const STRIKER_AND_COIN: [Self; 2] =
         [Self::new(Role::Striker, 'S'), Self::new(Role::Coin, 'C')];
 
-    /// A colour, and the letter on it.
+    /// A face with this colour and letter.
     pub(crate) const fn new(role: Role, letter: char) -> Self {
         Self { role, letter }
     }
 }
 
 impl Watch {
-    /// The collision from its start, with the player's prediction; with reduced motion, from the
-    /// contact.
+    /// The collision from its start, or from the contact with reduced motion, with the player's
+    /// prediction.
     pub(crate) fn new(collision: Collision, said: Option<Rays>, pace: HitPace) -> Self {
         let (contact, end) = times(&collision);
         let outcome = collision.outcome();
@@ -111,7 +111,7 @@ impl Watch {
         watch
     }
 
-    /// The same without steps at the contact: the whole explanation at once.
+    /// This collision without steps at the contact: the whole explanation appears at once.
     #[must_use]
     pub(crate) fn at_once(self) -> Self {
         Self {
@@ -121,33 +121,33 @@ impl Watch {
         }
     }
 
-    /// The same seen from another frame.
+    /// This collision in another frame.
     #[must_use]
     pub(crate) fn seen_from(self, frame: Frame) -> Self {
         Self { frame, ..self }
     }
 
-    /// The same hit of other pieces than a striker and a coin.
+    /// This collision with pieces other than a striker and a coin.
     #[must_use]
     pub(crate) fn with_faces(self, faces: [Face; 2]) -> Self {
         Self { faces, ..self }
     }
 
-    /// The same with the required path of one disc.
+    /// This collision with the required path of one disc.
     #[must_use]
     pub(crate) fn with_wanted(mut self, aim: AimTask) -> Self {
         self.wanted = Some(aim);
         self
     }
 
-    /// The same with the masses and the impact angle written beside it.
+    /// This collision with the masses and the impact angle beside it.
     #[must_use]
     pub(crate) fn with_measures(mut self) -> Self {
         self.measured = true;
         self
     }
 
-    /// The same with these layers.
+    /// This collision with the given layers.
     #[must_use]
     pub(crate) fn with_layers(self, layers: Overlays) -> Self {
         Self { layers, ..self }
@@ -198,8 +198,8 @@ impl Watch {
         self.clock.is_revealed()
     }
 
-    /// The title of the picture. In the laboratory frame it is `name`. After a layer was switched,
-    /// it names that layer.
+    /// The title of the picture: `name` in the laboratory frame, otherwise the frame. After a layer
+    /// has been switched on or off, the title names that layer.
     pub(crate) fn title(&self, name: &str) -> String {
         if let Some(layer) = self.switched {
             let state = if self.layers.shows(layer) {
@@ -219,12 +219,12 @@ impl Watch {
         }
     }
 
-    /// [`Watch::title`] of a hit that is slowed down.
+    /// The [`Watch::title`] of a collision in slow motion.
     pub(crate) fn slowed_title(&self) -> String {
         self.title(&format!("the hit, slowed {:.0}×", self.clock.slowed()))
     }
 
-    /// Writes the step of the explanation and its words, until the explanation is complete.
+    /// Writes the step of the explanation and its text, until the explanation is complete.
     pub(crate) fn write_explanation<A>(&self, panel: &mut Panel<A>) {
         let (heading, words) = self.explanation();
         if let Some(heading) = heading {
@@ -235,7 +235,8 @@ impl Watch {
     }
 
     /// Writes the facts of the collision, except `secret` masses, and what has been revealed so
-    /// far. Returns whether the explanation follows: once complete, in the laboratory frame.
+    /// far. Returns whether the explanation follows: in the laboratory frame, once everything is
+    /// revealed.
     pub(crate) fn write_facts<A>(&self, secret: [bool; 2], panel: &mut Panel<A>) -> bool {
         offset(&self.collision, panel);
         impact_angle(&self.collision, panel);
@@ -250,8 +251,7 @@ impl Watch {
         let seen = match self.frame {
             Frame::Laboratory => return true,
             Frame::CentreOfMass => {
-                "In this frame the discs always move in opposite directions: total momentum is \
-                 zero."
+                "Here the discs always move in opposite directions: the total momentum is zero."
             }
             Frame::Target => {
                 "In this frame body 2 is at rest before the collision: the rules for a coin at \
@@ -262,7 +262,7 @@ impl Watch {
         false
     }
 
-    /// The present words of the explanation, with a heading after the contact.
+    /// The current text of the explanation, with a heading after the contact.
     pub(crate) fn explanation(&self) -> (Option<String>, String) {
         let words = StepWords::new(&self.collision, &self.outcome, self.frame, self.faces);
         match self.step() {
@@ -276,14 +276,14 @@ impl Watch {
         self.clock.reveal();
     }
 
-    /// The keys that work it.
+    /// The keys that control the collision.
     pub(crate) fn keys(&self) -> KeyTable<WatchAction> {
         use WatchAction::{Again, End, Frame, GoOn, Scrub, Start, Step, ToggleLayer};
         let layer = |digit: char| {
             let number = usize::from(digit as u8 - b'1');
             (Key::Char(digit), ToggleLayer(Overlay::ALL[number]))
         };
-        // The last layer is what was said.
+        // The last layer is the prediction.
         let last = if self.said.is_some() { '7' } else { '6' };
         KeyTable::new("hit")
             .on(' ', GoOn, "go on")
@@ -323,17 +323,17 @@ impl Watch {
         }
     }
 
-    /// Lets time pass on the screen.
+    /// Advances the time by `passed` on the screen.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         self.clock.advance(passed, pace);
     }
 
-    /// When it next needs time.
+    /// The delay until the collision next has to advance.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         self.clock.wake(pace)
     }
 
-    /// The picture of the moment that its clock shows.
+    /// The picture at the current time of the clock.
     #[must_use]
     pub(crate) fn picture(&self, area: Rect) -> Picture {
         let stage = HitLayout::new(area, &self.collision);
@@ -341,8 +341,8 @@ impl Watch {
     }
 }
 
-/// The time of the contact and the end, in the shot's seconds, so that the discs start and end at
-/// the edge of the picture, whatever their speeds.
+/// The times of the contact and the end, in the shot's seconds. They are chosen so that discs of
+/// any speed start and end at the edge of the picture.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
@@ -355,7 +355,7 @@ fn times(collision: &Collision) -> (f64, f64) {
     if lead.is_finite() && lead > 0.0 {
         (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {
-        // They have equal velocities, so nothing happens.
+        // The discs have equal velocities, so nothing happens.
         (1.0, 2.0)
     }
 }

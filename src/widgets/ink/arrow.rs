@@ -5,16 +5,16 @@ use glam::DVec2;
 use super::{canvas::Canvas, cell::Glyph};
 use crate::widgets::{Charset, picture::Pen};
 
-/// Length of a head in columns; a shorter arrow has a shorter head.
+/// The length of a head in columns; a shorter arrow has a shorter head.
 const HEAD_LENGTH: f64 = 3.0;
-/// The same for a bold arrow.
+/// The length of the head of a bold arrow, in columns.
 const BOLD_HEAD_LENGTH: f64 = 4.0;
-/// Half the width of a head, as a share of its length.
+/// Half the width of a head, as a fraction of its length.
 const HEAD_SLIMNESS: f64 = 0.45;
 
 impl Canvas {
-    /// An arrow from one point to another, with its tip exactly at `to` (in ASCII:
-    /// in the cell of `to`). Labels keep off the tip.
+    /// Draws an arrow from one point to another, with its tip exactly at `to` (in ASCII: in the
+    /// cell of `to`). Labels do not cover the tip.
     pub(super) fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         let (tail, tip) = self.snapped(self.paper(from), self.paper(to), pen);
@@ -45,13 +45,13 @@ impl Canvas {
         let stroke = self.stroke_mut();
         stroke.piece(tail, base, pen);
         stroke.triangle([tip, base + side, base - side]);
-        // Near the tip the triangle is finer than a dot: its axis goes on.
+        // Near the tip the triangle is finer than a dot, so its axis is drawn.
         stroke.piece(base, tip, Pen::new(pen.role));
         self.commit(pen);
     }
 
     fn glyph_head(&mut self, tail: DVec2, tip: DVec2, pen: Pen) {
-        // The shaft runs into the middle of the tip's cell, where its glyph is.
+        // The shaft ends in the middle of the tip's cell, where the tip's glyph is.
         let middle = DVec2::new(tip.x.floor() + 0.5, 2.0 * (tip.y / 2.0).floor() + 1.0);
         self.stroke_mut().piece(tail, middle, pen);
         self.commit(pen);

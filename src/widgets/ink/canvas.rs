@@ -24,13 +24,13 @@ use crate::widgets::{Charset, Look, Role, Theme};
 /// A cell of the canvas: column and row.
 pub(super) type CellPlace = (i32, i32);
 
-/// The cell that holds a point on paper.
+/// The cell that contains a point on paper.
 pub(super) fn cell_of(paper: DVec2) -> CellPlace {
     (paper.x.floor() as i32, (paper.y / 2.0).floor() as i32)
 }
 
-/// The cells that a picture is drawn on: strokes, discs and labels in world
-/// coordinates, then all at once [`Canvas::draw`]n into a buffer.
+/// The cells on which strokes, discs and labels in world coordinates are collected, before
+/// [`Canvas::draw`] copies them all into a buffer.
 #[derive(Debug, Clone)]
 pub(in crate::widgets) struct Canvas {
     view: View,
@@ -41,7 +41,7 @@ pub(in crate::widgets) struct Canvas {
     pub(super) is_mono: bool,
     pub(super) cells: Vec<Cell>,
     pub(super) labels: Vec<PlacedLabel>,
-    /// What labels are written for, in cells from the corner of the area.
+    /// The cells of the points that labels name, counted from the corner of the area.
     pub(super) expected: Vec<CellPlace>,
     stroke: StrokeSamples,
 }
@@ -63,7 +63,7 @@ impl Canvas {
         }
     }
 
-    /// A canvas with all of a picture on it.
+    /// A canvas with a whole picture on it.
     pub(in crate::widgets) fn of(picture: &Picture, look: &Look) -> Self {
         let mut canvas = Self::new(*picture.view(), look.charset);
         let is_hidden = look.charset == Charset::Unicode && gallery::hides_cells();
@@ -93,18 +93,18 @@ impl Canvas {
         }
     }
 
-    /// The labels that have found a place.
+    /// The labels that have been placed.
     pub(in crate::widgets) fn labels(&self) -> &[PlacedLabel] {
         &self.labels
     }
 
-    /// Where the world is on this canvas.
+    /// The mapping from the world to this canvas.
     pub(super) const fn view(&self) -> &View {
         &self.view
     }
 
-    /// A straight line. A level or upright one is shifted into the middles of its
-    /// cells (in Unicode: of its dots), so that it looks the same wherever it lies.
+    /// Draws a straight line. A horizontal or vertical line is shifted to the middles of its cells
+    /// (in Unicode: of its dots), so that it looks the same in every position.
     pub(super) fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         let (from, to) = self.snapped(self.paper(from), self.paper(to), pen);
@@ -113,8 +113,8 @@ impl Canvas {
         self.commit(pen);
     }
 
-    /// A line through many points; an open one has its last point too. It breaks at points
-    /// that are not finite.
+    /// Draws a line through many points; an open line includes its last point. It is interrupted at
+    /// points that are not finite.
     fn through(&mut self, points: impl IntoIterator<Item = DVec2>, pen: Pen, open: bool) {
         let mut last: Option<DVec2> = None;
         for point in points {
@@ -138,15 +138,15 @@ impl Canvas {
         self.commit(pen);
     }
 
-    /// Part of a circle, from one angle to another (radians, anticlockwise from
-    /// +x; to < from goes clockwise). A whole turn or more is a circle.
+    /// Draws an arc from one angle to another (radians, anticlockwise from +x; clockwise if
+    /// to < from). A whole turn or more gives a circle.
     fn arc(&mut self, (centre, radius): (DVec2, f64), [from, to]: [f64; 2], pen: Pen) {
         let turn = (to - from).clamp(-TAU, TAU);
         let reach = radius.abs() / self.view.per_column();
         if !(turn.is_finite() && reach.is_finite()) {
             return;
         }
-        // About half a column a piece; the sagitta is then out of sight.
+        // Each piece is about half a column long, so that the sagitta is too small to see.
         let pieces = (turn.abs() * reach * 2.0).ceil().clamp(4.0, 720.0) as u32;
         let step = DVec2::from_angle(turn / f64::from(pieces));
         let mut arm = DVec2::from_angle(from) * radius;
@@ -162,15 +162,14 @@ impl Canvas {
         self.arc((centre, radius), [0.0, TAU], pen.into());
     }
 
-    /// Keeps labels off the cell at a point of the world.
+    /// Keeps the cell at a point in the world free of labels.
     pub(super) fn reserve(&mut self, at: DVec2) {
         if let Some(cell) = self.cell_at(self.paper(at)) {
             cell.reserved = true;
         }
     }
 
-    /// Draws the canvas into `buffer`. Cells on which nothing was drawn keep what
-    /// they have.
+    /// Draws the canvas into `buffer`. Cells on which nothing was drawn keep their contents.
     pub(super) fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
         let inside = self.view.area().intersection(buffer.area);
         for at in inside.positions() {
@@ -184,13 +183,14 @@ impl Canvas {
         }
     }
 
-    /// What a cell looks like in the end.
+    /// The final character and style of a cell.
     fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let is_faint = cell.cover() != 0 && cell.is_faint();
         if let Some(glyph) = cell.glyph {
             let upon = glyph.upon && self.charset == Charset::Unicode;
             let mut style = match upon {
                 true if is_faint => theme.style(glyph.role).bg(self.paper_of(cell, theme)),
+                true if self.has_shades => theme.on(glyph.role).bg(self.paper_of(cell, theme)),
                 true => theme.on(glyph.role),
                 false => theme.style(glyph.role),
             };
@@ -219,13 +219,13 @@ impl Canvas {
                 };
                 (braille(cell.ink), upon)
             }
-            // At a disc's edge the disc stays round and the stroke pauses.
+            // At a disc's edge the stroke is interrupted, so that the disc stays round.
             Charset::Unicode if cell.ink != 0 && !cell.has_edge() => (braille(cell.ink), stroke),
             Charset::Unicode => self.disc_look(cell, theme),
         }
     }
 
-    /// The mean colour of what lies below the strokes of a cell.
+    /// The mean colour below the strokes of a cell.
     fn paper_of(&self, cell: &Cell, theme: &Theme) -> Color {
         theme.shade(Shades::of(cell, theme).mean(u64::MAX))
     }
@@ -246,7 +246,7 @@ impl Canvas {
         if mono {
             return (block.symbol, theme.style(disc.role));
         }
-        // Another disc that fills most of the rest of the cell is what the edge lies on.
+        // If another disc fills most of the rest of the cell, the edge is drawn on that disc.
         let others = beside.bits.count_ones();
         let is_beside = others > 0 && 2 * others >= (!disc.bits).count_ones();
         let rest = if is_beside {
@@ -262,7 +262,7 @@ impl Canvas {
         (block.symbol, Style::new().fg(ink).bg(paper))
     }
 
-    /// A point of the world on paper.
+    /// Converts a point in the world to paper.
     pub(super) fn paper(&self, world: DVec2) -> DVec2 {
         let area = self.view.area();
         let cell = self.view.to_cell(world) - dvec2(f64::from(area.x), f64::from(area.y));
@@ -275,14 +275,14 @@ impl Canvas {
         cell.is_some_and(|cell| cell.layer().is_some())
     }
 
-    /// What has been drawn in a cell of the screen.
+    /// The contents of a cell of the screen, if it is on this canvas.
     fn on_screen(&self, at: Position) -> Option<&Cell> {
         let area = self.view.area();
         let (x, y) = (at.x.checked_sub(area.x)?, at.y.checked_sub(area.y)?);
         self.cell((x.into(), y.into()))
     }
 
-    /// Where a cell is kept, if it is on this canvas.
+    /// The index of a cell, if it is on this canvas.
     pub(super) fn index(&self, (column, row): CellPlace) -> Option<usize> {
         let (columns, rows) = self.size();
         let inside = (0..columns).contains(&column) && (0..rows).contains(&row);
@@ -294,7 +294,7 @@ impl Canvas {
         self.cells.get(self.index(place)?)
     }
 
-    /// A cell of the canvas, to be drawn in.
+    /// A cell of the canvas, for drawing.
     pub(super) fn cell_mut(&mut self, place: CellPlace) -> Option<&mut Cell> {
         let index = self.index(place)?;
         self.cells.get_mut(index)
@@ -306,8 +306,8 @@ impl Canvas {
         self.cell_mut(place?)
     }
 
-    /// The ends of a line on paper, shifted to where the samples are if it is level
-    /// or upright: into the middles of the cells in ASCII, else onto the dots.
+    /// The ends of a line on paper. If it is horizontal or vertical, they are shifted to the
+    /// samples: to the middles of the cells in ASCII, otherwise to the dots.
     pub(super) fn snapped(&self, mut from: DVec2, mut to: DVec2, pen: Pen) -> (DVec2, DVec2) {
         let step = match self.charset {
             Charset::Ascii => dvec2(1.0, 2.0),
@@ -335,7 +335,7 @@ impl Canvas {
         &mut self.stroke
     }
 
-    /// Ends a stroke: its samples go into the cells.
+    /// Ends a stroke and writes its samples into the cells.
     pub(super) fn commit(&mut self, pen: Pen) {
         let (cells, charset) = (&mut self.cells, self.charset);
         self.stroke.take(|order, index, samples| {
@@ -351,7 +351,7 @@ impl Canvas {
         });
     }
 
-    /// Columns and rows of the canvas.
+    /// The numbers of columns and rows of the canvas.
     pub(super) fn size(&self) -> (i32, i32) {
         let area = self.view.area();
         (i32::from(area.width), i32::from(area.height))

@@ -1,30 +1,30 @@
-//! What has been drawn in one cell.
+//! The contents of one cell.
 
 use crate::widgets::picture::{DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
-/// The contents of a cell. Patterns are bit masks, row by row from the top left, bit 0 first.
+/// The contents of a cell. Patterns are bit masks, row by row from the top left, starting at bit 0.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
-    /// The samples strokes went through, in the charset's own grid.
+    /// The samples that strokes pass through, in the charset's grid.
     pub(super) ink: u16,
-    /// The pen whose style the cell has, if there is ink.
+    /// The pen that gives the cell its style, if there is ink.
     pub(super) pen: Pen,
     /// The disc on top, and the visible part of the one below it.
     pub(super) discs: [DiscCover; 2],
-    /// A glyph that stands for all the cell.
+    /// A glyph that fills the whole cell.
     pub(super) glyph: Option<Glyph>,
-    /// Labels keep off.
+    /// Whether labels must not cover the cell.
     pub(super) reserved: bool,
 }
 
-/// What a disc covers of a cell.
+/// The part of a cell that a disc covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct DiscCover {
-    /// In a grid of 8 × 8.
+    /// The covered part, in a grid of 8 × 8.
     pub(super) bits: u64,
     pub(super) role: Role,
-    /// So faint that marks above and below it are visible.
+    /// Whether the disc is so faint that marks above and below it are visible.
     pub(super) faint: bool,
 }
 
@@ -36,15 +36,15 @@ impl DiscCover {
     };
 }
 
-/// A glyph that stands for all of a cell.
+/// A glyph that fills a whole cell.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Glyph {
     pub(super) symbol: char,
     pub(super) role: Role,
     pub(super) layer: DrawLayer,
-    /// Written upon a disc of this role rather than in its colour.
+    /// Whether it is written on a disc of this role rather than in the role's colour.
     pub(super) upon: bool,
-    /// Paper and ink change places.
+    /// Whether foreground and background are swapped.
     pub(super) reversed: bool,
 }
 
@@ -62,7 +62,7 @@ impl Cell {
         self.ink == 0 && self.cover() == 0 && self.glyph.is_none()
     }
 
-    /// What is covered by discs.
+    /// The part of the cell that discs cover.
     pub(super) fn cover(&self) -> u64 {
         self.discs[0].bits | self.discs[1].bits
     }
@@ -77,19 +77,19 @@ impl Cell {
         (8..64).contains(&self.discs[0].bits.count_ones())
     }
 
-    /// The topmost layer that has been drawn on here.
+    /// The topmost layer with a mark in this cell.
     pub(super) fn layer(&self) -> Option<DrawLayer> {
         let ink = (self.ink != 0).then_some(self.pen.layer);
         let disc = (self.cover() != 0).then_some(DrawLayer::Disc);
         ink.max(disc).max(self.glyph.map(|glyph| glyph.layer))
     }
 
-    /// Whether a label may stand here, over strokes up to a layer.
+    /// Whether a label may use this cell if it may cover strokes up to the layer `over`.
     pub(super) fn is_free(&self, over: Option<DrawLayer>) -> bool {
         !self.reserved && self.cover() == 0 && self.layer() <= over
     }
 
-    /// A stroke goes through `samples`.
+    /// Adds a stroke through `samples`.
     pub(super) fn stroke(&mut self, mut samples: u16, pen: Pen, charset: Charset) {
         if pen.layer < DrawLayer::Disc && self.cover() != 0 && !self.is_faint() {
             samples &= !under(self.cover(), charset);
@@ -97,7 +97,7 @@ impl Cell {
         if samples == 0 {
             return;
         }
-        // A stroke that only touches a cell of another one does not change it.
+        // A stroke that only touches a cell of another stroke does not change its style.
         let takes = self.ink == 0 || (pen.layer >= self.pen.layer && samples.count_ones() > 1);
         match charset {
             // No glyph shows a crossing, so the upper stroke alone is clearer.
@@ -110,13 +110,13 @@ impl Cell {
         }
     }
 
-    /// A disc covers part of the cell; unless it is faint it hides what lies below.
+    /// Adds a disc that covers part of the cell; unless it is faint, it hides what is below.
     pub(super) fn fill(&mut self, disc: DiscCover, charset: Charset) {
         if self.pen.layer < DrawLayer::Disc && !disc.faint {
             self.ink &= !under(disc.bits, charset);
         }
         let [top, below] = self.discs;
-        // Of three only the two that cover most are kept.
+        // Of three discs, only the two that cover the most are kept.
         let rest = [top, below].map(|it| DiscCover {
             bits: it.bits & !disc.bits,
             ..it
@@ -126,7 +126,7 @@ impl Cell {
     }
 }
 
-/// The samples of a charset's grid that a cover hides.
+/// The samples of a charset's grid below a covered part.
 fn under(cover: u64, charset: Charset) -> u16 {
     let (columns, rows) = super::grid(charset);
     (0..columns * rows)

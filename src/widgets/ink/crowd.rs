@@ -1,4 +1,4 @@
-//! Many discs on one board: drawn in one way, and each of them visible.
+//! Many discs on one board, all drawn in the same way and all visible.
 
 use glam::{DVec2, dvec2};
 
@@ -6,21 +6,20 @@ use super::canvas::{Canvas, CellPlace, cell_of};
 use super::disc::{token, token_rows};
 use crate::widgets::{Charset, Role, picture::Body};
 
-/// How far from its own cell a token may have to go, in cells.
+/// The greatest distance of a token from its own cell, in cells.
 const FARTHEST: i32 = 4;
 
-/// Columns reserved for a small round disc, so that its letter is in its middle and no neighbour
-/// covers part of it.
-const SMALL_WIDTH: i32 = 3;
+/// The width of an [`outline`], in columns.
+const OUTLINE_WIDTH: i32 = 3;
 
-/// Below this radius, in columns, a disc is as wide as its [`outline`].
+/// The radius, in columns, below which a disc is as wide as its [`outline`].
 const OUTLINED: f64 = 2.0;
 
-/// The ring round a disc that is pointed out, in its radii.
+/// The radius of the ring around a marked disc, in radii of the disc.
 const RING: f64 = 1.25;
 
-/// Rows that discs among others must be high to be round. In blocks a disc of one and a half rows
-/// can still be distinguished from its neighbours, and is in its true position.
+/// The smallest height, in rows, at which discs among others are drawn round. In block elements, a
+/// disc of one and a half rows can still be distinguished from its neighbours at its true position.
 const fn fewest_rows(charset: Charset) -> f64 {
     match charset {
         Charset::Ascii => token_rows(charset),
@@ -29,31 +28,27 @@ const fn fewest_rows(charset: Charset) -> f64 {
 }
 
 impl Canvas {
-    /// Discs of one scale: round ones if even the smallest has room for it, else
-    /// [tokens](token) for all.
+    /// Draws discs of one scale: all round if even the smallest is large enough, otherwise all as
+    /// [tokens](token).
     ///
-    /// Every token and every small disc with a letter has cells of its own. Where two would
-    /// share one, the one that lies farther from the cell's middle moves over to the nearest
-    /// free cell; the queen never does. No stroke and no arrow hides a token, whatever is drawn when.
+    /// A round disc is at its true position, with its letter in the cell that holds its centre.
+    /// Every token and every outline has cells of its own. If two would share a cell, the token
+    /// farther from the cell's middle moves to the nearest free cell; the queen never moves. No
+    /// stroke or arrow hides a token, whatever the drawing order.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         if 2.0 * smallest / self.view().per_row() >= fewest_rows(self.charset) {
-            let (small, large): (Vec<_>, Vec<_>) = bodies
-                .iter()
-                .filter(|body| body.radius > 0.0)
-                .partition(|body| self.is_small(body));
-            for body in large {
-                self.round(body);
+            let real = bodies.iter().filter(|body| body.radius > 0.0);
+            // Without colours adjacent blocks merge, so small discs are outlines with their token.
+            let is_outline =
+                |body: &&Body| self.is_mono && body.radius / self.view().per_column() < OUTLINED;
+            let (outlined, round): (Vec<_>, Vec<_>) = real.partition(is_outline);
+            for (place, body) in self.places(outlined, |_| OUTLINE_WIDTH) {
+                self.stamp(middle(place), &outline(body.role), body.role, false);
             }
-            // Without colours adjacent blocks merge, so small discs are outlines with their token,
-            // if those have the same width.
-            let outlined = self.is_mono && smallest / self.view().per_column() < OUTLINED;
-            for (place, body) in self.places(small, |_| SMALL_WIDTH) {
-                match outlined {
-                    true => self.stamp(middle(place), &outline(body.role), body.role, false),
-                    false => self.round_at(middle(place), body),
-                }
+            for body in round {
+                self.round(body);
             }
             for body in bodies.iter().filter(|body| body.pointed_out) {
                 self.circle(body.at, RING * body.radius, Role::Good);
@@ -71,7 +66,7 @@ impl Canvas {
         }
     }
 
-    /// Cells of their own for bodies of so many columns, one row high.
+    /// Separate cells for bodies of this many columns, one row high.
     fn places<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a Body>,
@@ -108,7 +103,7 @@ impl Canvas {
         places
     }
 
-    /// The cell nearest to a point on paper that is free.
+    /// The free cell nearest to a point on paper.
     fn nearest(&self, at: DVec2, is_free: impl Fn(CellPlace) -> bool) -> Option<CellPlace> {
         let (column, row) = cell_of(at);
         let around = (-FARTHEST..=FARTHEST)
@@ -127,7 +122,7 @@ fn middle((column, row): CellPlace) -> DVec2 {
     dvec2(f64::from(column) + 0.5, 2.0 * f64::from(row) + 1.0)
 }
 
-/// A small disc where there is no colour: its token within a rim.
+/// The form of a small disc without colours: its token within a rim.
 fn outline(role: Role) -> String {
     match token(role, Charset::Unicode) {
         sign @ "(S)" => sign.to_owned(),
@@ -171,10 +166,10 @@ mod tests {
     }
 
     #[test]
-    fn every_token_of_a_tight_pack_is_seen_whatever_is_drawn_over_it() {
+    fn every_token_of_a_tight_pack_is_visible_below_other_marks() {
         let area = Rect::new(0, 0, 41, 21);
         for charset in [Charset::Ascii, Charset::Unicode] {
-            // From half a column for a disc to two.
+            // From half a column to two columns per disc.
             for scale in [0.5, 0.55, 0.61, 0.7, 0.83, 1.0, 1.3, 2.0] {
                 let mut canvas = Canvas::new(View::new(area, dvec2(0.1, 0.2), scale), charset);
                 canvas.discs(&pack());
@@ -194,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn without_colours_each_of_a_tight_pack_is_an_outline_of_its_own() {
+    fn without_colours_each_disc_of_a_tight_pack_has_its_own_outline() {
         let area = Rect::new(0, 0, 41, 21);
         let mut canvas = Canvas::new(View::new(area, DVec2::ZERO, 0.33), Charset::Unicode);
         canvas.is_mono = true;
@@ -207,11 +202,11 @@ mod tests {
     }
 
     #[test]
-    fn all_are_tokens_or_all_are_round() {
+    fn discs_are_all_tokens_or_all_round() {
         let area = Rect::new(0, 0, 61, 31);
         for (scale, round) in [(0.33, true), (0.4, false)] {
             let mut canvas = Canvas::new(View::new(area, DVec2::ZERO, scale), Charset::Unicode);
-            // The large one alone would be round in both.
+            // On its own, the large disc would be round at both scales.
             let large = Body::new(dvec2(6.0, 0.0), 0.9, Role::Striker, 'S');
             let mut bodies = pack();
             bodies.push(large);

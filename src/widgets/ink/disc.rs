@@ -1,4 +1,4 @@
-//! One disc: filled, or a rim with a letter, or a token if it is small.
+//! Drawing one disc: filled, as a rim with a letter, or as a token if it is small.
 
 use glam::{DVec2, dvec2};
 
@@ -7,8 +7,8 @@ use super::cell::{DiscCover, Glyph};
 use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
-/// A disc less than this many rows high is drawn as a token: blocks are finer
-/// than letters, so they stay round for longer.
+/// The height, in rows, below which a disc is drawn as a token. Blocks are finer than letters, so
+/// discs made of blocks can be smaller and still round.
 pub(super) const fn token_rows(charset: Charset) -> f64 {
     match charset {
         Charset::Ascii => 3.0,
@@ -16,13 +16,10 @@ pub(super) const fn token_rows(charset: Charset) -> f64 {
     }
 }
 
-/// A disc of a smaller radius, in columns, is moved to where it looks round.
-const SMALL: f64 = 3.0;
-
 impl Canvas {
-    /// A disc with a letter in its middle (a space for none): filled in Unicode, a
-    /// rim in ASCII. It hides what lies on lower layers. A disc too small to be
-    /// round becomes the [`token`] of its role.
+    /// Draws a disc with a letter in its middle (a space for none): filled in Unicode, a rim in
+    /// ASCII. It hides lower layers. A disc too small to be round becomes the [`token`] of its
+    /// role.
     pub(super) fn disc(&mut self, body: &Body) {
         if body.radius.is_nan() || body.radius <= 0.0 {
             return;
@@ -39,29 +36,12 @@ impl Canvas {
         2.0 * body.radius / self.view().per_row() < token_rows(self.charset)
     }
 
-    /// Whether a disc is so small that it has to be where it looks round, with its letter in its
-    /// middle.
-    pub(super) fn is_small(&self, body: &Body) -> bool {
-        self.charset == Charset::Unicode
-            && body.letter != ' '
-            && body.radius / self.view().per_column() < SMALL
-    }
-
-    /// A disc in its own shape, however small it is.
+    /// Draws a disc in its true shape at its true position, even if it is small.
     pub(super) fn round(&mut self, body: &Body) {
-        let place = self.paper(body.at);
-        // On halves of cells it is as round to the left as to the right; a letter stands
-        // in the middle of a cell.
-        let half = dvec2(0.5, 1.0);
-        let place = match body.radius / self.view().per_column() < SMALL {
-            false => place,
-            true if body.letter == ' ' => (place / half).round() * half,
-            true => (place / half / 2.0).floor() * half * 2.0 + half,
-        };
-        self.round_at(place, body);
+        self.round_at(self.paper(body.at), body);
     }
 
-    /// A disc in its own shape with its middle at a point on paper.
+    /// Draws a disc in its true shape with its middle at a point on paper.
     pub(super) fn round_at(&mut self, place: DVec2, body: &Body) {
         let (role, letter) = (body.role, body.letter);
         let reach = body.radius / self.view().per_column();
@@ -76,8 +56,8 @@ impl Canvas {
         }
     }
 
-    /// A disc that hides nothing, with its letter at `letter`: faint if there are shades for it,
-    /// otherwise an outline.
+    /// Draws a disc that hides nothing, with its letter at `letter`: faint if there are shades for
+    /// that, otherwise an outline.
     pub(super) fn ring(&mut self, body: &Body, letter: DVec2) {
         if self.is_token(body) {
             return self.disc(body);
@@ -96,7 +76,7 @@ impl Canvas {
         self.stamp(place, &self.charset.text(&sign), body.role, upon);
     }
 
-    /// Covers the cells under a disc, span by span; all measures on paper.
+    /// Covers the cells under a disc, span by span; all lengths are on paper.
     fn cover(&mut self, centre: DVec2, radius: f64, (role, faint): (Role, bool)) {
         if !(centre.is_finite() && radius.is_finite()) {
             return;
@@ -154,8 +134,7 @@ impl Canvas {
     }
 }
 
-/// Which eighths of the cell that begins at `column` have their middle between
-/// `from` and `to`.
+/// The eighths of the cell beginning at `column` whose middles are between `from` and `to`.
 fn eighths(from: f64, to: f64, column: f64) -> u8 {
     let edge = |at: f64| ((at - column) * 8.0 + 0.5).floor().clamp(0.0, 8.0) as u32;
     let (low, high) = (edge(from), edge(to));

@@ -1,8 +1,8 @@
-//! The pictures that were drawn, for a shell that can show more than cells.
+//! The pictures drawn so far, for a shell that can show more than cells.
 //!
-//! A screen draws itself into cells, where its pictures are lost. A browser can paint true circles,
-//! so its shell gathers the pictures during a call that draws the screen. Only that call receives
-//! them.
+//! A screen draws itself into cells, where the shapes of its pictures are lost. A browser can draw
+//! true circles, so its shell collects the pictures during a call that draws the screen. Only that
+//! call receives them.
 
 use std::cell::{Cell, RefCell};
 
@@ -25,20 +25,20 @@ pub struct DrawnPicture {
     pub(in crate::widgets) look: Look,
     /// The positions of its labels.
     pub(in crate::widgets) labels: Vec<PlacedLabel>,
-    /// The cells of its area when it was drawn; anything over it was drawn later.
+    /// The cells of its area when it was drawn. Cells that differ now were drawn over it later.
     pub(in crate::widgets) cells: Buffer,
 }
 
 impl DrawnPicture {
-    /// The cells that it takes up.
+    /// The area that it fills.
     #[must_use]
     pub fn area(&self) -> Rect {
         self.cells.area
     }
 }
 
-/// Runs the drawing function, and returns the pictures that it drew. If vectors hide the cells
-/// (`hides_cells`), the shades at the edges of discs are skipped.
+/// Runs the drawing function and returns its result with the pictures that it drew. If vectors hide
+/// the cells (`hides_cells`), the shades at the edges of discs are skipped.
 pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
     GATHERED.set(Some(Vec::new()));
     HIDES_CELLS.set(hides_cells);
@@ -47,12 +47,12 @@ pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPi
     (drawn, GATHERED.take().unwrap_or_default())
 }
 
-/// Whether nobody sees the cells of pictures.
+/// Whether the cells of pictures are hidden.
 pub(super) fn hides_cells() -> bool {
     HIDES_CELLS.get()
 }
 
-/// Records a picture that has just been drawn into cells, if a shell gathers them.
+/// Records a picture that has just been drawn into cells, if a shell is collecting pictures.
 pub(super) fn note(picture: &Picture, canvas: &Canvas, buffer: &Buffer, look: &Look) {
     sheet::picture(picture.area());
     GATHERED.with_borrow_mut(|gathered| {

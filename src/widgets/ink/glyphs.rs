@@ -1,4 +1,4 @@
-//! Which glyph shows a pattern of ink best.
+//! The glyphs that best show a pattern of ink.
 
 pub(super) mod ascii;
 pub(super) mod block;
@@ -21,7 +21,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn braille_dots_lie_where_unicode_has_them() {
+    fn braille_dots_are_where_unicode_defines_them() {
         assert_eq!(braille(0), '\u{2800}');
         assert_eq!(braille(0b1111_1111), '⣿');
         assert_eq!(braille(0b0000_1111), '⠛');

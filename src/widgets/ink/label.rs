@@ -8,16 +8,16 @@ use super::canvas::Canvas;
 use crate::widgets::picture::{DrawLayer, Label, LabelSide};
 use crate::widgets::{Role, Theme};
 
-/// A label that has its place.
+/// A label that has been placed.
 #[derive(Debug, Clone)]
 pub(in crate::widgets) struct PlacedLabel {
     pub(in crate::widgets) text: String,
     pub(in crate::widgets) role: Role,
-    /// One row of the screen.
+    /// Its cells, in one row of the screen.
     pub(in crate::widgets) place: Rect,
-    /// On which side of its anchor that is.
+    /// The side of the anchor on which it is.
     pub(in crate::widgets) side: LabelSide,
-    /// The cell of what it names, counted from the corner of the area.
+    /// The cell of the point that it names, counted from the corner of the area.
     anchor: (i32, i32),
 }
 
@@ -35,12 +35,12 @@ impl PlacedLabel {
     }
 }
 
-/// How many columns a label may move outwards for air around it.
+/// The number of columns that a label may move outwards so that there is space around it.
 const ASIDE: i32 = 2;
-/// How far from its anchor a label may stand, in rows.
+/// The greatest distance of a label from its anchor, in rows.
 const FARTHEST: i32 = 4;
 
-/// What may be in the cells right beside the two ends of a label.
+/// What is allowed in the cells directly beside the two ends of a label.
 #[derive(Debug, Clone, Copy)]
 enum Ends {
     Blank,
@@ -48,15 +48,15 @@ enum Ends {
     Any,
 }
 
-/// Whether a point in cells may be on some screen.
+/// Whether a point in cells could be on any screen.
 fn is_within_reach(cell: DVec2) -> bool {
     cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX)
 }
 
 impl Canvas {
-    /// Writes labels after everything else; the first ones have the first choice. Each avoids the
-    /// surroundings of the others' anchors. A label without a place near by is shortened; if that
-    /// does not help, the whole label is placed farther away, clear of other anchors.
+    /// Writes labels after everything else, in order of priority. Each label avoids the
+    /// surroundings of the others' anchors. A label for which there is no room nearby is shortened;
+    /// if that does not help, the whole label is placed farther away, clear of other anchors.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
         let mut left = self.write_near(apart);
@@ -78,27 +78,27 @@ impl Canvas {
         }
     }
 
-    /// Writes the labels that find a place near by, and returns the rest.
+    /// Writes the labels that fit near their anchors, and returns the rest.
     fn write_near<'a>(&mut self, labels: Vec<&'a Label>) -> Vec<&'a Label> {
         let is_left = |label: &&Label| !self.write_at_places(&label.text, label);
         labels.into_iter().filter(is_left).collect()
     }
 
-    /// Writes a text near one of the places of a label, if there is room.
+    /// Writes `text` near one of the possible positions of a label, if there is room.
     fn write_at_places(&mut self, text: &str, label: &Label) -> bool {
         let mut places = label.places.iter();
         let clear = label.short.is_some();
         places.any(|(at, sides)| self.label(text, *at, sides, label.role, clear))
     }
 
-    /// Writes `text` (in the canvas's charset) beside a point of the world: on the first of
-    /// `sides` that is free, near before far; then on the other sides. It may have to keep
-    /// clear of arrows: not even its ends touch one.
+    /// Writes `text` (in the canvas's charset) beside a point in the world: on the first of `sides`
+    /// that is free, near positions before far ones; then on the other sides. If `clear` is set,
+    /// not even the ends of the label touch an arrow.
     ///
-    /// A label never leaves the area, whose first and last column stay free beside what is there
-    /// (unless it is as wide), and never covers another label, a disc, a velocity, a reserved cell
-    /// or an arrow's tip. It covers the weakest lines rather than being far away. Returns whether
-    /// it found a place.
+    /// A label never leaves the area, and unless it is too wide it also leaves the first and the
+    /// last column free. It never covers another label, a disc, a velocity, a reserved cell or an
+    /// arrow's tip, but it covers faint lines rather than being far away. Returns whether it was
+    /// placed.
     pub(super) fn label(
         &mut self,
         text: &str,
@@ -107,8 +107,8 @@ impl Canvas {
         role: Role,
         clear: bool,
     ) -> bool {
-        // Free paper first, with a blank at both ends; then without the blanks, then
-        // over boards and trails, then over geometry.
+        // First try free paper with a blank at both ends; then without the blanks, then over boards
+        // and trails, then over geometry.
         let ends = if clear { Ends::NoArrow } else { Ends::Any };
         let places = [
             (FARTHEST, true, Ends::Blank, None),
@@ -126,8 +126,9 @@ impl Canvas {
         (column - i32::from(area.x), row - i32::from(area.y))
     }
 
-    /// Writes a label at the first free place: up to so many rows away, beside its own
-    /// anchor or not, with such cells at both ends, over strokes up to a layer.
+    /// Writes a label at the first of `places` that is free. Each gives the number of rows to
+    /// search, whether the label must be beside its own anchor, the cells required at both ends,
+    /// and the layer up to which it may cover strokes.
     fn label_at(
         &mut self,
         text: &str,
@@ -155,7 +156,7 @@ impl Canvas {
                 .flat_map(|(side, away)| (0..=ASIDE).map(move |aside| (side, away, aside)));
             all.map(|(side, away, aside)| {
                 let (x, y) = side.start(at, width, away);
-                // Above or below it may move along to stay within the area.
+                // Above or below the anchor, the label may shift to stay within the area.
                 let x = x + aside * side.outwards().0;
                 match side {
                     LabelSide::Right | LabelSide::Left => (side, x, y),
@@ -198,7 +199,7 @@ impl Canvas {
         }
     }
 
-    /// Whether nothing is drawn or written beside a cell and in it, or it lies outside.
+    /// Whether a cell and its neighbours are empty, or the cell is outside the area.
     fn is_blank(&self, (x, y): (i32, i32)) -> bool {
         let (columns, _) = self.size();
         !(0..columns).contains(&x)
@@ -206,10 +207,10 @@ impl Canvas {
                 && self.is_clear_of_labels((x, y), 1)
     }
 
-    /// Whether a label here is beside its own anchor rather than that of another label, so that it
-    /// is not mistaken for the name of that.
+    /// Whether a label here is beside its own anchor rather than another label's, so that it is not
+    /// mistaken for the name of the other point.
     fn is_beside_own_anchor(&self, (x, y): (i32, i32), width: i32, own: (i32, i32)) -> bool {
-        // Squared, in columns; a row is two of them high.
+        // Squared distances, in columns; a row is two columns high.
         let apart = |(column, row): (i32, i32)| {
             let aside = (x - column).max(column - (x + width - 1)).max(0);
             aside * aside + 4 * (row - y) * (row - y)
@@ -221,7 +222,7 @@ impl Canvas {
         other.is_none_or(|other| own <= 3 * other)
     }
 
-    /// Whether no label stands in a stretch of a row or right beside it.
+    /// Whether a part of a row, and the cells beside it, are free of labels.
     fn is_clear_of_labels(&self, (x, y): (i32, i32), width: i32) -> bool {
         let area = self.view().area();
         self.labels.iter().all(|label| {
@@ -231,7 +232,7 @@ impl Canvas {
         })
     }
 
-    /// Whether a label fits here, on paper or `over` strokes up to a layer.
+    /// Whether a label fits here, on paper or over strokes up to the layer `over`.
     fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<DrawLayer>) -> bool {
         let is_free = |x| self.cell((x, y)).is_some_and(|cell| cell.is_free(over));
         self.is_clear_of_labels((x, y), width) && (x..x + width).all(is_free)

@@ -1,10 +1,9 @@
-//! Ink: the painter that draws a [`Picture`](super::picture::Picture) into cells, in
-//! both charsets.
+//! The painter that draws a [`Picture`](super::picture::Picture) into cells, in both charsets.
 //!
-//! Not one glyph a line-drawing rule, but **shape matching**: every stroke goes
-//! into a small grid of samples in each cell (3 × 5 in ASCII, 2 × 4 in Unicode,
-//! where they are braille dots), and each cell takes the glyph whose own ink is
-//! nearest. Filled discs do the same with an 8 × 8 grid and block elements.
+//! It uses **shape matching** instead of fixed line-drawing characters: every stroke marks samples
+//! in a small grid in each cell (3 × 5 in ASCII; 2 × 4 in Unicode, where they are braille dots),
+//! and each cell shows the glyph whose ink is nearest. Filled discs are matched in the same way,
+//! with block elements in an 8 × 8 grid.
 
 mod arrow;
 mod canvas;
@@ -26,7 +25,7 @@ pub(super) use label::PlacedLabel;
 
 use super::Charset;
 
-/// Samples in a cell of a charset: columns, rows.
+/// The number of samples in a cell of a charset: columns, rows.
 const fn grid(charset: Charset) -> (usize, usize) {
     match charset {
         Charset::Ascii => glyphs::ascii::GRID,

@@ -1,4 +1,4 @@
-//! Marks of whole cells: axes, bars and signs.
+//! Marks that fill whole cells: axes, bars and signs.
 
 use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, style::Style};
@@ -10,7 +10,7 @@ use crate::widgets::text::{self, blocks::LOWER};
 use crate::widgets::{Charset, Look, Role};
 
 impl Canvas {
-    /// Keeps labels off the cells of the axes.
+    /// Keeps the cells of the axes free of labels.
     pub(super) fn reserve_axes(&mut self) {
         let view = *self.view();
         let paper = view.area();
@@ -22,7 +22,7 @@ impl Canvas {
         }
     }
 
-    /// Keeps labels off the cells of a text centred on a point.
+    /// Keeps the cells of text centred on a point free of labels.
     pub(super) fn reserve_text(&mut self, at: DVec2, text: &str) {
         let width = self.view().per_column() * text::width(text) as f64;
         let half = (width - self.view().per_column()) / 2.0 * DVec2::X;
@@ -30,7 +30,7 @@ impl Canvas {
         self.reserve(at);
     }
 
-    /// Keeps labels off the cells that a filled area touches.
+    /// Keeps the cells that a filled area touches free of labels.
     pub(super) fn reserve_area(&mut self, low: DVec2, high: DVec2) {
         let view = *self.view();
         let half = dvec2(view.per_column(), view.per_row()) / 2.0;
@@ -44,7 +44,7 @@ impl Canvas {
 }
 
 impl Picture {
-    /// Draws it into cells.
+    /// Draws the picture into cells.
     pub fn draw(&self, buf: &mut Buffer, look: &Look) {
         let canvas = Canvas::of(self, look);
         let cells = Cells {
@@ -80,8 +80,8 @@ struct Cells<'a> {
 }
 
 impl Cells<'_> {
-    /// Every column but that of the axis takes the area that its middle is in. A first bar that the
-    /// axis would hide is drawn in the column beside it.
+    /// Draws filled areas: every column except that of the axis shows the area at its middle. A
+    /// first bar that the axis would hide is drawn in the column beside it.
     fn areas(&self, buf: &mut Buffer) {
         let view = self.canvas.view();
         let paper = view.area();
@@ -99,7 +99,7 @@ impl Cells<'_> {
             let Some((low, high, role)) = narrow.or_else(|| areas.iter().find(over)) else {
                 continue;
             };
-            // In cells; the last row belongs to the axis.
+            // Positions in cells; the last row is the axis.
             let [top, foot] = [high, low].map(|end| view.to_cell(dvec2(x, end.y)).y);
             for row in paper.top()..paper.bottom().saturating_sub(1) {
                 let filled = f64::from(row) + 1.0 - top;
@@ -110,8 +110,8 @@ impl Cells<'_> {
         }
     }
 
-    /// Fills a cell from below: to the eighth in Unicode, to the whole in ASCII and where
-    /// a curve runs over it, which leaves only the paper behind it to fill.
+    /// Fills a cell from below: to the nearest eighth in Unicode, but completely or not at all in
+    /// ASCII and under a curve, where only the background can be filled.
     fn fill(&self, buf: &mut Buffer, at: (u16, u16), share: f64, role: Role) {
         let theme = &self.look.theme;
         let share = match self.canvas.is_drawn(at.into()) {
@@ -127,7 +127,7 @@ impl Cells<'_> {
             (Charset::Ascii, _) => (':', theme.style(role)),
             (Charset::Unicode, Some(part)) => (*part, theme.style(role)),
             (Charset::Unicode, None) if theme.is_mono() => ('░', theme.style(role)),
-            // As paper of another colour, so that a curve can run over it.
+            // Filled as background, so that a curve can be drawn over it.
             (Charset::Unicode, None) => (' ', theme.fill(role)),
         };
         self.write(buf, at, symbol.encode_utf8(&mut [0; 4]), style);

@@ -1,11 +1,11 @@
-//! The soft edge of a disc: the block element and the two colours that fit a cell best.
+//! The soft edge of a disc: the block element and the two colours that best fit a cell.
 
 use super::cell::Cell;
 use super::glyphs::block;
 use crate::widgets::Role;
 use crate::widgets::theme::{Rgb, Theme};
 
-/// The colours of a cell as they truly are: of discs, and of the paper beside them.
+/// The true colours of a cell: of the discs, and of the background beside them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shades {
     parts: [(u64, Rgb); 3],
@@ -46,7 +46,7 @@ impl Shades {
         sum.map(|channel| channel / all)
     }
 
-    /// The sum of squared errors of a part of the cell in its mean colour.
+    /// The sum of squared errors if a part of the cell is drawn in its mean colour.
     fn error(&self, bits: u64) -> f64 {
         let mean = self.means(bits);
         let off = |(part, colour): &(u64, Rgb)| {
@@ -57,7 +57,7 @@ impl Shades {
         self.parts.iter().map(off).sum()
     }
 
-    /// The block element, with the colours of its ink and of its paper, with the smallest error.
+    /// The block element with the smallest error, and its foreground and background colours.
     pub(super) fn fitted(&self) -> (char, [Rgb; 2]) {
         let off = |bits: u64| self.error(bits) + self.error(!bits);
         let (symbol, bits) = block::shapes()
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_block_shows_is_shown_without_any_error() {
+    fn the_shape_of_a_block_element_has_no_error() {
         for (_, bits) in block::shapes() {
             let (symbol, [ink, paper]) = shades(bits, 0).fitted();
             let shown = block::shapes().find(|shape| shape.0 == symbol).unwrap().1;
@@ -107,8 +107,8 @@ mod tests {
     }
 
     #[test]
-    fn a_slope_is_no_worse_than_one_colour_and_a_sliver_is_a_shade() {
-        // A staircase of eighths: no block has it.
+    fn a_slope_is_drawn_no_worse_than_in_one_colour_and_a_sliver_becomes_a_shade() {
+        // No block element has the shape of a staircase of eighths.
         let slope = (0..8).fold(0, |bits, row| bits | ((1_u64 << row) - 1) << (8 * row));
         let one = shades(slope, 0);
         let (symbol, [ink, paper]) = one.fitted();

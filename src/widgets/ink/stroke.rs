@@ -1,27 +1,26 @@
-//! From lines on paper to samples in cells.
+//! The conversion of lines on paper to samples in cells.
 //!
-//! **Paper** is the area measured in columns both ways, x to the right and y
-//! down from its top left corner: a cell is 1 wide and 2 high on it, so shapes
-//! have their true shape.
+//! **Paper** is the area measured in columns in both directions, x to the right and y down from
+//! its top left corner. On paper a cell is 1 wide and 2 high, so shapes are not distorted.
 
 use glam::{DVec2, dvec2};
 
 use crate::widgets::picture::{Dash, Pen};
 
-/// The samples of one stroke, in the order it goes through the cells.
+/// The samples of one stroke, in the order in which it passes through the cells.
 #[derive(Debug, Clone)]
 pub(super) struct StrokeSamples {
-    /// Samples in a cell: columns, rows.
+    /// The number of samples in a cell: columns, rows.
     grid: (usize, usize),
-    /// Cells in the area: columns, rows.
+    /// The number of cells in the area: columns, rows.
     size: (usize, usize),
-    /// For each cell its samples; all empty between two strokes.
+    /// The samples of each cell; all are empty between two strokes.
     samples: Vec<u16>,
-    /// The cells that have samples, in the order they came.
+    /// The cells that have samples, in the order of the stroke.
     touched: Vec<usize>,
-    /// How many samples along the stroke is, whether inked or in a gap.
+    /// The length of the stroke so far in samples, including its gaps.
     length: usize,
-    /// The place last marked, in samples.
+    /// The point that was marked last, in samples.
     last: Option<DVec2>,
 }
 
@@ -37,7 +36,7 @@ impl StrokeSamples {
         }
     }
 
-    /// Ends the stroke: takes out its cells and their samples, in order.
+    /// Ends the stroke, and passes its cells and their samples to `each`, in order.
     pub(super) fn take(&mut self, mut each: impl FnMut(usize, usize, u16)) {
         self.length = 0;
         self.last = None;
@@ -53,14 +52,14 @@ impl StrokeSamples {
         dvec2(1.0 / self.grid.0 as f64, 2.0 / self.grid.1 as f64)
     }
 
-    /// Samples in the whole area, along and down.
+    /// The number of samples in the whole area, horizontally and vertically.
     fn samples(&self) -> DVec2 {
         let [(columns, rows), (along, down)] = [self.size, self.grid];
         dvec2((columns * along) as f64, (rows * down) as f64)
     }
 
-    /// A straight piece from `from` up to, but without, `to`: pieces that meet
-    /// share no sample, and each sample of the longer direction is hit once.
+    /// Adds a straight piece from `from` up to, but not including, `to`: adjacent pieces share no
+    /// sample, and each sample of the longer direction is hit once.
     pub(super) fn piece(&mut self, from: DVec2, to: DVec2, pen: Pen) {
         let (a, b) = (from / self.sample(), to / self.sample());
         if !(a.is_finite() && b.is_finite()) {
@@ -81,7 +80,7 @@ impl StrokeSamples {
         }
     }
 
-    /// The last point of a stroke, which its pieces left out.
+    /// Adds the last point of a stroke, which its pieces do not include.
     pub(super) fn end(&mut self, at: DVec2, pen: Pen) {
         let at = at / self.sample();
         if at.is_finite() {
@@ -108,12 +107,12 @@ impl StrokeSamples {
         }
     }
 
-    /// The stroke comes through `at` (in samples); a bold one covers the two
-    /// samples nearest to it, `half` a sample to each side.
+    /// Marks a point `at` of the stroke, in samples; a bold stroke covers the two nearest
+    /// samples, `half` a sample to each side.
     fn hit(&mut self, at: DVec2, half: DVec2, pen: Pen) {
         let place = self.length;
         self.length += 1;
-        // In ASCII a gap is a whole cell, left out when the stroke is taken.
+        // In ASCII a gap is a whole cell, which `take` leaves out.
         let inked = self.is_ascii()
             || match pen.dash {
                 Dash::Solid => true,
@@ -123,7 +122,7 @@ impl StrokeSamples {
         if !inked {
             return;
         }
-        // Where a curve turns from level to steep it can jump a sample.
+        // A curve can skip a sample where it changes from flat to steep.
         if let Some(last) = self.last
             && pen.dash == Dash::Solid
             && (1.5..2.5).contains(&(at.floor() - last.floor()).abs().max_element())
@@ -163,8 +162,8 @@ impl StrokeSamples {
     }
 }
 
-/// The middles of the samples from `from` up to, but without, `to`, in the
-/// direction of travel, as far as they lie between 0 and `limit`.
+/// The middles of the samples from `from` up to, but not including, `to`, in the direction of the
+/// stroke, restricted to the range from 0 to `limit`.
 fn steps(from: f64, to: f64, limit: f64) -> impl Iterator<Item = f64> {
     let forward = to > from;
     let (low, high) = if forward {
@@ -186,7 +185,7 @@ mod tests {
     use crate::widgets::Role;
 
     #[test]
-    fn pieces_that_meet_share_no_sample() {
+    fn adjacent_pieces_share_no_sample() {
         for (from, to) in [(0.2, 7.3), (7.3, 0.2), (0.5, 4.5), (4.5, 0.5)] {
             let between = 3.5;
             let whole: Vec<f64> = steps(from, to, 100.0).collect();

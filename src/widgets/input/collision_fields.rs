@@ -12,7 +12,7 @@ use crate::physics::{Bond, CollisionSpec, ImpactPoint};
 pub(crate) enum CollisionField {
     /// Impact parameter b.
     Offset,
-    /// Impact angle α: the same as the offset, given by the line of impact.
+    /// Impact angle α, which is equivalent to the offset.
     ImpactAngle,
     /// Direction of the striker.
     Aim,
@@ -30,19 +30,19 @@ pub(crate) enum CollisionField {
     StrikerRadius,
     /// Radius of the coin.
     CoinRadius,
-    /// Speed of the coin before.
+    /// Initial speed of the coin.
     CoinSpeed,
-    /// Direction of the coin before.
+    /// Initial direction of the coin.
     CoinAim,
 }
 
 type Row = FieldRow<CollisionSpec>;
 
-/// All of them, in the order of [`CollisionField`] and of the lab's panel.
+/// All settings, in the order of [`CollisionField`] and of the lab's panel.
 static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     Row {
         name: "offset b",
-        about: "how far off-centre they meet: + the coin lies to the right, - to the left",
+        about: "how far off-centre the hit is: + coin to the right, - coin to the left",
         value: |spec| {
             let widest = widest_mm(spec);
             FieldValue::number(spec.offset_mm(), (-widest, widest), 0.5, " mm")
@@ -86,7 +86,7 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "contact",
-        about: "slip: smooth rims push only along n; stick: they hold together",
+        about: "slip: smooth rims push only along n; stick: rims hold together",
         value: |spec| FieldValue::Choice {
             at: usize::from(spec.bond == Bond::Stick),
             count: 2,
@@ -113,28 +113,28 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "striker radius",
-        about: "with the coin's radius: the width of the target",
+        about: "sets the target's width, with the coin's radius",
         value: |spec| FieldValue::number(spec.r1_mm, within("r1_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r1_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r1_mm = radius_mm,
     },
     Row {
         name: "coin radius",
-        about: "with the striker's radius: the width of the target",
+        about: "sets the target's width, with the striker's radius",
         value: |spec| FieldValue::number(spec.r2_mm, within("r2_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r2_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r2_mm = radius_mm,
     },
     Row {
         name: "coin speed",
-        about: "the coin's speed before; 0: it is at rest",
+        about: "the coin's initial speed; 0: it is at rest",
         value: |spec| FieldValue::number(spec.target_speed, within("target_speed"), 0.25, " m/s"),
         shown: |spec| fixed(spec.target_speed, 2) + " m/s",
         put: |spec, speed| spec.target_speed = speed,
     },
     Row {
         name: "coin aim",
-        about: "the coin's direction before, if it moves",
+        about: "the coin's initial direction, if it moves",
         value: |spec| FieldValue::number(spec.target_deg, ANY, 5.0, "°"),
         shown: |spec| fixed(spec.target_deg, 0) + "°",
         put: |spec, degrees| spec.target_deg = wrap_degrees(degrees),
@@ -142,7 +142,7 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
 ];
 
 impl CollisionField {
-    /// The setting as it stands.
+    /// The setting with its current value.
     pub(crate) fn field(self, spec: &CollisionSpec) -> Field {
         ROWS[self as usize].field(spec)
     }
@@ -154,12 +154,12 @@ impl CollisionField {
     }
 }
 
-/// All present settings, in the order of [`CollisionField`].
+/// All settings with their current values, in the order of [`CollisionField`].
 pub(crate) fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
     ROWS.iter().map(|row| row.field(spec)).collect()
 }
 
-/// Sets the one at a place, as [`CollisionField::set`] does.
+/// Sets the field at an index, like [`CollisionField::set`].
 pub(crate) fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
     let offset_mm = spec.offset_mm();
     spec.point = ImpactPoint::Offset { offset_mm };
@@ -174,19 +174,19 @@ pub(crate) fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
 /// Every number is a valid direction.
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-/// The range of a field of files.
+/// The range of a field in files.
 fn within(name: &str) -> (f64, f64) {
     let range = CollisionSpec::RANGES.iter().find(|it| it.name == name);
     range.map_or(ANY, |range| (range.least, range.most))
 }
 
-/// The impact angle in degrees; for a miss that of the nearest graze.
+/// The impact angle in degrees; for a miss, that of a graze on the same side.
 fn alpha_deg(spec: &CollisionSpec) -> f64 {
     let ratio = spec.offset_mm() / spec.contact_distance_mm();
     ratio.clamp(-1.0, 1.0).asin().to_degrees()
 }
 
-/// On which side the coin lies.
+/// The text for the coin's side.
 fn side(spec: &CollisionSpec) -> &'static str {
     match spec.offset_mm() {
         mm if mm > 0.0 => " right",
@@ -195,7 +195,7 @@ fn side(spec: &CollisionSpec) -> &'static str {
     }
 }
 
-/// The largest offset in mm. Beyond r₁ + r₂ there are only misses, so slightly more is enough.
+/// The largest offset in mm, slightly more than r₁ + r₂, beyond which every shot misses.
 fn widest_mm(spec: &CollisionSpec) -> f64 {
     spec.contact_distance_mm() * CollisionSpec::WIDEST
 }
@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_land_on_the_grid() {
+    fn steps_end_on_the_grid() {
         let mut spec = CollisionSpec::default();
         F::Offset.set(&mut spec, 7.3);
         step(F::Offset, &mut spec, 1.0);
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_wrap_round() {
+    fn directions_wrap_around() {
         let mut spec = CollisionSpec::default();
         F::Aim.set(&mut spec, 180.0);
         step(F::Aim, &mut spec, 1.0);
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn a_smaller_disc_brings_the_offset_back_into_reach() {
+    fn a_smaller_disc_reduces_the_offset_to_its_range() {
         let mut spec = CollisionSpec::default();
         F::Offset.set(&mut spec, 37.0);
         F::CoinRadius.set(&mut spec, 5.0);

@@ -1,4 +1,4 @@
-//! Settings, one per row: a number with its range and step, or a choice.
+//! Forms: one setting per row, either a number with its range and step, or a choice.
 
 use std::borrow::Cow;
 
@@ -8,21 +8,21 @@ use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
 use crate::widgets::{Role, panel::Panel};
 
-/// The size of a fine step, as a share of a step.
+/// The size of a fine step, as a fraction of a step.
 const FINE: f64 = 0.1;
 /// The size of a big step, in steps.
 const BIG: f64 = 10.0;
 
-/// A setting with its present value.
+/// A setting with its current value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Field {
     /// Its name on the panel.
     pub name: Cow<'static, str>,
-    /// Its value as it reads, with its unit.
+    /// Its value as text, with its unit.
     pub shown: String,
     /// Its value and range.
     pub value: FieldValue,
-    /// What it is, in one line; shown while it is selected.
+    /// Its description in one line, shown while it is selected.
     pub about: Cow<'static, str>,
     /// Why it cannot be changed now.
     pub locked: Option<&'static str>,
@@ -51,21 +51,21 @@ impl Field {
 pub(crate) enum FieldValue {
     /// A number that can be typed and stepped.
     Number {
-        /// In the unit of the screen.
+        /// The value, in the unit shown on the screen.
         value: f64,
         /// The least and the greatest value.
         range: (f64, f64),
         /// The increment of the key to the right; values are whole multiples of it. Negative if "to
         /// the right" means less.
         step: f64,
-        /// The unit of the range, as text stands after a number: " mm", "°", or nothing.
+        /// The unit as written after a number: " mm", "°", or nothing.
         unit: &'static str,
     },
     /// One of several options, counted from 0; the last is followed by the first.
     Choice {
-        /// The present one.
+        /// The index of the current option.
         at: usize,
-        /// How many there are.
+        /// The number of options.
         count: usize,
     },
 }
@@ -86,7 +86,7 @@ impl FieldValue {
         }
     }
 
-    /// The value this many steps further, on the grid of steps.
+    /// The value this many steps away, on the grid of steps.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
             Self::Choice { at, count } => {
@@ -96,12 +96,12 @@ impl FieldValue {
             Self::Number { value, step, .. } => {
                 let size = step.abs() * steps.abs().min(1.0);
                 let by = steps * step / size;
-                // Within a thousandth of the grid counts as on it.
+                // A value within a thousandth of a step counts as on the grid.
                 let onto = match by > 0.0 {
                     true => (value / size + by + 1e-3).floor(),
                     false => (value / size + by - 1e-3).ceil(),
                 };
-                // Avoids the rounding error of a sum of tenths, and −0.
+                // This removes the rounding error of a sum of tenths, and turns −0 into 0.
                 (onto * size * 1e6).round() / 1e6 + 0.0
             }
         }
@@ -113,78 +113,78 @@ impl FieldValue {
 pub(crate) struct FieldRow<S> {
     /// Its name on the panel.
     pub name: &'static str,
-    /// What it is, in one line.
+    /// Its description in one line.
     pub about: &'static str,
     /// Its value and range.
     pub value: fn(&S) -> FieldValue,
-    /// Its value as it reads, with its unit.
+    /// Its value as text, with its unit.
     pub shown: fn(&S) -> String,
     /// Sets a number, clamped to its range, or the index of a choice.
     pub put: fn(&mut S, f64),
 }
 
 impl<S> FieldRow<S> {
-    /// The setting as it stands.
+    /// The setting with its current value.
     pub(crate) fn field(&self, of: &S) -> Field {
         Field::new(self.name, (self.shown)(of), (self.value)(of), self.about)
     }
 
-    /// Sets it, clamped to its range, a choice by its index.
+    /// Sets a number, clamped to its range, or the index of a choice.
     pub(crate) fn set(&self, of: &mut S, value: f64) {
         let (least, most) = match (self.value)(of) {
             FieldValue::Number { range, .. } => range,
             FieldValue::Choice { count, .. } => (0.0, count.saturating_sub(1) as f64),
         };
-        // Adding 0 makes a plain 0 of −0.
+        // Adding 0 turns −0 into 0.
         (self.put)(of, value.clamp(least, most) + 0.0);
     }
 
-    /// Changes it by this many steps; choices wrap around.
+    /// Changes the setting by this many steps; choices wrap around.
     pub(crate) fn step(&self, of: &mut S, steps: f64) {
         self.set(of, (self.value)(of).stepped(steps));
     }
 }
 
-/// What a form sets.
+/// The settings that a form edits.
 pub(crate) trait FormFields {
-    /// All fields with their values, from the top.
+    /// All fields with their values, from top to bottom.
     fn fields(&self) -> Vec<Field>;
 
-    /// Sets one: a number, clamped to the field's range, or the index of a choice.
+    /// Sets the field at an index to a number, clamped to its range, or the index of a choice.
     fn set(&mut self, at: usize, value: f64);
 }
 
-/// What keys do to a form.
+/// The key actions on a form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum FormAction {
-    /// choose what to set
+    /// choose a setting
     Choose(isize),
-    /// go to the first or the last
+    /// go to the first or the last setting
     End(isize),
-    /// change it by one step
+    /// change the setting by one step
     Step(i8),
-    /// change it by a tenth of a step
+    /// change the setting by a tenth of a step
     Fine(i8),
-    /// change it by ten steps
+    /// change the setting by ten steps
     Big(i8),
     /// type a number
     Number(EntryAction),
-    /// choose this field; if it has few values, take the next one
+    /// choose this setting; if it has few values, go to the next value
     Point(usize),
 }
 
-/// Which field of a form is selected, and the number that is being typed for it.
+/// The selected field of a form, and the number that is being typed for it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct SettingsForm {
     at: usize,
     entry: NumberEntry,
-    /// Whether the last typed number was out of range, and clamped.
+    /// Whether the last typed number was out of range and was clamped.
     held: bool,
 }
 
 impl SettingsForm {
-    /// Sets the number that was typed.
+    /// The action that sets the typed number.
     pub(crate) const SET: FormAction = FormAction::Number(EntryAction::Enter);
 
     /// A form with this field selected.
@@ -206,7 +206,7 @@ impl SettingsForm {
         fields.into_iter().nth(at)
     }
 
-    /// Selects a field, after accepting what was typed for the previous one.
+    /// Selects a field, after accepting a number that was typed for the previous one.
     pub(crate) fn select(&mut self, at: usize, form: &mut impl FormFields) {
         self.commit(form);
         self.held = false;
@@ -223,7 +223,7 @@ impl SettingsForm {
         self.entry.take();
     }
 
-    /// The keys that work it.
+    /// The keys of the form.
     pub(crate) fn keys(&self, form: &impl FormFields) -> KeyTable<FormAction> {
         use FormAction::{Big, Choose, End, Fine, Step};
         let many = form.fields().len() > 1;
@@ -267,7 +267,7 @@ impl SettingsForm {
         }
     }
 
-    /// Accepts a number that was typed but not entered.
+    /// Accepts a number that was typed but not confirmed with Enter.
     pub(crate) fn commit(&mut self, form: &mut impl FormFields) {
         if let Some(number) = self.entry.take() {
             self.set(number, form);
@@ -279,7 +279,7 @@ impl SettingsForm {
         self.step_at(self.at, steps, form);
     }
 
-    /// Changes a field by this many steps, selected or not.
+    /// Changes any field by this many steps, without selecting it.
     pub(crate) fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();
@@ -290,7 +290,7 @@ impl SettingsForm {
         }
     }
 
-    /// Selects a field, and goes to the next value of a choice.
+    /// Selects a field; a choice also goes to its next value.
     fn point(&mut self, at: usize, form: &mut impl FormFields) {
         self.select(at, form);
         let field = self.chosen(form);
@@ -315,7 +315,7 @@ impl SettingsForm {
         }
     }
 
-    /// Writes all fields, a row each.
+    /// Writes all fields, one per row.
     pub(crate) fn write(&self, form: &impl FormFields, panel: &mut Panel<FormAction>) {
         let fields = form.fields();
         let selected = self.selected(fields.len());
@@ -330,8 +330,8 @@ impl SettingsForm {
         }
     }
 
-    /// Writes the description of the selected field: why it is locked, its range after a number was
-    /// clamped, or its one line.
+    /// Writes a line about the selected field: why it is locked, its range after a number was
+    /// clamped, or its description.
     pub(crate) fn write_about<A>(&self, form: &impl FormFields, panel: &mut Panel<A>) {
         let Some(field) = self.chosen(form) else {
             return;
@@ -401,7 +401,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_land_on_the_grid() {
+    fn steps_end_on_the_grid() {
         let mut hit = Hit {
             offset_mm: 7.3,
             stick: false,
@@ -421,7 +421,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_is_typed_for_the_selected_field_and_held_to_its_range() {
+    fn a_number_typed_for_the_selected_field_is_clamped_to_its_range() {
         let mut hit = Hit {
             offset_mm: 0.0,
             stick: false,

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 
 use crate::messages::Key;
 
-/// The actions of a screen or a part of one: one variant each, whose doc comment is its line on the
-/// help page and whose name in kebab-case is its name in `keys.toml`.
+/// The actions of a screen or a part of one. The doc comment of each variant is its line on the
+/// help page, and its name in kebab-case is its name in `keys.toml`.
 pub trait KeyAction: Copy {
-    /// Its name in `keys.toml`: "next-set".
+    /// Its name in `keys.toml`, such as "next-set".
     fn id(self) -> &'static str;
-    /// What it does, in a sentence without its full stop.
+    /// Its description, a sentence without a full stop.
     fn help(self) -> &'static str;
 }
 
@@ -24,42 +24,42 @@ impl<A: Copy + Into<&'static str> + strum::EnumMessage> KeyAction for A {
     }
 }
 
-/// Keys that the player has rebound, by the row's name: "lab.next-set".
+/// The keys that the player has rebound, by the name of the row, such as "lab.next-set".
 pub type Rebound = BTreeMap<String, Vec<Key>>;
 
 /// Keys for one action, or for one action in several directions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KeyRow<A> {
-    /// Its name in `keys.toml`: "lab.next-set".
+    /// Its name in `keys.toml`, such as "lab.next-set".
     pub id: String,
-    /// Its label in the bottom line, in a word or two; empty if it is not shown there.
+    /// Its label of one or two words in the bottom line; empty if it is not shown there.
     pub name: &'static str,
     /// Its text on the help page.
     pub help: &'static str,
-    /// The labels of its keys on separate buttons, if they have any.
+    /// The labels of its keys on separate buttons, if there are any.
     pub words: &'static [&'static str],
     keys: Vec<(Key, A)>,
     aliases: Vec<(Key, A)>,
 }
 
 impl<A: Copy> KeyRow<A> {
-    /// The keys that are shown for it.
+    /// The keys that the screen shows for it.
     pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.keys.iter().map(|(key, _)| *key)
     }
 
-    /// All its keys, shown or not.
+    /// All its keys, including those that are not shown.
     pub fn all_keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.keys.iter().chain(&self.aliases).map(|(key, _)| *key)
     }
 
-    /// The keys as the screen names them: "arrows", "0-9", ", .".
+    /// The names of the keys on the screen, such as "arrows", "0-9", ", .".
     pub fn shown(&self) -> String {
         shown(&self.keys().collect::<Vec<_>>())
     }
 
-    /// The same with other keys for the same actions, in the same order. If fewer are given, the
-    /// other actions have none.
+    /// Replaces the keys for the same actions, in the same order. If fewer are given, the remaining
+    /// actions have no key.
     fn rebind(&mut self, keys: &[Key]) {
         self.aliases.clear();
         let actions = self.keys.iter().map(|(_, action)| *action);
@@ -77,13 +77,13 @@ impl<A: Copy> KeyRow<A> {
     }
 }
 
-/// The keys of one moment, the most useful first.
+/// The current keys, the most useful first.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
-    /// Whether the last keys that were added made a row: none does nothing.
+    /// Whether the last call for adding keys made a row; a call without keys makes none.
     added: bool,
 }
 
@@ -93,8 +93,8 @@ impl<A: KeyAction> KeyTable<A> {
         self.each([(key, action)], name)
     }
 
-    /// Adds keys for one action in several directions; its name in `keys.toml` and its help text
-    /// are those of the first.
+    /// Adds keys for one action in several directions; the first gives the row its name in
+    /// `keys.toml` and its help text.
     pub fn each<K: Into<Key>>(
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,
@@ -137,7 +137,7 @@ impl<A: Copy> KeyTable<A> {
         }
     }
 
-    /// Other keys for what the last row does, which are not shown.
+    /// Adds other keys for the actions of the last row; these keys are not shown.
     pub fn or<K: Into<Key>>(mut self, aliases: impl IntoIterator<Item = (K, A)>) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             let aliases = aliases.into_iter().map(|(key, a)| (key.into(), a));
@@ -146,7 +146,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// The last row only if `holds`.
+    /// Keeps the last row only if `holds`.
     pub fn when(mut self, holds: bool) -> Self {
         if !holds && std::mem::take(&mut self.added) {
             self.rows.pop();
@@ -154,7 +154,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// The labels of the last row's keys on buttons.
+    /// Sets the button labels of the last row's keys.
     pub fn called(mut self, words: &'static [&'static str]) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             row.words = words;
@@ -162,7 +162,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Another name in the bottom line for the rows that do this.
+    /// Sets another label in the bottom line for the rows with matching actions.
     pub fn renamed(mut self, name: &'static str, is: impl Fn(A) -> bool) -> Self {
         for row in &mut self.rows {
             if row.keys.first().is_some_and(|(_, action)| is(*action)) {
@@ -172,20 +172,20 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// The same without the rows that do this.
+    /// This table without the rows with matching actions.
     pub fn without(mut self, is: impl Fn(A) -> bool) -> Self {
         self.rows
             .retain(|row| !row.keys.first().is_some_and(|(_, action)| is(*action)));
         self
     }
 
-    /// The same without these keys, which mean something else on the screen.
+    /// This table without these keys, which mean something else on the screen.
     pub(crate) fn without_keys(mut self, keys: &[Key]) -> Self {
         self.rows.iter_mut().for_each(|row| row.lose(keys));
         self
     }
 
-    /// Another id for the rows whose only shown key is this one.
+    /// Sets another id for the rows whose only shown key is `key`.
     pub(crate) fn identified(mut self, key: Key, id: &str) -> Self {
         for row in &mut self.rows {
             if let [(own, _)] = row.keys.as_slice()
@@ -197,8 +197,8 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// The same without keys that an earlier row has already, without rows that have none
-    /// left, and with one row for each id: what a later one has are other keys for it.
+    /// This table without keys that an earlier row already has, without rows that have no keys
+    /// left, and with one row for each id, to which the keys of later rows are added.
     pub(crate) fn distinct(mut self) -> Self {
         let mut taken = Vec::new();
         let mut rows: Vec<KeyRow<A>> = Vec::new();
@@ -224,7 +224,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// The same keys for other actions.
+    /// The same keys, with their actions mapped to others.
     pub fn map<B>(self, action: impl Fn(A) -> B) -> KeyTable<B> {
         let map = |keys: Vec<(Key, A)>| keys.into_iter().map(|(key, a)| (key, action(a))).collect();
         let rows = self.rows.into_iter().map(|row| KeyRow {
@@ -242,8 +242,8 @@ impl<A: Copy> KeyTable<A> {
         }
     }
 
-    /// The table as the player has it: rebound rows have their own keys, which no other
-    /// row has any more.
+    /// This table with the player's keys: rebound rows have their new keys, which are removed from
+    /// all other rows.
     pub fn rebound(mut self, rebound: &Rebound) -> Self {
         if rebound.is_empty() {
             return self;
@@ -264,13 +264,13 @@ impl<A: Copy> KeyTable<A> {
         &self.rows
     }
 
-    /// The action of a key; a capital letter without a meaning of its own has that of the small
+    /// The action of a key; a capital letter without an action of its own has that of the small
     /// letter.
     pub fn find(&self, key: Key) -> Option<A> {
         self.exact(key).or_else(|| self.folded(key))
     }
 
-    /// The first key that does this.
+    /// The first key with this action.
     pub(crate) fn key_of(&self, action: &A) -> Option<Key>
     where
         A: PartialEq,
@@ -282,7 +282,7 @@ impl<A: Copy> KeyTable<A> {
         keys.find_map(|(key, own)| (own == action).then_some(*key))
     }
 
-    /// All keys that do something, shown or not.
+    /// All keys with an action, including those that are not shown.
     pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.rows.iter().flat_map(KeyRow::all_keys)
     }
@@ -292,7 +292,7 @@ impl<A: Copy> KeyTable<A> {
         self.rows.iter().find_map(|row| row.find(key))
     }
 
-    /// The action of a capital letter without a meaning of its own: that of the small letter.
+    /// The action of a capital letter without an action of its own: that of the small letter.
     pub(crate) fn folded(&self, key: Key) -> Option<A> {
         match key {
             Key::Char(c) if c.is_ascii_uppercase() => self.exact(Key::Char(c.to_ascii_lowercase())),
@@ -301,7 +301,7 @@ impl<A: Copy> KeyTable<A> {
     }
 }
 
-/// Keys as the screen names them.
+/// The names of keys on the screen.
 fn shown(keys: &[Key]) -> String {
     let mut words: Vec<String> = Vec::new();
     let mut rest = keys;
@@ -362,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn a_row_tells_its_keys_name_and_help() {
+    fn a_row_has_its_keys_name_and_help() {
         let table = table();
         let shown: Vec<_> = table
             .rows()
@@ -380,7 +380,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_does_what_its_row_says() {
+    fn a_key_has_the_action_of_its_row() {
         let table = table();
         assert_eq!(table.exact(Key::Tab), Some(Action::Choose(1)));
         assert_eq!(table.exact(Key::Up), Some(Action::Choose(-1)));
@@ -390,7 +390,7 @@ mod tests {
     }
 
     #[test]
-    fn a_condition_holds_for_the_row_before_it_alone() {
+    fn a_condition_applies_only_to_the_row_before_it() {
         let table = table()
             .each([(Key::F(5), Action::NextSet); 0], "nothing")
             .or([(Key::F(5), Action::NextSet)])
@@ -408,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn rebound_keys_are_taken_from_all_other_rows() {
+    fn rebound_keys_are_removed_from_all_other_rows() {
         let keys = |keys: &[char]| keys.iter().map(|c| Key::Char(*c)).collect::<Vec<_>>();
         let rebound = Rebound::from([
             ("lab.choose".to_owned(), keys(&['k', 's'])),

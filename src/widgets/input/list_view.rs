@@ -1,14 +1,14 @@
-//! A list with a chosen line, with the same behaviour everywhere.
+//! A list with a chosen line, which behaves the same everywhere.
 
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{KeyTable, Outcome};
 use crate::messages::Key;
 
-/// The number of lines of a page key.
+/// The number of lines by which a page key moves the mark.
 const PAGE: isize = 10;
 
-/// What keys do to a list.
+/// The key actions on a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ListAction {
@@ -24,19 +24,19 @@ pub enum ListAction {
     Point(usize),
 }
 
-/// The mark of a list. It does not wrap around.
+/// The mark of the chosen line in a list. It does not wrap around.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct ListView {
     at: usize,
 }
 
 impl ListView {
-    /// A list with the mark at a line, from 0.
+    /// A list with the mark at a line, counted from 0.
     pub(crate) const fn at(at: usize) -> Self {
         Self { at }
     }
 
-    /// The index of the chosen line, from 0; 0 if there is none.
+    /// The index of the chosen line; 0 if there are no lines.
     pub(crate) fn chosen(&self, lines: usize) -> usize {
         self.at.min(lines.saturating_sub(1))
     }
@@ -58,7 +58,7 @@ impl ListView {
             .by([Key::Home, Key::End], End, [-1, 1], "")
     }
 
-    /// Carries out an action in a list of this many lines; done with the line to open.
+    /// Carries out an action in a list of this many lines; `Done` with the line to open.
     pub(crate) fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
         match action {
             ListAction::Choose(by) => self.go(by, lines),

@@ -1,4 +1,4 @@
-//! Input: keys as data, and the parts that handle them: numbers, rays, lists, forms, names.
+//! Input: keys as data, and the widgets that handle them: numbers, rays, lists, forms, text.
 
 mod collision_fields;
 mod form;

@@ -5,7 +5,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::{KeyTable, Outcome};
 use crate::messages::Key;
 
-/// Longest text that can be typed.
+/// The largest number of characters that can be typed.
 const LONGEST: usize = 9;
 
 /// A number being typed, digit by digit.
@@ -14,7 +14,7 @@ pub(crate) struct NumberEntry {
     text: String,
 }
 
-/// What keys do to a number being typed.
+/// The key actions for a number being typed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum EntryAction {
@@ -29,22 +29,22 @@ pub enum EntryAction {
 }
 
 impl NumberEntry {
-    /// Whether something has been typed and neither entered nor discarded.
+    /// Whether something has been typed that was neither entered nor discarded.
     pub(crate) fn is_open(&self) -> bool {
         !self.text.is_empty()
     }
 
-    /// What has been typed.
+    /// The typed text.
     pub(crate) fn text(&self) -> &str {
         &self.text
     }
 
-    /// What has been typed, with a mark for what may follow; `None` while nothing has.
+    /// The typed text with a cursor after it; `None` while there is no text.
     pub(crate) fn shown(&self) -> Option<String> {
         self.is_open().then(|| format!("{}_", self.text))
     }
 
-    /// The number as far as typed; `None` while it is not one yet.
+    /// The number typed so far; `None` if the text is not a number yet.
     pub(crate) fn value(&self) -> Option<f64> {
         self.text.parse().ok().filter(|v: &f64| v.is_finite())
     }
@@ -56,7 +56,8 @@ impl NumberEntry {
         value
     }
 
-    /// The keys that type; while something has been typed, Enter enters it and Escape discards it.
+    /// The keys for typing; once something has been typed, Enter accepts the number and Escape
+    /// discards it.
     pub(crate) fn keys(&self) -> KeyTable<EntryAction> {
         let typed = |c| (Key::Char(c), EntryAction::Type(c));
         let open = self.is_open();
@@ -71,7 +72,7 @@ impl NumberEntry {
             .when(open)
     }
 
-    /// Carries out an action; done with a number once it is entered.
+    /// Carries out an action; `Done` with the number once it is entered.
     pub(crate) fn act(&mut self, action: EntryAction) -> Outcome<f64> {
         match action {
             EntryAction::Type(c) => self.push(c),
@@ -132,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_never_entered() {
+    fn a_text_that_is_not_a_number_is_never_entered() {
         assert_eq!(typed("-\n").1, Outcome::Used);
         assert_eq!(typed(".\n").1, Outcome::Used);
         assert_eq!(typed("1.2.3").0.text(), "1.23");
@@ -141,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn escape_gives_up_the_number_first_and_is_free_again_then() {
+    fn escape_discards_a_number_and_is_unused_without_one() {
         let (mut entry, last) = typed("12!");
         assert_eq!(last, Outcome::Used);
         assert!(!entry.is_open());

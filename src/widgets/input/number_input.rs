@@ -1,4 +1,4 @@
-//! Entering a number: typed, or set with the arrows.
+//! Entering a number by typing it or with the arrow keys.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -18,7 +18,7 @@ pub struct NumberInput {
     entry: NumberEntry,
 }
 
-/// What keys do to a number that is asked for.
+/// The key actions for a number being entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum NumberAction {
@@ -33,20 +33,20 @@ pub(crate) enum NumberAction {
 /// A step of the dial, up or down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DialStep {
-    /// So many small steps.
+    /// This many small steps.
     Small(i8),
-    /// So many large ones.
+    /// This many large steps.
     Large(i8),
 }
 
 impl NumberInput {
-    /// No number yet.
+    /// An input without a number yet.
     pub(crate) fn new(quantity: Measure) -> Self {
         let (least, most) = (quantity.smallest(), quantity.largest());
         Self::within(quantity, least, most)
     }
 
-    /// The same, held within these bounds.
+    /// An input without a number yet, which keeps its number within these bounds.
     pub(crate) fn within(quantity: Measure, least: f64, most: f64) -> Self {
         Self {
             quantity,
@@ -61,13 +61,13 @@ impl NumberInput {
         self.value
     }
 
-    /// Sets it, held within its bounds.
+    /// Sets the number, clamped to its bounds.
     pub(crate) fn set(&mut self, value: f64) {
         // Adding 0 turns −0 into 0.
         self.value = Some(value.clamp(self.range.0, self.range.1) + 0.0);
     }
 
-    /// The keys that give it.
+    /// The keys for entering the number.
     pub(crate) fn keys(&self) -> KeyTable<NumberAction> {
         use NumberAction::{Dial, Enter};
         let [up, down] = [1, -1].map(DialStep::Large);
@@ -81,7 +81,7 @@ impl NumberInput {
         }
     }
 
-    /// Carries out an action; done by Enter once there is a number.
+    /// Carries out an action; Enter gives `Done` once there is a number.
     pub(crate) fn act(&mut self, action: NumberAction) -> Outcome {
         match action {
             NumberAction::Dial(step) => {
@@ -110,7 +110,7 @@ impl NumberInput {
         Outcome::Used
     }
 
-    /// As it reads: as typed so far, or as it stands.
+    /// The number as text: as typed so far, or its current value.
     pub(crate) fn shown(&self) -> String {
         let unit = self.quantity.unit();
         let number = self.value.map_or("_".into(), |value| short(value, 3));
@@ -125,7 +125,7 @@ impl NumberInput {
         panel.field(name, self.shown(), (Role::Text, true), None);
     }
 
-    /// What gives the number as it stands.
+    /// The action that enters the current number.
     pub(crate) fn enter(&self) -> NumberAction {
         match self.entry.is_open() {
             true => NumberAction::Number(EntryAction::Enter),
@@ -133,7 +133,7 @@ impl NumberInput {
         }
     }
 
-    /// How it is given.
+    /// How to enter the number, in a sentence.
     pub(crate) fn about(&self) -> String {
         match self.quantity.unit() {
             "" => "Type a number.".into(),
@@ -144,13 +144,13 @@ impl NumberInput {
 
     fn step(&mut self, by: f64) {
         self.entry.take();
-        // Steps of hundredths add up to hundredths.
+        // Rounding keeps the sum of steps of a hundredth at whole hundredths.
         let stepped = self.value.unwrap_or(0.0) + by;
         self.set((stepped * 100.0).round() / 100.0);
     }
 }
 
-/// A small and a large step; none where the number can only be typed.
+/// The small and the large step; `None` if the number can only be typed.
 const fn steps(quantity: &Measure) -> Option<(f64, f64)> {
     match quantity {
         Measure::Angle | Measure::Share => Some((1.0, 5.0)),
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_done_before_there_is_a_number() {
+    fn enter_does_nothing_before_there_is_a_number() {
         let mut number = NumberInput::new(Measure::Speed);
         assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Used);
         assert_eq!(number.value(), None);
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_dialled_within_its_bounds() {
+    fn the_number_stays_within_its_bounds_when_dialled() {
         let mut number = NumberInput::new(Measure::Share);
         press(&mut number, &[Key::Up, Key::Up, Key::Right, Key::Left]);
         assert_eq!(number.shown(), "10 %");

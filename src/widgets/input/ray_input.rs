@@ -14,21 +14,21 @@ const UNSAID: &str = "Turn the ray, or type its angle.";
 
 /// A prediction being entered.
 ///
-/// On the screen, angles are in degrees from the direction of the striker: the striker's positive
-/// on the side away from the coin, the coin's positive on the coin's side. A ray is not set until
-/// it has been turned.
+/// On the screen, angles are in degrees from the striker's direction: the striker's angle is
+/// positive on the side away from the coin, the coin's angle on the coin's side. A ray is not set
+/// until it has been turned.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RayInput {
     /// The predictions; `Some(None)` for a disc that stays still.
     angles_deg: [Option<Option<f64>>; 2],
     turning: Ray,
-    /// The one ray that is asked for, if not both are.
+    /// The ray to predict, if only one is required.
     only: Option<Ray>,
     side: f64,
     entry: NumberEntry,
 }
 
-/// What keys do to a prediction.
+/// The key actions for a prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum RayAction {
@@ -38,7 +38,7 @@ pub enum RayAction {
     StaysStill,
     /// switch to the other ray
     OtherRay,
-    /// go on: to the other ray, or when both are set
+    /// go on to the other ray, or continue once both are set
     Next,
     /// type a number for the ray
     Number(EntryAction),
@@ -47,11 +47,11 @@ pub enum RayAction {
 }
 
 impl RayInput {
-    /// What can be dragged in a picture with rays.
+    /// The hint about what can be dragged in a picture with rays.
     pub(crate) const DRAG: &str = "Drag in the picture to turn the ray.";
 
-    /// No prediction yet. `side` is +1 if the coin lies to the right of the striker's path and −1
-    /// if it lies to the left.
+    /// An input without a prediction yet. `side` is +1 if the coin is to the right of the striker's
+    /// path and −1 if it is to the left.
     pub(crate) fn new(side: f64) -> Self {
         Self {
             angles_deg: [None; 2],
@@ -62,19 +62,19 @@ impl RayInput {
         }
     }
 
-    /// The same with these rays set, for changing.
+    /// This input with the given rays, so that the player can change them.
     #[must_use]
     pub(crate) fn saying(mut self, rays: &Rays) -> Self {
         for ray in Ray::BOTH {
             let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
-            // As it was typed, without rounding errors.
+            // This removes rounding errors, so that the angle is shown as it was typed.
             let angle = angle.map(|angle| (angle * 1e6).round() / 1e6 + 0.0);
             self.angles_deg[ray as usize] = Some(angle);
         }
         self
     }
 
-    /// The same with only one ray to set. The other one counts as a disc that stays still.
+    /// This input with only one ray to set. The other disc is assumed to stay still.
     #[must_use]
     pub(crate) fn only(mut self, ray: Ray) -> Self {
         self.turning = ray;
@@ -82,12 +82,12 @@ impl RayInput {
         self
     }
 
-    /// Whether a ray is asked for.
+    /// Whether a ray is required.
     pub(crate) fn asks(&self, ray: Ray) -> bool {
         self.only.is_none_or(|only| only == ray)
     }
 
-    /// Whether Enter ends it: the last ray that is asked for is being turned.
+    /// Whether Enter completes the prediction, because the last required ray is being turned.
     pub(crate) fn is_last(&self) -> bool {
         self.only.is_some() || self.turning == Ray::Target
     }
@@ -98,12 +98,12 @@ impl RayInput {
         Ray::BOTH.into_iter().all(said).then(|| self.so_far())
     }
 
-    /// Both rays, if both are asked for and set.
+    /// Both rays, if both are required and set.
     pub(crate) fn both(&self) -> Option<Rays> {
         self.said().filter(|_| self.only.is_none())
     }
 
-    /// The rays so far; one that is not set counts as a disc that stays still.
+    /// The rays so far; a disc whose ray is not set is assumed to stay still.
     pub(crate) fn so_far(&self) -> Rays {
         let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {
@@ -122,7 +122,7 @@ impl RayInput {
         self.turning
     }
 
-    /// Its keys; `next` is the label of Enter.
+    /// The keys of the input; `next` is the label of Enter.
     pub(crate) fn keys(&self, next: &'static str) -> KeyTable<RayAction> {
         use RayAction::{Next, OtherRay, StaysStill, Turn};
         KeyTable::new("ray")
@@ -135,7 +135,7 @@ impl RayInput {
             .when(self.only.is_none())
     }
 
-    /// Carries out an action; done once the answer is complete.
+    /// Carries out an action; `Done` once the answer is complete.
     pub(crate) fn act(&mut self, action: RayAction) -> Outcome {
         match action {
             RayAction::Turn(degrees) => self.turn(degrees.into()),
@@ -162,25 +162,25 @@ impl RayInput {
         Outcome::Used
     }
 
-    /// Points a ray by hand, to the whole degree.
+    /// Points a ray in a direction, rounded to a whole degree.
     pub(crate) fn point(&mut self, ray: Ray, angle_deg: f64) {
         self.choose(ray);
         self.set(angle_deg.round());
     }
 
-    /// The angle of a ray as the screen counts it; `None` for a disc that stays still, and for a
-    /// ray that is not set.
+    /// The angle of a ray in degrees, with the screen's signs; `None` for a disc that stays still,
+    /// and for a ray that is not set.
     pub(crate) fn angle_deg(&self, ray: Ray) -> Option<f64> {
         self.angles_deg[ray as usize].flatten()
     }
 
-    /// How the answer for a ray reads: as typed so far, or as it stands.
+    /// The answer for a ray as text: as typed so far, or its current value.
     pub(crate) fn shown(&self, ray: Ray) -> String {
         let typed = self.entry.shown().filter(|_| ray == self.turning);
         typed.unwrap_or_else(|| self.angles_deg[ray as usize].map_or("_".into(), shown))
     }
 
-    /// Writes the rays that are asked for, one per row; `target` is the target's name.
+    /// Writes the required rays, one per row; `target` is the target's name.
     pub(crate) fn write(&self, panel: &mut Panel<RayAction>, target: &str) {
         let both = [(Ray::Striker, "striker"), (Ray::Target, target)];
         for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
@@ -198,7 +198,8 @@ impl RayInput {
         }
     }
 
-    /// The key that goes on: to the other ray, or once both are set.
+    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
+    /// the prediction.
     pub(crate) fn go_on(&self) -> RayAction {
         match self.entry.is_open() {
             true => RayAction::Number(EntryAction::Enter),
@@ -206,7 +207,7 @@ impl RayInput {
         }
     }
 
-    /// Writes the next prompt: turn this ray, then the other one, and `last` once all are set.
+    /// Writes the next prompt: turn this ray, then the other one, then `last` once all are set.
     pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
         if !self.is_said(self.turning) {
             return panel.paragraph(UNSAID, Role::Key);
@@ -221,7 +222,7 @@ impl RayInput {
         }
     }
 
-    /// How the angle of the ray that keys turn is counted, in a sentence.
+    /// The sign convention for the ray that keys turn, in a sentence.
     pub(crate) fn about(&self, target: &str) -> String {
         match self.turning {
             Ray::Striker => format!(
@@ -240,7 +241,7 @@ impl RayInput {
         self.said().is_some() && self.is_last()
     }
 
-    /// On to the other ray, once this one is set.
+    /// Goes to the other ray once this one is set.
     fn next(&mut self) -> Outcome {
         if !self.is_said(self.turning) {
             return Outcome::Used;
@@ -279,8 +280,7 @@ pub fn shown(angle_deg: Option<f64>) -> String {
     }
 }
 
-/// The same in as little room as a table has: no unit, and one word for a disc that
-/// stays still.
+/// The short text of an angle for a table: no unit, and one word for a disc that stays still.
 pub(crate) fn brief(angle_deg: Option<f64>) -> String {
     angle_deg.map_or("still".into(), |angle| true_minus(&fixed(angle, 1)))
 }
@@ -289,7 +289,8 @@ fn other(ray: Ray) -> Ray {
     Ray::BOTH[1 - ray as usize]
 }
 
-/// True or predicted directions in the degrees of the screen, which count from the coin's side.
+/// True or predicted directions in degrees, with the screen's signs, which depend on the coin's
+/// side.
 pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
     Ray::BOTH.map(|ray| {
         let angle = rays.get(ray)?;
@@ -322,14 +323,14 @@ mod tests {
     }
 
     #[test]
-    fn two_numbers_typed_are_a_prediction() {
+    fn two_typed_numbers_make_a_prediction() {
         let mut rays = RayInput::new(1.0);
         assert_eq!(press(&mut rays, "60\n30\n"), Outcome::Done(()));
         assert_eq!(degrees(&rays), [Some(60.0), Some(30.0)]);
     }
 
     #[test]
-    fn nothing_is_said_by_enter_alone() {
+    fn enter_alone_sets_no_ray() {
         let mut rays = RayInput::new(1.0);
         assert_eq!(press(&mut rays, "\n\n\n"), Outcome::Used);
         assert_eq!(rays.said(), None);
@@ -339,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_count_from_the_coins_side() {
+    fn signs_of_angles_depend_on_the_coins_side() {
         let mut rays = RayInput::new(-1.0);
         press(&mut rays, "60\n30\n");
         assert!((rays.said().unwrap().striker.unwrap() + 60.0_f64.to_radians()).abs() < 1e-12);
@@ -354,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn a_disc_can_be_said_to_stay_still() {
+    fn a_disc_can_be_predicted_to_stay_still() {
         let mut rays = RayInput::new(1.0);
         assert_eq!(press(&mut rays, "x\n0\n"), Outcome::Done(()));
         assert_eq!(degrees(&rays), [None, Some(0.0)]);
@@ -362,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn half_typed_numbers_count_only_as_far_as_they_are_numbers() {
+    fn a_typed_text_is_used_only_if_it_is_a_number() {
         let mut rays = RayInput::new(1.0);
         press(&mut rays, "-\t");
         assert_eq!(rays.said(), None);

@@ -1,23 +1,23 @@
-//! A line of text being typed: a name, a code.
+//! A line of text being typed, such as a name or a code.
 
 use tui_input::{Input as Line, InputRequest as Request};
 use unicode_segmentation::UnicodeSegmentation;
 
 use crate::messages::Key;
 
-/// The most characters of one pasted letter: enough for accents and emoji sequences.
+/// The largest number of characters in one pasted letter: enough for accents and emoji sequences.
 const LONGEST_LETTER: usize = 32;
 
 /// Text being typed, with a cursor.
 #[derive(Debug, Clone, Default)]
 pub struct TextField {
     line: Line,
-    /// Most letters it takes, as a reader counts them.
+    /// The largest number of letters, as a reader counts them.
     most: usize,
 }
 
 impl TextField {
-    /// A field of at most so many letters, with this text in it.
+    /// A field for at most this many letters that already contains this text.
     pub fn new(text: &str, most: usize) -> Self {
         let text: String = text.graphemes(true).take(most).collect();
         Self {
@@ -26,26 +26,26 @@ impl TextField {
         }
     }
 
-    /// What has been typed.
+    /// The typed text.
     pub fn text(&self) -> &str {
         self.line.value()
     }
 
-    /// The text before the cursor, and the text from there on.
+    /// The text before the cursor, and the text after it.
     pub(crate) fn around_cursor(&self) -> (&str, &str) {
         let text = self.line.value();
         let at = text.char_indices().nth(self.line.cursor());
         text.split_at(at.map_or(text.len(), |(at, _)| at))
     }
 
-    /// What has been typed, with a mark where the cursor is.
+    /// The typed text with a mark at the cursor.
     pub fn shown(&self) -> String {
         let (before, after) = self.around_cursor();
         format!("{before}_{after}")
     }
 
-    /// Handles a key: letters, the keys that move the cursor by a letter, a word or to the ends,
-    /// and those that delete. Returns whether it was used.
+    /// Handles a key: letters, keys that move the cursor by a letter, by a word or to the ends, and
+    /// keys that delete. Returns whether the key was used.
     pub fn update(&mut self, key: Key) -> bool {
         let request = match key {
             Key::Char(c) if !c.is_control() => Request::InsertChar(c),
@@ -82,7 +82,7 @@ impl TextField {
         fits
     }
 
-    /// Inserts pasted text, as far as there is room for it. The rest, which may be long, is not
+    /// Inserts as much pasted text as there is room for. The rest, which may be long, is not
     /// examined.
     pub fn paste(&mut self, text: &str) {
         let is_letter = |letter: &&str| {
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_go_where_the_cursor_is() {
+    fn letters_are_inserted_at_the_cursor() {
         let field = typed(&[Key::Char('a'), Key::Char('c'), Key::Left, Key::Char('b')]);
         assert_eq!(field.text(), "abc");
         assert_eq!(field.around_cursor(), ("ab", "c"));
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn it_takes_no_more_than_its_letters() {
+    fn it_accepts_no_more_letters_than_its_limit() {
         let mut field = TextField::new("e\u{301}e\u{301}e\u{301}e\u{301}", 6);
         field.paste("xyz\u{301}");
         let pile = format!("e{}", "\u{301}".repeat(1000));

@@ -1,34 +1,35 @@
-//! Names with their scores, in letters as large as they fit.
+//! Names with their scores, in the largest letters that fit.
 
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::flow::Run;
 use crate::widgets::{Lines, Role, Words, text};
 
-/// Rows of large letters.
+/// The height of large letters, in rows.
 const LETTERS: u16 = 4;
-/// Rows of a name in large type: its letters, one of its bar, and if possible one empty.
+/// The rows of a name in large type: its letters, one row for its bar, and if possible an empty
+/// row.
 const LARGE: [u16; 2] = [LETTERS + 1, LETTERS + 2];
 /// Columns between a name and the points in large type.
 const APART: u16 = 3;
-/// Columns of points and gain beside a name, and of each of them.
+/// The number of columns beside a name for the points and the gain together.
 const NUMBERS: u16 = 20;
 const NUMBER: usize = 6;
 
-/// The score of one name.
+/// A name with its score.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BoardRow {
-    /// "1. Ants"
+    /// The place and the name, such as "1. Ants".
     pub name: String,
-    /// "27.5"
+    /// The points, such as "27.5".
     pub points: String,
-    /// "+9.3"
+    /// The points gained most recently, such as "+9.3".
     pub gain: String,
-    /// Its share of all possible points.
+    /// The points as a fraction of all possible points.
     pub share: f64,
 }
 
-/// Writes them into the remaining rows.
+/// Writes the names and scores into the remaining rows.
 pub(super) fn write(rows: &[BoardRow], lines: &mut Lines) {
     let high = lines.left() / (rows.len() as u16).max(1);
     match large(rows, high, lines) {
@@ -60,7 +61,7 @@ impl BoardRow {
         lines.skip_to(top + high.min(LARGE[1]));
     }
 
-    /// Writes it in one line, with a bar below it if there is room.
+    /// Writes the score in one line, with a bar below it if there is room.
     fn write(&self, high: u16, lines: &mut Lines) {
         let top = lines.written();
         let room = usize::from(lines.width().saturating_sub(NUMBERS));

@@ -1,5 +1,5 @@
-//! Panels in cells: the rows of each block, which blocks have room, and the cells that react to
-//! clicks.
+//! The layout of panels in cells: the rows of each block, which blocks have room, and the cells
+//! that react to clicks.
 
 use std::ops::Range;
 
@@ -17,26 +17,26 @@ use crate::widgets::{Charset, Lines, Look, Role, Room, Words, areas, formula, te
 pub(crate) struct Writing {
     /// The glyphs and colours.
     pub look: Look,
-    /// The labels of the keys that page back and forward in a text, if they do.
+    /// The labels of the keys that page back and forward, if the text has pages.
     pub pages: Option<[String; 2]>,
 }
 
-/// A panel laid out: the blocks that have room, and their positions.
+/// A panel after layout: the blocks that have room, and their positions.
 pub(crate) struct Placed<'p> {
     area: Rect,
-    /// The blocks that stay visible above the rest and below it.
+    /// The blocks that stay visible above and below the rest.
     fixed: [Fixed<'p>; 2],
-    /// The first row of each block, counted from the top of the whole.
+    /// Each block with its first row, counted from the top of the text.
     blocks: Vec<(u16, PlacedBlock<'p>)>,
     rows: u16,
     targets: Vec<Target>,
     /// The rows of the chosen item.
     chosen: Option<Range<u16>>,
-    /// Whether it is an item of a list, rather than a setting.
+    /// Whether the chosen item belongs to a list, rather than being a setting.
     is_list: bool,
-    /// Rows of the area in which it was laid out.
+    /// The rows of the area in which the panel was laid out.
     whole: u16,
-    /// Its pages in large letters, if it is read page by page.
+    /// The pages in large letters, if the panel is read page by page.
     pages: Option<PlacedPages<'p>>,
 }
 
@@ -53,11 +53,11 @@ struct Fixed<'p> {
 struct PlacedBlock<'p> {
     content: &'p Content,
     worth: Option<u8>,
-    /// For each of its actions the label of its key; `None` if there is none, or it is not written.
+    /// The label of the key of each action; `None` if there is no key, or it is not shown.
     keys: Vec<Option<String>>,
 }
 
-/// Cells that react to clicks, in rows from the top of the whole and columns from the left.
+/// Cells that react to clicks, in rows from the top of the text and columns from the left.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Target {
     rows: Range<u16>,
@@ -66,7 +66,7 @@ struct Target {
 }
 
 impl Target {
-    /// The same this many rows farther down.
+    /// This target moved down by this many rows.
     fn below(self, rows: u16) -> Self {
         Self {
             rows: rows + self.rows.start..rows + self.rows.end,
@@ -74,7 +74,7 @@ impl Target {
         }
     }
 
-    /// Its cells in an area that is scrolled by this many rows; `None` if it is not visible.
+    /// The target's cells in an area scrolled by this many rows; `None` if it is not visible.
     fn cells(&self, area: Rect, scrolled: u16) -> Option<Rect> {
         let top = area.y + self.rows.start.saturating_sub(scrolled);
         let below = area.y + self.rows.end.checked_sub(scrolled)?;
@@ -89,12 +89,12 @@ impl Target {
     }
 }
 
-/// Which action of a panel: the number of its block, and its own in the block.
+/// The position of an action in a panel: the index of its block, and its index in the block.
 pub(super) type ActionAt = (usize, usize);
 
 impl<A: Copy> Panel<A> {
-    /// Lays it out in `area`; if it is longer, it can be scrolled. `key` returns the label of an
-    /// action's key.
+    /// Lays the panel out in `area`; if the panel is longer, it can be scrolled. `key` returns the
+    /// label of an action's key.
     pub(crate) fn placed(
         &self,
         area: Rect,
@@ -115,14 +115,14 @@ impl<A: Copy> Panel<A> {
         let below = self.below.unwrap_or(self.blocks.len());
         let mut placed = placed(pieces.collect(), self.pinned..below, area, writing);
         if self.open && placed.overflow() > 0 {
-            // The word that there is more has its own row.
+            // The note that there is more text has its own row.
             placed.area.height = placed.area.height.saturating_sub(1);
         }
         placed
     }
 
-    /// Lays it out on pages in large letters beside a picture, on a screen with a body of this many
-    /// rows; `None` if a letter is not available.
+    /// Lays the panel out on pages in large letters beside a picture, on a screen with a body of
+    /// this many rows; `None` if a letter has no large form.
     pub(crate) fn paged(
         &self,
         beside: Beside,
@@ -143,7 +143,7 @@ impl<A: Copy> Panel<A> {
     }
 }
 
-/// Lays blocks out, of which those in `middle` can be scrolled.
+/// Lays blocks out; those in `middle` can be scrolled.
 fn placed<'p>(
     pieces: Vec<PlacedBlock<'p>>,
     middle: Range<usize>,
@@ -168,12 +168,12 @@ fn placed<'p>(
     let is_shown = with_room(&pieces, area.height, lengths.iter().map(|(rows, _)| *rows));
     let rows = |part: Range<usize>| -> u16 { lengths[part].iter().map(|(rows, _)| rows).sum() };
     let head = rows(0..middle.start);
-    // With a row between it and what is above.
+    // An empty row separates the foot from the blocks above.
     let foot = match rows(middle.end..pieces.len()) {
         0 => 0,
         rows => rows + 1,
     };
-    // If there is hardly room for more, they scroll too.
+    // If there is hardly any room left for the middle, the head and foot scroll too.
     let (head, foot, middle) = match head + foot + LEAST <= area.height {
         true => (head, foot, middle),
         false => (0, 0, 0..pieces.len()),
@@ -222,7 +222,7 @@ fn placed<'p>(
     placed
 }
 
-/// Which blocks have room in this many rows.
+/// Whether each block has room in this many rows.
 fn with_room(pieces: &[PlacedBlock], height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
     let rows: Vec<u16> = rows.collect();
     let of = |worth: Option<u8>| -> u16 {
@@ -261,23 +261,23 @@ impl<'p> Placed<'p> {
         }
     }
 
-    /// The same in another place, of which it does not fill more.
+    /// This panel in another area of the same size.
     #[must_use]
     pub(crate) fn moved(self, area: Rect) -> Self {
         Self { area, ..self }
     }
 
-    /// Its pages, if it is read page by page.
+    /// The pages, if the panel is read page by page.
     pub(crate) fn pages(&self) -> Option<&PlacedPages<'p>> {
         self.pages.as_ref()
     }
 
-    /// Rows of all that can be scrolled.
+    /// The number of rows of the text that can be scrolled.
     pub(crate) fn rows(&self) -> u16 {
         self.rows
     }
 
-    /// Rows that the area has no room for, or pages after the first.
+    /// The number of rows for which the area has no room, or of pages after the first.
     pub(crate) fn overflow(&self) -> u16 {
         match &self.pages {
             Some(pages) => pages.count().saturating_sub(1),
@@ -285,7 +285,7 @@ impl<'p> Placed<'p> {
         }
     }
 
-    /// The row of what is chosen.
+    /// The row of the chosen item.
     pub(crate) fn chosen(&self) -> Option<u16> {
         self.chosen.as_ref().map(|rows| rows.start)
     }
@@ -295,15 +295,15 @@ impl<'p> Placed<'p> {
         self.is_list
     }
 
-    /// The scroll position unless the player scrolls: the chosen item is in the middle if there is
-    /// not room for everything.
+    /// The scroll position while the player does not scroll: if there is not room for everything,
+    /// the chosen item is in the middle.
     pub(crate) fn following(&self) -> u16 {
         let chosen = self.chosen().unwrap_or(0);
         let above = chosen.saturating_sub(self.area.height / 2);
         above.min(self.overflow())
     }
 
-    /// The cells that react to clicks with their actions, scrolled by this many rows.
+    /// The cells that react to clicks and their actions, scrolled by this many rows.
     pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
         let [head, foot] = &self.fixed;
         let parts = [
@@ -319,8 +319,8 @@ impl<'p> Placed<'p> {
         targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
 
-    /// Draws it, scrolled by this many rows. If it does not fit, the frame below names the key for
-    /// the rest.
+    /// Draws the panel, scrolled by this many rows. If it does not fit, the bottom of the frame
+    /// names the key that shows the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
         if let Some(pages) = &self.pages {
             return pages.draw(scrolled, buf, writing);
@@ -349,12 +349,12 @@ impl<'p> Placed<'p> {
     }
 }
 
-/// Takes cells that do something: rows as they are written, columns, and the number of the
-/// action in its block.
+/// Receives cells that react to clicks: their rows, their columns, and the index of the action in
+/// its block.
 type TakeTarget<'t> = dyn FnMut(Range<u16>, Range<u16>, usize) + 't;
 
 impl PlacedBlock<'_> {
-    /// Writes it, and returns the cells that react to clicks.
+    /// Writes the block, and passes the cells that react to clicks to `take`.
     fn write(&self, lines: &mut Lines, take: &mut TakeTarget) {
         let from = lines.written();
         match self.content {
@@ -370,7 +370,7 @@ impl PlacedBlock<'_> {
     }
 }
 
-/// Writes what a click on anything of does one thing, or nothing.
+/// Writes a block that has one action for all its cells, or none.
 fn write(content: &Content, lines: &mut Lines) {
     match content {
         Content::Gap => lines.gap(),
@@ -570,7 +570,7 @@ fn write(content: &Content, lines: &mut Lines) {
     }
 }
 
-/// Writes the names of several pages beside each other.
+/// Writes the names of several pages side by side.
 fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeTarget) {
     let row = lines.written();
     let mut column = 0;
@@ -589,8 +589,8 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
     lines.unrecorded(|lines| lines.line("", Role::Text));
 }
 
-/// Writes names beside each other, as close together as they go. The first rows are left out
-/// where there would be too many.
+/// Writes names side by side, as closely together as possible. If there are too many rows, the
+/// first ones are left out.
 fn write_grid(
     cells: &[[String; 2]],
     chosen: Option<usize>,
@@ -628,38 +628,38 @@ fn write_grid(
     }
 }
 
-/// Columns beside a name in a grid: a mark, its number and its sign.
+/// The number of columns beside a name in a grid, for the mark, number and sign of the name.
 const BESIDE_NAME: usize = 10;
-/// Rows of a grid at most, of ten rows of the panel.
+/// The largest height of a grid, in tenths of the panel's rows.
 const MOST_ROWS: usize = 3;
 
-/// Fewest rows that are left for what is scrolled below what stays in sight.
+/// The smallest number of rows for the text that scrolls beside fixed blocks.
 const LEAST: u16 = 6;
 
-/// Columns by which a formula is set in, and what is left of a line of working.
+/// The indentation of a formula, and of the continuation of a line of working, in columns.
 const FORMULA: u16 = 2;
 const WORKING: u16 = 4;
-/// Columns of a gauge at most, and of those what is left for its words.
+/// The largest width of a gauge, in columns.
 const LONGEST_GAUGE: u16 = 52;
 const BESIDE_GAUGE: u16 = 10;
 
-/// Columns of a share, `100 %`.
+/// The width of a share such as `100 %`, in columns.
 const SHARE: usize = 5;
 
-/// Columns of the label of a text field, with the blank behind it.
+/// The width of a text field's label and the blank after it, in columns.
 const LABEL: usize = 8;
 
-/// Columns between the names of two pages.
+/// The number of columns between the names of two pages.
 const BETWEEN_TABS: u16 = 2;
 
-/// Columns of the letter and the name of a line of a menu.
+/// The width of the letter and name in a line of a menu, in columns.
 const ENTRY: usize = 15;
 
-/// Columns of a panel from which on those of a table stand apart.
+/// The smallest width, in cells, of a panel in which a table has gaps between its columns.
 const WIDE_TABLE: u16 = 72;
 
-/// Writes a table: its heads, and a line for each row. Numbers stand apart where there is
-/// room, and words from the numbers before them.
+/// Writes a table: its headings, and one line per row. If there is room, there are gaps before
+/// numbers, and between numbers and the text after them.
 fn write_table(
     columns: &[TableColumn],
     rows: &[TableRow<()>],
@@ -697,7 +697,7 @@ fn write_table(
         }
     };
     let heads: Vec<_> = columns.iter().map(|column| column.head.as_str()).collect();
-    // Only rows that do something can be chosen.
+    // Only rows with an action can be chosen.
     let has_marks = rows.iter().any(|row| row.action.is_some());
     let head = written(if has_marks { " " } else { "" }, &mut heads.iter().copied());
     lines.written_as(
@@ -721,7 +721,7 @@ fn write_table(
     }
 }
 
-/// Writes what can be done next as a text: the key of each, and its words.
+/// Writes the possible next actions as running text: the key of each, and its description.
 fn write_prompts(
     prompts: &[String],
     keys: &[Option<String>],
@@ -744,7 +744,7 @@ fn write_prompts(
     let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
     let rows = lines.wrapped(&sentences.join(" "));
-    // Rows differ from the text in blanks alone: so many other letters are before each.
+    // The rows differ from the text only in blanks, so only the other letters are counted.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let mut end = 0;
     for (number, sentence) in sentences.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! The text beside a picture, as a list of blocks: their meaning and the actions of clicks, not the
-//! positions of their letters. [`cells`] lays a panel out and draws it.
+//! The text beside a picture, as a list of blocks with their meaning and the actions of clicks, but
+//! without the positions of letters. [`cells`] lays a panel out and draws it.
 
 mod board;
 mod cells;
@@ -20,18 +20,18 @@ use crate::widgets::flow::Run;
 /// A list of blocks under a title, one below the other; `A` is the type of their actions.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Panel<A> {
-    /// Its title, on its frame; empty for none.
+    /// The title on the frame; empty for none.
     pub title: String,
-    /// The number of its subject: a new number resets its scroll position.
+    /// The number of the panel's subject: a new number resets the scroll position.
     pub subject: usize,
-    /// Whether it starts at its top, rather than following its chosen item.
+    /// Whether the panel starts at its top, rather than following the chosen item.
     pub(crate) from_top: bool,
-    /// Whether it has no frame.
+    /// Whether the panel has no frame.
     pub(crate) open: bool,
     blocks: Vec<Block<A>>,
-    /// How many of the first blocks stay visible when it is scrolled.
+    /// The number of blocks at the top that stay visible when the panel is scrolled.
     pinned: usize,
-    /// The first of the blocks that stay visible below the others, if any do.
+    /// The index of the first block that stays visible at the bottom, if any do.
     below: Option<usize>,
     /// The priority of the blocks being written.
     worth: Option<u8>,
@@ -41,92 +41,92 @@ pub(crate) struct Panel<A> {
 #[derive(Debug, Clone, PartialEq)]
 struct Block<A> {
     content: Content,
-    /// The actions of clicks: none or one; for the rows of a table and prompts, one each.
+    /// The actions of clicks: none or one; for the rows of a table and for prompts, one each.
     actions: Vec<A>,
-    /// If there is not room for all, blocks of the highest priority come first, all of one priority
-    /// or none; a block without a priority is always shown.
+    /// If there is not room for all blocks, those of the highest priority come first. Either all
+    /// blocks of one priority are shown or none; a block without a priority is always shown.
     worth: Option<u8>,
 }
 
-/// What a block is.
+/// The content of a block.
 #[derive(Debug, Clone, PartialEq)]
 enum Content {
-    /// A distance to what is above.
+    /// An empty row after the block above.
     Gap,
-    /// What the next blocks are about, in one row.
+    /// A heading for the next blocks, in one row.
     Heading(String),
-    /// A few words in large letters, if the panel has this many rows: the first of these texts that
-    /// fits.
+    /// Short text in large letters, if the panel has this many rows: the first of these strings
+    /// that fits.
     Large(Vec<String>, Role, u16),
-    /// A text in the largest letters that fit.
+    /// Text in the largest letters that fit.
     LargeText(LargeText),
-    /// What follows begins on a page of its own, in a panel of [`LargeText`].
+    /// The next block begins a new page, in a panel of [`LargeText`].
     PageBreak,
-    /// Names beside each other, each with a sign, in as many rows as it takes.
+    /// Names side by side, each with a sign, in as many rows as necessary.
     Grid {
         cells: Vec<[String; 2]>,
         chosen: Option<usize>,
     },
     /// Names with their scores, large if there is room.
     Board(Vec<BoardRow>),
-    /// A few words of their own, in one row.
+    /// Short text in one row.
     Line(String, Role),
-    /// A text.
+    /// Text that is wrapped over several rows.
     Paragraph(String, Role),
-    /// Something to share: what it is, the command that opens it, and its address.
+    /// Something to share: its description, the command that opens it, and its address.
     Code {
         text: String,
         command: String,
         address: String,
     },
-    /// What something is called, and its value.
+    /// The name of a quantity, and its value.
     Fact {
         name: String,
         value: String,
         roles: [Role; 2],
     },
-    /// One row of a table: its name, and a value for each column.
+    /// One row of a table: a name, and a value for each column.
     Columns {
         name: (String, Role),
         values: Vec<(String, Role)>,
     },
-    /// One of several things to choose from, in one row.
+    /// One of several items to choose from, in one row.
     Row {
         name: String,
-        /// What stands flush right.
+        /// The text at the right edge.
         side: String,
-        /// How it is written while another one is chosen.
+        /// The role of the line while another is chosen.
         roles: [Role; 2],
         chosen: bool,
     },
-    /// A line of a menu: the letter that opens it, its name, and what it is for, where there
-    /// is room for that.
+    /// A line of a menu: the letter that opens it, its name, and its description if there is
+    /// room.
     Entry {
         letter: char,
         name: String,
         about: String,
-        /// How it is written while another one is chosen.
+        /// The role of the name while another setting is chosen.
         role: Role,
         chosen: bool,
     },
     /// Several pages, one of which is open, in one row.
     Tabs { names: Vec<String>, open: usize },
-    /// A text in more than one style, behind a mark or none.
+    /// Text in more than one style, after an optional mark.
     Flow(String, Vec<Run>),
-    /// A formula, in as many rows as it has.
+    /// A formula, which may have several rows.
     Formula(Formula, Role),
-    /// A line of working: it may be broken before a sign, and its rest is set in.
+    /// A line of working: it may be broken before an operator, and the rest is indented.
     Working(String),
     /// A setting.
     Field {
         name: String,
         value: String,
-        /// How its name is written while another one is chosen.
+        /// The role of its name while another setting is chosen.
         role: Role,
         chosen: bool,
         locked: bool,
     },
-    /// A text behind a mark, under which nothing else stands.
+    /// Text after a mark, indented so that nothing is below the mark.
     Marked {
         mark: String,
         text: String,
@@ -138,7 +138,7 @@ enum Content {
         share: f64,
         value: String,
     },
-    /// A share of a whole, and the part of it that is meant, each with its words.
+    /// A share of a whole and its target range, each with a description.
     Gauge {
         share: f64,
         value: String,
@@ -152,56 +152,56 @@ enum Content {
         text: Vec<Run>,
         chosen: bool,
     },
-    /// One of several things to choose from, with a value in each of some columns.
+    /// One of several items to choose from, with a value for each column.
     ChoiceColumns {
         name: String,
         values: Vec<String>,
         chosen: bool,
     },
-    /// A text that can be typed: what is before the cursor and what is behind it, while it is
-    /// chosen.
+    /// A text field: the text before the cursor and the text after it; the cursor is visible while
+    /// the field is chosen.
     TextField {
         label: String,
         typed: [String; 2],
         chosen: bool,
     },
-    /// Rows of cells under heads, each of which can be chosen.
+    /// Rows of cells under column headings; each row can be chosen.
     Table {
         columns: Vec<TableColumn>,
         rows: Vec<TableRow<()>>,
     },
-    /// What can be done next in words, the likeliest first.
+    /// The possible next actions, the most likely first.
     Prompts(Vec<String>),
 }
 
-/// A text that the back row is to read.
+/// Text large enough for the back row of a class.
 #[derive(Debug, Clone, PartialEq)]
 struct LargeText {
     text: String,
     role: Role,
     /// Whether it must not be split over pages.
     whole: bool,
-    /// A bar below it, for such a share of all.
+    /// The share that a bar below the text shows, if it has one.
     share: Option<f64>,
 }
 
 /// A column of a [`Content::Table`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct TableColumn {
-    /// What stands above it.
+    /// Its heading.
     pub head: String,
-    /// Letters of its widest cell.
+    /// The number of letters in its widest cell.
     pub width: u16,
-    /// Whether its cells are flush right, as numbers are.
+    /// Whether its cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
-    /// Columns of the panel from which on there is room for it.
+    /// The smallest width of the panel at which the column is shown, in columns.
     pub room: u16,
-    /// Whether its cells are drawn, and say nothing that the others do not.
+    /// Whether its cells are graphics that repeat the information of other cells.
     pub drawn: bool,
 }
 
 impl TableColumn {
-    /// A column of words, with its head and the letters of its widest cell.
+    /// A column of text, with its heading and the number of letters in its widest cell.
     pub(crate) fn words(head: &str, width: u16) -> Self {
         Self {
             head: head.into(),
@@ -212,7 +212,7 @@ impl TableColumn {
         }
     }
 
-    /// The same of numbers.
+    /// A column of numbers, with its heading and the number of letters in its widest cell.
     pub(crate) fn numbers(head: &str, width: u16) -> Self {
         Self {
             flush_right: true,
@@ -220,7 +220,7 @@ impl TableColumn {
         }
     }
 
-    /// The same in panels of so many columns and more.
+    /// This column, shown only in panels with at least this many columns.
     pub(crate) fn from(self, room: u16) -> Self {
         Self { room, ..self }
     }
@@ -231,11 +231,11 @@ impl TableColumn {
 pub(crate) struct TableRow<A> {
     /// A cell for each column.
     pub cells: Vec<String>,
-    /// How it is written while another one is chosen.
+    /// The role of its text while another row is chosen.
     pub role: Role,
-    /// Whether it is the one that is chosen.
+    /// Whether the row is chosen.
     pub chosen: bool,
-    /// What a click on it does.
+    /// The action of a click on the row.
     pub action: Option<A>,
 }
 
@@ -250,7 +250,7 @@ impl<A> TableRow<A> {
         }
     }
 
-    /// What it shows, and what a click on it does.
+    /// The row without its action, and the action of a click on it.
     fn apart(self) -> (TableRow<()>, Option<A>) {
         let row = TableRow {
             cells: self.cells,
@@ -289,14 +289,14 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Writes blocks that are left out if there is no room for all of this priority.
+    /// Writes blocks that are left out if there is no room for all blocks of this priority.
     pub(crate) fn worth(&mut self, worth: u8, write: impl FnOnce(&mut Self)) {
         let around = self.worth.replace(worth);
         write(self);
         self.worth = around;
     }
 
-    /// Keeps the blocks so far visible when the rest is scrolled.
+    /// Keeps the blocks written so far visible when the rest is scrolled.
     pub(crate) fn pin(&mut self) {
         self.pinned = self.blocks.len();
     }
@@ -306,7 +306,7 @@ impl<A> Panel<A> {
         self.below = Some(self.blocks.len());
     }
 
-    /// Writes a part whose actions are wrapped in actions of the whole.
+    /// Writes a part of the panel whose actions are wrapped in the panel's actions.
     pub(crate) fn part<B>(&mut self, wrap: impl Fn(B) -> A, write: impl FnOnce(&mut Panel<B>)) {
         let mut part = Panel::new("");
         write(&mut part);
@@ -319,18 +319,18 @@ impl<A> Panel<A> {
         self.blocks.extend(blocks);
     }
 
-    /// A distance to what is above, if there is anything.
+    /// Adds an empty row after the block above, if there is one.
     pub(crate) fn gap(&mut self) {
         self.push(Content::Gap);
     }
 
-    /// What the next blocks are about.
+    /// Adds a heading for the next blocks.
     pub(crate) fn heading(&mut self, text: impl Into<String>) {
         self.push(Content::Heading(text.into()));
     }
 
-    /// Words that are read from afar, in a panel of at least so many rows: the first of these
-    /// texts that fits in large letters.
+    /// Adds text that can be read from a distance, in a panel of at least this many rows: the first
+    /// of these strings that fits in large letters.
     pub(crate) fn large<'t>(
         &mut self,
         texts: impl IntoIterator<Item = &'t str>,
@@ -341,7 +341,7 @@ impl<A> Panel<A> {
         self.push(Content::Large(texts, role, from));
     }
 
-    /// A text for the back row, in letters as large as they fit.
+    /// Adds text for the back row, in the largest letters that fit.
     pub(crate) fn large_text(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::LargeText(LargeText {
             text: text.into(),
@@ -351,8 +351,8 @@ impl<A> Panel<A> {
         }));
     }
 
-    /// The same of something to choose, with the share that chose it and what a click on it
-    /// does.
+    /// Adds a choice in the largest letters that fit, with the share of people who chose it and the
+    /// action of a click.
     pub(crate) fn large_choice(
         &mut self,
         text: impl Into<String>,
@@ -368,12 +368,12 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Begins a page of its own, in a panel of large texts.
+    /// Begins a new page, in a panel of large text.
     pub(crate) fn page_break(&mut self) {
         self.push(Content::PageBreak);
     }
 
-    /// Names beside each other, each with a sign and what a click on it does.
+    /// Adds names side by side, each with a sign and the action of a click.
     pub(crate) fn grid(
         &mut self,
         cells: impl IntoIterator<Item = ([String; 2], A)>,
@@ -383,23 +383,23 @@ impl<A> Panel<A> {
         self.push_with(Content::Grid { cells, chosen }, actions);
     }
 
-    /// Names with their scores, in letters as large as they fit.
+    /// Adds names with their scores, in the largest letters that fit.
     pub(crate) fn board(&mut self, rows: Vec<BoardRow>) {
         self.push(Content::Board(rows));
     }
 
-    /// A few words in one row.
+    /// Adds short text in one row.
     pub(crate) fn line(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Line(text.into(), role));
     }
 
-    /// A text over as many rows as it takes.
+    /// Adds text that is wrapped over several rows.
     pub(crate) fn paragraph(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Paragraph(text.into(), role));
     }
 
-    /// Something to share: what it is, the command that opens it, and its address, which the page
-    /// shows as a link.
+    /// Adds something to share: its description, the command that opens it, and its address, which
+    /// the web page shows as a link.
     pub(crate) fn code(
         &mut self,
         text: impl Into<String>,
@@ -413,12 +413,12 @@ impl<A> Panel<A> {
         });
     }
 
-    /// What something is called, and its value.
+    /// Adds the name of a quantity, and its value.
     pub(crate) fn fact(&mut self, name: impl Into<String>, value: impl Into<String>) {
         self.coloured_fact(name, value, Role::Text);
     }
 
-    /// The same with a value in a colour of its own, such as that of its arrow.
+    /// Adds a name, and a value in a colour such as that of its arrow.
     pub(crate) fn coloured_fact(
         &mut self,
         name: impl Into<String>,
@@ -428,7 +428,7 @@ impl<A> Panel<A> {
         self.pair((name, Role::Dim), (value, role));
     }
 
-    /// The same with both in colours of their own.
+    /// Adds a name and a value, each in its own colour.
     pub(crate) fn pair(
         &mut self,
         (name, name_role): (impl Into<String>, Role),
@@ -441,7 +441,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// One row of a table: its name, and a value for each column.
+    /// Adds one row of a table: a name, and a value for each column.
     pub(crate) fn columns<V: Into<String>>(
         &mut self,
         (name, role): (impl Into<String>, Role),
@@ -454,8 +454,8 @@ impl<A> Panel<A> {
         });
     }
 
-    /// One of several things to choose from: its name, what stands flush right, and what a
-    /// click on it does.
+    /// Adds one of several items to choose from: its name, the text at the right edge, and the
+    /// action of a click.
     pub(crate) fn row(
         &mut self,
         (name, role): (impl Into<String>, Role),
@@ -472,7 +472,7 @@ impl<A> Panel<A> {
         self.push_with(content, [action]);
     }
 
-    /// A line of a menu: its letter, its name and what it is for, and what a click on it does.
+    /// Adds a line of a menu: its letter, its name, its description, and the action of a click.
     pub(crate) fn entry(
         &mut self,
         letter: char,
@@ -490,7 +490,7 @@ impl<A> Panel<A> {
         self.push_with(content, [action]);
     }
 
-    /// Several pages by their names, one of which is open, and what a click on each does.
+    /// Adds the names of several pages, one of which is open, and the action of a click on each.
     pub(crate) fn tabs<N: Into<String>>(
         &mut self,
         pages: impl IntoIterator<Item = (N, A)>,
@@ -506,12 +506,12 @@ impl<A> Panel<A> {
         self.flow("-", vec![Run::new(text, role)]);
     }
 
-    /// A text in more than one style, behind a mark or none.
+    /// Adds text in more than one style, after an optional mark.
     pub(crate) fn flow(&mut self, mark: impl Into<String>, runs: Vec<Run>) {
         self.push(Content::Flow(mark.into(), runs));
     }
 
-    /// A formula in rows of its own.
+    /// Adds a formula in rows of its own.
     pub(crate) fn formula(&mut self, formula: Formula, role: Role) {
         self.push(Content::Formula(formula, role));
     }
@@ -520,8 +520,7 @@ impl<A> Panel<A> {
         self.push(Content::Working(line.into()));
     }
 
-    /// Something that can be set: what it is called, how its value reads, and what a click
-    /// on it does.
+    /// Adds a setting: its name, its value as text, and the action of a click.
     pub(crate) fn field(
         &mut self,
         name: impl Into<String>,
@@ -539,7 +538,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// The same of something that cannot be changed just now.
+    /// Adds a setting that cannot be changed at present.
     pub(crate) fn locked_field(
         &mut self,
         name: impl Into<String>,
@@ -557,7 +556,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// A text behind a mark, under which nothing else stands.
+    /// Adds text after a mark, indented so that nothing is below the mark.
     pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
         self.push(Content::Marked {
             mark: mark.into(),
@@ -566,7 +565,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// A share of a whole, from 0 to 1, as a bar with its value.
+    /// Adds a share of a whole, from 0 to 1, as a bar with its value.
     pub(crate) fn meter(&mut self, name: &str, share: f64, value: impl Into<String>) {
         self.push(Content::Meter {
             name: name.into(),
@@ -575,8 +574,8 @@ impl<A> Panel<A> {
         });
     }
 
-    /// A share of a whole, from 0 to 1, as a bar with its value, and the named range in which it
-    /// should be.
+    /// Adds a share of a whole, from 0 to 1, as a bar with its value, and the named range in which
+    /// it should be.
     pub(crate) fn gauge(
         &mut self,
         (share, value, role): (f64, impl Into<String>, Role),
@@ -591,7 +590,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// One of several answers, with its letter and what a click on it does.
+    /// Adds one of several answers, with its letter and the action of a click.
     pub(crate) fn choice(&mut self, letter: char, text: Vec<Run>, chosen: bool, action: Option<A>) {
         let content = Content::Choice {
             letter,
@@ -601,7 +600,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// One of several things to choose from, a value in each column beside it.
+    /// Adds one of several items to choose from, with a value for each column.
     pub(crate) fn choice_columns(
         &mut self,
         name: impl Into<String>,
@@ -617,7 +616,7 @@ impl<A> Panel<A> {
         self.push_with(content, [action]);
     }
 
-    /// A text that can be typed, and what a click on it does.
+    /// Adds a text field, and the action of a click on it.
     pub(crate) fn text_field(
         &mut self,
         label: impl Into<String>,
@@ -633,19 +632,19 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Rows under heads; each of them can be chosen, or none.
+    /// Adds a table with column headings, in which either every row can be chosen or none can.
     pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
         let (rows, actions): (_, Vec<_>) = rows.into_iter().map(TableRow::apart).unzip();
         let actions = actions.into_iter().flatten();
         self.push_with(Content::Table { columns, rows }, actions);
     }
 
-    /// What can be done next, in a few words without a key, and what it is.
+    /// Adds a possible next action: a short description without the key, and the action.
     pub(crate) fn prompt(&mut self, words: impl Into<String>, action: A) {
         self.prompts([(words, action)]);
     }
 
-    /// The same with several things, the likeliest first.
+    /// Adds several possible next actions, the most likely first.
     pub(crate) fn prompts<W: Into<String>>(&mut self, prompts: impl IntoIterator<Item = (W, A)>) {
         let prompts = prompts.into_iter();
         let (words, actions): (_, Vec<A>) = prompts
@@ -656,7 +655,7 @@ impl<A> Panel<A> {
 }
 
 impl Content {
-    /// Whether it is the one that is chosen.
+    /// Whether the block is chosen.
     fn is_chosen(&self) -> bool {
         match self {
             Self::Field { chosen, .. }

@@ -1,7 +1,7 @@
-//! Panels for the back row: words in the largest letters that fit beside a picture.
+//! Panels for the back row of a class: text in the largest letters that fit beside a picture.
 //!
-//! The back row has to read them, so words have priority: a picture shrinks before letters do, and
-//! a long text continues on several pages rather than in letters that are too small.
+//! The back row has to read the text, so it has priority: a picture shrinks before letters do, and
+//! long text continues on further pages rather than in letters that are too small.
 
 use std::rc::Rc;
 
@@ -15,28 +15,28 @@ use crate::widgets::big::{BigPages, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
-/// Rows between two texts, and where that saves a page.
+/// The number of rows between two paragraphs: normally, and if fewer rows save a page.
 const GAPS: [u16; 2] = [1, 0];
-/// Columns between a picture and the words beside it, and on their right.
+/// The number of columns between a picture and the text beside it, and to the right of the text.
 const APART: u16 = 1;
-/// Fewest columns of words beside a picture.
+/// The smallest width of text beside a picture, in columns.
 const LEAST: u16 = 24;
-/// Rows of the screen that are no part of its body.
+/// The number of rows of the screen that are not part of its body.
 const CHROME: u16 = 2;
 
-/// The picture beside the words.
+/// The picture beside the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Beside {
     /// None.
     Nothing,
-    /// A picture that the words do not depend on.
+    /// A picture on which the text does not depend.
     Helps,
-    /// A picture that shows more than the words.
+    /// A picture that shows more than the text.
     Needed,
 }
 
 impl Beside {
-    /// The tenths of its full size that it may have, the largest first.
+    /// The allowed sizes in tenths of the full size, the largest first.
     fn tenths(self) -> std::ops::RangeInclusive<u16> {
         match self {
             Self::Nothing => 0..=0,
@@ -46,27 +46,27 @@ impl Beside {
     }
 }
 
-/// A panel of [`LargeText`] and its picture, on pages.
+/// A panel of [`LargeText`] and its picture, divided into pages.
 pub(crate) struct PlacedPages<'p> {
-    /// What stands on pages of its own.
+    /// The parts, each of which begins a new page.
     parts: Vec<PagedText<'p>>,
 }
 
-/// Texts that follow each other, with the numbers of their blocks.
+/// Consecutive paragraphs, with the indices of their blocks.
 struct PagedText<'p> {
     texts: Vec<(usize, &'p LargeText, bool)>,
     set: SetPages,
 }
 
-/// Texts set in letters of one size.
+/// Paragraphs set in letters of one size.
 struct SetPages {
     pages: BigPages,
     size: LetterSize,
-    /// The picture and the words on the first page and on all others.
+    /// The layouts of the first page and of all others.
     layouts: [PageLayout; 2],
 }
 
-/// A picture, perhaps of no cell, and the words.
+/// The areas of the picture, which may be empty, and of the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct PageLayout {
     picture: Rect,
@@ -74,8 +74,8 @@ struct PageLayout {
 }
 
 impl<'p> PlacedPages<'p> {
-    /// Lays a panel out beside a picture in a room of a screen with a body of so many rows;
-    /// `None` where a letter is not to be had in large type.
+    /// Lays a panel out beside a picture, on a screen with a body of this many rows; `None` if a
+    /// letter has no large form.
     pub(crate) fn new<A>(
         panel: &'p Panel<A>,
         beside: Beside,
@@ -83,7 +83,7 @@ impl<'p> PlacedPages<'p> {
         body_rows: u16,
         look: &Look,
     ) -> Option<Self> {
-        // A page that lays out the recorded blocks does not use these cells.
+        // A web page that lays out the recorded blocks itself does not use these cells.
         let screen_rows = match room.pictures {
             Some(_) => 0,
             None => body_rows + CHROME,
@@ -108,7 +108,7 @@ impl<'p> PlacedPages<'p> {
         Some(Self { parts })
     }
 
-    /// How many pages there are.
+    /// The number of pages.
     pub(crate) fn count(&self) -> u16 {
         self.parts
             .iter()
@@ -116,7 +116,7 @@ impl<'p> PlacedPages<'p> {
             .sum::<usize>() as u16
     }
 
-    /// What stands on a page, and its number among the pages of that part.
+    /// The part on a page, and the number of the page within that part.
     fn at(&self, page: u16) -> Option<(&PagedText<'p>, usize)> {
         let mut page = usize::from(page);
         self.parts.iter().find_map(|part| {
@@ -128,14 +128,14 @@ impl<'p> PlacedPages<'p> {
         })
     }
 
-    /// The places of the picture, perhaps of no cell, and of the words on a page.
+    /// The areas of the picture, which may be empty, and of the text on a page.
     pub(crate) fn places(&self, page: u16) -> [Rect; 2] {
         let layout = self.at(page).map(|(part, page)| part.set.layout(page));
         layout.map_or([Rect::default(); 2], |it| [it.picture, it.words])
     }
 
-    /// Whether a heading in large letters costs these pages nothing, laid out as `other` without
-    /// one: neither a page nor the size of their letters, and the picture not much.
+    /// Whether a heading in large letters has no cost, compared with `other`, the layout without a
+    /// heading: no extra page, no smaller letters, and not a much smaller picture.
     pub(crate) fn are_as_good_as(&self, other: &Self, look: &Look) -> bool {
         let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
             return false;
@@ -147,8 +147,8 @@ impl<'p> PlacedPages<'p> {
             && 4 * own.layouts[0].picture.height >= 3 * other.layouts[0].picture.height
     }
 
-    /// Of each part the size of its letters, how many there are, its pages, and the picture on
-    /// the first of them.
+    /// For each part: the size of its letters, their number, the number of pages, and the area of
+    /// the picture on the first page.
     #[cfg(test)]
     pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
         self.parts.iter().map(|PagedText { texts, set }| {
@@ -157,14 +157,14 @@ impl<'p> PlacedPages<'p> {
         })
     }
 
-    /// The cells of a page that do something.
+    /// The cells of a page that react to clicks.
     pub(super) fn targets(&self, page: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
         let at = self.at(page).into_iter();
         at.flat_map(|(part, page)| part.places(page))
             .map(|(block, cells)| (cells, (block, 0)))
     }
 
-    /// Draws a page, with the bars of its texts, and says which one it is of several.
+    /// Draws a page with the bars of its paragraphs, and its number if there are several pages.
     pub(super) fn draw(&self, page: u16, buf: &mut Buffer, writing: &Writing) {
         let Some((part, own)) = self.at(page) else {
             return;
@@ -189,7 +189,7 @@ impl<'p> PlacedPages<'p> {
 }
 
 impl PagedText<'_> {
-    /// The blocks that do something when they are clicked, and where they stand on a page.
+    /// The blocks on a page, by index, and their areas.
     fn places(&self, page: usize) -> impl Iterator<Item = (usize, Rect)> + '_ {
         let words = self.set.layout(page).words;
         let shown = self.set.pages.page(page).into_iter();
@@ -225,7 +225,7 @@ impl PagedText<'_> {
         }
     }
 
-    /// Records all texts, for who needs no pages to show them.
+    /// Records all paragraphs, for shells that show them without pages.
     fn record(&self, page: usize, place: Rect, charset: Charset) {
         for (block, text, acts) in &self.texts {
             sheet::note(place, || {
@@ -246,7 +246,7 @@ impl PagedText<'_> {
 }
 
 impl LargeText {
-    /// What is recorded of it.
+    /// The text in its recorded form.
     pub(super) fn words(&self, charset: Charset) -> Words {
         let runs = vec![Run::new(self.text.as_str(), self.role).spelt(charset)];
         Words::Large { runs }
@@ -254,9 +254,9 @@ impl LargeText {
 }
 
 impl SetPages {
-    /// Texts on as few pages as can be, then in the largest letters, then with the largest
-    /// picture; `more` says that there are other pages too. What is not to be had in large type
-    /// is spelt out; `None` if that does not help.
+    /// Sets paragraphs on as few pages as possible, then in the largest letters, then with the
+    /// largest picture; `more` means that there are also other pages. Characters without a large
+    /// form are spelt out; `None` if that is not possible.
     fn new(
         large: &[(usize, &LargeText, bool)],
         beside: Beside,
@@ -266,7 +266,7 @@ impl SetPages {
         look: &Look,
     ) -> Option<Self> {
         let has_bar = |(_, it, _): &(usize, &LargeText, bool)| it.share.is_some();
-        // A bar below the last text has its row too.
+        // A bar below the last paragraph needs a row, too.
         let last = u16::from(large.last().is_some_and(has_bar));
         let alone = PageLayout::new(room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }
@@ -280,7 +280,7 @@ impl SetPages {
                 let rooms = layouts.map(|it| (it.words.width, rows(it)));
                 BigPages::set(texts, gap, size, rooms)
             };
-            // The last row of several pages says which one it is.
+            // If there are several pages, the last row shows the page number.
             let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
             let pages = one.or_else(|| set(1))?;
             Some(Self {
@@ -296,7 +296,7 @@ impl SetPages {
             });
             let texts: Vec<_> = texts.collect();
             let texts = &texts;
-            // The largest letters and pictures come first.
+            // Larger letters and pictures come first.
             let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
             let sizes = gaps.flat_map(|gap| {
                 let sizes = LetterSize::legible(look.charset, screen_rows);
@@ -320,8 +320,8 @@ impl SetPages {
 }
 
 impl PageLayout {
-    /// A picture of so many tenths of the largest square one, and the words beside it, or
-    /// below it where the area is upright.
+    /// A picture of this many tenths of the largest square one, with the text beside it, or below
+    /// it if the area is higher than wide.
     fn new(room: Room, beside: Beside, tenths: u16) -> Self {
         let area = room.area;
         let [_, words] = areas::left(area, APART);
@@ -351,8 +351,8 @@ impl PageLayout {
     }
 }
 
-/// The first of those with the fewest pages; one that ends early counts twice. After one with a
-/// single page nobody looks further.
+/// The first layout with the fewest pages; a page that ends early counts twice. The search stops at
+/// a layout with a single page.
 fn fewest_pages(all: impl Iterator<Item = SetPages>) -> Option<SetPages> {
     let cost = |it: &SetPages| it.pages() + usize::from(it.pages.ends_early());
     let mut best: Option<SetPages> = None;

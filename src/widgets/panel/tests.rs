@@ -19,7 +19,7 @@ const WRITING: Writing = Writing {
     pages: None,
 };
 
-/// A place for so many rows of 20 letters and the margin.
+/// An area for this many rows of 20 letters, with the margin.
 fn place(rows: u16) -> Rect {
     Rect::new(3, 1, 22, rows)
 }
@@ -35,7 +35,7 @@ fn drawn(panel: &Panel<char>, rows: u16, scrolled: u16) -> Vec<String> {
 }
 
 #[test]
-fn what_is_worth_least_gives_way_first_and_never_in_part() {
+fn the_lowest_priority_is_left_out_first_and_never_in_part() {
     let mut panel = Panel::new("");
     panel.line("always", Role::Text);
     panel.worth(1, |panel| {
@@ -60,7 +60,7 @@ fn what_is_worth_least_gives_way_first_and_never_in_part() {
 }
 
 #[test]
-fn gaps_that_meet_are_one_and_none_is_above_all() {
+fn adjacent_gaps_are_merged_and_there_is_none_at_the_top() {
     let mut panel = Panel::new("");
     panel.worth(1, |panel| panel.line("gone with this row", Role::Text));
     panel.gap();
@@ -74,7 +74,7 @@ fn gaps_that_meet_are_one_and_none_is_above_all() {
 }
 
 #[test]
-fn a_click_on_a_field_or_on_the_words_of_a_prompt_does_what_stands_there() {
+fn a_click_on_a_field_or_a_prompt_carries_out_its_action() {
     let mut panel = Panel::new("");
     panel.field("mass", "5.5 g", (Role::Text, true), Some('m'));
     panel.prompts([("weigh it", 'w'), ("leave it alone", 'l')]);
@@ -107,7 +107,7 @@ fn a_click_on_a_field_or_on_the_words_of_a_prompt_does_what_stands_there() {
 }
 
 #[test]
-fn what_is_chosen_is_kept_in_sight_and_what_is_scrolled_away_cannot_be_clicked() {
+fn the_chosen_row_stays_visible_and_rows_scrolled_away_cannot_be_clicked() {
     let mut panel = Panel::new("");
     for c in 'a'..='f' {
         let chosen = c == 'e';
@@ -123,7 +123,7 @@ fn what_is_chosen_is_kept_in_sight_and_what_is_scrolled_away_cannot_be_clicked()
 }
 
 #[test]
-fn a_long_text_says_which_key_brings_the_rest() {
+fn a_long_text_names_the_key_for_the_rest() {
     let mut panel = Panel::<char>::new("");
     panel.paragraph("one two three four five six seven", Role::Text);
     let mut buf = Buffer::empty(Rect::new(0, 0, 28, 3));
@@ -140,7 +140,7 @@ fn a_long_text_says_which_key_brings_the_rest() {
 }
 
 #[test]
-fn what_is_pinned_below_stays_there_and_can_be_clicked() {
+fn a_block_pinned_below_stays_there_and_can_be_clicked() {
     let mut panel = Panel::new("");
     for c in 'a'..='j' {
         panel.row((c.to_string(), Role::Text), ("", Role::Text), c == 'j', c);

@@ -6,23 +6,23 @@ use ratatui::layout::Rect;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Item, Look, Role, Words, areas, sheet, text};
 
-/// Rows of a screen's body from which on it has a heading in large type.
+/// The smallest number of rows of a screen's body for a heading in large type.
 const LARGE_FROM: u16 = 21;
-/// Rows of a body from which on the heading may be larger still.
+/// The smallest number of rows of a body for an even larger heading.
 const LARGER_FROM: u16 = 56;
-/// Rows of a body from which on there is an empty row around the heading.
+/// The smallest number of rows of a body for empty rows around the heading.
 const AIRY_FROM: u16 = 30;
 
-/// A heading with the line below it that says what to do.
+/// A heading with a line of instructions below it.
 #[derive(Debug, Clone)]
 pub(crate) struct Heading {
-    /// What it may say, the best first; the first that fits is taken.
+    /// The possible wordings, the best first; the first that fits is used.
     texts: Vec<String>,
     line: String,
 }
 
 impl Heading {
-    /// A heading.
+    /// A heading with these possible wordings and this line below it.
     pub(crate) fn new(texts: &[&str], line: impl Into<String>) -> Self {
         Self {
             texts: texts.iter().map(ToString::to_string).collect(),
@@ -42,8 +42,8 @@ impl Heading {
         texts.find_map(|text| Big::fit(text, width, most, look.charset))
     }
 
-    /// What is left of an area below it; `small` it is one line of plain type, or nothing where
-    /// it says nothing to do.
+    /// The area left below the heading. A `small` heading is one line of plain type, or nothing if
+    /// there is no instruction.
     pub(crate) fn rest(&self, area: Rect, look: &Look, small: bool) -> Rect {
         if small {
             return below(area, (!self.line.is_empty()).into());
@@ -54,7 +54,7 @@ impl Heading {
         below(area, heading + line)
     }
 
-    /// Draws it, in large letters unless it is to be `small`, where there is room.
+    /// Draws the heading, in large letters if there is room and it is not `small`.
     pub(crate) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, small: bool) {
         if small && self.line.is_empty() {
             return;
@@ -73,7 +73,7 @@ impl Heading {
                 "" => title.to_owned(),
                 line => format!("{title}. {line}"),
             };
-            // What to do is more than what the step is called.
+            // The instruction is more important than the title.
             let wide = text::width(&both) <= area.width.into();
             let words = if wide { &both } else { &self.line };
             return centred(words, area, buf, look, Role::Key);
@@ -93,12 +93,12 @@ impl Heading {
     }
 }
 
-/// What is left of an area below so many rows.
+/// The part of an area below this many rows.
 fn below(area: Rect, rows: u16) -> Rect {
     areas::upper(area, rows)[1]
 }
 
-/// Writes a line in the middle of the first row of an area, if it has one.
+/// Writes a centred line into the first row of an area, if it has one.
 fn centred(words: &str, area: Rect, buf: &mut Buffer, look: &Look, role: Role) {
     if area.height == 0 {
         return;

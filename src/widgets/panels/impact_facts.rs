@@ -6,19 +6,19 @@ use crate::physics::{Bond, Collision, Meeting};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
-/// How far off-centre they meet.
+/// Writes how far off-centre the collision is.
 pub(crate) fn offset<A>(collision: &Collision, panel: &mut Panel<A>) {
     let offset = mm_from_m(collision.offset.abs());
     panel.fact("offset b", format!("{offset:.1} mm"));
 }
 
-/// The distance between their centres at contact.
+/// Writes the distance between the centres at contact.
 pub(crate) fn contact_distance<A>(collision: &Collision, panel: &mut Panel<A>) {
     let apart = mm_from_m(collision.contact_distance());
     panel.fact("r₁ + r₂", format!("{apart:.1} mm"));
 }
 
-/// The angle between the motion and the line of impact; nothing for a miss.
+/// Writes the angle between the motion and the line of impact; nothing for a miss.
 pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     if let Some(alpha) = collision.alpha() {
         let alpha = deg_from_rad(alpha.abs());
@@ -26,7 +26,7 @@ pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     }
 }
 
-/// The masses, except those that are `secret`, and e if energy is lost.
+/// Writes the masses, except `secret` ones, and e if energy is lost.
 pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Panel<A>) {
     let discs = [collision.striker, collision.target];
     let [striker, target] = [0, 1].map(|body| match secret[body] {
@@ -39,7 +39,7 @@ pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Pa
     }
 }
 
-/// The angle between the paths, if both move on separately.
+/// Writes the angle between the paths, if the discs move on separately.
 pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     let outcome = collision.outcome();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
@@ -50,7 +50,7 @@ pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("separation", separation);
 }
 
-/// The explanation of the directions: a title, which may be empty, and a text.
+/// Writes the explanation of the directions: a title, which may be empty, and the text below it.
 pub(crate) fn reason<A>((title, text): &(&str, String), panel: &mut Panel<A>) {
     if !title.is_empty() {
         panel.paragraph(*title, Role::Title);

@@ -10,7 +10,7 @@ use ratatui::{
 
 use crate::widgets::{Charset, Role, Theme, sheet};
 
-/// A frame that any terminal can draw.
+/// A frame of characters that every terminal has.
 const ASCII: border::Set<'static> = border::Set {
     top_left: "+",
     top_right: "+",
@@ -22,8 +22,8 @@ const ASCII: border::Set<'static> = border::Set {
     horizontal_bottom: "-",
 };
 
-/// Draws an empty frame with a title, `+- title --+` in ASCII, rounded lines in Unicode, and
-/// returns the area inside. An empty title leaves the frame closed.
+/// Draws an empty frame with a title, like `+- title --+` in ASCII and with rounded corners in
+/// Unicode, and returns the area inside. With an empty title the top line has no gap.
 pub(crate) fn draw_panel(
     buffer: &mut Buffer,
     area: Rect,
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_in_both_charsets() {
+    fn frames_are_drawn_in_both_charsets() {
         assert_eq!(
             drawn("the hit", Charset::Ascii),
             ["+- the hit ----+", "|              |", "+--------------+"]
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn no_size_is_too_small() {
+    fn a_panel_of_any_size_is_drawn_without_a_panic() {
         for width in 0..5 {
             for height in 0..4 {
                 let area = Rect::new(0, 0, width, height);

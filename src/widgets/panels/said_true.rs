@@ -6,8 +6,8 @@ use crate::quiz::{Ray, Rays};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, brief, input::degrees};
 
-/// Writes the predicted angles beside the true ones, in the degrees of the screen, one row per
-/// disc; a ray that was not asked for has no name and no row. `errors` adds the error of each.
+/// Writes the predicted angles beside the true ones, with the screen's signs, one row per disc; a
+/// ray that was not required has no name and no row. `errors` adds the error of each angle.
 pub(crate) fn said_and_true<A>(
     collision: &Collision,
     said: &Rays,
@@ -22,7 +22,7 @@ pub(crate) fn said_and_true<A>(
         let apart = said.apart(&true_rays, ray);
         apart.map_or("-".into(), numbers::bare_degrees)
     });
-    // The path of a pair that sticks is that of its centre of mass.
+    // The path of a pair that moves on together is that of its centre of mass.
     let truth = match (collision.bond, outcome.meeting) {
         (Bond::Stick, Meeting::Hit) => "V",
         _ => "truth",
@@ -55,7 +55,7 @@ mod tests {
     use crate::widgets::panel::Writing;
     use crate::widgets::{Charset, Look, Theme};
 
-    /// The table for a coin to the left (−1) or to the right (+1) of the striker's way.
+    /// The table for a coin to the left (−1) or to the right (+1) of the striker's path.
     fn table(side: f64, said: Rays, names: [Option<&str>; 2], errors: bool) -> String {
         let disc = Disc {
             mass: 0.01,
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_to_the_wrong_side_keeps_its_sign() {
+    fn a_ray_on_the_wrong_side_has_a_minus_sign() {
         let names = [Some("striker"), Some("coin")];
         for side in [1.0, -1.0] {
             let rays = |side: f64| Rays::new(side * 60_f64.to_radians(), side * 0.5);
@@ -97,14 +97,14 @@ mod tests {
     }
 
     #[test]
-    fn only_what_was_asked_for_is_told() {
+    fn only_required_rays_are_shown() {
         let said = Rays::new(1.0, 0.5);
         let shown = table(1.0, said, [None, Some("coin")], false);
         assert!(!shown.contains("60.0") && shown.contains("30.0"), "{shown}");
     }
 
     #[test]
-    fn errors_are_told_on_request() {
+    fn errors_are_shown_on_request() {
         let said = Rays {
             striker: Some(1.0),
             target: None,

@@ -1,25 +1,25 @@
-//! A picture with a panel of text beside it, or below it on an upright screen, each in its
-//! frame.
+//! The layout of a picture with a panel of text beside it, or below it on an upright screen, each
+//! in its frame.
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::draw_panel;
 use crate::widgets::{Look, Room, areas};
 
-/// Columns of the panel, with its frame.
+/// The width of the panel with its frame, in columns.
 const PANEL: u16 = 30;
-/// Fewest columns of the panel beside a square picture, with its frame.
+/// The smallest width of the panel beside a square picture, with its frame.
 const LEAST: u16 = 24;
-/// Columns that it has more on a wide screen.
+/// The number of extra columns of the panel on a wide screen.
 const MORE: u16 = 8;
-/// Most columns of a panel of text alone, with its frame.
+/// The largest width of a panel of text alone, with its frame.
 const TEXT: u16 = 76;
-/// Columns and rows of a card at most, with its frame.
+/// The largest size of a card with its frame: columns, rows.
 const CARD: (u16, u16) = (68, 22);
-/// From this width on a screen is wide.
+/// The number of columns from which a screen counts as wide.
 const WIDE: u16 = 110;
 
-/// Where a picture and the panel beside it are.
+/// The areas of a picture and the panel beside it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SplitLayout {
     /// The inside of the picture's frame.
@@ -30,7 +30,7 @@ pub struct SplitLayout {
 }
 
 impl SplitLayout {
-    /// Lays them out in a room.
+    /// Lays out a picture and a panel in the available room.
     pub fn new(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
@@ -42,8 +42,8 @@ impl SplitLayout {
         Self::with_panel(room, wanted.min(area.width / 2))
     }
 
-    /// Lays them out with a picture just as wide as a square board of its height
-    /// needs, and the rest for the panel.
+    /// Lays out a picture just wide enough for a square board of its height, and gives the rest to
+    /// the panel.
     pub fn square(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
@@ -55,12 +55,12 @@ impl SplitLayout {
         Self::with_panel(room, panel_width.max(LEAST.min(area.width / 2)))
     }
 
-    /// Lays out a panel of text alone, in the middle.
+    /// Lays out a centred panel of text alone.
     pub(crate) fn text_alone(room: impl Into<Room>) -> Self {
         Self::text_of(room, TEXT)
     }
 
-    /// Lays out a panel of text alone, in the middle, of so many columns at most.
+    /// Lays out a centred panel of text alone, with at most this many columns.
     pub(crate) fn text_of(room: impl Into<Room>, columns: u16) -> Self {
         let area = room.into().area;
         let panel = areas::middle(area, columns);
@@ -72,12 +72,12 @@ impl SplitLayout {
         }
     }
 
-    /// Lays out a card of text alone, in the middle, with a margin where there is room.
+    /// Lays out a centred card of text alone, with a margin if there is room.
     pub fn card(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
         let rows = match room.pictures {
-            // A page shows all rows there are, and no card.
+            // A web page shows all rows instead of a card.
             Some(_) => area.height,
             None => area.height.min(CARD.1),
         };
@@ -103,12 +103,12 @@ impl SplitLayout {
         }
     }
 
-    /// Lays them out with a panel of so many columns, its frame included.
+    /// Lays out a picture and a panel of this many columns, including its frame.
     pub(crate) fn with_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         Self::of(areas::picture_and_panel(room.into(), panel_width))
     }
 
-    /// The same with no frame around the panel.
+    /// Lays out a picture and a panel of this many columns without a frame.
     pub(crate) fn with_open_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         let [picture, panel] = areas::picture_and_panel(room.into(), panel_width);
         Self {
@@ -118,7 +118,7 @@ impl SplitLayout {
         }
     }
 
-    /// A picture and words in these places, without frames.
+    /// A picture and text in these areas, without frames.
     pub fn open(picture: Rect, panel: Rect) -> Self {
         let [no_picture, no_panel] = [picture, panel].map(|it| Rect { width: 0, ..it });
         Self {

@@ -4,44 +4,44 @@ use glam::DVec2;
 
 use crate::widgets::Role;
 
-/// A text beside a point of the world.
+/// Text beside a point in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
-    /// What is written.
+    /// The text of the label.
     pub text: String,
-    /// A shorter text, if there is no room near by for the whole label.
+    /// A shorter version, used if there is no room nearby for the whole label.
     pub short: Option<String>,
-    /// What it is.
+    /// The role, which determines the colour.
     pub role: Role,
-    /// The points it may be beside, the preferred first, each with its preferred sides; there is
-    /// always one.
+    /// The points beside which it may be, in order of preference, each with its preferred sides;
+    /// there is always at least one.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
-    /// Whether it and others leave each other the surroundings of their points.
+    /// Whether this label and others avoid the surroundings of each other's points.
     pub(in crate::widgets) keeps_others_off: bool,
 }
 
 impl Label {
-    /// The same for a label that stands apart and cannot be mistaken for another name: it is placed
-    /// first, and may be close to the points of others.
+    /// Marks a label that cannot be mistaken for another point's name: it is placed first, and may
+    /// be close to the points of other labels.
     pub fn apart(&mut self) -> &mut Self {
         self.keeps_others_off = false;
         self
     }
 
-    /// Fewer letters, where there is no room near by for all of them.
+    /// Sets a shorter version, used if there is no room nearby for the whole label.
     pub fn short(&mut self, text: impl Into<String>) -> &mut Self {
         self.short = Some(text.into());
         self
     }
 
-    /// Another place, where there is no room at those before.
+    /// Adds another point, used if there is no room at the previous ones.
     pub fn or(&mut self, anchor: DVec2, sides: &[LabelSide]) -> &mut Self {
         self.places.push((anchor, sides.to_vec()));
         self
     }
 }
 
-/// On which side of its anchor a label stands.
+/// The side of its anchor on which a label is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LabelSide {
     /// In the row of the anchor, to the right.
@@ -67,7 +67,7 @@ pub enum LabelSide {
 use LabelSide as S;
 
 impl LabelSide {
-    /// All sides but [`LabelSide::Over`], anticlockwise from the right.
+    /// All sides except [`LabelSide::Over`], anticlockwise from the right.
     pub const ALL: [Self; 8] = [
         S::Right,
         S::AboveRight,
@@ -79,8 +79,8 @@ impl LabelSide {
         S::BelowRight,
     ];
 
-    /// All sides, those nearest to a direction of the world first: for a label at
-    /// the tip of an arrow, in the arrow's own direction.
+    /// All sides, sorted by how close they are to a direction in the world. For a label at the tip
+    /// of an arrow, that is the direction of the arrow.
     #[must_use]
     pub fn towards(direction: DVec2) -> [Self; 8] {
         let mut sides = Self::ALL;
@@ -91,14 +91,14 @@ impl LabelSide {
         sides
     }
 
-    /// The direction of the world a side lies in, a unit vector.
+    /// The direction of a side in the world, as a unit vector.
     fn direction(self) -> DVec2 {
         let eighths = Self::ALL.iter().position(|&side| side == self);
         DVec2::from_angle(eighths.unwrap_or(0) as f64 * std::f64::consts::FRAC_PI_4)
     }
 
-    /// The sense in which a label to one side moves away from its anchor: in columns, to
-    /// the right, and in rows, up.
+    /// The direction in which a label on this side moves away from its anchor: columns to the
+    /// right, rows up.
     pub(in crate::widgets) fn outwards(self) -> (i32, i32) {
         match self {
             S::Right => (1, 0),
@@ -113,8 +113,8 @@ impl LabelSide {
         }
     }
 
-    /// The cell in which a label `width` wide begins that stands `away` cells from
-    /// its anchor: columns count double, as they are half as wide.
+    /// The first cell of a label of this `width`, `away` rows from its anchor; a label in the row
+    /// of the anchor is twice as many columns away, because a cell is twice as high as wide.
     pub(in crate::widgets) fn start(
         self,
         (column, row): (i32, i32),

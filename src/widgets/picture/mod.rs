@@ -1,7 +1,7 @@
-//! Pictures: lists of marks in world coordinates, made once for each kind of figure.
+//! Pictures: lists of marks in world coordinates, independent of how they are drawn.
 //!
-//! A [`Picture`] knows what is drawn, never how it looks. Two renderers draw it: the
-//! cells of a terminal (`ink`) and vectors (`svg`).
+//! A [`Picture`] says what is drawn, not how it looks. There are two renderers: one for the cells
+//! of a terminal (`ink`) and one for vectors (`svg`).
 //!
 //! ```
 //! use carrom::widgets::{Charset, Look, Role, Theme};
@@ -35,7 +35,7 @@ pub use label::{Label, LabelSide};
 pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
 
-/// A mark of a picture.
+/// A mark in a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Mark {
     Line {
@@ -43,20 +43,20 @@ pub(crate) enum Mark {
         to: DVec2,
         pen: Pen,
     },
-    /// A line through many points. It breaks at points that are not finite.
+    /// A line through many points, interrupted at points that are not finite.
     Curve {
         points: Vec<DVec2>,
         pen: Pen,
     },
-    /// Part of a circle, given by its centre and radius, from one angle to another
-    /// (radians, anticlockwise from +x; to < from goes clockwise). A whole turn or more is
-    /// a circle.
+    /// An arc, given by its centre and radius, from one angle to another (radians,
+    /// anticlockwise from +x; clockwise if to < from). A whole turn or more gives a
+    /// circle.
     Arc {
         circle: (DVec2, f64),
         turn: [f64; 2],
         pen: Pen,
     },
-    /// An arrow with its tip at `to`. Labels keep off the tip.
+    /// An arrow with its tip at `to`. Labels do not cover the tip.
     Arrow {
         from: DVec2,
         to: DVec2,
@@ -67,15 +67,15 @@ pub(crate) enum Mark {
         at: DVec2,
         pen: Pen,
     },
-    /// A disc. It hides what lies on lower layers.
+    /// A disc, which hides lower layers.
     Disc(Body),
-    /// A disc that hides nothing, faint or an outline, with its letter at `letter`, for use behind
-    /// other marks.
+    /// A disc that hides nothing, drawn faintly or as an outline, with its letter at `letter`, for
+    /// use behind other marks.
     Ring {
         body: Body,
         letter: DVec2,
     },
-    /// Many discs, all drawn in one way, and each of them visible.
+    /// Many discs, all drawn in the same way and all visible.
     Discs(Vec<Body>),
     /// A filled rectangle between its lower left and its upper right corner.
     Area {
@@ -83,7 +83,7 @@ pub(crate) enum Mark {
         high: DVec2,
         pen: Pen,
     },
-    /// A sign or a few letters centred on a point. Labels keep off it.
+    /// A sign or a few letters centred on a point. Labels do not cover it.
     Text {
         at: DVec2,
         text: String,
@@ -91,7 +91,7 @@ pub(crate) enum Mark {
     },
     /// The axes of a plot, along the left and the lower edge of the view.
     Axes(Axes),
-    /// An invisible mark: labels keep off this point.
+    /// An invisible mark at a point that labels do not cover.
     Reserved(DVec2),
 }
 
@@ -100,29 +100,29 @@ pub(crate) enum Mark {
 pub struct Body {
     /// Its centre.
     pub at: DVec2,
-    /// Its radius, in the same unit as the world.
+    /// Its radius, in world units.
     pub radius: f64,
-    /// What it is drawn as.
+    /// Its role, which determines the colour.
     pub role: Role,
-    /// The letter in its middle where it is large; a space for none.
+    /// The letter in its middle if it is large enough; a space for none.
     pub letter: char,
-    /// Whether it is pointed out among the others.
+    /// Whether a ring marks it among the others.
     pub pointed_out: bool,
 }
 
-/// The axes of a plot: of x, then of y.
+/// The axes of a plot: first x, then y.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axes {
-    /// Where each tick is, and what is written beside it.
+    /// The position of each tick, and its text.
     pub(crate) ticks: [Vec<(f64, String)>; 2],
-    /// What the axes measure.
+    /// The names of the axes.
     pub(crate) names: [String; 2],
 }
 
-/// What is drawn, in the order of drawing, and where the world is on the screen.
+/// Marks, in the order of drawing, and the mapping from the world to the screen.
 ///
-/// What lies outside the view's area is cut off there, and what is not a finite number
-/// is not drawn.
+/// Marks are clipped at the edge of the view's area, and those with a coordinate that is not finite
+/// are not drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     area: Rect,
@@ -143,54 +143,54 @@ impl Picture {
         }
     }
 
-    /// The same with so much room in all, for what is written beside its axes.
+    /// This picture with a larger total area, which has room for the text beside the axes.
     #[must_use]
     pub fn within(self, area: Rect) -> Self {
         Self { area, ..self }
     }
 
-    /// The cells that it takes up.
+    /// The area that it fills.
     #[must_use]
     pub fn area(&self) -> Rect {
         self.area
     }
 
-    /// Where the world is in it.
+    /// The mapping from the world to its cells.
     #[must_use]
     pub const fn view(&self) -> &View {
         &self.view
     }
 
-    /// A straight line.
+    /// Adds a straight line.
     pub fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         self.marks.push(Mark::Line { from, to, pen });
     }
 
-    /// A line through many points. It breaks at points that are not finite.
+    /// Adds a line through many points, interrupted at points that are not finite.
     pub fn curve(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
         let (points, pen) = (points.into_iter().collect(), pen.into());
         self.marks.push(Mark::Curve { points, pen });
     }
 
-    /// A dot.
+    /// Adds a dot.
     pub fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         self.marks.push(Mark::Dot { at, pen });
     }
 
-    /// Part of a circle, see `Mark::Arc`.
+    /// Adds an arc; see `Mark::Arc`.
     pub fn arc(&mut self, centre: DVec2, radius: f64, from: f64, to: f64, pen: impl Into<Pen>) {
         let (circle, turn, pen) = ((centre, radius), [from, to], pen.into());
         self.marks.push(Mark::Arc { circle, turn, pen });
     }
 
-    /// A circle.
+    /// Adds a circle.
     pub fn circle(&mut self, centre: DVec2, radius: f64, pen: impl Into<Pen>) {
         self.arc(centre, radius, 0.0, TAU, pen);
     }
 
-    /// An unfilled rectangle between two opposite corners.
+    /// Adds an unfilled rectangle between two opposite corners.
     pub fn rectangle(&mut self, corner: DVec2, opposite: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         let corners = [
@@ -204,7 +204,7 @@ impl Picture {
         }
     }
 
-    /// The square corner of a right angle at `corner`, between two directions.
+    /// Adds the mark of a right angle at `corner`, between two directions.
     pub fn square_corner(
         &mut self,
         corner: DVec2,
@@ -218,49 +218,49 @@ impl Picture {
         self.curve(points, pen);
     }
 
-    /// An arrow with its tip at `to`.
+    /// Adds an arrow with its tip at `to`.
     pub fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         self.marks.push(Mark::Arrow { from, to, pen });
     }
 
-    /// A disc with a letter in its middle, a space for none.
+    /// Adds a disc with a letter in its middle; a space for none.
     pub fn disc(&mut self, at: DVec2, radius: f64, role: Role, letter: char) {
         self.marks
             .push(Mark::Disc(Body::new(at, radius, role, letter)));
     }
 
-    /// A disc that hides nothing, see `Mark::Ring`.
+    /// Adds a disc that hides nothing; see `Mark::Ring`.
     pub fn ring(&mut self, at: DVec2, radius: f64, role: Role, (sign, letter): (char, DVec2)) {
         let body = Body::new(at, radius, role, sign);
         self.marks.push(Mark::Ring { body, letter });
     }
 
-    /// Discs among others.
+    /// Adds many discs; see `Mark::Discs`.
     pub fn discs(&mut self, bodies: impl IntoIterator<Item = Body>) {
         self.marks.push(Mark::Discs(bodies.into_iter().collect()));
     }
 
-    /// A filled rectangle between its lower left and its upper right corner.
+    /// Adds a filled rectangle between its lower left and its upper right corner.
     pub fn fill(&mut self, low: DVec2, high: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         self.marks.push(Mark::Area { low, high, pen });
     }
 
-    /// A sign or a few letters centred on a point.
+    /// Adds a sign or a few letters centred on a point.
     pub fn text(&mut self, at: DVec2, text: impl Into<String>, role: Role) {
         let text = text.into();
         self.marks.push(Mark::Text { at, text, role });
     }
 
-    /// Keeps labels off a point.
+    /// Keeps a point free of labels.
     pub fn reserve(&mut self, at: DVec2) {
         self.marks.push(Mark::Reserved(at));
     }
 
-    /// A label beside a point, on the first of `sides` that is free, else on another.
-    /// Labels are placed when all else is drawn, in their order: the first ones have the
-    /// first choice. One that finds no room is left out.
+    /// Adds a label beside a point, on the first of `sides` that is free, otherwise on another
+    /// side. Labels are placed after everything else is drawn, and earlier labels have priority. A
+    /// label for which there is no room is left out.
     pub fn label(
         &mut self,
         text: impl Into<String>,
@@ -281,7 +281,7 @@ impl Picture {
 }
 
 impl Body {
-    /// A disc that is not pointed out.
+    /// A disc without a ring around it.
     #[must_use]
     pub const fn new(at: DVec2, radius: f64, role: Role, letter: char) -> Self {
         Self {

@@ -1,41 +1,41 @@
-//! What a stroke is drawn with.
+//! Pens, which determine the appearance of a stroke.
 
 use crate::widgets::Role;
 
-/// The order of layers, whatever the order of drawing. Where two strokes share a cell, the cell
-/// looks like the one on the higher layer; on the same layer, like the later one.
+/// The order of layers, which is independent of the order of drawing. If two strokes share a cell,
+/// the cell shows the stroke on the higher layer; on the same layer, the later one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DrawLayer {
     /// Boards, axes, frames.
     Ground,
-    /// Trails and aim lines, which discs run over.
+    /// Trails and aim lines, which discs cover.
     Trail,
     /// Discs, which hide what is below them.
     Disc,
-    /// Geometry: line of impact, tangent, arcs, square corners.
+    /// Geometry: line of impact, tangent, arcs, right-angle marks.
     Construction,
     /// The player's prediction.
     Prediction,
     /// Velocities.
     Vector,
-    /// What must never be hidden.
+    /// Marks that must never be hidden.
     Mark,
 }
 
-/// How a stroke is broken.
+/// The line style of a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Dash {
-    /// Not at all.
+    /// An unbroken line.
     #[default]
     Solid,
-    /// Into dashes.
+    /// A dashed line.
     Dashed,
-    /// Into dots.
+    /// A dotted line.
     Dotted,
 }
 
-/// What a stroke is drawn with. A bare [`Role`] is a thin, unbroken pen on the
-/// role's own layer.
+/// The role, width, line style, age and layer of a stroke. A [`Role`] alone stands for a thin,
+/// unbroken pen on the role's own layer.
 ///
 /// ```
 /// use carrom::widgets::{Role, picture::Pen};
@@ -65,33 +65,33 @@ impl Pen {
         }
     }
 
-    /// The same pen, drawing dashes.
+    /// This pen with a dashed line.
     #[must_use]
     pub const fn dashed(mut self) -> Self {
         self.dash = Dash::Dashed;
         self
     }
 
-    /// The same pen, drawing dots.
+    /// This pen with a dotted line.
     #[must_use]
     pub const fn dotted(mut self) -> Self {
         self.dash = Dash::Dotted;
         self
     }
 
-    /// The same pen, twice as broad.
+    /// This pen at twice the width.
     #[must_use]
     pub const fn bold(self) -> Self {
         Self { bold: true, ..self }
     }
 
-    /// The same pen on another layer.
+    /// This pen on another layer.
     #[must_use]
     pub const fn on(self, layer: DrawLayer) -> Self {
         Self { layer, ..self }
     }
 
-    /// The same pen, faded: 0 is fresh, 1 nearly gone.
+    /// This pen faded by age: 0 is fresh, 1 is nearly invisible.
     #[must_use]
     pub const fn aged(self, age: f64) -> Self {
         Self { age, ..self }
@@ -104,7 +104,7 @@ impl From<Role> for Pen {
     }
 }
 
-/// The layer a role is on unless the caller says otherwise.
+/// The default layer of a role.
 const fn layer(role: Role) -> DrawLayer {
     match role {
         Role::Background

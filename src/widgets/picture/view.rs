@@ -1,29 +1,28 @@
-//! Where the world is on the screen.
+//! The mapping from the world to the screen.
 
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 /// The mapping between world coordinates and an area of cells.
 ///
-/// World coordinates are metres (or whatever a plot has on its axes), x to the
-/// right and y **up**. Cell coordinates count columns and rows of the screen, y
-/// **down**; the cell in column `c` reaches from `c` to `c + 1`, so its middle is
-/// at `c + 0.5`. A cell counts as twice as high as wide.
+/// World coordinates are metres (or the units of a plot's axes), x to the right and y **up**. Cell
+/// coordinates are columns and rows of the screen, y **down**; the cell in column `c` reaches from
+/// `c` to `c + 1`, so its middle is at `c + 0.5`. A cell is assumed to be twice as high as wide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     area: Rect,
-    /// This point of the world …
+    /// The point in the world that is in the middle of the screen's area.
     centre: DVec2,
-    /// … is at this point of the screen, in cells.
+    /// The point on the screen, in cells, at which `centre` is drawn.
     middle: DVec2,
-    /// World units in a column and in a row.
+    /// World units per column and per row.
     per_cell: DVec2,
 }
 
 impl View {
-    /// A view in true shape: `centre` in the middle of the area's middle cell, so
-    /// that level and upright lines through it follow the cells, at
-    /// `metres_per_column` (positive; anything else counts as 1).
+    /// An undistorted view with `centre` in the middle of the area's middle cell, so that
+    /// horizontal and vertical lines through it follow the cells. A `metres_per_column` that is
+    /// not positive is replaced by 1.
     #[must_use]
     pub fn new(area: Rect, centre: DVec2, metres_per_column: f64) -> Self {
         let scale = positive(metres_per_column);
@@ -35,18 +34,18 @@ impl View {
         }
     }
 
-    /// The largest view in true shape that shows the whole rectangle between two
-    /// opposite corners of the world.
+    /// The largest undistorted view that shows the whole rectangle between two opposite corners of
+    /// the world.
     #[must_use]
     pub fn fit(area: Rect, corner: DVec2, opposite: DVec2) -> Self {
         let size = (opposite - corner).abs();
-        // What is free on the narrower side of the middle counts.
+        // The room on the narrower side of the middle limits the scale.
         let free = (middle(area) - top_left(area)).max(dvec2(0.5, 0.5)) * 2.0;
         let scale = (size.x / free.x).max(size.y / (2.0 * free.y));
         Self::new(area, (corner + opposite) / 2.0, scale)
     }
 
-    /// The same view, shifted by at most half a cell so that `world` is in the middle of a cell: a
+    /// This view shifted by at most half a cell so that `world` is in the middle of a cell and a
     /// small mark there is drawn exactly.
     #[must_use]
     pub fn with_in_a_middle(self, world: DVec2) -> Self {
@@ -59,7 +58,7 @@ impl View {
     }
 
     /// A view with a separate scale for each axis, for plots: the corners of the world's rectangle
-    /// fall in the middles of the area's corner cells.
+    /// are in the middles of the area's corner cells.
     #[must_use]
     pub fn stretch(area: Rect, bottom_left: DVec2, top_right: DVec2) -> Self {
         let cells = dvec2(f64::from(area.width), f64::from(area.height)) - DVec2::ONE;
@@ -75,40 +74,40 @@ impl View {
         }
     }
 
-    /// The cells of the screen that are painted.
+    /// The area of the screen that it covers.
     #[must_use]
     pub const fn area(&self) -> Rect {
         self.area
     }
 
-    /// World units in one column.
+    /// World units per column.
     #[must_use]
     pub const fn per_column(&self) -> f64 {
         self.per_cell.x
     }
 
-    /// World units in one row.
+    /// World units per row.
     #[must_use]
     pub const fn per_row(&self) -> f64 {
         self.per_cell.y
     }
 
-    /// A point of the world in cell coordinates.
+    /// Converts a point in world coordinates to cell coordinates.
     #[must_use]
     pub fn to_cell(&self, world: DVec2) -> DVec2 {
         let away = (world - self.centre) / self.per_cell;
         self.middle + dvec2(away.x, -away.y)
     }
 
-    /// A point in cell coordinates in the world.
+    /// Converts a point in cell coordinates to world coordinates.
     #[must_use]
     pub fn to_world(&self, cell: DVec2) -> DVec2 {
         let away = cell - self.middle;
         self.centre + dvec2(away.x, -away.y) * self.per_cell
     }
 
-    /// The cell that shows a point of the world, as (column, row) of the screen,
-    /// or `None` outside the area.
+    /// The cell of a point in the world, as (column, row) on the screen, or `None` outside the
+    /// area.
     #[must_use]
     pub fn cell_at(&self, world: DVec2) -> Option<(u16, u16)> {
         let cell = self.to_cell(world);
@@ -119,7 +118,7 @@ impl View {
         inside.then_some((cell.x as u16, cell.y as u16))
     }
 
-    /// The point of the world in the middle of a cell: where a click points to.
+    /// The point in the world in the middle of a cell, for a click on the cell.
     #[must_use]
     pub fn world_at(&self, column: u16, row: u16) -> DVec2 {
         self.to_world(dvec2(f64::from(column) + 0.5, f64::from(row) + 0.5))
@@ -153,7 +152,7 @@ mod tests {
     ];
 
     #[test]
-    fn there_and_back_again() {
+    fn conversions_are_inverses_of_each_other() {
         for area in AREAS {
             for view in [
                 View::new(area, dvec2(0.1, -0.2), 0.004),
@@ -168,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fitted_world_is_wholly_inside() {
+    fn a_fitted_world_is_completely_inside() {
         for area in [AREAS[0], AREAS[1]] {
             let view = View::fit(area, dvec2(-0.3, 0.5), dvec2(0.7, -0.1));
             for corner in [dvec2(-0.3, 0.5), dvec2(0.7, -0.1)] {
@@ -182,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_is_put_into_the_middle_of_its_cell() {
+    fn a_point_is_moved_to_the_middle_of_its_cell() {
         let view = View::fit(AREAS[0], dvec2(-0.3, 0.5), dvec2(0.7, -0.1));
         for at in [dvec2(0.0, 0.0), dvec2(0.123, 0.345), dvec2(-0.29, 0.49)] {
             let moved = view.with_in_a_middle(at);

@@ -1,4 +1,4 @@
-//! Plots of a player's answers, for the screen and for a report.
+//! Plots of a player's answers, for the screen and for reports.
 
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
@@ -9,13 +9,13 @@ use crate::quiz::{Confidence, RIGHT_DEG};
 use crate::widgets::picture::{LabelSide as S, Pen, Picture};
 use crate::widgets::{Look, Role};
 
-/// The number of answers in each mean of the line of errors.
+/// The number of answers over which each point of the error line is averaged.
 pub(crate) const REACH: usize = 5;
-/// More answers than this are drawn as means of groups.
+/// The number of answers above which means of groups are drawn instead.
 const MOST_MARKS: usize = 120;
 
-/// The error of each of the last answers, and the mean of the last few; of many answers, the means
-/// of groups of them. Also returns the size of a group. `None` if no answer was an angle.
+/// The error of each recent answer, and the mean of the last few; if there are many answers, the
+/// means of groups. Also returns the size of a group. `None` if no answer was an angle.
 pub(crate) fn errors_picture(
     attempts: &[Attempt],
     last: usize,
@@ -39,7 +39,7 @@ pub(crate) fn errors_picture(
         1 => shown.iter().map(|(_, error, _)| *error).fold(0.0, f64::max),
         _ => line.iter().map(|point| point.y).fold(0.0, f64::max),
     };
-    // In tens, and with some room above the highest.
+    // A multiple of ten with some room above the highest value.
     let top = (10.0 * (highest / 10.0).floor() + 10.0).clamp(20.0, 180.0);
     let from = first.min((last - 9.0).max(1.0));
     let to = last.max(from + 9.0);
@@ -60,8 +60,8 @@ pub(crate) fn errors_picture(
     Some((plot.picture(), group))
 }
 
-/// For each confidence the share of right answers among the last `reach` ones, for the last
-/// answers. `None` if there are too few.
+/// For each confidence level, the share of right answers among the last `reach` answers, over the
+/// recent answers. `None` if there are too few.
 pub(crate) fn sureness_picture(
     attempts: &[Attempt],
     last: usize,
@@ -89,7 +89,7 @@ pub(crate) fn sureness_picture(
             Confidence::ThinkSo => (Pen::new(Role::CoinOut).dashed(), 't'),
             Confidence::Sure => (Pen::new(Role::StrikerOut).bold(), 's'),
         };
-        // Thinned from the end, so that the last one is always there.
+        // Points are thinned out from the end, so that the last one is always included.
         let step = line.len().div_ceil(MOST_MARKS * 2).max(1);
         let points = line.iter().rev().step_by(step);
         let points: Vec<_> = points

@@ -9,11 +9,11 @@ pub(crate) struct Axis {
     from: f64,
     to: f64,
     scale: AxisScale,
-    /// Distance of the ticks, if it is not chosen by the available space.
+    /// The distance between ticks, if it does not depend on the available space.
     step: Option<f64>,
 }
 
-/// How values are spread along an axis.
+/// The scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AxisScale {
     Linear,
@@ -21,8 +21,7 @@ enum AxisScale {
 }
 
 impl Axis {
-    /// An axis with equal steps for equal differences. `name` should hold the unit,
-    /// `from` be below `to`.
+    /// A linear axis. `name` should contain the unit, and `from` should be below `to`.
     pub(crate) fn linear(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             name: name.into(),
@@ -33,8 +32,7 @@ impl Axis {
         }
     }
 
-    /// An axis with equal steps for equal ratios, for 0 < `from` < `to`. Values of 0
-    /// and below have no place on it.
+    /// A logarithmic axis, for 0 < `from` < `to`. Values of 0 and below have no place on it.
     pub(crate) fn log(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             scale: AxisScale::Log,
@@ -42,21 +40,21 @@ impl Axis {
         }
     }
 
-    /// The same axis with ticks at the multiples of `step`, where they find room; has
-    /// no meaning on a logarithmic axis.
+    /// This axis with ticks at the multiples of `step`, if there is room; it has no effect on a
+    /// logarithmic axis.
     #[must_use]
     pub(crate) fn every(mut self, step: f64) -> Self {
         self.step = Some(step);
         self
     }
 
-    /// What it measures.
+    /// The name of the quantity, with its unit.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
-    /// Where a value lies, in units in which the axis is even; `None` for what has no
-    /// place on any such axis, however long.
+    /// The place of a value, in units in which the axis is linear; `None` for a value without a
+    /// place on any axis of this scale.
     pub(crate) fn place(&self, value: f64) -> Option<f64> {
         let place = match self.scale {
             AxisScale::Linear => value,
@@ -73,7 +71,7 @@ impl Axis {
         }
     }
 
-    /// The ends as places: two different numbers in order, whatever was given.
+    /// The places of the ends: two different numbers in ascending order for any input.
     pub(crate) fn ends(&self) -> (f64, f64) {
         match (self.place(self.from), self.place(self.to)) {
             (Some(from), Some(to)) if from < to => (from, to),
@@ -82,7 +80,7 @@ impl Axis {
         }
     }
 
-    /// Ticks for an axis that has room for `most` of them.
+    /// The ticks for an axis that has room for at most `most` ticks.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {

@@ -1,4 +1,4 @@
-//! The plot itself.
+//! Building a plot.
 
 use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, layout::Rect};
@@ -7,10 +7,10 @@ use super::{Axis, ticks::Tick};
 use crate::widgets::picture::{Axes, Label, LabelSide, Mark, Pen, Picture, View};
 use crate::widgets::{Look, Role, text};
 
-/// A plot being made: a [`Picture`] that takes everything in the values of its axes.
+/// A plot under construction: a [`Picture`] whose coordinates are values on the axes.
 ///
-/// Undefined values (0 on a logarithmic axis, NaN) are left out, and values beyond the ends are cut
-/// off.
+/// Undefined values (0 on a logarithmic axis, NaN) are left out, and marks are clipped at the ends
+/// of the axes.
 #[derive(Debug, Clone)]
 pub(crate) struct Plot {
     axes: [Axis; 2],
@@ -19,14 +19,14 @@ pub(crate) struct Plot {
 }
 
 impl Plot {
-    /// An empty plot that fills `area`: the name of `y` in the first row, that of `x`
+    /// An empty plot that fills `area`, with the name of `y` in the first row and the name of `x`
     /// in the last.
     pub(crate) fn new(area: Rect, look: Look, x: Axis, y: Axis) -> Self {
         let rows = area.height.saturating_sub(3);
         let y_ticks = y.ticks(usize::from(rows / 3).max(1));
         let width_of = |tick: &Tick| text::width(&look.charset.text(&tick.text)) as u16;
         let left = (y_ticks.iter().map(width_of).max().unwrap_or(0) + 1).min(area.width);
-        // Half of the last number below the axis stands out to the right.
+        // Half of the last number below the axis extends beyond its right end.
         let right = 2.min(area.width - left);
         let paper = Rect {
             x: area.x + left,
@@ -34,7 +34,7 @@ impl Plot {
             width: area.width - left - right,
             height: rows,
         };
-        // The width of a number does not depend on their count.
+        // The width of a number does not depend on the number of ticks.
         let widest = x.ticks(6).iter().map(width_of).max().unwrap_or(1);
         let x_ticks = x.ticks(usize::from(paper.width / (widest + 3)).max(1));
         let ((x0, x1), (y0, y1)) = (x.ends(), y.ends());
@@ -52,13 +52,12 @@ impl Plot {
         }
     }
 
-    /// The cells between the axes, theirs included.
+    /// The cells of the plot, including those of the axes.
     pub(crate) fn paper(&self) -> Rect {
         self.picture.view().area()
     }
 
-    /// The values in the middle of a cell (column, row), where it lies on the
-    /// [`Plot::paper`].
+    /// The values in the middle of a cell (column, row), if it is on the [`Plot::paper`].
     pub(crate) fn values_at(&self, (column, row): (u16, u16)) -> Option<DVec2> {
         self.paper().contains((column, row).into()).then(|| {
             let place = self.picture.view().world_at(column, row);
@@ -66,28 +65,27 @@ impl Plot {
         })
     }
 
-    /// The least value of y whose mark is clear of the x axis.
+    /// The smallest value of y whose mark does not touch the x axis.
     pub(crate) fn least_clear(&self) -> f64 {
         let (low, _) = self.axes[1].ends();
         self.axes[1].value(low + self.picture.view().per_row())
     }
 
-    /// Where values lie in the picture.
+    /// The place of a pair of values in the picture.
     fn place(&self, at: DVec2) -> Option<DVec2> {
         Some(dvec2(self.axes[0].place(at.x)?, self.axes[1].place(at.y)?))
     }
 
-    /// A line through points; it breaks where one has no place.
+    /// Adds a line through points, interrupted where a point has no place.
     pub(crate) fn curve(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
         let place = |at| self.place(at).unwrap_or(DVec2::NAN);
         let places: Vec<DVec2> = points.into_iter().map(place).collect();
         self.picture.curve(places, pen);
     }
 
-    /// The curve of a function over the whole of the x axis; it breaks where there is
-    /// no value.
+    /// Adds the curve of a function over the whole x axis, interrupted where there is no value.
     pub(crate) fn function(&mut self, y: impl Fn(f64) -> Option<f64>, pen: impl Into<Pen>) {
-        // Four points a column are finer than any dot of it.
+        // Four points per column are finer than the dots.
         let pieces = 4 * u32::from(self.paper().width.saturating_sub(1)).max(1);
         let (from, to) = self.axes[0].ends();
         let points: Vec<DVec2> = (0..=pieces)
@@ -99,7 +97,7 @@ impl Plot {
         self.curve(points, pen);
     }
 
-    /// A vertical line over the whole height at `x`, down to the axis.
+    /// Adds a vertical line over the whole height at `x`, down to the axis.
     pub(crate) fn vline(&mut self, x: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[1].ends();
         if let Some(x) = self.axes[0].place(x) {
@@ -108,7 +106,7 @@ impl Plot {
         }
     }
 
-    /// A horizontal line over the whole width at `y`, up to the axis.
+    /// Adds a horizontal line over the whole width at `y`, up to the axis.
     pub(crate) fn hline(&mut self, y: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[0].ends();
         if let Some(y) = self.axes[1].place(y) {
@@ -117,7 +115,7 @@ impl Plot {
         }
     }
 
-    /// A bar from the foot of the plot to `height`, between two values of x.
+    /// Adds a bar from the bottom of the plot to `height`, between two values of x.
     pub(crate) fn bar(&mut self, from: f64, to: f64, height: f64, pen: impl Into<Pen>) {
         let [x, y] = &self.axes;
         if let (Some(from), Some(to), Some(height)) = (x.place(from), x.place(to), y.place(height))
@@ -127,15 +125,15 @@ impl Plot {
         }
     }
 
-    /// A sign, one letter wide, at a point.
+    /// Adds a sign, one letter wide, at a point.
     pub(crate) fn mark(&mut self, at: DVec2, symbol: char, role: Role) {
         if let Some(place) = self.place(at) {
             self.picture.text(place, symbol, role);
         }
     }
 
-    /// A label beside a point, on the first of `sides` that is free; the first labels
-    /// have the first choice.
+    /// Adds a label beside a point, on the first of `sides` that is free; earlier labels have
+    /// priority.
     pub(crate) fn label(
         &mut self,
         text: &str,
@@ -147,7 +145,7 @@ impl Plot {
         self.picture.label(text, place, sides, role)
     }
 
-    /// What has been made.
+    /// The finished picture.
     pub(crate) fn picture(self) -> Picture {
         self.picture
     }
@@ -182,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn names_and_numbers_stand_at_the_axes() {
+    fn names_and_numbers_are_beside_the_axes() {
         let mut buf = Buffer::empty(Rect::new(0, 0, 48, 16));
         log_plot(Charset::Ascii).draw(&mut buf);
         assert_eq!(row(&buf, 1), "  count");
@@ -197,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_says_its_values_and_they_come_back_to_it() {
+    fn the_values_of_a_cell_are_drawn_in_that_cell() {
         let plot = log_plot(Charset::Unicode);
         let paper = plot.paper();
         for column in paper.left()..paper.right() {
@@ -213,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_place_is_left_out() {
+    fn values_without_a_place_are_left_out() {
         let mut buf = Buffer::empty(Rect::new(0, 0, 48, 16));
         let mut empty = buf.clone();
         let mut plot = log_plot(Charset::Ascii);
@@ -229,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn bars_are_as_high_as_they_are_told() {
+    fn bars_have_the_given_height() {
         for charset in [Charset::Ascii, Charset::Unicode] {
             let mut buf = Buffer::empty(Rect::new(0, 0, 48, 16));
             let mut plot = log_plot(charset);
@@ -239,13 +237,13 @@ mod tests {
                 let shown = row(&buf, y);
                 shown.contains(':') || shown.contains('░')
             };
-            // Eleven rows for six decades: 1000 is in the middle of the sixth.
+            // Six decades take eleven rows, so 1000 is in the middle of the sixth row.
             assert!(!filled(6) && filled(8) && filled(11), "{buf:?}");
         }
     }
 
     #[test]
-    fn a_bar_under_a_curve_is_as_high_as_it_is_to_half_a_cell() {
+    fn the_height_of_a_bar_under_a_curve_is_accurate_to_half_a_cell() {
         let mut buf = Buffer::empty(Rect::new(0, 0, 40, 16));
         let coloured = Look {
             charset: Charset::Unicode,
@@ -267,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn a_first_bar_narrower_than_a_column_is_not_lost_in_the_axis() {
+    fn a_first_bar_narrower_than_a_column_is_not_hidden_by_the_axis() {
         let mut buf = Buffer::empty(Rect::new(0, 0, 30, 16));
         let mut plot = Plot::new(
             buf.area,
@@ -283,7 +281,7 @@ mod tests {
     }
 
     #[test]
-    fn no_size_is_too_small_and_no_range_too_odd() {
+    fn any_size_and_any_range_is_drawn_without_a_panic() {
         for width in 0..14 {
             for height in 0..9 {
                 let area = Rect::new(1, 1, width, height);

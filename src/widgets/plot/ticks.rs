@@ -1,24 +1,24 @@
-//! Where the ticks of an axis are, and what is written beside them.
+//! The positions and labels of the ticks of an axis.
 
 use crate::lessons::formula::superscript;
 use crate::numbers::{fixed, true_minus};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
-    /// Where it is, in units in which the axis is even.
+    /// Its place, in units in which the axis is linear.
     pub place: f64,
-    /// What is written beside it.
+    /// The text beside it.
     pub text: String,
 }
 
-/// More ticks than any screen has room for.
+/// A number of ticks for which no screen has room.
 const MOST: usize = 100;
 
-/// From steps as large as this on, numbers are written with a power of ten.
+/// The smallest step at which numbers are written with a power of ten.
 const LARGE: f64 = 1e5;
 
-/// At most `most` ticks at the multiples of `step`, of twice that and so on; without a
-/// step, at those of 1, 2 or 5 times a power of ten.
+/// At most `most` ticks at the multiples of `step`, or of twice `step`, and so on; without a step,
+/// at the multiples of 1, 2 or 5 times a power of ten.
 pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let wanted = (to - from) / most;
@@ -41,7 +41,7 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
     (0..=count as i64)
         .filter(|_| count >= 0.0)
         .map(|i| {
-            // Adding 0 makes a plain 0 of -0.
+            // Adding 0 turns -0 into 0.
             let value = (first + i as f64) * step + 0.0;
             Tick {
                 place: value,
@@ -51,8 +51,8 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
         .collect()
 }
 
-/// At most `most` ticks at the powers of ten between two exponents; where that would
-/// leave fewer than two, at their double and fivefold too.
+/// At most `most` ticks at the powers of ten between two exponents; if that gives fewer than two,
+/// also at 2 and 5 times these powers.
 pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let (first, last) = ((from - 1e-9).ceil(), (to + 1e-9).floor());
@@ -60,7 +60,7 @@ pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
         return fine_decades(from, to);
     }
     let step = ((last - first + 1.0) / most).ceil().max(1.0);
-    // From the multiples of the step, so that 1 is among the ticks if it can be.
+    // Exponents are multiples of the step, so that 1 is among the ticks if possible.
     let first = (first / step).ceil() * step;
     (0..MOST)
         .map(|i| first + i as f64 * step)
@@ -90,7 +90,8 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// 1, 10, 100, 1000, from then on 10⁴; below 1 always 10⁻¹.
+/// The text of a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1 always in the form
+/// 10⁻¹.
 fn power_of_ten(exponent: i32) -> String {
     if (0..=3).contains(&exponent) {
         return format!("{}", 10_i32.pow(exponent.unsigned_abs()));
@@ -99,7 +100,7 @@ fn power_of_ten(exponent: i32) -> String {
     format!("10{}", exponent.unwrap_or_default())
 }
 
-/// The next number from `least` up that is 1, 2 or 5 times a power of ten.
+/// The smallest number, not below `least`, that is 1, 2 or 5 times a power of ten.
 fn round_up(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     let digits = [1.0, 2.0, 5.0, 10.0];
@@ -114,7 +115,7 @@ fn round_up(least: f64) -> f64 {
     }
 }
 
-/// Decimals that tell the multiples of a step apart.
+/// The number of decimals that distinguishes the multiples of a step.
 fn decimals(step: f64) -> usize {
     (0..9)
         .find(|decimals| {
@@ -158,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn powers_of_ten() {
+    fn ticks_of_a_logarithmic_axis_are_powers_of_ten_or_round_numbers() {
         assert_eq!(
             texts(&decades((-1.0, 5.0), 9)),
             ["10⁻¹", "1", "10", "100", "1000", "10⁴", "10⁵"]
@@ -172,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_lie_on_the_axis_and_are_not_too_many() {
+    fn ticks_are_on_the_axis_and_not_too_many() {
         for (from, to) in [(0.0, 1e-9), (-3.0, 7e12), (0.1, 0.2), (5.0, 6.0)] {
             for most in [0, 1, 2, 5, 50] {
                 let length = to - from;

@@ -1,15 +1,15 @@
-//! The clock of a stroke that is watched: real speed, slower or faster, paused, stepped.
+//! The clock of a stroke being watched, which can run at other speeds, pause and step.
 
 use std::time::Duration;
 
-/// A speed to watch at: a power of two, from a 16th of real speed to four times of it.
+/// A replay speed: a power of two, from 1/16 of real speed to four times real speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WatchRate(i32);
 
 impl WatchRate {
-    /// As it was.
+    /// Real speed.
     pub(crate) const REAL: Self = Self(0);
-    /// All of them, the slowest first.
+    /// All speeds, the slowest first.
     pub(crate) const ALL: [Self; 7] = [
         Self(-4),
         Self(-3),
@@ -19,10 +19,10 @@ impl WatchRate {
         Self(1),
         Self(2),
     ];
-    /// Four times slower.
+    /// A quarter of real speed.
     pub(crate) const QUARTER: Self = Self(-2);
 
-    /// Seconds of the stroke that pass in a second.
+    /// Seconds of the stroke per second on the screen.
     pub(crate) fn seconds(self) -> f64 {
         2.0_f64.powi(self.0)
     }
@@ -33,7 +33,7 @@ impl WatchRate {
         Self((self.0 + i32::from(steps)).clamp(-4, 2))
     }
 
-    /// In words: "real speed", "1/4 speed", "2× speed".
+    /// The name of the speed, such as "real speed", "1/4 speed", "2× speed".
     pub(crate) fn words(self) -> String {
         match self.seconds() {
             rate if rate < 1.0 => format!("1/{:.0} speed", 1.0 / rate),
@@ -53,8 +53,8 @@ pub(crate) struct ShotClock {
 }
 
 impl ShotClock {
-    /// A clock that runs at this speed, from the start of a stroke of `end` seconds;
-    /// with `reduced` motion one that stands at its end.
+    /// A clock that runs at this speed, from the start of a stroke of `end` seconds; with `reduced`
+    /// motion it is already at the end.
     pub(crate) fn new(end: f64, rate: WatchRate, reduced: bool) -> Self {
         Self {
             time: if reduced { end } else { 0.0 },
@@ -79,12 +79,12 @@ impl ShotClock {
         self.time >= self.end
     }
 
-    /// When everything has come to rest, in seconds since the start of the stroke.
+    /// The time at which everything has come to rest, in seconds since the start of the stroke.
     pub(crate) fn end(&self) -> f64 {
         self.end
     }
 
-    /// How fast time runs.
+    /// The speed of the clock.
     pub(crate) fn rate(&self) -> WatchRate {
         self.rate
     }
@@ -102,7 +102,7 @@ impl ShotClock {
         }
     }
 
-    /// Continues after a pause; while running, goes to the end at once.
+    /// Continues after a pause; while running, jumps to the end.
     pub(crate) fn go_on(&mut self) {
         if self.running {
             self.seek(self.end);
@@ -111,19 +111,19 @@ impl ShotClock {
         }
     }
 
-    /// From the start again.
+    /// Starts again from the beginning.
     pub(crate) fn rewind(&mut self) {
         self.time = 0.0;
         self.running = self.end > 0.0;
     }
 
-    /// Pauses at a time, clamped to the ends.
+    /// Pauses at a time, clamped to the duration of the stroke.
     pub(crate) fn seek(&mut self, time: f64) {
         self.time = time.clamp(0.0, self.end);
         self.running = false;
     }
 
-    /// Pauses this many seconds further or back.
+    /// Pauses, and moves forward or back by this many seconds.
     pub(crate) fn step(&mut self, seconds: f64) {
         self.seek(self.time + seconds);
     }
@@ -134,7 +134,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stroke_takes_its_own_time_and_then_time_stands_still() {
+    fn the_clock_runs_for_the_duration_of_the_stroke_and_stops() {
         let mut clock = ShotClock::new(1.0, WatchRate::REAL, false);
         clock.advance(Duration::from_millis(400));
         assert!((clock.time() - 0.4).abs() < 1e-12);
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_halt_and_stay_within_the_stroke() {
+    fn steps_pause_the_clock_and_stay_within_the_stroke() {
         let mut clock = ShotClock::new(1.0, WatchRate::REAL, false);
         clock.step(-1.0);
         assert_eq!(clock.time(), 0.0);

@@ -4,18 +4,18 @@ use glam::DVec2;
 
 use crate::physics::{Collision, Disc, EventKind, Shot};
 
-/// Two discs that met during a shot.
+/// A collision of two discs during a shot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ShotImpact {
-    /// When, in seconds since the start of the shot.
+    /// The time, in seconds since the start of the shot.
     pub time: f64,
     /// The discs, body 1 first: the disc that was shot if it took part, otherwise the faster one.
     pub discs: [usize; 2],
-    /// The same hit by itself.
+    /// The collision in isolation.
     pub collision: Collision,
 }
 
-/// All impacts of a shot in which the disc `set_off` was set off, in order.
+/// All impacts, in order, of a shot that set the disc `set_off` in motion.
 pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotImpact> + '_ {
     shot.events()
         .iter()
@@ -46,8 +46,8 @@ pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotI
 
 /// The collision of two discs that touch along `normal`, from body 1 to body 2.
 ///
-/// The impact parameter follows from the angle between the relative velocity w and
-/// the line of impact n: n = cos α ŵ − sin α ŵ⊥, and b = (r₁ + r₂) sin α.
+/// The impact parameter follows from the angle between the relative velocity w and the line of
+/// impact n: n = cos α ŵ − sin α ŵ⊥, and b = (r₁ + r₂) sin α.
 fn collision(bodies: [Disc; 2], before: [DVec2; 2], normal: DVec2, restitution: f64) -> Collision {
     let along = (before[0] - before[1]).normalize_or_zero();
     let reach = bodies[0].radius + bodies[1].radius;
@@ -64,7 +64,7 @@ mod tests {
     use super::*;
     use crate::physics::{Board, Limits, Motion, play};
 
-    /// A disc shot into a loose row: some of those it drives on meet while both move.
+    /// A disc shot into a loose row: some of the discs that it hits then collide while both move.
     fn row() -> Shot {
         let disc = Disc::from_g_mm(15.0, 20.0);
         let places = [
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn each_impact_by_itself_ends_as_it_did_in_the_shot() {
+    fn each_isolated_impact_has_the_same_outcome_as_in_the_shot() {
         let shot = row();
         let recorded = shot.events().iter().filter_map(|event| match event.kind {
             EventKind::Impact { discs, after, .. } => Some((discs, after)),
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn the_disc_that_was_set_off_is_body_1_whatever_its_number() {
+    fn the_disc_set_in_motion_is_body_1_for_any_index() {
         let disc = Disc::from_g_mm(15.0, 20.0);
         let start = [
             Motion::at_rest(DVec2::ZERO),

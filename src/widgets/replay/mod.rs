@@ -1,5 +1,4 @@
-//! A recorded shot played back on the board: its clock, and its impacts, which can be examined one
-//! by one.
+//! The replay of a shot on the board: its clock, and its impacts, which can be examined one by one.
 
 mod clock;
 mod impact;

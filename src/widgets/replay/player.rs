@@ -1,4 +1,4 @@
-//! Watching a shot: time, and its impacts enlarged one by one.
+//! Watching a shot, and examining its enlarged impacts one by one.
 
 use std::time::Duration;
 
@@ -12,12 +12,12 @@ use crate::quiz::Rays;
 use crate::widgets::hit::{FRAME, Face, HitPace, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView, Outcome};
 
-/// Seconds that the keys for steps go.
+/// The time, in seconds, by which the step keys move.
 const STEP: f64 = 0.02;
-/// Seconds that the keys for big steps go.
+/// The time, in seconds, by which the keys for bigger steps move.
 const SCRUB: f64 = 0.25;
 
-/// To the end of the shot.
+/// The action that goes to the end of the shot.
 const END: ShotAction = ShotAction::Seek(f64::INFINITY);
 
 /// A shot being watched.
@@ -35,31 +35,31 @@ pub(crate) struct ShotPlayer {
     left_at: f64,
 }
 
-/// The view of the shot.
+/// The current view of the shot.
 #[derive(Debug, Clone)]
 enum Showing {
     Board,
-    /// The board, at the impact that is chosen in the list.
+    /// The board at the time of the impact that is chosen in the list.
     Impacts,
     /// The chosen impact alone, enlarged.
     Impact(Box<Watch>),
 }
 
-/// What keys do to a shot that is watched.
+/// The key actions for a shot that is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShotAction {
-    /// go on; while it plays, skip to the end
+    /// go on; while the discs move, skip to the end
     GoOn,
-    /// examine its impacts
+    /// examine the impacts of the shot
     Impacts,
-    /// step through it
+    /// step through the shot
     Step(i8),
-    /// move through it in bigger steps
+    /// move through the shot in bigger steps
     Scrub(i8),
     /// faster or slower, here and for every shot you watch
     Speed(i8),
-    /// play it again
+    /// replay the shot
     Again,
     /// go to the start or the end
     Seek(f64),
@@ -71,13 +71,13 @@ pub enum ShotAction {
     NextImpact(isize),
     /// control the enlarged impact
     Watch(WatchAction),
-    /// leave the impacts
+    /// leave the list of impacts
     Leave,
 }
 
 impl ShotPlayer {
-    /// A shot in which the disc `set_off` was set off, and the clock by which it is
-    /// watched; impacts after the clock's end are not looked into.
+    /// A shot that set the disc `set_off` in motion, with its clock; impacts after the end of the
+    /// clock are left out.
     pub(crate) fn new(shot: Shot, set_off: usize, clock: ShotClock) -> Self {
         let seen = impacts(&shot, set_off).take_while(|impact| impact.time <= clock.end());
         Self {
@@ -93,19 +93,19 @@ impl ShotPlayer {
         }
     }
 
-    /// The same with these faces for its discs.
+    /// This shot with the given faces for its discs.
     #[must_use]
     pub(crate) fn with_faces(self, faces: Vec<Face>) -> Self {
         Self { faces, ..self }
     }
 
-    /// The same with what was said of its first impact.
+    /// This shot with the prediction for its first impact.
     #[must_use]
     pub(crate) fn with_said(self, said: Option<Rays>) -> Self {
         Self { said, ..self }
     }
 
-    /// The same with a list of its impacts, of which one is chosen before it is enlarged.
+    /// This shot with a list of impacts, from which one is chosen before it is enlarged.
     #[must_use]
     pub(crate) fn with_list(mut self) -> Self {
         self.lists = true;
@@ -122,7 +122,7 @@ impl ShotPlayer {
         &self.clock
     }
 
-    /// All its impacts.
+    /// All impacts of the shot.
     pub(crate) fn impacts(&self) -> &[ShotImpact] {
         &self.impacts
     }
@@ -141,7 +141,7 @@ impl ShotPlayer {
         matches!(self.showing, Showing::Impacts).then_some(&self.list)
     }
 
-    /// The chosen impact by itself, while it is enlarged.
+    /// The chosen impact, while it is enlarged.
     pub(crate) fn zoom(&self) -> Option<&Watch> {
         match &self.showing {
             Showing::Impact(watch) => Some(watch),
@@ -149,7 +149,7 @@ impl ShotPlayer {
         }
     }
 
-    /// The discs on the board now, with where they are.
+    /// The discs that are now on the board, with their positions.
     pub(crate) fn discs(&self) -> impl Iterator<Item = (usize, DVec2)> + '_ {
         let now = |disc| self.shot.at(disc, self.clock.time());
         let all = (0..self.shot.discs().len()).map(move |disc| (disc, now(disc)));
@@ -158,7 +158,7 @@ impl ShotPlayer {
         })
     }
 
-    /// The keys that work it.
+    /// The keys that control the replay.
     pub(crate) fn keys(&self) -> KeyTable<ShotAction> {
         use ShotAction::{Again, GoOn, Impacts, Leave, NextImpact, Scrub, Seek, Speed, Step};
         let table = KeyTable::new("shot");
@@ -196,7 +196,7 @@ impl ShotPlayer {
         }
     }
 
-    /// The action of a click on the picture: that of Space, except in the list of impacts.
+    /// The action of a click on the picture: the same as for Space, except in the list of impacts.
     pub(crate) fn clicked(&self) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => None,
@@ -204,7 +204,8 @@ impl ShotPlayer {
         }
     }
 
-    /// The action of the wheel, up (-1) or down (1): a step, or a move in the list of impacts.
+    /// The action of the mouse wheel, up (-1) or down (1): a step, or a move in the list of
+    /// impacts.
     pub(crate) fn wheel(&self, by: i8) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => Some(ShotAction::List(ListAction::Choose(by.into()))),
@@ -212,8 +213,8 @@ impl ShotPlayer {
         }
     }
 
-    /// Carries out an action. A chosen speed is stored in `rate`; an enlarged impact is played at
-    /// this pace.
+    /// Carries out an action. A chosen speed is stored in `rate`; an enlarged impact is played with
+    /// this `pace`.
     pub(crate) fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, pace: HitPace) {
         match action {
             ShotAction::GoOn => self.clock.go_on(),
@@ -227,7 +228,8 @@ impl ShotPlayer {
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
-                // The latest one shown; at the end the first, which was aimed at.
+                // This chooses the last impact shown so far, or at the end of the shot the first
+                // impact.
                 let now = if self.clock.is_over() {
                     0.0
                 } else {
@@ -269,7 +271,7 @@ impl ShotPlayer {
         }
     }
 
-    /// Puts the clock to the impact that is chosen.
+    /// Sets the clock to the time of the chosen impact.
     fn show_chosen(&mut self) {
         if let Some((_, impact)) = self.chosen() {
             self.clock.seek(impact.time);
@@ -289,7 +291,7 @@ impl ShotPlayer {
         }
     }
 
-    /// Lets time pass on the screen.
+    /// Advances the time by `passed` on the screen.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.showing {
             Showing::Impact(watch) => watch.advance(passed, pace),
@@ -297,7 +299,7 @@ impl ShotPlayer {
         }
     }
 
-    /// When it next needs time.
+    /// The delay until the replay next has to advance.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.showing {
             Showing::Impact(watch) => watch.wake(pace),
@@ -311,7 +313,7 @@ mod tests {
     use super::*;
     use crate::physics::{Board, Disc, Limits, Motion, play};
 
-    /// A disc that drives one on into another: two impacts.
+    /// A disc that drives a second one into a third: two impacts.
     fn player(lists: bool) -> ShotPlayer {
         let disc = Disc::from_g_mm(15.0, 20.0);
         let mut start = [0.0, 0.1, 0.2].map(|x| Motion::at_rest(DVec2::new(x, 0.1 * x)));
@@ -331,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn a_speed_that_is_chosen_is_told_to_be_remembered() {
+    fn a_chosen_speed_is_stored_by_the_caller() {
         let mut player = player(false);
         assert_eq!(press(&mut player, Key::Char(' ')), None);
         let slower = Some(WatchRate::REAL.faster(-1));
@@ -340,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn an_impact_is_enlarged_and_time_is_where_it_was_afterwards() {
+    fn after_an_enlarged_impact_the_clock_returns_to_its_time() {
         let mut player = player(false);
         press(&mut player, Key::End);
         let end = player.clock().time();
@@ -356,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn impacts_are_listed_where_that_is_wanted() {
+    fn impacts_are_listed_on_request() {
         let mut player = player(true);
         press(&mut player, Key::Char('i'));
         assert!(player.list().is_some() && player.zoom().is_none());
@@ -372,7 +374,7 @@ mod tests {
     }
 
     #[test]
-    fn the_wheel_steps_and_a_click_goes_on_while_there_is_something_to_go_on_to() {
+    fn the_wheel_steps_and_a_click_continues_until_the_end() {
         let mut player = player(false);
         assert_eq!(player.wheel(-1), Some(ShotAction::Step(1)));
         assert_eq!(player.clicked(), Some(ShotAction::GoOn));
@@ -381,7 +383,7 @@ mod tests {
     }
 
     #[test]
-    fn impacts_after_the_clocks_end_are_not_looked_into() {
+    fn impacts_after_the_end_of_the_clock_are_left_out() {
         let whole = player(false);
         let until = whole.impacts()[0].time;
         let clock = ShotClock::new(until, WatchRate::REAL, false);

@@ -10,7 +10,7 @@ pub(super) const PAPER: Rgb = Rgb::hex(0x101418);
 /// The default colour of text.
 const INK: Rgb = Rgb::hex(0xd0d0d0);
 
-/// The first sixteen colours, as xterm and its kin show them.
+/// The first sixteen colours, as in xterm and similar terminals.
 const SIXTEEN: [(Color, u32); 16] = [
     (Color::Black, 0x000000),
     (Color::Red, 0xcd0000),
@@ -30,13 +30,13 @@ const SIXTEEN: [(Color, u32); 16] = [
     (Color::White, 0xffffff),
 ];
 
-/// One of the 256 colours: sixteen, and those that are fixed.
+/// One of the 256 colours: one of the first sixteen, or a fixed one.
 fn indexed(index: u8) -> Rgb {
     let named = SIXTEEN.get(usize::from(index));
     named.map_or_else(|| Rgb::fixed(index), |(_, code)| Rgb::hex(*code))
 }
 
-/// The colour a cell names; `otherwise` where it names none.
+/// The colour that a cell names; `otherwise` if it names none.
 fn colour_of(colour: Color, otherwise: Rgb) -> Rgb {
     match colour {
         Color::Rgb(red, green, blue) => Rgb(red, green, blue),
@@ -50,14 +50,14 @@ fn colour_of(colour: Color, otherwise: Rgb) -> Rgb {
 
 /// The two visible colours of a cell.
 pub(super) struct CellColours {
-    /// The colour of what is drawn.
+    /// The foreground colour.
     pub(super) ink: Rgb,
-    /// The colour behind it.
+    /// The background colour.
     pub(super) ground: Rgb,
 }
 
 impl CellColours {
-    /// How a cell looks, with reverse and dim taken into account.
+    /// The colours of a cell, with reverse and dim taken into account.
     pub(super) fn of(cell: &Cell) -> Self {
         let (mut ink, mut ground) = (colour_of(cell.fg, INK), colour_of(cell.bg, PAPER));
         if cell.modifier.contains(Modifier::REVERSED) {
@@ -75,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_cube_and_the_greys_are_xterm_s() {
+    fn the_cube_and_the_greys_are_those_of_xterm() {
         assert_eq!(indexed(16), Rgb(0, 0, 0));
         assert_eq!(indexed(21), Rgb(0, 0, 255));
         assert_eq!(indexed(110), Rgb(135, 175, 215));

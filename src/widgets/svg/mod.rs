@@ -1,9 +1,9 @@
-//! Vectors: pictures and screens as SVG.
+//! Pictures and screens as SVG.
 //!
-//! A [`Picture`] becomes true lines, circles and text. Of a screen, letters are text in whatever monospace font there is, each word stretched to its
-//! cells. Braille, block elements and box lines are drawn as shapes, so that no font
-//! can spoil a picture made of them; all but the round ones with hard edges, so that no
-//! seams show between cells.
+//! A [`Picture`] becomes true lines, circles and text. The letters of a screen become text in any
+//! available monospace font, with each word stretched to its cells. Braille, block elements and box
+//! lines are drawn as shapes, so that no font can distort a picture made of them. All shapes except
+//! round ones have hard edges, so that no seams are visible between cells.
 
 mod colour;
 pub(crate) mod painted;
@@ -24,20 +24,20 @@ use super::theme::{Rgb, Role};
 use super::{Look, panels::draw_panel, picture::Picture};
 use colour::{CellColours, PAPER};
 
-/// Width and height of a cell, in units of the picture.
+/// The width and height of a cell, in units of the picture.
 const CELL: (usize, usize) = (9, 18);
-/// Columns and rows of a panel.
+/// The columns and rows of a panel.
 const PANEL: (u16, u16) = (84, 32);
-/// How far the letters' base line lies below the top of their cell.
+/// The distance of the letters' baseline from the top of the cell, in units of the picture.
 const BASE: usize = 14;
 
-/// A screen as a file of its own.
+/// A screen as an SVG file.
 pub(crate) fn of_screen(cells: &Buffer) -> String {
     screen(cells, "")
 }
 
-/// A panel with pictures as a file of its own. `fill` writes the text into the cells of the panel
-/// and returns the pictures to draw in it.
+/// A panel with pictures as an SVG file. `fill` writes the text into the cells of the panel and
+/// returns the pictures to draw in it.
 pub(crate) fn of_panel(
     title: &str,
     look: &Look,
@@ -52,7 +52,7 @@ pub(crate) fn of_panel(
     screen(&cells, &pictures.iter().map(draw).collect::<String>())
 }
 
-/// Width and height of an area, in units of the picture.
+/// The width and height of an area, in units of the picture.
 fn size(area: Rect) -> [usize; 2] {
     let (columns, rows) = (usize::from(area.width), usize::from(area.height));
     [columns * CELL.0, rows * CELL.1]
@@ -110,11 +110,11 @@ fn screen(cells: &Buffer, vectors: &str) -> String {
     )
 }
 
-/// A picture as vectors, to be put into [`maud::html!`] or a file of its own.
+/// A picture as vectors, for use in [`maud::html!`] or in a file of its own.
 #[derive(Debug, Clone)]
 pub struct Svg {
     words: String,
-    /// Width and height of what is drawn, and how much smaller it is shown.
+    /// The width and height of the drawing, before scaling.
     size: [f64; 2],
     scale: f64,
     paper: Rgb,
@@ -122,8 +122,8 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// A picture whose area begins in the corner of the screen. `words` are its text alternative.
-    /// At a `scale` of 1, letters are 14 CSS pixels high.
+    /// A picture whose area begins in the corner of the screen. `words` is its text alternative. At
+    /// a `scale` of 1, letters are 14 CSS pixels high.
     #[must_use]
     pub(crate) fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
         Self {
@@ -135,19 +135,19 @@ impl Svg {
         }
     }
 
-    /// Width and height as it is shown, in CSS pixels.
+    /// The width and height as shown, in CSS pixels.
     #[must_use]
     pub(crate) fn size(&self) -> [f64; 2] {
         self.size.map(|length| length * self.scale)
     }
 
-    /// What is to be seen.
+    /// The text alternative.
     #[must_use]
     pub(crate) fn words(&self) -> &str {
         &self.words
     }
 
-    /// The picture as a file of its own, with a paper background.
+    /// The picture as an SVG file with an opaque background.
     #[must_use]
     pub fn file(&self) -> String {
         let paper = self.paper;
@@ -177,8 +177,8 @@ impl Render for Svg {
     }
 }
 
-/// A number of a picture: two decimals are finer than any printer, and the output is always a
-/// number.
+/// A number in a picture. It has two decimal places, finer than any printer can show, and the
+/// output is always finite.
 struct Number(f64);
 
 impl std::fmt::Display for Number {
@@ -198,7 +198,7 @@ impl std::fmt::Display for Number {
     }
 }
 
-/// Outlines to be filled, one path a colour.
+/// Outlines to fill, with one path per colour.
 #[derive(Default)]
 struct Paths(BTreeMap<Rgb, String>);
 
@@ -217,7 +217,7 @@ impl std::fmt::Display for Paths {
     }
 }
 
-/// Neighbouring letters that look alike.
+/// Adjacent letters in one style.
 #[derive(Default)]
 struct SvgWord {
     text: String,
@@ -303,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_stand_in_their_cells() {
+    fn letters_are_in_their_cells() {
         let svg = drawn("ab  <&", Style::new());
         assert!(
             svg.contains("<text x=\"0\" y=\"14\" textLength=\"18\""),

@@ -1,5 +1,5 @@
-//! A screen for a painter of its own, such as a browser's canvas: cells in the colours they
-//! are seen in, and the pictures among them as vectors.
+//! A screen for another painter, such as a browser's canvas: cells in their final colours, and
+//! the pictures among them as vectors.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -10,32 +10,32 @@ use crate::widgets::Charset;
 use crate::widgets::ink::gallery::DrawnPicture;
 use crate::widgets::theme::{Rgb, Role, Theme};
 
-/// A cell, ready to be painted.
+/// A cell with its final colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PaintedCell {
-    /// The colour of what is written, 0xRRGGBB.
+    /// The foreground colour, 0xRRGGBB.
     pub ink: u32,
-    /// The colour behind it.
+    /// The background colour, 0xRRGGBB.
     pub paper: u32,
-    /// Bold, underlined and the like; reversed and dim are in the colours already.
+    /// Bold, underlined and so on; reverse and dim are already part of the colours.
     pub modifier: Modifier,
-    /// Whether it shows a part of a picture and nothing else: its vectors take its place.
+    /// Whether it only shows part of a picture, so that vectors replace it.
     pub is_vector: bool,
 }
 
 /// A picture among the cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaintedPicture {
-    /// The cells it takes up.
+    /// The area that it fills.
     pub area: Rect,
-    /// The colour behind it, 0xRRGGBB.
+    /// The background colour, 0xRRGGBB.
     pub paper: u32,
-    /// The elements of an SVG of the whole screen, in which a cell is 9 by 18; none in ASCII.
+    /// The elements for an SVG of the whole screen, in which a cell is 9 by 18; empty in ASCII.
     pub svg: String,
 }
 
-/// The cells of a screen, row by row, and the pictures that were drawn in it. In ASCII all
-/// is cells.
+/// The cells of a screen, row by row, and the pictures that were drawn in it. In ASCII there are
+/// only cells.
 #[must_use]
 pub fn painted(
     screen: &Buffer,
@@ -81,8 +81,8 @@ pub fn inks(theme: &Theme) -> Vec<(Role, u32)> {
     Role::ALL.iter().map(ink).collect()
 }
 
-/// How a glyph is drawn as a shape: the path of an SVG, in a cell of 9 by 18, and how much
-/// of the ink is laid on, from 0 to 1. `None` if it is to be written as a letter.
+/// The shape of a glyph: an SVG path in a cell of 9 by 18, and its opacity from 0 to 1. `None` if
+/// the glyph is written as a letter.
 #[must_use]
 pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
     let mut path = String::new();
@@ -91,7 +91,7 @@ pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
 }
 
 impl DrawnPicture {
-    /// Whether most of it is covered by a page over it.
+    /// Whether a page covers most of the picture.
     fn is_erased(&self, screen: &Buffer) -> bool {
         let drawn = |at: &Position| {
             self.cells
@@ -106,8 +106,8 @@ impl DrawnPicture {
         2 * gone > all
     }
 
-    /// The cells that nothing was written over: in each row those outside of all that has
-    /// changed since, for what lies over a picture may have blanks in it.
+    /// The cells that nothing covers: in each row, those outside the range of changed cells,
+    /// because a page over a picture may contain blanks.
     fn uncovered(&self, screen: &Buffer) -> impl Iterator<Item = Position> {
         let area = self.cells.area;
         area.rows().flat_map(move |row| {
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_is_painted_where_nothing_lies_over_it() {
+    fn a_picture_is_painted_where_nothing_covers_it() {
         let (mut screen, pictures) = drawn(Charset::Unicode);
         let vectors = |screen: &Buffer| {
             let (cells, pictures) = painted(screen, &pictures);
@@ -163,7 +163,7 @@ mod tests {
         assert_eq!(
             vectors(&screen),
             16 * 8 - 4,
-            "blanks within are covered too"
+            "blanks within the range are covered too"
         );
         let erased = Buffer::empty(AREA);
         let (cells, left) = painted(&erased, &pictures);
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn in_ascii_all_is_cells_and_nobody_gathers_unasked() {
+    fn in_ascii_there_are_only_cells_and_pictures_are_collected_on_request() {
         let (screen, pictures) = drawn(Charset::Ascii);
         let (cells, vectors) = painted(&screen, &pictures);
         assert!(vectors[0].svg.is_empty() && cells.iter().all(|cell| !cell.is_vector));

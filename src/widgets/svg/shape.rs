@@ -5,8 +5,8 @@ use std::fmt::Write;
 use super::CELL;
 use crate::widgets::text::blocks::{BRAILLE, QUARTERS};
 
-/// Adds the outline of a glyph in the cell whose corner is at `corner`, if it is
-/// one that is drawn as a shape.
+/// Adds the outline of a glyph in the cell with its corner at `corner`; returns whether the glyph
+/// is drawn as a shape.
 pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> bool {
     let mut letters = symbol.chars();
     let (Some(glyph), None) = (letters.next(), letters.next()) else {
@@ -36,12 +36,12 @@ pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> b
     true
 }
 
-/// Whether a glyph is made of round dots.
+/// Whether a glyph consists of round dots.
 pub(super) fn is_dotted(symbol: &str) -> bool {
     matches!(symbol.chars().next(), Some('\u{2800}'..='\u{28ff}'))
 }
 
-/// How much of the ink is laid on: less than all of it for the shades.
+/// The opacity of a glyph, which is less than 1 for the shades.
 pub(super) fn strength(symbol: &str) -> f64 {
     match symbol {
         "░" => 0.25,
@@ -51,7 +51,7 @@ pub(super) fn strength(symbol: &str) -> f64 {
     }
 }
 
-/// Ways that a box line runs from the middle of its cell.
+/// The directions of box lines from the middle of their cell.
 mod arm {
     pub(super) const LEFT: u8 = 1;
     pub(super) const RIGHT: u8 = 2;
@@ -59,8 +59,8 @@ mod arm {
     pub(super) const DOWN: u8 = 8;
 }
 
-/// The arms of a box line and how thick they are. Double lines are drawn as thick
-/// ones and round corners as square ones.
+/// The arms of a box line and their thickness. Double lines are drawn as thick lines, and round
+/// corners as square ones.
 fn arms(glyph: char) -> Option<(u8, f64)> {
     use arm::{DOWN, LEFT, RIGHT, UP};
     let arms = match glyph {
@@ -92,19 +92,19 @@ struct CellPen<'a> {
 }
 
 impl CellPen<'_> {
-    /// A rectangle between two corners, in shares of the cell.
+    /// Adds a rectangle between two corners, given as fractions of the cell's width and height.
     fn block(&mut self, x0: f64, y0: f64, x1: f64, y1: f64) {
         let (w, h) = (CELL.0 as f64, CELL.1 as f64);
         self.rectangle(x0 * w, y0 * h, (x1 - x0) * w, (y1 - y0) * h);
     }
 
-    /// A rectangle in units of the picture.
+    /// Adds a rectangle in units of the picture.
     fn rectangle(&mut self, x: f64, y: f64, width: f64, height: f64) {
         let (x, y) = (self.left + x, self.top + y);
         let _ = write!(self.path, "M{x} {y}h{width}v{height}h-{width}z");
     }
 
-    /// The dots of a braille pattern; bits as Unicode orders them.
+    /// Adds the dots of a braille pattern, with the bits in Unicode's order.
     fn braille(&mut self, bits: u32) {
         let radius = 1.6;
         let across = 2.0 * radius;
@@ -134,7 +134,7 @@ impl CellPen<'_> {
 
     fn lines(&mut self, arms: u8, thick: f64) {
         let (width, height) = (CELL.0 as f64, CELL.1 as f64);
-        // Whole units, so that lines are sharp and meet those of their neighbours.
+        // Whole units make lines sharp and align them with those of adjacent cells.
         let x = ((width - thick) / 2.0).floor();
         let y = ((height - thick) / 2.0).floor();
         let bars = [

@@ -1,4 +1,4 @@
-//! Pictures as vectors: lines are lines and discs are circles.
+//! Pictures as vectors: true lines and circles.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::{self, Display, Write};
@@ -12,27 +12,27 @@ use crate::widgets::picture::{Axes, Body, Dash, DrawLayer, Mark, Pen, Picture, V
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Look, Role};
 
-/// Height of letters, in units of the picture.
+/// The height of letters, in units of the picture.
 const LETTERS: f64 = 14.0;
-/// The height of a disc's letter, in its radii.
+/// The height of a disc's letter, in radii of the disc.
 const SIGN: f64 = 1.2;
-/// Length and half the width of an arrow's head.
+/// The length and half the width of an arrow's head, in units of the picture.
 const HEAD: (f64, f64) = (11.0, 4.2);
-/// The ring round a disc that is pointed out, in its radii.
+/// The radius of the ring around a marked disc, in radii of the disc.
 const POINTED_OUT: f64 = 1.25;
-/// Pieces of an arc that is not wholly in the view.
+/// The number of pieces of an arc that is not completely in the view.
 const PIECES: u32 = 180;
-/// A line leaves out what lies nearer than this to the point before it.
+/// The distance below which a line leaves out the next point, in units of the picture.
 const NEAR: f64 = 0.3;
-/// A disc of a smaller radius is a plain dot of this one.
+/// The radius of a dot, which is also the smallest radius of a disc.
 const DOT: f64 = 3.5;
 
-/// The elements of a picture, in units of a screen of [`CELL`]s.
+/// The elements of a picture, in units in which a cell has the size [`CELL`].
 pub(super) fn draw(picture: &Picture, look: &Look) -> String {
     draw_labelled(picture, look, Canvas::of(picture, look).labels())
 }
 
-/// The same where its labels have their places already.
+/// The elements of a picture whose labels have already been placed.
 pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabel]) -> String {
     let mut vectors = Vectors {
         view: picture.view(),
@@ -50,7 +50,7 @@ pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabe
         vectors.chain(chain);
     }
     vectors.put("</g>\n");
-    // What may stand out over the edges of the view.
+    // These marks may extend beyond the edges of the view.
     for mark in marks {
         match mark {
             Mark::Axes(axes) => vectors.axes(axes, picture),
@@ -74,7 +74,7 @@ pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabe
     vectors.body
 }
 
-/// The layer that a mark is drawn on.
+/// The layer of a mark.
 fn layer(mark: &Mark) -> DrawLayer {
     match mark {
         Mark::Line { pen, .. }
@@ -88,7 +88,7 @@ fn layer(mark: &Mark) -> DrawLayer {
     }
 }
 
-/// Whether a mark is a line, and the next one goes on from its end with the same pen.
+/// Whether a mark is a line, and the next line continues from its end with the same pen.
 fn goes_on(mark: &Mark, next: &Mark) -> bool {
     match (mark, next) {
         (Mark::Line { to, pen, .. }, Mark::Line { from, pen: own, .. }) => to == from && pen == own,
@@ -96,7 +96,7 @@ fn goes_on(mark: &Mark, next: &Mark) -> bool {
     }
 }
 
-/// Which end of a text stands at its place.
+/// The part of a string that is placed at the given position.
 #[derive(Clone, Copy, strum::Display)]
 #[strum(serialize_all = "lowercase")]
 enum Anchor {
@@ -109,10 +109,11 @@ fn cell() -> DVec2 {
     dvec2(CELL.0 as f64, CELL.1 as f64)
 }
 
-/// The part of a straight line that lies in a rectangle, if any does.
+/// The part of a straight line inside a rectangle, if there is one.
 fn clipped([from, to]: [DVec2; 2], low: DVec2, high: DVec2) -> Option<[DVec2; 2]> {
     let way = to - from;
-    // Where along the way each pair of edges is crossed; no way along them is no crossing.
+    // The positions along the line at which it crosses each pair of edges; a line parallel to them
+    // does not cross them.
     let [a, b] = [(low - from) / way, (high - from) / way];
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
@@ -133,7 +134,7 @@ fn clipped([from, to]: [DVec2; 2], low: DVec2, high: DVec2) -> Option<[DVec2; 2]
     (way.is_finite() && first <= last).then(|| [end(first), end(last)])
 }
 
-/// A place in a path.
+/// A point in a path.
 struct Point(DVec2);
 
 impl Display for Point {
@@ -165,7 +166,7 @@ impl Vectors<'_> {
         self.look.theme.rgb(role)
     }
 
-    /// A mark, or lines that go on from one another: a trail is drawn in one go.
+    /// Draws a mark, or a chain of connected lines, such as a trail, as one path.
     fn chain(&mut self, marks: &[&Mark]) {
         let [Mark::Line { from, pen, .. }, _, ..] = marks else {
             return marks.iter().for_each(|mark| self.mark(mark));
@@ -237,7 +238,7 @@ impl Vectors<'_> {
         ));
     }
 
-    /// A line through points of the world, as far as it lies in the view.
+    /// Draws a line through points in the world, clipped to the view.
     fn curve(&mut self, points: &[DVec2], pen: Pen) {
         let mut path = String::new();
         let mut last = None;
@@ -302,7 +303,7 @@ impl Vectors<'_> {
         let size = f64::min(full, 0.6 * (tip - tail).length() / HEAD.0);
         let neck = tip - size * HEAD.0 * along;
         let across = size * HEAD.1 * along.perp();
-        // The line ends within the head, so that it does not blunt the tip.
+        // The line ends inside the head, so that it does not blunt the tip.
         let end = tip - 0.8 * size * HEAD.0 * along;
         self.curve(&[from, self.view.to_world(end / cell())], pen);
         let [tip, left, right] = [tip, neck + across, neck - across].map(Point);
@@ -310,7 +311,7 @@ impl Vectors<'_> {
         self.path(&path, self.inked(pen), "");
     }
 
-    /// A disc of a collision: pale, so that marks over it are clearly visible.
+    /// Draws a disc of a collision, in a pale colour so that marks over it are clearly visible.
     fn disc(&mut self, body: &Body) {
         let radius = self.length(body.radius);
         let role = self.rgb(body.role);
@@ -321,7 +322,7 @@ impl Vectors<'_> {
         self.circle(body.at, radius, self.look.theme.faint(body.role), &stroke);
     }
 
-    /// The letter of a disc of a hit, over what is drawn on the disc.
+    /// Writes the letter of a disc of a collision, over the marks on the disc.
     fn letter(&mut self, body: &Body, at: DVec2) {
         let radius = self.length(body.radius);
         if body.letter != ' ' && radius > DOT {
@@ -331,7 +332,7 @@ impl Vectors<'_> {
         }
     }
 
-    /// A disc among others, in its full colour.
+    /// Draws a disc among others, in its full colour.
     fn solid(&mut self, body: &Body) {
         let radius = self.length(body.radius).max(DOT);
         let role = self.rgb(body.role);
@@ -350,19 +351,18 @@ impl Vectors<'_> {
         }
     }
 
-    /// A text on the background whose middle line is at a place.
+    /// Writes text on the background, vertically centred at a point.
     fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
         let colours = [self.rgb(role), self.rgb(Role::Background)];
         self.write(text, at, anchor, colours);
     }
 
-    /// A text with a rim of what is behind it, which keeps it readable where a line runs
-    /// there.
+    /// Writes text with an outline in the background colour, which keeps it readable over a line.
     fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         self.write_of(LETTERS, text, at, anchor, colours);
     }
 
-    /// The same in letters of a size in CSS pixels, but none larger than all others.
+    /// Writes outlined text in letters of the given size, but at most the usual size.
     fn write_of(&mut self, size: f64, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         let [ink, rim] = colours;
         let size = size.min(LETTERS);
@@ -378,7 +378,7 @@ impl Vectors<'_> {
         self.put(format_args!(">{}</text>\n", escape(text)));
     }
 
-    /// A sign, as a shape where it stands for one.
+    /// Draws a sign: as a shape if it represents one, otherwise as text.
     fn sign(&mut self, world: DVec2, text: &str, role: Role) {
         let ink = self.rgb(role);
         let at = self.at(world);
@@ -438,7 +438,7 @@ mod tests {
     use crate::widgets::{Charset, Theme};
 
     fn drawn(make: impl Fn(&mut Picture)) -> String {
-        // One metre is one column, nine units; the origin is in the middle of cell (5, 2).
+        // One metre is one column, or nine units; the origin is in the middle of cell (5, 2).
         let view = View::new(Rect::new(0, 0, 11, 5), DVec2::ZERO, 1.0);
         let mut picture = Picture::new(view);
         make(&mut picture);
@@ -449,9 +449,9 @@ mod tests {
         draw(&picture, &look)
     }
 
-    /// A trail of many legs is one path, but for where its pen changes or it has a gap.
+    /// A trail of many segments is one path, unless its pen changes or it has a gap.
     #[test]
-    fn lines_that_go_on_are_one_path() {
+    fn connected_lines_are_one_path() {
         let [a, b, c, d] = [0.0, 1.0, 2.0, 3.0].map(|x| dvec2(x, 0.0));
         let (young, old) = (Pen::new(Role::Trail), Pen::new(Role::Trail).aged(0.5));
         let found = drawn(|it| {
@@ -466,14 +466,14 @@ mod tests {
     }
 
     #[test]
-    fn arcs_turn_as_they_are_seen() {
-        // A quarter up from the right: it ends above its centre, where y is less.
+    fn arcs_turn_in_the_visible_direction() {
+        // A quarter turn from the right ends above the centre, where y is smaller.
         let found = drawn(|it| it.arc(DVec2::ZERO, 2.0, 0.0, PI / 2.0, Role::Arc));
         assert!(found.contains("M67.5 45A18 18 0 0 0 49.5 27"), "{found}");
     }
 
     #[test]
-    fn discs_are_circles_and_a_whole_turn_is_one() {
+    fn discs_and_whole_turns_are_circles() {
         let found = drawn(|it| {
             it.disc(DVec2::ZERO, 2.0, Role::Coin, 'C');
             it.circle(DVec2::ZERO, 1.0, Role::Arc);
@@ -487,7 +487,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arrow_without_length_is_none_and_a_curve_breaks_where_it_has_no_place() {
+    fn an_arrow_of_zero_length_is_left_out_and_a_curve_is_interrupted_at_undefined_points() {
         let found = drawn(|it| it.arrow(DVec2::ONE, DVec2::ONE, Role::CoinOut));
         assert!(!found.contains("<path"), "{found}");
         let points = [DVec2::ZERO, DVec2::X, DVec2::NAN, DVec2::Y, DVec2::ONE];
@@ -499,7 +499,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_higher_is_drawn_later_whatever_the_order() {
+    fn higher_layers_are_drawn_later_in_any_order() {
         let found = drawn(|it| {
             it.line(DVec2::ZERO, DVec2::X, Role::StrikerOut);
             it.disc(DVec2::ZERO, 2.0, Role::Coin, ' ');

@@ -3,26 +3,26 @@
 use ratatui::layout::Rect;
 use serde::Deserialize;
 
-/// The place that a screen has, and how large its pictures are to be there.
+/// The area of a screen, and the size of its pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Room {
     /// The cells.
     pub area: Rect,
-    /// The sizes of pictures, where they do not follow from the area: in a page, which
-    /// lays out what is recorded as it likes.
+    /// The sizes of pictures if they do not follow from the area: a web page lays out the recorded
+    /// contents in its own way.
     pub pictures: Option<PictureSizes>,
 }
 
-/// How large pictures are: columns and rows, without a frame.
+/// The sizes of pictures without their frames: columns, rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub struct PictureSizes {
-    /// One that takes what there is.
+    /// A picture that uses the available area.
     pub any: [u16; 2],
-    /// One that has to be square, such as a board.
+    /// A picture that has to be square, such as a board.
     pub square: [u16; 2],
 }
 
-/// A screen of cells alone.
+/// A screen that consists only of cells.
 impl From<Rect> for Room {
     fn from(area: Rect) -> Self {
         let pictures = None;
@@ -30,14 +30,14 @@ impl From<Rect> for Room {
     }
 }
 
-/// A framed picture of such a size in the corner of an area, and all the columns beside it.
+/// A framed picture of this size in the corner of an area, and the columns beside it.
 pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> [Rect; 2] {
     let [picture, panel] = left(area, columns.saturating_add(2));
     let [picture, _] = upper(picture, rows.saturating_add(2));
     [picture, panel]
 }
 
-/// The upper rows of an area, as far as it has so many, and what is left below them.
+/// At most this many rows at the top of an area, and the rest below them.
 pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     let height = rows.min(area.height);
     let below = Rect {
@@ -48,8 +48,7 @@ pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     [Rect { height, ..area }, below]
 }
 
-/// The columns on the left of an area, as far as it has so many, and what is left beside
-/// them.
+/// At most this many columns on the left of an area, and the rest beside them.
 pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     let width = columns.min(area.width);
     let beside = Rect {
@@ -60,8 +59,8 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     [Rect { width, ..area }, beside]
 }
 
-/// A picture, and so many columns for a panel on its right. In an upright area, such as a
-/// phone's, the panel is below it, and the picture as high as a square one needs.
+/// The areas of a picture, and of a panel with this many columns on its right. In an upright area,
+/// such as on a phone, the panel is below, and the picture is just high enough to be square.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;
     if let Some(sizes) = room.pictures {
@@ -75,7 +74,7 @@ pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     left(area, area.width.saturating_sub(panel_columns))
 }
 
-/// So many columns in the middle of an area, as far as it has them.
+/// At most this many columns in the middle of an area.
 pub(crate) fn middle(area: Rect, columns: u16) -> Rect {
     let width = columns.min(area.width);
     let x = area.x + (area.width - width) / 2;
@@ -87,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_panel_is_beside_a_picture_or_below_it_where_the_area_is_upright() {
+    fn a_panel_is_beside_a_picture_or_below_it_in_an_upright_area() {
         let wide = picture_and_panel(Rect::new(0, 1, 80, 22).into(), 30);
         assert_eq!(wide, [Rect::new(0, 1, 50, 22), Rect::new(50, 1, 30, 22)]);
         let phone = picture_and_panel(Rect::new(0, 1, 61, 50).into(), 30);
@@ -97,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_has_the_size_that_a_page_gives_it_and_the_panel_all_rows() {
+    fn a_picture_has_the_size_given_by_a_web_page_and_the_panel_has_all_rows() {
         let room = Room {
             area: Rect::new(0, 1, 90, 98),
             pictures: Some(PictureSizes {

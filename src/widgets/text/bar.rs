@@ -2,10 +2,9 @@
 
 use super::{Charset, blocks::LEFT};
 
-/// A bar `width` cells wide, filled to `share` (0 to 1; what lies outside counts
-/// as the nearer end, what is no number as nothing).
+/// A bar `width` cells wide, filled to `share`, which is clamped to 0 to 1; NaN gives an empty bar.
 ///
-/// In Unicode the last cell is filled to an eighth; in ASCII to the nearest cell.
+/// In Unicode it is filled to the nearest eighth of a cell, in ASCII to the nearest cell.
 ///
 /// ```
 /// use carrom::widgets::{Charset, bar::bar};
@@ -33,7 +32,7 @@ pub fn bar(share: f64, width: u16, charset: Charset) -> String {
     }
 }
 
-/// A stroke as long as the part `from` one share `to` another of such a bar.
+/// A line that marks the part of a bar between the shares `from` and `to`.
 pub(crate) fn stretch(from: f64, to: f64, width: u16, charset: Charset) -> String {
     let [from, to] = [from, to].map(|share| (share * f64::from(width)).round() as usize);
     let [left, line, right] = match charset {
@@ -49,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_bar_is_as_wide_as_asked_whatever_the_share() {
+    fn a_bar_has_the_given_width_for_any_share() {
         for charset in [Charset::Ascii, Charset::Unicode] {
             for width in [0, 1, 7, 10, 33] {
                 for share in [-1.0, 0.0, 0.01, 0.31, 0.5, 0.999, 1.0, 7.0, f64::NAN] {

@@ -4,8 +4,7 @@ use ratatui::buffer::{Buffer, Cell};
 
 use super::wrap::width;
 
-/// The rows of a screen, without the blanks at their ends, a line break after
-/// each.
+/// The rows of a screen without trailing blanks, with a line break after each.
 pub fn text(buffer: &Buffer) -> String {
     let mut text = String::new();
     for cells in rows(buffer) {
@@ -26,8 +25,7 @@ pub fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
     buffer.content.chunks(columns)
 }
 
-/// The cells of a row that show something of their own, with their columns: a
-/// wide symbol hides the cell after it.
+/// The cells of a row that are not hidden by a wide symbol before them, with their columns.
 pub(crate) fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
     let mut next = 0;
     cells.iter().enumerate().filter(move |(column, cell)| {

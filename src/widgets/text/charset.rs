@@ -1,4 +1,4 @@
-//! Which glyphs a screen may use, and how a text is written in them.
+//! The glyphs that a screen may use, and the spelling of text in them.
 
 use std::borrow::Cow;
 
@@ -6,19 +6,19 @@ use strum::{EnumString, VariantNames};
 
 use super::signs::{greek, superscript};
 
-/// The glyphs a screen may use.
+/// The glyphs that a screen may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]
 #[strum(serialize_all = "lowercase")]
 pub enum Charset {
-    /// Printable ASCII and nothing else, in every cell.
+    /// Only printable ASCII.
     Ascii,
-    /// Braille, block elements, box lines and the letters of physics.
+    /// Also braille, block elements, box lines and the symbols of physics.
     #[default]
     Unicode,
 }
 
 impl Charset {
-    /// The other one: what the key that switches charsets does.
+    /// The other charset, for the key that switches between them.
     #[must_use]
     pub const fn other(self) -> Self {
         match self {
@@ -29,9 +29,9 @@ impl Charset {
 
     /// `text` in this charset.
     ///
-    /// In Unicode that is the text itself, with minus signs for the hyphens before and between
-    /// numbers. In ASCII each letter and sign of physics is spelt out, and characters without a
-    /// spelling become `?`, so the result is printable ASCII. Line breaks are kept.
+    /// In Unicode that is the text itself, with minus signs instead of hyphens before and between
+    /// numbers. In ASCII each symbol of physics is spelt out, and characters without a spelling
+    /// become `?`, so the result is printable ASCII. Line breaks are kept.
     ///
     /// ```
     /// use carrom::widgets::Charset;
@@ -51,7 +51,7 @@ impl Charset {
         for letter in text.chars() {
             let was_raised = std::mem::replace(&mut raised, false);
             if let Some(digit) = superscript(letter) {
-                // One sign for the whole of an exponent: 10^-27.
+                // One `^` introduces the whole exponent: 10^-27.
                 if !was_raised {
                     plain.push('^');
                 }
@@ -60,14 +60,14 @@ impl Charset {
             } else if letter.is_ascii() {
                 plain.push(if is_plain(letter as u8) { letter } else { '?' });
             } else if letter == '°' {
-                // A unit stands off from its number: 60 deg, but (deg).
+                // A blank separates a unit from its number: 60 deg, but (deg).
                 let after_number = plain.ends_with(|c: char| c.is_ascii_alphanumeric());
                 plain.push_str(if after_number { " deg" } else { "deg" });
             } else {
                 if letter == '√' && plain.ends_with(|c: char| c.is_ascii_alphanumeric()) {
                     plain.push(' ');
                 }
-                // The index of a letter stands off from it: n_x, but v2x.
+                // An index after a letter has an underscore: n_x, but v2x.
                 if matches!(letter, 'ₓ' | 'ᵧ') && plain.ends_with(|c: char| c.is_ascii_alphabetic())
                 {
                     plain.push('_');
@@ -79,7 +79,7 @@ impl Charset {
     }
 }
 
-/// `text` with minus signs for hyphens that are minuses: before a number, as in `-2`, and
+/// `text` with minus signs instead of hyphens that mean minus: before a number, as in `-2`, and
 /// alone between two terms, as in `90 - 30`. Ranges, names and dates keep their hyphens.
 fn with_minus_signs(text: &str) -> Cow<'_, str> {
     if !text.contains('-') {
@@ -113,15 +113,15 @@ fn is_difference(before: &str, after: &str) -> bool {
             .is_some_and(|after| after.starts_with(next))
 }
 
-/// Whether a byte may stand in an ASCII text: printable, or a line break.
+/// Whether a byte is allowed in an ASCII text: a printable character, or a line break.
 const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\n')
 }
 
-/// How a letter outside ASCII is spelt inside it.
+/// The ASCII spelling of any other letter.
 fn spelling(letter: char) -> &'static str {
     match letter {
-        // The micro of a unit.
+        // The unit prefix micro.
         'µ' => "u",
         '₀'..='₉' => {
             let digit = letter as usize - '₀' as usize;
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hyphen_that_is_a_minus_is_written_as_one() {
+    fn a_hyphen_that_means_minus_is_written_as_a_minus_sign() {
         for (written, shown) in [
             ("90 - 25.0 = 65.0", "90 − 25.0 = 65.0"),
             ("-2.0 of 10", "−2.0 of 10"),
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_comes_in_only_printable_ascii_goes_out() {
+    fn any_text_becomes_printable_ascii() {
         let all: String = ('\0'..='\u{2fff}')
             .chain('\u{1f300}'..='\u{1f6ff}')
             .collect();

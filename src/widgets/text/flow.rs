@@ -7,20 +7,20 @@ use serde::Serialize;
 use crate::lessons::Formula;
 use crate::widgets::{Charset, Role, text};
 
-/// A stretch of text in one style. No-break blanks hold words together.
+/// A piece of text in one style. No-break spaces keep words together.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Run {
     /// The text.
     pub text: String,
     /// Its style.
     pub role: Role,
-    /// The formula that it writes, if it is one, for whoever reads it aloud.
+    /// The formula that the text represents, if any, for screen readers.
     #[serde(skip)]
     pub(crate) formula: Option<Formula>,
 }
 
 impl Run {
-    /// A stretch of text.
+    /// A piece of text in one style.
     pub fn new(text: impl Into<String>, role: Role) -> Self {
         Self {
             text: text.into(),
@@ -29,7 +29,7 @@ impl Run {
         }
     }
 
-    /// A formula in one line, with blanks that do not break.
+    /// A formula in one line, with no-break spaces.
     pub(crate) fn formula(formula: &Formula, role: Role) -> Self {
         Self {
             formula: Some(formula.clone()),
@@ -37,7 +37,7 @@ impl Run {
         }
     }
 
-    /// The same as a charset writes it, with blanks that do not break where no line should.
+    /// This text spelt in a charset, with no-break spaces where no line should break.
     pub(crate) fn spelt(&self, charset: Charset) -> Self {
         let text = text::unbroken(&charset.text(&self.text));
         Self {
@@ -47,12 +47,11 @@ impl Run {
     }
 }
 
-/// A word: pieces without a blank between them.
+/// A word, which consists of pieces without a blank between them.
 type FlowWord = Vec<Run>;
 
-/// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in
-/// `charset`; a number keeps its unit beside it, and a word longer than a row is
-/// broken where it must be.
+/// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in `charset`. A
+/// number stays with its unit, and a word longer than a row is broken at the end of the row.
 pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let columns = columns.max(1);
     let mut rows = vec![Vec::new()];
@@ -92,7 +91,7 @@ fn width(word: &FlowWord) -> usize {
     word.iter().map(|run| text::width(&run.text)).sum()
 }
 
-/// Words that belong together as one, if a row has room for it.
+/// Joins words that belong together into one, if a row has room for it.
 fn held(words: &[FlowWord], columns: usize) -> Vec<FlowWord> {
     let letters = |word: &FlowWord| word.iter().map(|run| run.text.as_str()).collect::<String>();
     let letters: Vec<String> = words.iter().map(letters).collect();
@@ -138,7 +137,7 @@ fn words(runs: &[Run]) -> Vec<FlowWord> {
     words
 }
 
-/// A word in a charset; if no row has room for it, its parts between no-break blanks.
+/// A word in a charset; if no row has room for it, its parts between no-break spaces.
 fn within(word: FlowWord, columns: usize, charset: Charset) -> Vec<FlowWord> {
     let whole = spelt(word.clone(), charset);
     if width(&whole) <= columns {
@@ -183,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn words_of_several_styles_stay_whole() {
+    fn words_in_several_styles_are_not_broken() {
         let runs = [
             ("the ", Role::Text),
             ("line of impact", Role::Title),

@@ -5,9 +5,9 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::widgets::{Charset, Role, Theme};
 
-/// The keys of a screen in one line: each hint is a key and what it does. Hints that do not fit
-/// into `width` are left out completely, so the most needed come first; the last one (usually help)
-/// always stays if there is room for any.
+/// The keys of a screen in one line: each hint is a key and its label. Hints that do not fit into
+/// `width` are left out completely, so the most useful come first; the last one (usually help) is
+/// always kept if there is room for any.
 ///
 /// ```
 /// use carrom::widgets::{Charset, Theme, keys::key_line};
@@ -26,7 +26,7 @@ pub fn key_line(
         .iter()
         .map(|(key, does)| {
             let key = match (charset, *key) {
-                // One key each: "->" would read as two.
+                // One character per key, because "->" would look like two keys.
                 (Charset::Ascii, "←→") => "<>".to_owned(),
                 (Charset::Ascii, "↑↓") => "^v".to_owned(),
                 _ => charset.text(key).into_owned(),
@@ -42,7 +42,7 @@ pub fn key_line(
     for (i, hint) in written.into_iter().enumerate() {
         let kept_for_last = if i + 1 < count { last } else { 0 };
         let needed = size(&hint);
-        // The first hint stands one space off the edge, the others two apart.
+        // There is one space before the first hint and two before each of the others.
         if needed.saturating_sub(1) + kept_for_last > room {
             continue;
         }
@@ -62,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hints_are_whole_or_absent_and_help_stays() {
+    fn hints_are_complete_or_absent_and_help_stays() {
         let hints = [("Space", "shoot"), ("←→", "offset"), ("?", "help")];
         for charset in [Charset::Ascii, Charset::Unicode] {
             for width in 0..60u16 {

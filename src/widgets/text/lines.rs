@@ -1,4 +1,4 @@
-//! Lines of text one below the other, as the panels beside a picture have them.
+//! Lines of text, one below the other, for the panels beside a picture.
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
@@ -7,28 +7,28 @@ use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
-/// Rows of large letters, and of larger ones or of two lines.
+/// The greatest height of large type, in rows: for one line, and for larger letters or two lines.
 const LARGE: [u16; 2] = [4, 8];
-/// Rows of a place from which on letters may be larger.
+/// The smallest number of rows of a panel for larger letters.
 const LARGER_FROM: u16 = 34;
 
-/// A column of text being written from the top of an area.
+/// A column of text that is being written from the top of an area.
 pub(crate) struct Lines<'a> {
     area: Rect,
     written: u16,
     scrolled: u16,
-    /// Rows of the whole of which this is a part: by them letters are large or not.
+    /// The rows of the panel to which this text belongs; they determine the size of letters.
     whole: u16,
     buf: &'a mut Buffer,
     look: Look,
-    /// Whether what is written is recorded as what it is.
+    /// Whether text is recorded with its meaning.
     is_recorded: bool,
-    /// Whether what is being written does something when it is clicked, and whether it is
-    /// the chosen one of several.
+    /// Whether the text being written reacts to clicks, and whether it is the chosen one of
+    /// several.
     standing: Standing,
 }
 
-/// How what is being written stands to what can be chosen.
+/// The state of the text being written, if it can be clicked or chosen.
 #[derive(Debug, Clone, Copy, Default)]
 struct Standing {
     can_be_clicked: bool,
@@ -36,7 +36,7 @@ struct Standing {
 }
 
 impl<'a> Lines<'a> {
-    /// Starts at the top of `area`, with a column of margin on the left.
+    /// Begins at the top of `area`, with a margin of one column on the left.
     pub(crate) fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         let [_, area] = areas::left(area, 1);
         Self {
@@ -51,7 +51,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The same without showing it, for example to measure the rows of a text.
+    /// Like [`Self::new`], but nothing is shown, for example to count the rows that some text
+    /// needs.
     pub(crate) fn unseen(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         Self {
             is_recorded: false,
@@ -59,52 +60,52 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Skips the first `rows`, so that those after them are visible.
+    /// Skips the first `rows`, so that the rows after them are visible.
     #[must_use]
     pub(crate) fn scrolled(mut self, rows: u16) -> Self {
         self.scrolled = rows;
         self
     }
 
-    /// A part of something that has so many rows.
+    /// Marks the text as part of a panel with this many rows.
     #[must_use]
     pub(crate) fn of_whole(mut self, rows: u16) -> Self {
         self.whole = rows;
         self
     }
 
-    /// Rows of the whole of which this is a part.
+    /// The rows of the panel to which this text belongs.
     pub(crate) fn whole(&self) -> u16 {
         self.whole
     }
 
-    /// Columns of a row.
+    /// The number of columns of a row.
     pub(crate) fn width(&self) -> u16 {
         self.area.width
     }
 
-    /// Rows written so far, seen or not.
+    /// The number of rows written so far, visible or not.
     pub(crate) fn written(&self) -> u16 {
         self.written
     }
 
-    /// The glyphs it is written in.
+    /// The charset of the text.
     pub(crate) fn charset(&self) -> Charset {
         self.look.charset
     }
 
-    /// The rows that a [`Lines::paragraph`] of this text would be.
+    /// The rows of a [`Lines::paragraph`] with this text.
     pub(crate) fn wrapped(&self, text: &str) -> Vec<String> {
         self.hung("", text).1
     }
 
-    /// Rows that are left.
+    /// The number of rows left.
     pub(crate) fn left(&self) -> u16 {
         self.area.height.saturating_sub(self.written)
     }
 
-    /// Writes one of several things to choose from. `write` is given the mark before it and
-    /// its role, which is `role` unless it is the chosen one.
+    /// Writes one of several items to choose from. `write` receives the mark before the item and
+    /// its role, which is `role` unless the item is chosen.
     pub(crate) fn choice(
         &mut self,
         chosen: bool,
@@ -125,7 +126,7 @@ impl<'a> Lines<'a> {
         self.standing = around;
     }
 
-    /// Writes something that is recorded as `words`, whatever its rows are written by.
+    /// Writes something that is recorded as `words`, independent of how its rows are written.
     pub(crate) fn written_as(
         &mut self,
         words: impl FnOnce(Charset) -> Words,
@@ -135,15 +136,15 @@ impl<'a> Lines<'a> {
         self.unrecorded(write);
     }
 
-    /// Writes something that is recorded otherwise, or not at all.
+    /// Writes something that is recorded in another way, or not at all.
     pub(crate) fn unrecorded(&mut self, write: impl FnOnce(&mut Self)) {
         let was_recorded = std::mem::replace(&mut self.is_recorded, false);
         write(self);
         self.is_recorded = was_recorded;
     }
 
-    /// Records what can be done next, with its key, and where it is written: its column and
-    /// its row from the top.
+    /// Records a possible next action with its key, and the column and the row, from the top, at
+    /// which it is written.
     pub(crate) fn record_prompt(&self, words: &str, key: Option<String>, cell: Option<(u16, u16)>) {
         if !self.is_recorded {
             return;
@@ -163,7 +164,8 @@ impl<'a> Lines<'a> {
         });
     }
 
-    /// The same of something that can be clicked, and may be the chosen one of several.
+    /// Like [`Self::written_as`], for an item that can be clicked and may be the chosen one of
+    /// several.
     pub(crate) fn clicked_as(
         &mut self,
         words: impl FnOnce(Charset) -> Words,
@@ -177,7 +179,7 @@ impl<'a> Lines<'a> {
         self.standing(standing, |lines| lines.written_as(words, write));
     }
 
-    /// Records what is about to be written in the next row.
+    /// Records the text that is about to be written in the next row.
     fn record(&self, words: impl FnOnce(Charset) -> Words) {
         if !self.is_recorded {
             return;
@@ -192,7 +194,7 @@ impl<'a> Lines<'a> {
         });
     }
 
-    /// Records a text: what it prompts for, if it names keys and what they do.
+    /// Records text, or the prompts in it if it names keys with their actions.
     fn record_text(&self, mark: &str, runs: &[Run]) {
         let is_blank = runs.iter().all(|run| run.text.trim().is_empty());
         self.record(|charset| match is_blank && mark.trim().is_empty() {
@@ -204,7 +206,7 @@ impl<'a> Lines<'a> {
         });
     }
 
-    /// An empty row, unless there is nothing above it.
+    /// Writes an empty row, unless there is nothing above it.
     pub(crate) fn gap(&mut self) {
         if self.written > 0 {
             self.record(|_| Words::Gap);
@@ -212,20 +214,20 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Leaves rows empty down to this one, from the top.
+    /// Leaves rows empty until this row, counted from the top.
     pub(crate) fn skip_to(&mut self, row: u16) {
         self.written = self.written.max(row);
     }
 
-    /// One row; cut at the edge.
+    /// Writes one row, which is cut off at the edge.
     pub(crate) fn line(&mut self, text: &str, role: Role) {
         self.record_text("", &[Run::new(self.unmarked(text), role)]);
         self.put(0, text, role);
         self.written += 1;
     }
 
-    /// One of several things to choose from that stand beside each other, from a column of the
-    /// next row on.
+    /// Writes one of several items side by side to choose from, starting at a column of the next
+    /// row.
     pub(crate) fn beside(
         &mut self,
         column: u16,
@@ -244,8 +246,8 @@ impl<'a> Lines<'a> {
         self.put(column, row, role);
     }
 
-    /// Words in large letters where the whole has so many rows, the first of these texts that
-    /// fits; else the first in one row.
+    /// Writes the first of these strings that fits in large letters if the panel has this many
+    /// rows; otherwise the first string in one row.
     pub(crate) fn large(&mut self, texts: &[String], role: Role, from: u16) {
         let Some(first) = texts.first() else {
             return;
@@ -262,7 +264,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Letters in large type beside each other, in as many rows as they have.
+    /// Writes strings in large type side by side, in as many rows as they need.
     pub(crate) fn big(&mut self, all: &[(&Big, Align)], role: Role) {
         let mut rows = 0;
         for (big, align) in all {
@@ -276,8 +278,8 @@ impl<'a> Lines<'a> {
         self.written += rows;
     }
 
-    /// One row: a name on the left, its value flush right. A name too long for the room beside the
-    /// value is cut with an ellipsis.
+    /// Writes one row: a name on the left, and its value aligned right. A name too long for the
+    /// room beside the value is cut with an ellipsis.
     pub(crate) fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
         self.record(|charset| Words::Pair {
             name: Run::new(self.unmarked(name), name_role).spelt(charset),
@@ -295,9 +297,9 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// One row: a name, and values flush right in columns of their own. The name has
-    /// twice the room of a value; a value too wide for its column moves to the right
-    /// rather than touch what is before it.
+    /// Writes one row: a name, and values aligned right in columns. The name has twice the room of
+    /// a value; a value too wide for its column moves to the right rather than touching the text
+    /// before it.
     pub(crate) fn columns(&mut self, name: (&str, Role), values: &[(&str, Role)]) {
         self.record(|charset| {
             let spelt = |(text, role): &(&str, Role)| Run::new(*text, *role).spelt(charset);
@@ -318,13 +320,13 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// Text over as many rows as it takes.
+    /// Writes text over as many rows as necessary.
     pub(crate) fn paragraph(&mut self, text: &str, role: Role) {
         self.hanging("", text, role);
     }
 
-    /// An equation over as many rows as it takes, those after the first set in by `indent`: the
-    /// rest of an equation must not look like a separate equation.
+    /// Writes an equation over as many rows as necessary. Rows after the first are indented by
+    /// `indent`, so that they do not look like a separate equation.
     pub(crate) fn equation(&mut self, equation: &str, indent: u16, role: Role) {
         self.record(|charset| Words::Equation {
             runs: vec![Run::new(equation, role).spelt(charset)],
@@ -339,8 +341,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Text in several styles over as many rows as it takes, the rows after the first
-    /// set in by `indent`; the first begins with `mark`.
+    /// Writes text in several styles over as many rows as necessary. The first row begins with
+    /// `mark`, and the others are indented by `indent`.
     pub(crate) fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
         self.record_text(self.unmarked(mark), runs);
         let width = self.area.width.saturating_sub(1 + indent).into();
@@ -355,8 +357,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Text over as many rows as it takes behind a mark, under which nothing else is
-    /// written.
+    /// Writes text after a mark over as many rows as necessary, indented so that nothing is below
+    /// the mark.
     pub(crate) fn hanging(&mut self, mark: &str, text: &str, role: Role) {
         self.record_text(self.unmarked(mark), &[Run::new(text, role)]);
         let (indent, rows) = self.hung(mark, text);
@@ -367,14 +369,14 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The columns that a mark takes, and the rows of a text behind it.
+    /// The width of a mark, and the rows of the text after it.
     fn hung(&self, mark: &str, text: &str) -> (u16, Vec<String>) {
         let indent = self.width_of(mark) as u16;
         let width = self.area.width.saturating_sub(1 + indent).into();
         (indent, text::wrap(&self.look.charset.text(text), width))
     }
 
-    /// A text without the mark before what can be chosen.
+    /// `text` without the mark that shows whether its item is chosen.
     fn unmarked<'t>(&self, text: &'t str) -> &'t str {
         match self.standing.chosen {
             Some(_) => text.get(1..).unwrap_or_default().trim_start(),
@@ -382,7 +384,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Columns that a text takes as it is written.
+    /// The width of `text` as written, in columns.
     fn width_of(&self, text: &str) -> usize {
         text::width(&self.look.charset.text(text))
     }
@@ -398,7 +400,7 @@ impl<'a> Lines<'a> {
         let room = (self.area.width - column).into();
         let style = self.look.theme.style(role);
         let (x, y) = (self.area.x + column, self.area.y + row);
-        // A screen may be drawn before it knows that it has become smaller.
+        // A screen may be drawn before it is notified that it has become smaller.
         if !self.buf.area.contains((x, y).into()) {
             return;
         }

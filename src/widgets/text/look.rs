@@ -1,8 +1,8 @@
-//! How things are drawn for this player: glyphs and colours.
+//! The player's choice of glyphs and colours.
 
 use crate::widgets::{Charset, Theme};
 
-/// Charset and theme together, as every widget needs them.
+/// The charset and the theme, which every widget needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Look {
     /// The glyphs.

@@ -1,11 +1,11 @@
-//! Text that may be longer than its place.
+//! Text that may be longer than its area.
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use crate::messages::Key;
 use crate::widgets::{Look, Role, text};
 
-/// Rows that the keys for a page go.
+/// The number of rows that the page keys scroll.
 pub(crate) const PAGE_ROWS: i16 = 8;
 
 /// Writes a hint into the frame below `area`.
@@ -19,7 +19,7 @@ pub(crate) fn hint_below(area: Rect, buf: &mut Buffer, look: Look, hint: &str) {
     }
 }
 
-/// The keys that turn the pages of a text, with what a screen calls scrolling by so many
+/// The keys that scroll text by pages; `action` is the screen's action for scrolling by a number of
 /// rows.
 pub(crate) fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
     [

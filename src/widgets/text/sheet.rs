@@ -1,8 +1,8 @@
-//! The words of a screen, for shells that can show more than cells.
+//! A record of the text of a screen, for shells that can show more than cells.
 //!
-//! A screen writes its words into cells, where their role is lost: a heading, a value, one of
-//! several choices. A browser has elements for all of them, so its shell records them during a call
-//! that draws the screen, as it gathers the pictures. Only that call receives them.
+//! A screen writes its text into cells, in which the meaning is lost: a heading, a value, one of
+//! several choices. A browser has elements for all of them, so its shell records the text during a
+//! call that draws the screen, just as it collects the pictures. Only that call receives them.
 
 use std::cell::RefCell;
 
@@ -16,20 +16,20 @@ thread_local! {
     static RECORDED: RefCell<Option<Recorder>> = const { RefCell::new(None) };
 }
 
-/// A screen or a layer over it, as a list.
+/// The text of a screen, or of a layer over it, as a list.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sheet {
-    /// What it is.
+    /// The kind of the sheet.
     pub kind: SheetKind,
-    /// What it is called.
+    /// The title of the screen or layer.
     pub title: String,
-    /// The status, in parts.
+    /// The text beside the title, which summarizes the state.
     pub status: String,
-    /// Its parts in the order in which they are read.
+    /// The sections, in reading order.
     pub sections: Vec<Section>,
 }
 
-/// What a sheet is.
+/// The kind of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SheetKind {
@@ -37,7 +37,7 @@ pub enum SheetKind {
     Screen,
     /// A page that explains the screen.
     Help,
-    /// Something the player is told.
+    /// A message to the player.
     Notice,
     /// A question to the player.
     Question,
@@ -48,9 +48,9 @@ pub enum SheetKind {
 pub struct Section {
     /// The title of the frame; empty for none.
     pub title: String,
-    /// What stands in it, from the top.
+    /// The items, from top to bottom.
     pub items: Vec<Item>,
-    /// Of each of them whether it is in the right half, and the upper edge of its area.
+    /// For each item, whether it is in the right half, and the upper edge of its area.
     #[serde(skip)]
     places: Vec<(bool, u16)>,
     #[serde(skip)]
@@ -59,10 +59,10 @@ pub struct Section {
     is_framed: bool,
 }
 
-/// One thing that stands in a section.
+/// One item of a section.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Item {
-    /// What it is.
+    /// Its kind and its text.
     #[serde(flatten)]
     pub words: Words,
     /// The cell where a click carries out its action: column and row.
@@ -71,36 +71,36 @@ pub struct Item {
     pub chosen: Option<bool>,
 }
 
-/// What something is, and what it says.
+/// The kind of an item, and its text.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "is", rename_all = "kebab-case")]
 pub enum Words {
-    /// A distance to what is above.
+    /// A gap below the item above.
     Gap,
-    /// A picture: the one of this number among those that were drawn.
+    /// One of the pictures that were drawn.
     Picture {
-        /// Its number, from 0.
+        /// Its number among them, from 0.
         number: usize,
-        /// What it shows, in sentences; empty where the words beside it say as much.
+        /// What it shows, in sentences; empty if the text beside it contains the same information.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         shows: Vec<String>,
         /// What can be dragged in it, in a sentence.
         #[serde(skip_serializing_if = "Option::is_none")]
         drag: Option<&'static str>,
     },
-    /// What is read from the left to the right, behind a mark if it has one.
+    /// Text, with an optional mark before it.
     Text {
-        /// "1. ", "- "; empty for none.
+        /// The mark, such as "1. " or "- "; empty for none.
         mark: String,
-        /// The words.
+        /// The text in several styles.
         runs: Vec<Run>,
     },
-    /// An equation, a row of its own.
+    /// An equation in a row of its own.
     Equation {
-        /// What it says.
+        /// The text of the equation.
         runs: Vec<Run>,
     },
-    /// What something is called, and its value.
+    /// The name of a quantity, and its value.
     Pair {
         /// Its name.
         name: Run,
@@ -109,7 +109,7 @@ pub enum Words {
     },
     /// A row of a table.
     Columns {
-        /// What it is about.
+        /// The name of the row.
         name: Run,
         /// A value for each column.
         values: Vec<Run>,
@@ -118,23 +118,23 @@ pub enum Words {
     Field {
         /// Its name.
         name: String,
-        /// Its value as it reads; a number that is being typed ends in `_`.
+        /// Its value as text; a number that is being typed ends in `_`.
         value: String,
-        /// Whether it cannot be changed just now.
+        /// Whether it cannot be changed at present.
         locked: bool,
     },
-    /// A text that can be typed.
+    /// A text field.
     TextField {
-        /// What it is.
+        /// Its name.
         name: String,
-        /// What has been typed.
+        /// The typed text.
         value: String,
     },
-    /// What can be done next.
+    /// A possible next action.
     Prompt {
-        /// What it is.
+        /// What it does.
         words: String,
-        /// The name of the key that does it.
+        /// The name of its key.
         key: Option<String>,
     },
     /// One of several pages.
@@ -144,25 +144,25 @@ pub enum Words {
     },
     /// A share of a whole.
     Meter {
-        /// What is shared, before it.
+        /// The name of the whole, written before the bar.
         name: String,
-        /// From 0 to 1.
+        /// The share, from 0 to 1.
         share: f64,
-        /// The share in words, behind it.
+        /// The share as text, written after the bar.
         value: String,
         /// Its colour.
         role: Role,
     },
     /// Something to share.
     Code {
-        /// What it is.
+        /// Its description.
         text: String,
         /// The command that opens it.
         command: String,
-        /// The address that a link to it has behind its `#`.
+        /// The part of a link's address after `#`.
         address: String,
     },
-    /// Words for the back row.
+    /// Large text for the back row.
     Large {
         /// The words.
         runs: Vec<Run>,
@@ -172,7 +172,7 @@ pub enum Words {
 struct Recorder {
     sheets: Vec<Sheet>,
     pictures: usize,
-    /// What the next picture shows, and what can be dragged in it.
+    /// What the next picture shows, in sentences.
     shows: Vec<String>,
     drag: Option<&'static str>,
 }
@@ -187,7 +187,7 @@ impl Recorder {
     }
 
     fn note(&mut self, area: Rect, item: Item) {
-        // Of two pictures, both may be drawn after what stands above each.
+        // Two pictures may both be drawn after the text above them.
         let section = self.sheet().section(area);
         let is_right = 2 * area.x.saturating_sub(section.area.x) >= section.area.width.max(1);
         let place = (is_right, area.y);
@@ -207,8 +207,7 @@ impl Sheet {
         }
     }
 
-    /// The section of what stands in an area: that of the smallest frame round it, or one
-    /// of its own.
+    /// The section for an area: that of the smallest frame around it, or a new one.
     fn section(&mut self, area: Rect) -> &mut Section {
         let round = |frame: &Section| frame.is_framed && frame.area.union(area) == frame.area;
         let sections = self.sections.iter().enumerate();
@@ -232,7 +231,7 @@ impl Sheet {
 }
 
 impl Words {
-    /// Words in one style.
+    /// Text in one style.
     pub(crate) fn text(run: Run) -> Self {
         Self::Text {
             mark: String::new(),
@@ -240,14 +239,14 @@ impl Words {
         }
     }
 
-    /// Words for the back row.
+    /// Large text for the back row.
     pub(crate) fn large(words: &str, role: Role) -> Self {
         Self::Large {
             runs: vec![Run::new(words, role)],
         }
     }
 
-    /// A share of a whole, what it is called and how it reads.
+    /// A share of a whole, with its name and its text.
     pub(crate) fn meter(name: &str, share: f64, value: &str, role: Role) -> Self {
         Self::Meter {
             name: name.to_owned(),
@@ -257,7 +256,7 @@ impl Words {
         }
     }
 
-    /// A text that can be typed, and what has been.
+    /// A text field with its name and the typed text.
     pub(crate) fn text_field(name: &str, value: &str) -> Self {
         Self::TextField {
             name: name.to_owned(),
@@ -267,7 +266,7 @@ impl Words {
 }
 
 impl Item {
-    /// Something that does nothing.
+    /// An item without an action.
     pub(crate) const fn new(words: Words) -> Self {
         Self {
             words,
@@ -277,7 +276,8 @@ impl Item {
     }
 }
 
-/// Runs the drawing function, and returns the words, the screen first and then the layers over it.
+/// Runs the drawing function and returns its result with the recorded text, first of the screen and
+/// then of the layers over it.
 pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
     RECORDED.set(Some(Recorder {
         sheets: Vec::new(),
@@ -290,7 +290,7 @@ pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
     (drawn, sheets.into_iter().map(tidied).collect())
 }
 
-/// Without sections in which there is nothing, and gaps at the ends of those that there are.
+/// The sheet without empty sections, and without gaps at the ends of sections.
 fn tidied(mut sheet: Sheet) -> Sheet {
     for section in &mut sheet.sections {
         let is_gap = |item: &Item| matches!(item.words, Words::Gap);
@@ -306,7 +306,7 @@ fn tidied(mut sheet: Sheet) -> Sheet {
     sheet
 }
 
-/// Whether anyone records what is drawn.
+/// Whether a shell is recording.
 pub(crate) fn is_recording() -> bool {
     RECORDED.with_borrow(Option::is_some)
 }
@@ -315,12 +315,12 @@ fn with(note: impl FnOnce(&mut Recorder)) {
     RECORDED.with_borrow_mut(|recorder| recorder.iter_mut().next().map_or((), note));
 }
 
-/// Notes that a screen begins, or something that lies over it.
+/// Records the beginning of a screen, or of a layer over it.
 pub(crate) fn begin(kind: SheetKind, title: &str, status: &str) {
     with(|recorder| recorder.sheets.push(Sheet::new(kind, title, status)));
 }
 
-/// Notes a frame: what is drawn inside it later belongs together.
+/// Records a frame: items drawn inside it later belong together.
 pub(crate) fn frame(area: Rect, title: &str) {
     if area.is_empty() {
         return;
@@ -336,7 +336,7 @@ pub(crate) fn frame(area: Rect, title: &str) {
     });
 }
 
-/// Notes a picture that has just been drawn.
+/// Records a picture that has just been drawn.
 pub(crate) fn picture(area: Rect) {
     with(|recorder| {
         let number = recorder.pictures;
@@ -379,7 +379,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_stands_in_a_frame_belongs_to_it_wherever_its_area_begins() {
+    fn items_in_a_frame_belong_to_it_wherever_their_areas_begin() {
         let text = |words: &str| Item::new(Words::text(Run::new(words, Role::Text)));
         let ((), sheets) = recorded(|| {
             begin(SheetKind::Screen, "lab", "");

@@ -1,8 +1,8 @@
-//! Signs of physics that are spelt on an ASCII screen and in plain lines alike.
+//! Symbols of physics that are spelt out on ASCII screens and in plain mode.
 
 use crate::numbers::RAISED_DIGITS;
 
-/// The digit or sign that is raised in an exponent.
+/// The digit or sign for a raised character of an exponent.
 pub(crate) fn superscript(letter: char) -> Option<char> {
     let digit = |letter| (0..10).zip(RAISED_DIGITS).find(|(_, it)| *it == letter);
     match letter {
@@ -11,7 +11,7 @@ pub(crate) fn superscript(letter: char) -> Option<char> {
     }
 }
 
-/// The name of a Greek letter, capital like it: "delta", "Delta".
+/// The name of a Greek letter, capitalized like the letter: "delta", "Delta".
 pub(crate) const fn greek(letter: char) -> Option<&'static str> {
     Some(match letter {
         'α' => "alpha",

@@ -1,10 +1,10 @@
-//! Where a row of text may break without breaking a formula or a number in it.
+//! The positions at which a row of text may break without splitting a formula or a number.
 
 use std::ops::Range;
 
 use super::wrap::width;
 
-/// Units as a text has them in either charset.
+/// Units, as they are written in either charset.
 const UNITS: [&str; 21] = [
     "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "J", "mJ", "eV",
     "keV", "MeV", "deg", "%", "turns",
@@ -13,35 +13,35 @@ const UNITS: [&str; 21] = [
 /// Functions of an angle or of a number.
 const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "√"];
 
-/// What is referred to by its number: "law 21", "chapter 7".
+/// Words followed by a number, as in "law 21" and "chapter 7".
 const NUMBERED: [&str; 8] = [
     "law", "laws", "chapter", "page", "level", "question", "step", "board",
 ];
 
-/// How strongly a blank holds its two words together. If a formula does not fit into a row, it
-/// breaks at its weakest blank.
+/// How strongly a blank keeps its two words together. A formula that does not fit into a row is
+/// broken at its weakest blank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Hold {
-    /// Not at all: words of a sentence.
+    /// Not at all, between words of a sentence.
     Free,
-    /// Before a sign of equality.
+    /// Before an equals sign.
     Equality,
     /// Between two terms: before a plus or a minus outside all brackets.
     Term,
     /// Between the two numbers of a vector.
     Vector,
-    /// Between two factors of a term, or before what it is divided by.
+    /// Between two factors of a term, or before its divisor.
     Factor,
     /// Before a plus or a minus in brackets.
     Inner,
     /// Between two factors in brackets.
     InnerFactor,
-    /// Between an operator and what follows it, a function and its angle, a number and its unit.
+    /// Between an operator and its operand, a function and its angle, a number and its unit.
     Fast,
 }
 
 impl Hold {
-    /// Those that hold, the weakest first.
+    /// All except `Free`, the weakest first.
     const WEAKEST_FIRST: [Self; 7] = [
         Self::Equality,
         Self::Term,
@@ -53,8 +53,8 @@ impl Hold {
     ];
 }
 
-/// Words that belong together as one, as ranges of `words`, wherever a row of `columns` has
-/// room for them.
+/// Groups of words that belong together, as ranges of `words`, each short enough for a row of
+/// `columns`.
 pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     let holds = holds(words);
     let mut held = Vec::new();
@@ -81,7 +81,7 @@ pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     held
 }
 
-/// The text with blanks that do not break within what is held together: "5 g", "e = 1.00".
+/// The text with no-break spaces in groups of words, such as "5 g" and "e = 1.00".
 pub(crate) fn unbroken(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let parts = held(&words, UNBROKEN).into_iter();
@@ -89,7 +89,7 @@ pub(crate) fn unbroken(text: &str) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// Most letters between two places where [`unbroken`] lets a line break.
+/// The largest number of letters between two places where [`unbroken`] allows a line break.
 const UNBROKEN: usize = 24;
 
 /// Splits a range of words until each part fits, at the weakest blanks first.
@@ -112,7 +112,7 @@ fn split(
     }
 }
 
-/// How firmly each word is held to the one before it.
+/// How strongly each word is held to the previous one.
 fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
     let mut depth = 0_usize;
     let mut before = "";
@@ -136,7 +136,7 @@ fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
     holds
 }
 
-/// How firmly two words are held together, in brackets or outside of them.
+/// How strongly two words are held together, inside or outside brackets.
 fn hold(before: &str, after: &str, in_brackets: bool) -> Hold {
     match is_prose(before) && is_prose(after) {
         true => Hold::Free,
@@ -144,7 +144,7 @@ fn hold(before: &str, after: &str, in_brackets: bool) -> Hold {
     }
 }
 
-/// The same, whatever the words are.
+/// How strongly two words are held together, without the quick test for ordinary words.
 fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     let sign = |word: &str| ["-", "−", "+", "±"].contains(&word);
     let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
@@ -153,7 +153,7 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
         .ends_with(char::is_numeric);
     let measured = number && UNITS.contains(&unit) || before.ends_with('g') && unit == "m/s";
     let follows = sign(before) || ["=", "/", "·", "×"].contains(&before);
-    // In ASCII a times sign is the letter that is also a coordinate, or a full stop.
+    // In ASCII the multiplication sign is a full stop or the letter x, which is also a coordinate.
     let times = |word| ["·", "×", "/", "."].contains(&word);
     let times_x = after == "x" && before.ends_with(|last: char| last.is_ascii_digit());
     let after_x = before == "x" && after.trim_start_matches(['(', '-']).starts_with(digit);
@@ -181,7 +181,7 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     }
 }
 
-/// Whether a word is the name of something that has a number.
+/// Whether a word is followed by a number, such as "law" or "chapter".
 fn is_numbered(word: &str) -> bool {
     let name = word.trim_start_matches(['(', '[']);
     NUMBERED.iter().any(|it| it.eq_ignore_ascii_case(name))
@@ -191,20 +191,19 @@ fn digit(letter: char) -> bool {
     letter.is_ascii_digit()
 }
 
-/// A word of a formula without brackets, signs and what ends a sentence.
+/// A word of a formula without brackets, signs and punctuation.
 fn bare(word: &str) -> &str {
     let word = word.trim_start_matches(['(', '[', '-', '−']);
     word.trim_end_matches([')', ']', ',', ';', ':', '.'])
 }
 
-/// Whether a word is a function that takes an angle or a number: `sin`, `cos²`, `√`.
+/// Whether a word is a function of an angle or a number, such as `sin`, `cos²`, `√`.
 fn is_function(word: &str) -> bool {
     let bare = bare(word).trim_end_matches(['²', '⁴', '^', '2', '4']);
     FUNCTIONS.contains(&bare)
 }
 
-/// A quick test whether a word is an ordinary word, as most are: two of those are never held
-/// together.
+/// A quick test for ordinary words, which are the majority: two of them are never held together.
 fn is_prose(word: &str) -> bool {
     let letters = word.trim_end_matches(['.', ',', ';', ':', '?', '!']);
     letters.len() > 1
@@ -212,7 +211,7 @@ fn is_prose(word: &str) -> bool {
         && !FUNCTIONS.contains(&letters)
 }
 
-/// Whether a word is a sign of physics, as `α`, that stays with what it equals.
+/// Whether a word is a symbol of physics, such as `α`, that stays with its value.
 fn is_sign(word: &str) -> bool {
     const LONGEST: usize = 6;
     word.starts_with(char::is_alphabetic)
@@ -220,13 +219,13 @@ fn is_sign(word: &str) -> bool {
         && word.chars().count() <= LONGEST
 }
 
-/// Whether a word has an index, as `m₂` and `v1`.
+/// Whether a word has an index, such as `m₂` and `v1`.
 fn is_indexed(word: &str) -> bool {
     word.starts_with(char::is_alphabetic) && word.ends_with(char::is_numeric)
         || word.contains(['₁', '₂', '_'])
 }
 
-/// Whether an operator may stand beside a word: a number, a letter, something indexed or in
+/// Whether a word can be an operand: a number, a letter, a symbol with an index, or a term in
 /// brackets.
 fn is_operand(word: &str) -> bool {
     let bare = bare(word);
@@ -243,14 +242,14 @@ fn is_operand(word: &str) -> bool {
         || UNITS.contains(&bare)
 }
 
-/// Whether a word is a Greek letter of a formula, in either charset.
+/// Whether a word is a Greek letter in a formula, in either charset.
 fn is_greek(word: &str) -> bool {
     let names = ["alpha", "delta", "theta", "Theta", "mu", "phi", "omega"];
     let is_letter = |letter| ('Α'..='ω').contains(&letter);
     names.contains(&word) || word.chars().count() == 1 && word.starts_with(is_letter)
 }
 
-/// Whether a word is a function with its angle right behind it, as `sin(Θ`.
+/// Whether a word is a function directly followed by its angle, such as `sin(Θ`.
 fn is_function_of(word: &str) -> bool {
     let Some((function, _)) = word.split_once('(') else {
         return false;
@@ -258,7 +257,7 @@ fn is_function_of(word: &str) -> bool {
     is_function(function)
 }
 
-/// Whether two words stand beside each other in a product.
+/// Whether two words are adjacent factors of a product.
 fn is_product(before: &str, after: &str) -> bool {
     if before.ends_with([',', ';', ':', '.']) {
         return false;
@@ -286,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn a_term_stays_whole() {
+    fn a_term_is_not_broken() {
         assert_eq!(
             parts("with sin(Θ − 30.0) = m₁ / m₂ sin 30.0: Θ = 50.0", 24),
             ["with", "sin(Θ − 30.0)", "= m₁ / m₂ sin 30.0:", "Θ = 50.0"]
@@ -298,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_stays_with_what_it_multiplies() {
+    fn a_number_stays_with_its_factor() {
         for text in [
             "m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.",
             "m1 / m2 = sin(theta1 + 2 theta2) / sin theta1.",
@@ -311,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_long_breaks_where_it_is_weakest() {
+    fn a_formula_that_is_too_long_breaks_at_its_weakest_blank() {
         let long = "v = (1 + e) m₁ / (m₁ + m₂) u₁ − e u₂ + 3";
         assert_eq!(parts(long, 60), [long]);
         assert_eq!(
@@ -320,9 +319,9 @@ mod tests {
         );
     }
 
-    /// Every two words of prose are found free by the other rules too.
+    /// The other rules agree that two words of prose are never held together.
     #[test]
-    fn prose_is_free_whatever_it_is() {
+    fn no_other_rule_holds_words_of_prose_together() {
         let words = [
             "The", "striker,", "kg", "turns", "alpha", "mm.", "g", "sin", "Theta;", "x",
         ];
@@ -337,16 +336,16 @@ mod tests {
     }
 
     #[test]
-    fn no_product_goes_on_behind_a_colon() {
+    fn no_product_continues_after_a_colon() {
         assert_eq!(
             parts("all of u_n: v2 = 1.85 m/s", 30),
             ["all", "of", "u_n:", "v2 = 1.85 m/s"]
         );
     }
 
-    /// The number of a law stays with the law, the rest of the sentence is free.
+    /// The number of a law stays with the word; the rest of the sentence is free.
     #[test]
-    fn a_reference_stays_whole() {
+    fn a_reference_is_not_broken() {
         assert_eq!(
             parts("foul (law 21): see Chapter 7, page 2", 30),
             ["foul", "(law 21):", "see", "Chapter 7,", "page 2"]
@@ -354,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn words_are_free() {
+    fn ordinary_words_are_not_held_together() {
         let text = "The striker keeps a part of it - and the coin the rest";
         let free = text.replace(" - ", " ");
         assert_eq!(parts(&free, 80).len(), free.split(' ').count());

@@ -1,4 +1,4 @@
-//! Plain text in columns.
+//! Wrapping plain text to a width in columns.
 
 use std::time::Duration;
 
@@ -7,19 +7,19 @@ use unicode_width::UnicodeWidthStr;
 
 use super::terms::held;
 
-/// Columns that `text` takes.
+/// The width of `text`, in columns.
 pub fn width(text: &str) -> usize {
-    // Nearly all of it is ASCII, where there is nothing to look up.
+    // Nearly all text is ASCII, which needs no table of widths.
     match text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
         true => text.len(),
         false => text.width(),
     }
 }
 
-/// Breaks `text` at spaces into lines of at most `columns` (at least 1); a number
-/// keeps its unit beside it, and a word longer than a line is broken where it must
-/// be. Line breaks in it are kept, and so are gaps of more than one blank, as between
-/// columns: where not all fits, a line breaks first between two equations.
+/// Breaks `text` at spaces into lines of at most `columns` (at least 1). A number stays with its
+/// unit, and a word longer than a line is broken at the end of the line. Line breaks are kept, and
+/// so are gaps of more than one blank, as between columns; a line that is too long breaks first
+/// between two equations.
 pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     let columns = columns.max(1);
     let mut lines = Vec::new();
@@ -40,9 +40,9 @@ pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     lines
 }
 
-/// Breaks an equation into rows of at most `columns`, those after the first shorter by
-/// `indent`: after a comma or between two equations, else before a sign of equality, else
-/// before an operator, the outermost first, and only then as [`wrap`] does.
+/// Breaks an equation into rows of at most `columns`; rows after the first are shorter by `indent`.
+/// It breaks after a comma or between two equations, otherwise before an equals sign, otherwise
+/// before an operator, the outermost first, and only then like [`wrap`].
 pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
     let mut rows = Vec::new();
     let mut rest = text;
@@ -61,9 +61,9 @@ pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
     rows
 }
 
-/// Where an equation breaks best, with no more than so many columns before.
+/// The best position to break an equation, after at most this many columns.
 fn equation_break(text: &str, columns: usize) -> Option<usize> {
-    // Less than this would hardly be a row.
+    // A shorter row would waste too much room.
     const SHORTEST: usize = 12;
     let mut depth = 0_usize;
     let mut best = None;
@@ -95,12 +95,12 @@ fn equation_break(text: &str, columns: usize) -> Option<usize> {
     best.map(|(_, at)| at)
 }
 
-/// The entries of a text set in columns, each with the width of the gap before it: gaps
-/// are of two blanks or more.
+/// The entries of text in columns, each with the width of the gap before it; a gap is two blanks or
+/// more.
 fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut gap = 0;
     text.split("  ").filter_map(move |piece| {
-        // Of three blanks the third begins the next piece, or ends this one.
+        // If there are three blanks, the third begins the next piece or ends this one.
         let entry = piece.trim_matches(' ');
         gap += 2 + piece.len() - entry.len();
         let here = (!entry.is_empty()).then_some((gap, entry))?;
@@ -109,7 +109,7 @@ fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// Goes on from `line` with the words of `text`.
+/// Continues `line` with the words of `text`.
 fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) {
     let words: Vec<&str> = text.split(' ').filter(|word| !word.is_empty()).collect();
     for range in held(&words, columns) {
@@ -137,7 +137,7 @@ fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) 
     }
 }
 
-/// Goes on from `line` with a word, which is broken where it must be.
+/// Continues `line` with a word, which is broken if it is too long.
 fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: usize) {
     if width(line) + width(word) <= columns {
         return line.push_str(word);
@@ -150,7 +150,7 @@ fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: u
     }
 }
 
-/// A time that has passed, in few letters.
+/// The time since an event, in a short form.
 pub(crate) fn ago(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     match minutes {
@@ -162,8 +162,8 @@ pub(crate) fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of a text, in at most this many columns, with an ellipsis if it is cut. Zero-width
-/// marks are limited too: a column has at most two characters.
+/// The beginning of `text`, in at most this many columns, with an ellipsis if it is cut. Zero-width
+/// marks are also limited: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =
         |text: &str, columns| width(text) <= columns && text.chars().nth(2 * columns).is_none();
@@ -185,7 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn equations_break_where_they_can_be_read() {
+    fn equations_break_at_readable_positions() {
         for (text, rows) in [
             ("u₁ₜ = 2 m/s", vec!["u₁ₜ = 2 m/s"]),
             (
@@ -239,13 +239,13 @@ mod tests {
         assert_eq!(wrap("at 90 - 30 = 60", 10), ["at 90 - 30", "= 60"]);
         assert_eq!(wrap("n = (-sin α, 1)", 10), ["n", "= (-sin α,", "1)"]);
         assert_eq!(wrap("½ m₁u₁² = 0.12 J", 10), ["½ m₁u₁²", "= 0.12 J"]);
-        // Words that are no unit, and lines too short for both.
+        // Words that are not units, and lines too short for both words.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);
         assert_eq!(wrap("200 m/s", 5), ["200", "m/s"]);
     }
 
     #[test]
-    fn a_formula_breaks_where_it_can_be_read() {
+    fn a_formula_breaks_at_readable_positions() {
         assert_eq!(wrap("and so with Z = 79", 13), ["and so with", "Z = 79"]);
         assert_eq!(wrap("= 3.46 + 2 × 15 × 0", 16), ["= 3.46", "+ 2 × 15 × 0"]);
         assert_eq!(
@@ -283,7 +283,7 @@ mod tests {
     #[test]
     fn a_word_longer_than_a_line_is_broken() {
         assert_eq!(wrap("a striking", 5), ["a", "strik", "ing"]);
-        // A path between its folders, as long as they fit.
+        // A path is broken between its folders if they fit.
         assert_eq!(
             wrap("to /home/ada/carrom/game.toml", 12),
             ["to", "/home/ada/", "carrom/", "game.toml"]
@@ -293,7 +293,7 @@ mod tests {
 
     #[test]
     fn no_line_is_ever_too_long() {
-        let text = "The striker keeps only its sideways part, so it leaves square to the coin.";
+        let text = "The striker keeps only its tangential component and leaves along the tangent.";
         for columns in 1..90 {
             assert!(
                 wrap(text, columns)

@@ -1,4 +1,4 @@
-//! Colours as numbers, and how they come down to what a terminal has.
+//! Colours as numbers, and their reduction to the colours of a terminal.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use ratatui::style::Color;
 /// The levels of a channel in the cube of indexed colours.
 const STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
 
-/// A colour in sRGB: red, green and blue. It prints as CSS has it.
+/// A colour in sRGB: red, green and blue. It is displayed in CSS notation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::widgets) struct Rgb(
     pub(in crate::widgets) u8,
@@ -22,12 +22,12 @@ impl fmt::Display for Rgb {
 }
 
 impl Rgb {
-    /// From the usual 0xRRGGBB.
+    /// A colour from a code 0xRRGGBB.
     pub(in crate::widgets) const fn hex(code: u32) -> Self {
         Self((code >> 16) as u8, (code >> 8) as u8, code as u8)
     }
 
-    /// This colour with the share `amount` (0 to 1) of `other` in it.
+    /// This colour mixed with the share `amount` (0 to 1) of `other`.
     pub(in crate::widgets) fn mixed(self, other: Self, amount: f64) -> Self {
         let mix = |a: u8, b: u8| {
             (f64::from(a) + (f64::from(b) - f64::from(a)) * amount.clamp(0.0, 1.0)).round() as u8
@@ -39,8 +39,8 @@ impl Rgb {
         )
     }
 
-    /// Relative luminance, 0 (black) to 1 (white), by the Web Content
-    /// Accessibility Guidelines 2.1.
+    /// Relative luminance, 0 (black) to 1 (white), as defined by the Web Content Accessibility
+    /// Guidelines 2.1.
     pub(super) fn luminance(self) -> f64 {
         let linear = |channel: u8| {
             let c = f64::from(channel) / 255.0;
@@ -53,9 +53,9 @@ impl Rgb {
         0.2126 * linear(self.0) + 0.7152 * linear(self.1) + 0.0722 * linear(self.2)
     }
 
-    /// Black or white, whichever is easier to read upon this colour.
+    /// Black or white, whichever is easier to read on this colour.
     pub(in crate::widgets) fn ink(self) -> Self {
-        // Where both contrasts are equal: √(1.05 × 0.05) − 0.05.
+        // The luminance at which both contrasts are equal: √(1.05 × 0.05) − 0.05.
         if self.luminance() > 0.179 {
             Self::hex(0x000000)
         } else {
@@ -63,8 +63,7 @@ impl Rgb {
         }
     }
 
-    /// One of the 240 fixed indexed colours, from 16 on: a cube of six by six by six, and
-    /// greys.
+    /// One of the 240 fixed indexed colours from 16 on: a 6 × 6 × 6 cube, and greys.
     pub(in crate::widgets) fn fixed(index: u8) -> Self {
         if let Some(grey) = index.checked_sub(232) {
             let level = 8 + 10 * grey;

@@ -1,13 +1,13 @@
 //! The colours of everything on the screen.
 //!
-//! A picture names what a thing *is*, its [`Role`]; the [`Theme`] alone knows how
-//! that looks, in the player's [`Palette`] and with the colours the terminal has
-//! ([`Depth`]). The colours are built on Okabe and Ito's set ("Color Universal
-//! Design", 2008), which all kinds of colour vision tell apart, and never carry a
-//! meaning alone: a letter, a dash or a weight always says the same.
+//! A picture names what a thing *is*, its [`Role`]; only the [`Theme`] knows its appearance in the
+//! player's [`Palette`] and with the colours of the terminal ([`Depth`]). The colours are based on
+//! Okabe and Ito's set ("Color Universal Design", 2008), which can be distinguished with every kind
+//! of colour vision. A colour never carries meaning alone: a letter, a line style or a weight
+//! always repeats it.
 //!
-//! The eye should find the collision first, so contrast decreases from the two discs and their final
-//! velocities, through the line of impact and the arcs, to the board and the frames.
+//! The eye should find the collision first, so contrast decreases from the two discs and their
+//! final velocities, through the line of impact and the arcs, to the board and the frames.
 
 mod colour;
 mod role;
@@ -18,7 +18,7 @@ use strum::{EnumString, VariantNames};
 pub(super) use colour::Rgb;
 pub use role::Role;
 
-/// Which set of colours.
+/// The set of colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Palette {
     /// Light on dark: a terminal at a desk.
@@ -31,7 +31,7 @@ pub enum Palette {
 }
 
 impl Palette {
-    /// The next palette, round and round.
+    /// The next palette, cyclically.
     #[must_use]
     pub const fn next(self) -> Self {
         match self {
@@ -42,10 +42,10 @@ impl Palette {
     }
 }
 
-/// How many colours the terminal has.
+/// The number of colours of the terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]
 pub enum Depth {
-    /// None: whatever the palette, the screen is monochrome.
+    /// No colours: the screen is monochrome in every palette.
     #[strum(serialize = "none")]
     None,
     /// The sixteen named colours.
@@ -71,7 +71,7 @@ pub enum Depth {
 pub struct Theme {
     /// The set of colours.
     pub palette: Palette,
-    /// The colours there are.
+    /// The available colours.
     pub depth: Depth,
 }
 
@@ -95,7 +95,7 @@ impl Theme {
         self.is_mono() && role == Role::Black
     }
 
-    /// The style of plain text on the background: what a screen is cleared with.
+    /// The style of plain text on the background, with which a screen is cleared.
     #[must_use]
     pub fn base(self) -> Style {
         if self.is_mono() {
@@ -106,8 +106,7 @@ impl Theme {
             .bg(self.colour(Role::Background))
     }
 
-    /// How a thing of this role looks: its colour and its weight. The background
-    /// is left as it is.
+    /// The colour and weight of a thing with this role. The background is not changed.
     #[must_use]
     pub fn style(self, role: Role) -> Style {
         if self.is_mono() {
@@ -125,8 +124,8 @@ impl Theme {
         }
     }
 
-    /// [`Theme::style`], faded towards the background: 0 is fresh, 1 nearly gone.
-    /// Outside 0 to 1 the nearer end counts.
+    /// [`Theme::style`], faded towards the background: 0 is fresh, 1 is nearly invisible. `age` is
+    /// clamped to 0 to 1.
     #[must_use]
     pub(crate) fn faded(self, role: Role, age: f64) -> Style {
         let age = if age > 0.0 { age.min(1.0) } else { 0.0 };
@@ -140,12 +139,12 @@ impl Theme {
         if self.depth == Depth::Ansi16 {
             return self.style(if age > 0.5 { Role::Dim } else { role });
         }
-        // Even the oldest stroke keeps a quarter of its colour: faint, not lost.
+        // Even the oldest stroke keeps a quarter of its colour, so that it stays visible.
         let mixed = self.rgb(role).mixed(self.rgb(Role::Background), age * 0.75);
         Style::new().fg(self.reduced(mixed))
     }
 
-    /// The style of a cell wholly covered by a disc of this role.
+    /// The style of a cell that a disc of this role covers completely.
     #[must_use]
     pub fn fill(self, role: Role) -> Style {
         if self.is_mono() {
@@ -155,7 +154,7 @@ impl Theme {
         Style::new().fg(colour).bg(colour)
     }
 
-    /// The style of a letter or a line that lies upon a disc of this role.
+    /// The style of a letter or a line on a disc of this role.
     #[must_use]
     pub fn on(self, role: Role) -> Style {
         if self.is_hollow(role) {
@@ -182,7 +181,7 @@ impl Theme {
         self.on(role).fg(self.reduced(disc.ink().mixed(disc, 0.35)))
     }
 
-    /// The bare colour of a role; [`Color::Reset`] in monochrome.
+    /// The colour of a role alone; [`Color::Reset`] in monochrome.
     #[must_use]
     pub fn colour(self, role: Role) -> Color {
         if self.is_mono() {
@@ -194,8 +193,8 @@ impl Theme {
         }
     }
 
-    /// The colour of a role where any colour can be had. Without colours there are but
-    /// text, what is fainter, and the background.
+    /// The colour of a role if every colour is available. Without colours there are only text,
+    /// fainter text, and the background.
     pub(super) fn rgb(self, role: Role) -> Rgb {
         let role = match role {
             Role::Background => role,
@@ -206,17 +205,17 @@ impl Theme {
         role.rgb(self.palette)
     }
 
-    /// Whether there are colours between two others.
+    /// Whether the terminal has shades between two colours.
     pub(super) fn has_shades(self) -> bool {
         !self.is_mono() && matches!(self.depth, Depth::Indexed256 | Depth::True)
     }
 
-    /// The colour of a disc of this role that is so faint that marks on it are clearly visible.
+    /// The faint colour of a disc of this role on which marks are clearly visible.
     pub(super) fn faint(self, role: Role) -> Rgb {
         self.rgb(Role::Background).mixed(self.rgb(role), 0.3)
     }
 
-    /// A colour as the terminal has it.
+    /// The nearest colour of the terminal.
     pub(super) fn shade(self, rgb: Rgb) -> Color {
         self.reduced(rgb)
     }
@@ -234,14 +233,14 @@ impl Theme {
 mod tests {
     use super::*;
 
-    /// Contrast as the Web Content Accessibility Guidelines 2.1 define it.
+    /// The contrast, as defined by the Web Content Accessibility Guidelines 2.1.
     fn contrast(a: Rgb, b: Rgb) -> f64 {
         let (a, b) = (a.luminance(), b.luminance());
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
     #[test]
-    fn contrast_falls_from_the_hit_to_the_frame() {
+    fn contrast_decreases_from_the_collision_to_the_frame() {
         for palette in [Palette::Dark, Palette::Light] {
             let of = |role: Role| contrast(role.rgb(palette), Role::Background.rgb(palette));
             for strong in [Role::StrikerOut, Role::CoinOut, Role::Incoming, Role::Text] {
@@ -270,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn without_colour_no_style_has_any() {
+    fn without_colour_no_style_has_a_colour() {
         for theme in [
             Theme::new(Palette::Mono, Depth::True),
             Theme::new(Palette::Dark, Depth::None),

@@ -10,11 +10,11 @@ use super::{Palette, colour::Rgb};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, VariantArray)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
-    /// What everything lies on.
+    /// The background.
     Background,
     /// Running text and numbers.
     Text,
-    /// Text of second rank: units, hints, what is switched off.
+    /// Less important text: units, hints, options that are switched off.
     Dim,
     /// A title.
     Title,
@@ -22,7 +22,7 @@ pub enum Role {
     Key,
     /// The frame of a panel.
     Border,
-    /// The chosen one of several.
+    /// The chosen item among several.
     Selected,
     /// Right, won, near the truth.
     Good,
@@ -54,15 +54,15 @@ pub enum Role {
     TangentLine,
     /// The arc of an angle.
     Arc,
-    /// The square corner of a right angle.
+    /// The mark of a right angle.
     SquareCorner,
     /// The point where two discs touch.
     Contact,
     /// The player's prediction.
     Predicted,
-    /// Where a disc has been.
+    /// The path of a disc so far.
     Trail,
-    /// Where the player aims.
+    /// The direction in which the player aims.
     Aim,
     /// The lines and the frame of a board.
     BoardLine,
@@ -79,8 +79,8 @@ impl Role {
     /// Every role.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// The mark before one of several rows and its role, which is this one unless the row
-    /// is `chosen`.
+    /// The mark before one of several rows and the row's role, which is this one unless the row is
+    /// `chosen`.
     pub(crate) const fn of_choice(self, chosen: bool) -> (&'static str, Self) {
         match chosen {
             true => (">", Self::Selected),
@@ -88,7 +88,8 @@ impl Role {
         }
     }
 
-    /// Its colours: on dark and on light, then the same among the sixteen named ones.
+    /// Its colours on a dark and on a light background: first as 24-bit values, then chosen from
+    /// the sixteen named colours.
     const fn colours(self) -> (u32, u32, Color, Color) {
         match self {
             R::Background => (0x10141a, 0xfbfaf6, C::Black, C::White),
@@ -124,7 +125,7 @@ impl Role {
         }
     }
 
-    /// The colour in a palette (monochrome has the dark one's, unused).
+    /// The colour in a palette (for monochrome the dark palette's colour, which is not used).
     pub(super) const fn rgb(self, palette: Palette) -> Rgb {
         let (dark, light, ..) = self.colours();
         Rgb::hex(match palette {
@@ -142,7 +143,7 @@ impl Role {
         }
     }
 
-    /// The named colour of a letter upon a disc of this role.
+    /// The named colour of a letter on a disc of this role.
     pub(super) const fn ansi_ink(self, palette: Palette) -> Color {
         match self.ansi(palette) {
             Color::Black | Color::DarkGray | Color::Blue | Color::Red | Color::Magenta => {
@@ -152,7 +153,7 @@ impl Role {
         }
     }
 
-    /// The weight beside the colour.
+    /// The weight, in addition to the colour.
     pub(super) const fn modifier(self) -> Modifier {
         match self {
             R::Title | R::Key | R::Warn | R::StrikerOut | R::CoinOut | R::Contact => Modifier::BOLD,
@@ -160,7 +161,7 @@ impl Role {
         }
     }
 
-    /// The weight where there is no colour.
+    /// The weight if there is no colour.
     pub(super) const fn mono_modifier(self) -> Modifier {
         match self {
             R::Title | R::Good | R::StrikerOut | R::CoinOut | R::Contact | R::Key => Modifier::BOLD,

@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::BothMoving);
 }
 
@@ -15,7 +15,7 @@ fn between_deg(a: DVec2, b: DVec2) -> f64 {
 }
 
 #[test]
-fn what_is_true_follows_from_an_exchange_along_the_line_of_impact() {
+fn the_true_answers_follow_from_an_exchange_along_the_line_of_impact() {
     for question in all(Family::BothMoving) {
         let figure = |name| figure(&question, name);
         let along = |deg: f64| DVec2::from_angle((figure("direction_deg") + deg).to_radians());
@@ -26,10 +26,10 @@ fn what_is_true_follows_from_an_exchange_along_the_line_of_impact() {
         let (v1, v2) = (u1 - exchanged, u2 + exchanged);
         assert!((u1 - u2).dot(line) > 0.0, "they never meet: {question:#?}");
         let on_board = between_deg(v1, v2);
-        // What is drawn is what was worked out.
+        // The picture shows the calculated collision.
         let drawn = question.picture.collision().unwrap().outcome();
         assert!((drawn.v1 - v1).length() < 1e-9 && (drawn.v2 - v2).length() < 1e-9);
-        // Seen from the coin as it came it is square, from the centre of mass straight.
+        // The angle is 90° in the coin's initial frame and 180° in the centre-of-mass frame.
         assert_close(between_deg(v1 - u2, v2 - u2), 90.0, &question);
         let centre = (u1 + u2) / 2.0;
         assert_close(between_deg(v1 - centre, v2 - centre), 180.0, &question);

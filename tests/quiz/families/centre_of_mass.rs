@@ -1,4 +1,4 @@
-//! The frame of the centre of mass.
+//! The centre-of-mass frame.
 
 use carrom::quiz::Family;
 use glam::DVec2;
@@ -7,7 +7,7 @@ use super::hit::Hit;
 use super::owed::{all, assert_close, assert_family, figure, number, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::CentreOfMass);
 }
 
@@ -16,7 +16,7 @@ fn between_deg(a: DVec2, b: DVec2) -> f64 {
 }
 
 #[test]
-fn what_is_true_follows_from_the_velocities_less_that_of_the_centre() {
+fn the_true_answers_follow_from_velocities_relative_to_the_centre_of_mass() {
     for question in all(Family::CentreOfMass) {
         let hit = Hit::of(&question);
         let centre = hit.m1 * hit.u / (hit.m1 + hit.m2);

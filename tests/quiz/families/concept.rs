@@ -1,4 +1,4 @@
-//! The written questions.
+//! The questions in words.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,16 +9,16 @@ use carrom::quiz::{concepts, explain};
 
 use super::owed::{all, assert_family, questions, right_choice, word};
 
-/// Both families of written questions.
+/// Both families of questions in words.
 const WRITTEN: [Family; 2] = [Family::Concept, Family::Ideas];
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     WRITTEN.into_iter().for_each(assert_family);
 }
 
 #[test]
-fn each_is_asked_as_it_is_written() {
+fn each_question_is_asked_as_it_is_written_in_its_file() {
     for question in WRITTEN.into_iter().flat_map(all) {
         let written = concepts::with_id(word(&question, "id")).unwrap();
         assert_eq!(question.difficulty, written.difficulty);
@@ -44,9 +44,9 @@ fn each_is_asked_as_it_is_written() {
 }
 
 #[test]
-fn every_one_is_asked_and_its_right_choice_stands_anywhere() {
+fn every_question_is_asked_and_its_right_choice_has_every_letter_equally_often() {
     let mut asked = BTreeSet::new();
-    // By the number of choices: how often the right one has each letter.
+    // For each number of choices, how often the right one has each letter.
     let mut letters: BTreeMap<usize, BTreeMap<usize, f64>> = BTreeMap::new();
     for question in WRITTEN.into_iter().flat_map(all) {
         let id = word(&question, "id").to_owned();
@@ -68,13 +68,14 @@ fn every_one_is_asked_and_its_right_choice_stands_anywhere() {
         for (letter, times) in times {
             assert!(
                 (times - expected).abs() < most,
-                "{letter} of {choices}: {times} and not {expected}"
+                "{letter} of {choices}: {times} instead of {expected}"
             );
         }
     }
 }
 
-/// What was written later is in no round of an existing code, but in those of its own.
+/// Questions that were written later appear in no round of an earlier code, only in rounds of their
+/// own codes.
 #[test]
 fn later_questions_are_asked_by_codes_of_their_own() {
     let later: BTreeSet<String> = all(Family::Ideas)
@@ -110,7 +111,7 @@ fn later_questions_are_asked_by_codes_of_their_own() {
 }
 
 #[test]
-fn none_comes_twice_in_a_round() {
+fn no_question_comes_twice_in_a_round() {
     let fewest = Difficulty::ALL.map(|difficulty| {
         let of_it = questions(Family::Concept, difficulty);
         of_it.map(|it| it.text).collect::<BTreeSet<_>>().len()

@@ -6,12 +6,12 @@ use super::hit::Hit;
 use super::owed::{all, assert_close, assert_family, number, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::EnergyShare);
 }
 
 #[test]
-fn the_true_share_is_that_of_the_speeds_after_an_impulse() {
+fn the_true_share_follows_from_the_speeds_after_an_impulse() {
     for question in all(Family::EnergyShare) {
         let (kept, passed) = Hit::of(&question).energy_shares();
         let share = match word(&question, "asked") {

@@ -1,12 +1,12 @@
-//! A hit on a resting target, computed anew from the figures of a question: velocities in
-//! units of the line of centres, and an impulse along it.
+//! A hit on a target at rest, calculated independently from the figures of a question: by an
+//! impulse along the line of centres.
 
 use carrom::quiz::{Question, Rays};
 use glam::DVec2;
 
 use super::owed::figure;
 
-/// A hit and what comes of it.
+/// A hit and its outcome.
 pub(crate) struct Hit {
     pub(crate) m1: f64,
     pub(crate) m2: f64,
@@ -16,7 +16,7 @@ pub(crate) struct Hit {
 }
 
 impl Hit {
-    /// The hit that a question's figures fix.
+    /// The hit that a question's figures define.
     pub(crate) fn of(question: &Question) -> Self {
         let sine = match question.figures.get("alpha_deg").and_then(|it| it.as_f64()) {
             Some(alpha_deg) => alpha_deg.to_radians().sin(),
@@ -54,12 +54,12 @@ impl Hit {
         }
     }
 
-    /// The angle between the two ways out, in degrees.
+    /// The angle between the paths, in degrees.
     pub(crate) fn separation_deg(&self) -> f64 {
         turn(self.v2, self.v1).unwrap().abs().to_degrees()
     }
 
-    /// The shares of the energy before that the striker keeps and the target takes.
+    /// The shares of the original energy that the striker keeps and the target gets.
     pub(crate) fn energy_shares(&self) -> (f64, f64) {
         let before = self.m1 * self.u.length_squared();
         (

@@ -1,4 +1,4 @@
-//! The most a striker can be turned, found by trying every offset.
+//! The greatest deflection of a striker, found by trying every offset.
 
 use carrom::quiz::{Family, Question};
 use glam::DVec2;
@@ -7,19 +7,18 @@ use super::hit::Hit;
 use super::owed::{all, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::LargestDeflection);
 }
 
-/// How far a hit at this impact angle turns the striker, in degrees; 0 if it stops.
+/// The deflection of the striker at this impact angle, in degrees; 0 if it stops.
 fn turned_deg(question: &Question, alpha_deg: f64) -> f64 {
     let [m1, m2, e] = ["m1_g", "m2_g", "restitution"].map(|name| figure(question, name));
     let hit = Hit::new(m1, m2, e, DVec2::X, alpha_deg.to_radians().sin());
     hit.rays().striker.unwrap_or(0.0).abs().to_degrees()
 }
 
-/// The largest turn of all, and the impact angle that brings it, in degrees, by halving
-/// steps.
+/// The greatest deflection and the impact angle that gives it, in degrees, found by halving steps.
 fn most(question: &Question) -> (f64, f64) {
     let mut best = 0.0;
     let mut step = 1.0;
@@ -35,8 +34,8 @@ fn most(question: &Question) -> (f64, f64) {
 }
 
 #[test]
-fn the_true_most_is_the_most_of_all_offsets() {
-    // A search is slow: every hit of a kind once.
+fn the_greatest_deflection_is_the_greatest_over_all_offsets() {
+    // The search is slow, so every combination of masses, e and question is checked once.
     let mut seen = std::collections::BTreeSet::new();
     for question in all(Family::LargestDeflection) {
         let masses = ["m1_g", "m2_g", "restitution"].map(|name| figure(&question, name));
@@ -44,7 +43,7 @@ fn the_true_most_is_the_most_of_all_offsets() {
             continue;
         }
         let (turned_deg, alpha_deg) = most(&question);
-        // At the top of a curve its place is found to the root of the rounding only.
+        // The position of a maximum is found only to the square root of the rounding error.
         let near = |x: f64, y: f64, within: f64| {
             assert!((x - y).abs() <= within, "{x} is not {y}: {question:#?}");
         };

@@ -7,12 +7,12 @@ use super::hit::Hit;
 use super::owed::{all, assert_close, assert_family, figure, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::MakeItSo);
 }
 
 #[test]
-fn the_true_offset_does_it() {
+fn the_true_offset_sends_the_disc_in_the_given_direction() {
     for question in all(Family::MakeItSo) {
         let Form::Shot(aim) = question.form else {
             panic!("{question:#?}");
@@ -27,7 +27,7 @@ fn the_true_offset_does_it() {
             other => panic!("{other}"),
         };
         assert_eq!(aim.ray, ray);
-        // A scattering angle counts to the left, a recoil angle to the right.
+        // A scattering angle is positive to the left, a recoil angle to the right.
         let side = if word(&question, "side") == "left" {
             -1.0
         } else {
@@ -50,7 +50,8 @@ fn the_true_offset_does_it() {
     }
 }
 
-/// Any offset that sends the disc its way is right, and so is one a little beside it.
+/// Any offset that sends the disc in the given direction is right, and so is one that is slightly
+/// off.
 #[test]
 fn a_shot_is_graded_by_where_the_disc_goes() {
     for question in all(Family::MakeItSo).step_by(10) {

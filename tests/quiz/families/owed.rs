@@ -1,4 +1,4 @@
-//! What every family of questions owes, whatever it asks.
+//! Checks that every family of questions must pass.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,25 +9,25 @@ use carrom::quiz::{
 use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
 
-/// Seeds asked at each difficulty.
+/// How many seeds are tried at each difficulty.
 pub(crate) const SEEDS: u64 = 2_000;
 
-/// Most draws a question may need; the guard of `Family::ask` lies at twenty times this.
+/// The most draws a question may take; `Family::ask` gives up after twenty times as many.
 const DRAWS: usize = 1_000;
 
-/// A family that shuffles its choices has the right one at each of two places at least
-/// this often, and each misconception is met in at least this share of its questions at
-/// one difficulty.
+/// If a family shuffles its choices, the right one must be in each of at least two places at least
+/// this often. Each misconception must occur in at least this share of a family's questions at one
+/// difficulty.
 const NOW_AND_THEN: f64 = 0.02;
 
-/// Columns of the panel beside a picture, and those that a choice has behind its letter.
+/// Columns of the panel beside a picture, and of a choice after its letter.
 const PANEL: usize = 28;
 const CHOICE: usize = 24;
 
-/// The question of a seed.
+/// The question for a seed.
 pub(crate) fn question(family: Family, difficulty: Difficulty, seed: u64) -> Question {
     let asked = family.ask(difficulty, &mut Dice::new(seed));
-    let (question, draws) = asked.unwrap_or_else(|| panic!("{family:?} asks nothing"));
+    let (question, draws) = asked.unwrap_or_else(|| panic!("{family:?} gives no question"));
     assert!(draws <= DRAWS, "{family:?} {seed}: {draws} draws");
     question
 }
@@ -44,13 +44,13 @@ pub(crate) fn all(family: Family) -> impl Iterator<Item = Question> {
         .flat_map(move |difficulty| questions(family, difficulty))
 }
 
-/// A figure of a question that is a number.
+/// A numerical figure of a question.
 pub(crate) fn figure(question: &Question, name: &str) -> f64 {
     let figure = question.figures.get(name).and_then(|it| it.as_f64());
     figure.unwrap_or_else(|| panic!("no number {name} among {:?}", question.figures))
 }
 
-/// A figure of a question that is a word.
+/// A textual figure of a question.
 pub(crate) fn word<'a>(question: &'a Question, name: &str) -> &'a str {
     let word = question.figures.get(name).and_then(|it| it.as_str());
     word.unwrap_or_else(|| panic!("no word {name} among {:?}", question.figures))
@@ -80,7 +80,7 @@ pub(crate) fn right_choice(question: &Question) -> &str {
     }
 }
 
-/// Whether two numbers are the same but for rounding.
+/// Fails unless two numbers are equal except for rounding.
 #[track_caller]
 pub(crate) fn assert_close(found: f64, expected: f64, question: &Question) {
     let scale = expected.abs().max(1.0);
@@ -90,8 +90,8 @@ pub(crate) fn assert_close(found: f64, expected: f64, question: &Question) {
     );
 }
 
-/// Holds a family to all that every one owes. What is true in its own questions is its own
-/// test's to say.
+/// Checks everything that every family must satisfy. The family's own test checks whether its
+/// answers are right.
 pub(crate) fn assert_family(family: Family) {
     assert_eq!(Family::with_id(family.id()), Some(family));
     let mut asked: Vec<BTreeSet<String>> = Vec::new();
@@ -102,7 +102,7 @@ pub(crate) fn assert_family(family: Family) {
         let mut different = BTreeSet::new();
         for question in questions(family, difficulty) {
             assert_eq!((question.family, question.difficulty), (family, difficulty));
-            // What has been held to it already is not held to it again.
+            // A question that has been checked is not checked again.
             if different.insert(identity(&question)) {
                 assert_question(&question);
             }
@@ -134,14 +134,14 @@ pub(crate) fn assert_family(family: Family) {
     assert_repeats(family);
 }
 
-/// What makes a question the one it is.
+/// The data that identify a question.
 fn identity(question: &Question) -> String {
     let figures = serde_json::to_string(&question.figures).unwrap();
     format!("{} {figures} {:?}", question.text, question.form)
 }
 
-/// The difficulties ask different things: at least half of what each asks is asked by no
-/// easier one.
+/// Fails unless the difficulties ask different questions: at least half of the questions of each
+/// difficulty are not asked at any easier one.
 fn assert_different(family: Family, asked: &[BTreeSet<String>]) {
     for (i, one) in asked.iter().enumerate() {
         assert!(one.len() >= 3, "{family:?} asks {} at {i}", one.len());
@@ -152,7 +152,7 @@ fn assert_different(family: Family, asked: &[BTreeSet<String>]) {
     }
 }
 
-/// The same seed brings the same question.
+/// Fails unless the same seed gives the same question.
 fn assert_repeats(family: Family) {
     for difficulty in Difficulty::ALL {
         for seed in 0..20 {
@@ -162,7 +162,7 @@ fn assert_repeats(family: Family) {
     }
 }
 
-/// What every question owes.
+/// Checks everything that every question must satisfy.
 pub(crate) fn assert_question(question: &Question) {
     let form = &question.form;
     let truth = Answer::new(form.truth(), Confidence::Sure);
@@ -174,7 +174,7 @@ pub(crate) fn assert_question(question: &Question) {
     assert!((grade.points() - Grade::MOST).abs() < 1e-12);
     assert_eq!(question.diagnose(&truth), None, "{question:#?}");
 
-    // Another machine's last bit must not make it another question.
+    // The last bit of a number, which differs between machines, must not change the question.
     let clearance = question.clearance();
     assert!(
         clearance > MIN_SEPARATION + 1e-9,
@@ -198,13 +198,13 @@ pub(crate) fn assert_question(question: &Question) {
     assert_words(question);
 }
 
-/// An answer can be given by hand.
+/// Fails unless an answer can be entered by hand.
 fn assert_can_be_said(question: &Question, said: &Response) {
     match (&question.form, said) {
         (Form::Number { quantity, .. }, Response::Number(x)) => {
             let range = quantity.smallest()..=quantity.largest();
             assert!(range.contains(x), "{x}: {question:#?}");
-            // As it is printed it means the same.
+            // The printed number has the same value.
             let printed = quantity.print(*x);
             let bare = printed.strip_suffix(quantity.unit()).unwrap();
             let typed: f64 = bare.trim_end().parse().unwrap();
@@ -230,7 +230,7 @@ fn assert_can_be_said(question: &Question, said: &Response) {
     }
 }
 
-/// The figures to be kept are all sound.
+/// Fails unless all figures to be stored are valid.
 fn assert_figures(question: &Question) {
     assert!(!question.figures.is_empty());
     for (name, value) in &question.figures {
@@ -241,7 +241,7 @@ fn assert_figures(question: &Question) {
     }
 }
 
-/// Every word can be read where it will stand, and none gives the answer away.
+/// Fails unless every text fits in its place and none gives the answer away.
 fn assert_words(question: &Question) {
     assert_readable(&question.topic.name(), PANEL, 1);
     assert_readable(&question.text, PANEL, 10);
@@ -269,7 +269,7 @@ fn assert_words(question: &Question) {
         }
         Form::Rays { .. } | Form::Shot(_) => {}
     }
-    // Written questions speak in whole thoughts; the panel scrolls where it is small.
+    // Questions in words have longer explanations; a small panel scrolls.
     let longest = match question.family {
         Family::Concept | Family::Ideas => 14,
         _ => 12,
@@ -282,7 +282,7 @@ fn assert_words(question: &Question) {
     }
 }
 
-/// The true answer, what misconceptions say, and some answers off in their own way.
+/// The true answer, those of misconceptions, and some that fit no misconception.
 fn answers(question: &Question) -> Vec<Response> {
     let mut answers: Vec<Response> = question.beliefs.iter().map(|belief| belief.said).collect();
     answers.push(question.form.truth());
@@ -310,8 +310,8 @@ fn answers(question: &Question) -> Vec<Response> {
     answers
 }
 
-/// A text has no stranger in it, can be written in ASCII, and takes no more than so many
-/// lines of so many columns there.
+/// Fails if a text contains an unexpected character sequence, cannot be written in ASCII, or then
+/// takes more than `lines` lines of this many columns.
 #[track_caller]
 pub(crate) fn assert_readable(text: &str, columns: usize, lines: usize) {
     for stranger in [

@@ -6,19 +6,19 @@ use super::hit::Hit;
 use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::Restitution);
 }
 
 #[test]
-fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
+fn the_true_answers_follow_from_an_impulse_along_the_line_of_centres() {
     for question in all(Family::Restitution) {
         let hit = Hit::of(&question);
         let e = figure(&question, "restitution");
         let square = || assert_close(hit.separation_deg(), 90.0, &question);
         match word(&question, "asked") {
             "striker" => {
-                // Whatever the masses, only a lighter striker parts squarely.
+                // Only a lighter striker can leave at 90° to the coin, whatever the masses are.
                 let coin_g = figure(&question, "m2_g");
                 let at = |m1| Hit::new(m1, coin_g, e, hit.u, 0.5).separation_deg();
                 assert_close(at(e * coin_g), 90.0, &question);
@@ -42,7 +42,7 @@ fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
             }
             "e angles" => {
                 assert_close(number(&question), e, &question);
-                // The printed angles are enough to find it.
+                // The printed angles are enough to find e.
                 let rays = hit.rays();
                 let tenths = |angle: Option<f64>| {
                     let deg = angle.unwrap().abs().to_degrees();

@@ -5,26 +5,26 @@ use carrom::quiz::{Family, Illustration};
 use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::Rutherford);
 }
 
-/// Counts at an angle go as the area of a ring of offsets over the solid angle it is sent
-/// into: b db / (sin φ dφ), with b = cot(φ/2), written without the half angle:
-/// cot(φ/2) = (1 + cos φ) / sin φ, and sin⁴(φ/2) = (1 − cos φ)² / 4.
+/// The count at an angle is proportional to the area of a ring of offsets divided by the solid
+/// angle into which it is scattered: b db / (sin φ dφ), with b = cot(φ/2). Written without the half
+/// angle, cot(φ/2) = (1 + cos φ) / sin φ, and sin⁴(φ/2) = (1 − cos φ)² / 4.
 fn count(angle_deg: f64) -> f64 {
     4.0 / (1.0 - angle_deg.to_radians().cos()).powi(2)
 }
 
 #[test]
-fn rings_follow_the_law() {
+fn the_formula_agrees_with_the_areas_of_rings() {
     let offset = |deg: f64| (1.0 + deg.to_radians().cos()) / deg.to_radians().sin();
     for tens in 2..17 {
         let (deg, step) = (10.0 * f64::from(tens), 1e-4);
         let ring = offset(deg - step).powi(2) - offset(deg + step).powi(2);
         let cosine = |deg: f64| deg.to_radians().cos();
         let found = ring / (cosine(deg - step) - cosine(deg + step));
-        // The area π b² and the solid angle 2π cos φ; the scale is 1/2 then.
+        // The area is π b² and the solid angle 2π cos φ, so the ratio is 1/2.
         assert!(
             (found / count(deg) / 0.5 - 1.0).abs() < 1e-6,
             "{deg}: {found}"
@@ -33,7 +33,7 @@ fn rings_follow_the_law() {
 }
 
 #[test]
-fn what_is_true_follows_from_the_law() {
+fn the_true_answers_follow_from_the_law() {
     for question in all(Family::Rutherford) {
         let here = figure(&question, "angle_deg");
         match word(&question, "asked") {
@@ -64,7 +64,7 @@ fn what_is_true_follows_from_the_law() {
                 assert_eq!(
                     question.picture,
                     Illustration::Nothing,
-                    "it would give it away"
+                    "a picture would give the answer away"
                 );
             }
             other => panic!("{other}"),

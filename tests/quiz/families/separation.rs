@@ -1,4 +1,4 @@
-//! The corner between the two ways out.
+//! The angle between the paths.
 
 use carrom::quiz::{Family, Form};
 
@@ -6,12 +6,12 @@ use super::hit::Hit;
 use super::owed::{all, assert_close, assert_family, number, right_choice};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::Separation);
 }
 
 #[test]
-fn the_true_corner_is_that_of_an_impulse_along_the_line_of_centres() {
+fn the_true_angle_follows_from_an_impulse_along_the_line_of_centres() {
     for question in all(Family::Separation) {
         let corner_deg = Hit::of(&question).separation_deg();
         if let Form::Number { .. } = question.form {
@@ -28,7 +28,7 @@ fn the_true_corner_is_that_of_an_impulse_along_the_line_of_centres() {
 }
 
 #[test]
-fn every_corner_comes() {
+fn every_choice_is_right_often_enough() {
     for corner in ["more than 90°", "exactly 90°", "less than 90°"] {
         let choices =
             all(Family::Separation).filter(|question| matches!(question.form, Form::Choice { .. }));

@@ -1,4 +1,4 @@
-//! Slipping against sticking.
+//! Discs that slip, compared with discs that stick.
 
 use carrom::quiz::Family;
 use glam::DVec2;
@@ -6,16 +6,16 @@ use glam::DVec2;
 use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::SlipOrStick);
 }
 
 #[test]
-fn what_is_true_follows_from_shared_momentum_along_the_line_or_in_all() {
+fn the_true_answers_follow_from_momentum_shared_along_the_line_of_impact_or_completely() {
     for question in all(Family::SlipOrStick) {
         let [m1, m2, u] = ["m1_g", "m2_g", "speed"].map(|name| figure(&question, name));
         let alpha = figure(&question, "alpha_deg").to_radians().abs();
-        // In n and t: e = 0 leaves both with the same part along n.
+        // In components along n and t: with e = 0 both have the same component along n.
         let level = m1 * u * alpha.cos() / (m1 + m2);
         let (striker, target) = (DVec2::new(level, u * alpha.sin()), DVec2::new(level, 0.0));
         let energy = |m: f64, v: DVec2| 0.5 * m * v.length_squared();

@@ -1,4 +1,4 @@
-//! Speeds after the hit.
+//! Speeds after the collision.
 
 use carrom::quiz::Family;
 
@@ -6,12 +6,12 @@ use super::hit::Hit;
 use super::owed::{all, assert_close, assert_family, number, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::Speeds);
 }
 
 #[test]
-fn the_true_speed_is_that_of_an_impulse_along_the_line_of_centres() {
+fn the_true_speed_follows_from_an_impulse_along_the_line_of_centres() {
     for question in all(Family::Speeds) {
         let hit = Hit::of(&question);
         let speed = match word(&question, "asked") {

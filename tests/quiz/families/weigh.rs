@@ -1,16 +1,16 @@
-//! Weighing by what is seen after the hit: the figures of the text, read as a player would,
-//! give the mass.
+//! Weighing by what can be seen after the collision: the figures in the text, as a player reads
+//! them, give the mass.
 
 use carrom::quiz::{Family, Illustration, Measure, Question};
 
 use super::owed::{all, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn owes_what_all_owe() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::Weigh);
 }
 
-/// The number that stands before `unit` for the `n`th time.
+/// The number before the occurrence of `unit` with the index `n`.
 fn read(question: &Question, unit: &str, n: usize) -> f64 {
     let before = question.text.split(unit).nth(n).unwrap();
     let number = before.rsplit(' ').next().unwrap();

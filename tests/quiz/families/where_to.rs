@@ -1,4 +1,4 @@
-//! The families that ask where both go, by two rays.
+//! The families that ask for two rays: where will both discs go?
 
 use std::thread;
 
@@ -16,7 +16,7 @@ const FAMILIES: [Family; 5] = [
 ];
 
 #[test]
-fn owe_what_all_owe() {
+fn pass_the_checks_for_all_families() {
     thread::scope(|scope| {
         for family in FAMILIES {
             scope.spawn(move || assert_family(family));
@@ -25,7 +25,7 @@ fn owe_what_all_owe() {
 }
 
 #[test]
-fn the_true_rays_are_those_of_an_impulse_along_the_line_of_centres() {
+fn the_true_rays_follow_from_an_impulse_along_the_line_of_centres() {
     for family in FAMILIES {
         for question in all(family) {
             let gap = rays(&question).gap(&Hit::of(&question).rays());
@@ -40,7 +40,7 @@ fn by_angle(question: &Question) -> bool {
 }
 
 #[test]
-fn each_kind_asks_what_its_name_promises() {
+fn each_family_asks_the_questions_that_its_name_promises() {
     let equal = |question: &Question| figure(question, "m1_g") == figure(question, "m2_g");
     for question in all(Family::FromAngle) {
         assert!(by_angle(&question) && equal(&question), "{question:#?}");
@@ -58,11 +58,11 @@ fn each_kind_asks_what_its_name_promises() {
 }
 
 #[test]
-fn a_question_by_the_picture_alone_gives_no_numbers() {
+fn a_question_from_the_picture_alone_gives_no_numbers() {
     for difficulty in Difficulty::ALL {
         for question in questions(Family::FromPicture, difficulty) {
             let Illustration::Before { shown, .. } = question.picture else {
-                panic!("no hit to see: {question:#?}");
+                panic!("no collision to watch: {question:#?}");
             };
             assert!(!shown.figures && !shown.offset);
             assert_eq!(shown.angle, difficulty == Difficulty::Easy);

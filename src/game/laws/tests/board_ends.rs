@@ -56,7 +56,7 @@ fn law_27_from_22_points_on_the_queen_is_worth_nothing() {
 }
 
 #[test]
-fn law_28_a_board_brings_twelve_points_at_most() {
+fn law_28_a_board_is_worth_twelve_points_at_most() {
     let mut most = table(1, 9, Queen::White);
     expect_end(&most.pocket(&[OWN]), "25a", White, 12);
     let mut more = table(9, 1, Queen::OnBoard);
@@ -73,7 +73,7 @@ fn law_28_dues_are_written_off_at_the_end() {
 }
 
 #[test]
-fn law_29_the_game_is_announced_at_25_points() {
+fn law_29_the_end_of_the_game_is_announced_at_25_points() {
     let mut table = table(1, 4, Queen::White).score(21, 3);
     let rulings = table.pocket(&[OWN]);
     assert_eq!(cited(&rulings), ["25a", "29a"]);
@@ -96,8 +96,8 @@ fn after(mut table: Table, boards: &[(Team, u8)]) -> Table {
     table
 }
 
-/// The seventh board, won by South by 4 after these six, and the eighth, won by
-/// North by 12 with all nine coins and the queen in one stroke.
+/// After these six boards, South wins the seventh by 4, and North wins the eighth by 12 with all
+/// nine coins and the queen in one stroke.
 fn eighth_board(six: &[(Team, u8)]) -> (Table, Vec<Ruling>) {
     let mut game = after(table(1, 4, Queen::Black), six);
     expect_end(&game.pocket(&[OWN]), "25a", White, 4);
@@ -155,8 +155,8 @@ fn law_30_the_match_ends_with_the_second_game() {
     assert_eq!(game.0.no_place(), Err(StrokeError::Ended));
 }
 
-/// Asserts the end of the board at scores where the queen counts and where she
-/// does not: (law, winner, points below 22, points from 22 on).
+/// Asserts how the board ends at scores at which the queen is worth points and at which she is not:
+/// (law, winner, points below 22, points from 22 on).
 #[track_caller]
 fn ends(
     lay: impl Fn() -> Table,
@@ -189,7 +189,7 @@ fn law_75a_covering_the_queen_with_both_last_coins_wins_by_three_or_one() {
 }
 
 #[test]
-fn law_76a_the_opponents_last_coin_instead_of_a_cover_loses_own_coins_and_queen() {
+fn law_76a_the_opponents_last_coin_instead_of_a_cover_loses_ones_coins_and_the_queen() {
     ends(|| table(4, 1, Queen::ToCover), &[OTHER], "76a", Black, 7, 4);
 }
 
@@ -206,7 +206,7 @@ fn law_77a_queen_and_both_last_coins_win_by_three_or_one() {
 }
 
 #[test]
-fn law_78a_both_last_coins_with_the_queen_on_lose_by_three_or_one() {
+fn law_78a_both_last_coins_with_the_queen_on_the_board_lose_by_three_or_one() {
     ends(
         || table(1, 1, Queen::OnBoard),
         &[OWN, OTHER],
@@ -218,17 +218,17 @@ fn law_78a_both_last_coins_with_the_queen_on_lose_by_three_or_one() {
 }
 
 #[test]
-fn law_79a_the_opponents_last_coin_with_the_queen_on_loses_own_coins_and_queen() {
+fn law_79a_the_opponents_last_coin_with_the_queen_on_the_board_loses_ones_coins_and_the_queen() {
     ends(|| table(4, 1, Queen::OnBoard), &[OTHER], "79a", Black, 7, 4);
 }
 
 #[test]
-fn law_80a_the_last_own_coin_with_the_queen_on_loses_by_three_or_one() {
+fn law_80a_ones_last_coin_with_the_queen_on_the_board_loses_by_three_or_one() {
     ends(|| table(1, 4, Queen::OnBoard), &[OWN], "80a", Black, 3, 1);
 }
 
 #[test]
-fn law_81a_the_same_with_the_striker_loses_a_point_more() {
+fn law_81a_ones_last_coin_and_striker_with_the_queen_on_the_board_lose_by_four_or_two() {
     ends(
         || table(1, 4, Queen::OnBoard),
         &[OWN, STRIKER],
@@ -246,19 +246,19 @@ fn law_82a_queen_and_both_last_coins_with_the_striker_lose() {
 }
 
 #[test]
-fn law_83a_both_last_coins_and_striker_with_the_queen_ones_own_lose_by_one() {
+fn law_83a_both_last_coins_and_striker_after_covering_the_queen_lose_by_two() {
     let fallen = [OWN, OTHER, STRIKER];
     ends(|| table(1, 1, Queen::White), &fallen, "83a", Black, 2, 2);
 }
 
 #[test]
-fn law_84a_the_opponents_last_coin_and_striker_with_the_queen_on() {
+fn law_84a_the_opponents_last_coin_and_striker_with_the_queen_on_the_board_lose_one_more_point() {
     let fallen = [OTHER, STRIKER];
     ends(|| table(4, 1, Queen::OnBoard), &fallen, "84a", Black, 8, 5);
 }
 
 #[test]
-fn law_85a_both_last_coins_and_striker_with_the_queen_the_opponents_lose_by_three() {
+fn law_85a_both_last_coins_and_striker_after_the_opponent_covered_the_queen_lose_by_four_or_two() {
     let fallen = [OWN, OTHER, STRIKER];
     ends(|| table(1, 1, Queen::Black), &fallen, "85a", Black, 4, 2);
 }
@@ -278,7 +278,7 @@ fn the_striker_with_both_last_coins_before_the_queen_is_covered_loses_as_in_78a_
 }
 
 #[test]
-fn the_striker_with_the_opponents_last_coin_instead_of_a_cover_costs_a_point_more() {
+fn the_striker_with_the_opponents_last_coin_instead_of_a_cover_costs_one_more_point() {
     let fallen = [OTHER, STRIKER];
     ends(|| table(4, 1, Queen::ToCover), &fallen, "76a", Black, 8, 5);
 }

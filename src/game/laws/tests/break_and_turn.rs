@@ -10,7 +10,7 @@ fn unbroken() -> Table {
     Table(Game::new(GameSetup::default()))
 }
 
-/// Everything white and the queen in one stroke: the breaker wins the board.
+/// Pockets all white coins and the queen in one stroke: the breaker wins the board.
 fn clear_white(table: &mut Table) {
     let mut all = vec![Piece::White; 9];
     all.push(Piece::Queen);
@@ -50,7 +50,7 @@ fn law_18a_a_break_that_touches_nothing_may_be_tried_twice_more() {
 }
 
 #[test]
-fn law_18b_after_three_the_break_passes_and_the_colours_stay() {
+fn law_18b_after_three_misses_the_break_passes_and_the_colours_stay() {
     let mut table = unbroken();
     for _ in 0..2 {
         table.strike(false, &[]);
@@ -64,7 +64,7 @@ fn law_18b_after_three_the_break_passes_and_the_colours_stay() {
 }
 
 #[test]
-fn law_18c_the_striker_pocketed_at_an_untouched_pack_costs_the_turn_and_no_due() {
+fn law_18c_pocketing_the_striker_at_an_untouched_pack_costs_the_turn_but_no_due() {
     let mut table = unbroken();
     let rulings = table.strike(false, &[Piece::Striker]);
     expect(&table, &rulings, "18c", &[], false);
@@ -81,7 +81,7 @@ fn law_18c_does_not_cover_a_striker_that_touched_the_pack() {
 }
 
 #[test]
-fn law_21_an_own_coin_keeps_the_turn() {
+fn law_21_pocketing_ones_own_coin_keeps_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Piece::White]);
     expect(&table, &rulings, "21", &[], true);
@@ -92,7 +92,7 @@ fn law_21_an_own_coin_keeps_the_turn() {
 }
 
 #[test]
-fn law_21_nothing_pocketed_passes_the_turn() {
+fn law_21_pocketing_nothing_passes_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[]);
     expect(&table, &rulings, "21", &[], false);
@@ -108,7 +108,7 @@ fn law_21_an_opponents_coin_stays_down_and_the_turn_passes() {
 }
 
 #[test]
-fn law_21_an_opponents_coin_with_an_own_one_keeps_the_turn() {
+fn law_21_an_opponents_coin_together_with_ones_own_keeps_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Piece::Black, Piece::White]);
     expect(&table, &rulings, "21", &[], true);
@@ -119,7 +119,7 @@ fn law_21_an_opponents_coin_with_an_own_one_keeps_the_turn() {
 }
 
 #[test]
-fn law_22a_the_break_alternates_in_a_game_and_each_game_begins_with_the_other() {
+fn law_22a_the_break_alternates_in_a_game_and_the_first_break_alternates_between_games() {
     let mut table = unbroken();
     let mut breakers = Vec::new();
     loop {
@@ -139,7 +139,7 @@ fn law_22a_the_break_alternates_in_a_game_and_each_game_begins_with_the_other() 
 }
 
 #[test]
-fn law_22b_in_doubles_turn_and_break_go_round_to_the_right() {
+fn law_22b_in_doubles_turn_and_break_pass_to_the_right() {
     let mut table = Table(Game::new(GameSetup {
         hands: Hands::Four,
         first_breaker: Seat::East,
@@ -177,7 +177,7 @@ fn in_doubles_partners_share_coins_dues_and_the_queen() {
 }
 
 #[test]
-fn a_stroke_that_cannot_be_changes_nothing() {
+fn an_impossible_stroke_changes_nothing() {
     let mut table = table(5, 5, Queen::OnBoard);
     let before = table.0.clone();
     let mut bad = stroke(table.0.coins(), true, &[Piece::White]);
@@ -191,7 +191,7 @@ fn a_stroke_that_cannot_be_changes_nothing() {
 }
 
 #[test]
-fn keeping_the_old_value_is_undo() {
+fn keeping_the_previous_game_allows_undo() {
     let mut table = table(5, 5, Queen::OnBoard);
     let before = table.0.clone();
     table.pocket(&[Piece::White]);

@@ -20,7 +20,7 @@ fn law_45a_the_striker_alone_costs_one_coin_and_the_turn() {
 }
 
 #[test]
-fn law_45b_a_due_waits_until_a_coin_is_there_to_pay_it() {
+fn law_45b_a_due_waits_until_a_pocketed_coin_can_pay_it() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "45a", &[], false);
@@ -33,7 +33,7 @@ fn law_45b_a_due_waits_until_a_coin_is_there_to_pay_it() {
 }
 
 #[test]
-fn law_46_the_striker_with_own_coins_brings_them_and_a_due_back_and_keeps_the_turn() {
+fn law_46_after_striker_and_own_coins_these_and_a_due_come_back_and_the_turn_continues() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[White, Striker, White]);
     expect(&table, &rulings, "46", &[White, White, White], true);
@@ -57,7 +57,7 @@ fn law_46_at_nine_coins_the_due_of_the_stroke_stays_owed() {
 }
 
 #[test]
-fn law_47_the_striker_with_opponents_coins_leaves_them_down_and_costs_coin_and_turn() {
+fn law_47_after_striker_and_opponents_coins_these_stay_down_and_a_coin_and_the_turn_are_lost() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Black, Striker]);
     expect(&table, &rulings, "47", &[White], false);
@@ -65,7 +65,7 @@ fn law_47_the_striker_with_opponents_coins_leaves_them_down_and_costs_coin_and_t
 }
 
 #[test]
-fn law_48_the_striker_with_both_brings_own_coins_and_a_due_back_and_keeps_the_turn() {
+fn law_48_after_striker_and_both_colours_own_coins_and_a_due_come_back_and_the_turn_continues() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Black, White, Striker]);
     expect(&table, &rulings, "48", &[White, White], true);
@@ -76,7 +76,7 @@ fn law_48_the_striker_with_both_brings_own_coins_and_a_due_back_and_keeps_the_tu
 }
 
 #[test]
-fn law_51a_a_due_is_paid_by_the_first_coin_pocketed_and_the_turn_goes_on() {
+fn law_51a_a_due_is_paid_by_the_first_coin_pocketed_and_the_turn_continues() {
     let mut table = table(9, 9, Queen::OnBoard).white_owes(2);
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "21", &[White], true);

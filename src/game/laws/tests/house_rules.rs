@@ -14,7 +14,7 @@ fn friendly(white: u8, black: u8, queen: Queen) -> Table {
 }
 
 #[test]
-fn friendly_own_coins_keep_the_turn_and_others_do_not() {
+fn friendly_ones_own_coins_keep_the_turn_and_others_do_not() {
     let mut table = friendly(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "house", &[], true);
@@ -116,7 +116,7 @@ fn practice() -> Table {
 }
 
 #[test]
-fn in_practice_nothing_costs_anything() {
+fn in_a_practice_game_nothing_costs_anything() {
     let mut table = practice();
     let falls: [&[Piece]; 4] = [&[], &[Striker], &[Piece::Queen, Striker], &[Black]];
     for fallen in falls {
@@ -127,7 +127,7 @@ fn in_practice_nothing_costs_anything() {
 }
 
 #[test]
-fn in_practice_the_striker_and_the_coins_go_anywhere() {
+fn in_a_practice_game_the_striker_and_the_coins_may_be_placed_anywhere() {
     let mut table = practice();
     assert!(table.0.check_place(DVec2::new(0.2, 0.2)).is_ok());
     assert!(table.0.check_place(DVec2::ZERO).is_err());

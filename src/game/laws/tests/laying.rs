@@ -1,4 +1,4 @@
-//! A table laid for one law, and a stroke on it.
+//! A table set up to test one law, and a stroke on it.
 
 use glam::DVec2;
 
@@ -19,16 +19,16 @@ pub(super) enum Queen {
     Black,
 }
 
-/// A table at which South has white and the turn.
+/// A table at which South plays white and it is South's turn.
 pub(super) struct Table(pub(super) Game);
 
-/// Lays a board of singles in play: the break is made, so many coins are left
-/// (and the others in the pockets), South has the turn and white.
+/// Sets up a board of singles after the break: these numbers of coins are left, the others are in
+/// the pockets, South plays white, and it is South's turn.
 pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
     lay(Rules::Tournament, white, black, queen)
 }
 
-/// The same under other rules.
+/// Sets up a board like [`table`], under other rules.
 pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     let mut game = Game::new(GameSetup {
         rules,
@@ -60,7 +60,7 @@ pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     Table(game)
 }
 
-/// Moves coins out of the outer circle, two rows of them.
+/// Moves coins out of the outer circle into rows of ten.
 pub(super) fn spread(coins: &mut [Coin]) {
     for (i, coin) in (0_i32..).zip(coins) {
         let (column, row) = (f64::from(i % 10), f64::from(i / 10));
@@ -69,7 +69,7 @@ pub(super) fn spread(coins: &mut [Coin]) {
 }
 
 impl Table {
-    /// South and North begin this board with these points.
+    /// Lets South and North begin this board with these points.
     pub(super) fn score(mut self, south: u8, north: u8) -> Self {
         // Four boards, so that the break is South's again.
         for (winner, points) in [(Team::First, south), (Team::Second, north)] {
@@ -81,7 +81,7 @@ impl Table {
         self
     }
 
-    /// White owes this many coins.
+    /// Makes White owe this many coins.
     pub(super) fn white_owes(mut self, dues: u8) -> Self {
         self.0.play.owed[Team::First] = dues;
         self
@@ -93,7 +93,7 @@ impl Table {
         self
     }
 
-    /// A stroke that touches something and pockets `fallen`.
+    /// Plays a stroke that touches something and pockets `fallen`.
     pub(super) fn pocket(&mut self, fallen: &[Piece]) -> Vec<Ruling> {
         self.strike(true, fallen)
     }
@@ -114,7 +114,7 @@ impl Table {
     }
 }
 
-/// A stroke after which `fallen` are gone and the rest lie as before.
+/// A stroke that pockets `fallen` and leaves the other coins where they were.
 pub(super) fn stroke(coins: &[Coin], touched: bool, fallen: &[Piece]) -> Stroke {
     let mut left = coins.to_vec();
     for piece in fallen.iter().filter(|piece| **piece != Piece::Striker) {

@@ -9,7 +9,7 @@ use Piece::{Black, Striker, White};
 const QUEEN: Piece = Piece::Queen;
 
 #[test]
-fn law_65_the_queen_may_be_taken_after_an_own_coin_and_must_be_covered() {
+fn law_65_the_queen_may_be_taken_after_a_coin_of_ones_own_and_must_be_covered() {
     let mut table = table(8, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN]);
     expect(&table, &rulings, "65", &[], true);
@@ -18,7 +18,7 @@ fn law_65_the_queen_may_be_taken_after_an_own_coin_and_must_be_covered() {
 }
 
 #[test]
-fn law_65_an_own_coin_in_the_next_stroke_covers_her() {
+fn law_65_a_coin_of_ones_own_in_the_next_stroke_covers_her() {
     let mut table = table(8, 9, Queen::ToCover);
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "65", &[], true);
@@ -26,7 +26,7 @@ fn law_65_an_own_coin_in_the_next_stroke_covers_her() {
 }
 
 #[test]
-fn law_66_she_goes_back_to_the_very_centre() {
+fn law_66_she_goes_back_to_the_exact_centre() {
     let mut table = table(8, 9, Queen::ToCover);
     table.pocket(&[]);
     let queen = table.0.coins().last().unwrap();
@@ -34,7 +34,7 @@ fn law_66_she_goes_back_to_the_very_centre() {
 }
 
 #[test]
-fn law_68a_the_queen_before_any_own_coin_comes_back_and_costs_the_turn() {
+fn law_68a_the_queen_pocketed_before_any_coin_of_ones_own_comes_back_and_costs_the_turn() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN]);
     expect(&table, &rulings, "68a", &[QUEEN], false);
@@ -49,7 +49,7 @@ fn law_68a_an_opponents_coin_with_her_gives_no_right_and_stays_down() {
 }
 
 #[test]
-fn law_68b_the_queen_while_a_coin_is_owed_comes_back_and_costs_the_turn() {
+fn law_68b_the_queen_pocketed_while_a_coin_is_owed_comes_back_and_costs_the_turn() {
     let mut table = table(9, 9, Queen::OnBoard).white_owes(1);
     let rulings = table.pocket(&[QUEEN, White, White]);
     expect(&table, &rulings, "68b", &[QUEEN, White], false);
@@ -66,7 +66,7 @@ fn law_68b_with_the_striker_another_due_is_added() {
 }
 
 #[test]
-fn law_68b_own_coins_that_fell_with_queen_and_striker_come_back_and_pay_nothing() {
+fn law_68b_ones_coins_that_fell_with_queen_and_striker_come_back_and_pay_nothing() {
     let mut table = table(9, 9, Queen::OnBoard).white_owes(1);
     let rulings = table.pocket(&[QUEEN, White, Striker]);
     expect(&table, &rulings, "68b", &[QUEEN, White], false);
@@ -90,7 +90,7 @@ fn law_68d_queen_and_striker_with_all_nine_on_the_board_cost_the_turn() {
 }
 
 #[test]
-fn law_69_the_queen_uncovered_goes_back() {
+fn law_69_an_uncovered_queen_goes_back() {
     let mut table = table(5, 5, Queen::ToCover);
     let rulings = table.pocket(&[Black]);
     expect(&table, &rulings, "69", &[QUEEN], false);
@@ -98,7 +98,7 @@ fn law_69_the_queen_uncovered_goes_back() {
 }
 
 #[test]
-fn law_70a_an_own_coin_in_the_same_stroke_covers_her() {
+fn law_70a_a_coin_of_ones_own_in_the_same_stroke_covers_her() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN]);
     expect(&table, &rulings, "70a", &[], true);
@@ -110,7 +110,7 @@ fn law_70a_an_own_coin_in_the_same_stroke_covers_her() {
 }
 
 #[test]
-fn law_70b_queen_with_one_coin_of_nine_is_not_covered() {
+fn law_70b_the_queen_pocketed_with_one_of_nine_coins_is_not_covered() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN]);
     expect(&table, &rulings, "70b", &[], true);
@@ -120,7 +120,7 @@ fn law_70b_queen_with_one_coin_of_nine_is_not_covered() {
 }
 
 #[test]
-fn law_70b_queen_with_two_coins_of_nine_is_covered() {
+fn law_70b_the_queen_pocketed_with_two_of_nine_coins_is_covered() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN, White]);
     expect(&table, &rulings, "70b", &[], true);
@@ -143,7 +143,7 @@ fn law_71a_holds_for_the_last_coin_too() {
 }
 
 #[test]
-fn law_72a_queen_and_striker_bring_her_and_a_due_back_and_the_turn_continues() {
+fn law_72a_after_queen_and_striker_she_and_a_due_come_back_and_the_turn_continues() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN, Striker]);
     expect(&table, &rulings, "72a", &[QUEEN, White], true);
@@ -151,14 +151,14 @@ fn law_72a_queen_and_striker_bring_her_and_a_due_back_and_the_turn_continues() {
 }
 
 #[test]
-fn law_73a_the_striker_instead_of_a_cover_brings_queen_and_due_back() {
+fn law_73a_after_the_striker_instead_of_a_cover_queen_and_due_come_back() {
     let mut table = table(5, 5, Queen::ToCover);
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "73a", &[QUEEN, White], false);
 }
 
 #[test]
-fn law_73a_an_opponents_coin_along_with_it_stays_down() {
+fn law_73a_an_opponents_coin_along_with_the_striker_stays_down() {
     let mut table = table(5, 5, Queen::ToCover);
     let rulings = table.pocket(&[Striker, Black]);
     expect(&table, &rulings, "73a", &[QUEEN, White], false);
@@ -177,7 +177,7 @@ fn law_74a_the_striker_with_the_cover_gives_one_more_stroke_to_cover_her() {
 }
 
 #[test]
-fn law_74a_covered_by_that_stroke_she_stays() {
+fn law_74a_she_stays_down_if_that_stroke_covers_her() {
     let mut table = table(1, 5, Queen::ToCover);
     table.pocket(&[White, Striker]);
     table.pocket(&[White]);
@@ -185,7 +185,7 @@ fn law_74a_covered_by_that_stroke_she_stays() {
 }
 
 #[test]
-fn once_covered_the_queen_is_out_of_the_play() {
+fn a_covered_queen_is_out_of_play() {
     let mut table = table(5, 5, Queen::Black);
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "45a", &[White], false);

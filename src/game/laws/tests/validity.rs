@@ -1,4 +1,4 @@
-//! States that no game can have: an oracle for the other tests.
+//! Detects states that no game can have; the other tests use it to check games.
 
 use glam::DVec2;
 
@@ -8,17 +8,17 @@ use crate::game::score::Score;
 use crate::game::validity::check_coins;
 use crate::game::{Coin, Game, GameSetup, Hands, Piece, Seat, Team};
 
-/// The first thing that is wrong with a game, if anything is.
+/// The first inconsistency of a game, if there is any.
 pub(super) fn flaw(game: &Game) -> Option<&'static str> {
     let (play, setup) = (game.play(), game.setup());
     if check_coins(game.coins(), setup.set).is_err() {
         return Some("coins cannot lie like this");
     }
     if !(setup.hands.plays(play.seat) && setup.hands.plays(setup.first_breaker)) {
-        return Some("nobody sits where the turn is");
+        return Some("nobody sits at the seat whose turn it is");
     }
     if play.queen_on_board() && play.queen_covered_by.is_some() {
-        return Some("the queen cannot be covered while she lies on the board");
+        return Some("the queen cannot be covered while she is on the board");
     }
     for team in Team::BOTH {
         let colour = game.colour(team);
@@ -32,7 +32,7 @@ pub(super) fn flaw(game: &Game) -> Option<&'static str> {
     }
     let mut boards = game.finished.iter().chain(game.play.won.as_ref());
     if boards.any(|won| won.points > MOST_POINTS) {
-        return Some("a board brings at most 12 points");
+        return Some("a board is worth at most 12 points");
     }
     let ended = |played: usize| {
         let score = Score::after(setup.rules, game.finished.iter().take(played));
@@ -50,7 +50,7 @@ fn spoilt(spoil: impl FnOnce(&mut Game)) -> &'static str {
 }
 
 #[test]
-fn the_oracle_finds_what_no_game_can_be() {
+fn impossible_games_are_detected() {
     let white = |at| Coin {
         piece: Piece::White,
         at,
@@ -82,7 +82,7 @@ fn the_oracle_finds_what_no_game_can_be() {
 }
 
 #[test]
-fn doubles_may_be_broken_from_any_side_and_singles_from_two() {
+fn in_doubles_any_seat_may_break_and_in_singles_only_two() {
     for seat in Seat::ALL {
         for hands in [Hands::Two, Hands::Four] {
             let game = Game::new(GameSetup {

@@ -1,4 +1,4 @@
-//! Whole games of random strokes: the state of the game stays valid.
+//! Plays whole games of random strokes and checks that the state of the game stays valid.
 
 use glam::DVec2;
 use proptest::prelude::*;
@@ -15,7 +15,8 @@ use crate::game::stroke::Stroke;
 use crate::game::table::{Game, GameSetup, GameStage};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
-/// A stroke after which the coins lie anywhere, each fallen with some chance.
+/// A stroke after which the coins are at random positions, each pocketed with a certain
+/// probability.
 fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
     let touched = hand.random_bool(0.9);
     let mut spots: Vec<DVec2> = (0..256_i32)
@@ -43,8 +44,8 @@ fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
     }
 }
 
-/// Plays until match, friendly game or practice board is over, checking the game after
-/// every stroke.
+/// Plays until the match, friendly game or practice board is over and checks the game after every
+/// stroke.
 fn play_out(setup: GameSetup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
     let mut hand = Pcg64::seed_from_u64(seed);
     let mut game = Game::new(setup);
@@ -118,9 +119,9 @@ proptest! {
     }
 }
 
-/// Rules and engine together: boards of hard random strokes from legal places.
+/// Tests the rules and the engine together with boards of hard random strokes from legal positions.
 #[test]
-fn boards_played_on_the_engine_stay_valid_and_end() {
+fn boards_played_with_the_engine_stay_valid_and_end() {
     let board = Board::default();
     let mut engine = Engine::default();
     let mut shot = Shot::default();

@@ -1,4 +1,4 @@
-//! How a coin gets to a pocket.
+//! The paths along which a coin reaches a pocket.
 
 use glam::DVec2;
 
@@ -9,13 +9,13 @@ use crate::game::pieces::Piece;
 /// The motion that a coin needs to reach a pocket, or to drive another coin there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) struct PocketPath {
-    /// The coin, by its index.
+    /// The index of the coin.
     pub(in super::super) coin: usize,
-    /// The direction in which it must leave.
+    /// The direction in which the coin must move.
     pub(in super::super) toward: DVec2,
-    /// The least speed in m/s that is enough.
+    /// The least sufficient speed in m/s.
     pub(in super::super) speed: f64,
-    /// The largest tolerable error of its direction, in radians.
+    /// The largest tolerable error in the coin's direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
@@ -55,7 +55,7 @@ pub(in super::super) fn off_a_cushion<'a>(
     ways.filter_map(move |way| into_pocket(sight, coin, way).if_clear(sight))
 }
 
-/// The course that leads a coin to the middle of a pocket.
+/// The course of a coin to the middle of a pocket.
 fn into_pocket(sight: &Sight, coin: usize, way: Way) -> Unchecked<PocketPath> {
     let hole = sight.board.pocket_radius();
     let link = PocketPath {
@@ -72,7 +72,7 @@ fn into_pocket(sight: &Sight, coin: usize, way: Way) -> Unchecked<PocketPath> {
     }
 }
 
-/// How other coins can give a coin its course.
+/// The courses of other coins that drive a coin along its course.
 pub(in super::super) fn combinations<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,

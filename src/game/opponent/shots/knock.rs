@@ -1,4 +1,5 @@
-//! Strokes that do not aim for a pocket: to break, to open a cluster, to leave the opponent little.
+//! Strokes that do not aim for a pocket: they break the pack, open a cluster or leave the opponent
+//! a difficult position.
 
 use std::ops::Range;
 
@@ -9,8 +10,8 @@ use rand_pcg::Pcg64;
 use super::super::sight::Sight;
 use crate::physics::Motion;
 
-/// `count` strokes at coins: from any of `places`, at any coin, anywhere between its
-/// two edges, at a speed in m/s from `speeds`. Straight ahead where there is no coin.
+/// `count` strokes at coins: from any of `places`, at any coin, anywhere between its two edges, at
+/// a speed in m/s from `speeds`. If there is no coin, they go straight ahead.
 pub(in super::super) fn knocks(
     sight: &Sight,
     places: &[DVec2],

@@ -1,12 +1,13 @@
-//! Shots from geometry alone: which strokes are worth simulating.
+//! Finds by geometry alone which strokes are worth simulating.
 //!
-//! A shot is built from its end. A [`PocketPath`] says how a coin has to leave for a pocket:
-//! straight, off a cushion, or to drive another coin that has a course. A [`ProposedStroke`] says
-//! how the striker has to leave to give a coin its course: straight or off a cushion. Each link
-//! requires a speed of the one before it and uses a share of the tolerance that is left.
+//! A shot is built backwards from its end. A [`PocketPath`] describes how a coin must move to reach
+//! a pocket: straight, off a cushion, or by driving another coin that has a course. A
+//! [`ProposedStroke`] describes how the striker must move to give a coin its course: straight or
+//! off a cushion. Each link requires a certain speed from the link before it and uses up part of
+//! the remaining tolerance.
 //!
-//! Checking a path against every coin costs more than all the rest. So a link is [`Unchecked`] at
-//! first, and only candidates that are good enough are checked.
+//! Checking a path against every coin takes longer than everything else. So a link is [`Unchecked`]
+//! at first, and only good candidates are checked.
 
 mod course;
 mod knock;

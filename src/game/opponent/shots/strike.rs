@@ -1,4 +1,4 @@
-//! How the striker gives a coin its course.
+//! The strokes with which the striker gives a coin its course.
 
 use glam::DVec2;
 
@@ -10,13 +10,13 @@ use crate::physics::Motion;
 /// A stroke that gives a coin its course.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) struct ProposedStroke {
-    /// Where the striker stands.
+    /// The striker's position.
     pub(in super::super) from: DVec2,
-    /// The direction in which it is struck.
+    /// The direction of the stroke.
     pub(in super::super) toward: DVec2,
-    /// The least speed in m/s that is enough.
+    /// The least sufficient speed in m/s.
     pub(in super::super) speed: f64,
-    /// The largest tolerable error of its direction, in radians.
+    /// The largest tolerable error in the stroke's direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
@@ -48,8 +48,8 @@ pub(in super::super) fn strikes<'a>(
     })
 }
 
-/// The straight stroke from a place by which the striker gives a coin its course from
-/// `ghost`, if it does.
+/// The straight stroke from a position that gives a coin its course by way of `ghost`, if there is
+/// one.
 pub(in super::super) fn strike(
     sight: &Sight,
     course: &PocketPath,
@@ -59,8 +59,8 @@ pub(in super::super) fn strike(
     stroke(sight, course, Way::straight(from, ghost)?)
 }
 
-/// The tolerance of that stroke, except for rounding, without a square root: most strokes are not
-/// computed further.
+/// The tolerance of that stroke, except for rounding, computed without a square root: for most
+/// strokes nothing else is computed.
 pub(in super::super) fn allowance(
     sight: &Sight,
     course: &PocketPath,
@@ -77,7 +77,7 @@ pub(in super::super) fn most_allowed(sight: &Sight, course: &PocketPath, away: f
     course.allowance * (sight.striker() + sight.coin()) / away
 }
 
-/// The strokes from these positions off a cushion.
+/// The strokes off a cushion from these positions.
 pub(in super::super) fn kicks<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,
@@ -92,11 +92,11 @@ pub(in super::super) fn kicks<'a>(
     ways.filter_map(move |way| stroke(sight, course, way))
 }
 
-/// The stroke by which the striker gives a coin its course at the end of this path, if it does.
+/// The stroke along this path that gives a coin its course at the end, if there is one.
 ///
-/// Along the line of impact it transfers a fixed share of its component. An error of its direction
-/// becomes a shift at the end of its path, and through r₁ + r₂ and the cosine an error of the line
-/// of impact.
+/// The coin's speed is a fixed multiple of the striker's velocity component along the line of
+/// impact. An error in the striker's direction becomes a shift at the end of its path; divided by
+/// r₁ + r₂ and the cosine, this is an error of the line of impact.
 fn stroke(sight: &Sight, course: &PocketPath, way: Way) -> Option<Unchecked<ProposedStroke>> {
     let cosine = way.arriving.dot(course.toward);
     if cosine <= THINNEST || cosine.is_nan() {

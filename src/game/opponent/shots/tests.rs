@@ -78,7 +78,7 @@ fn into_the_corner(sight: &Sight, coin: usize) -> PocketPath {
 }
 
 #[test]
-fn a_straight_pot_aims_through_the_ghost_and_a_cut_by_its_angle() {
+fn straight_shots_and_cuts_aim_at_the_ghost() {
     let board = Board::default();
     let coins = [coin(0.1, 0.1)];
     for set in SETS {
@@ -104,7 +104,7 @@ fn a_straight_pot_aims_through_the_ghost_and_a_cut_by_its_angle() {
 }
 
 #[test]
-fn the_speed_just_suffices() {
+fn the_speed_is_just_sufficient() {
     let board = Board::default();
     let coins = [coin(0.05, 0.12)];
     for set in SETS {
@@ -121,11 +121,11 @@ fn the_speed_just_suffices() {
 }
 
 #[test]
-fn the_allowance_is_what_the_pocket_forgives() {
+fn the_allowance_is_the_tolerance_of_the_pocket() {
     let board = Board::default();
-    // Along the right cushion, so that a turn to the left leads past the edge of the
-    // pocket and away from it. Straight behind the coin the first order is true within
-    // 5 %, and a striker of the same mass does not follow it.
+    // The coin moves along the right cushion, so that a turn to the left leads past the edge of the
+    // pocket. For a straight shot the first-order approximation is correct to within 5 %, and a
+    // striker of the same mass does not follow the coin.
     let far = board.side / 2.0 - board.pocket_diameter / 2.0;
     let coins = [coin(far, -0.25)];
     let sight = sight(&board, PieceSet::EqualMass, &coins);
@@ -134,7 +134,7 @@ fn the_allowance_is_what_the_pocket_forgives() {
     let aim = clear(&sight, strikes(&sight, &course, &places))[0];
     let lands_in = |share: f64| {
         let meant = aim.motion(1.1);
-        // The striker to the right sends the coin to the left.
+        // A striker that is too far to the right sends the coin to the left.
         let turn = DVec2::from_angle(-share * aim.allowance);
         let turned = Motion {
             velocity: turn.rotate(meant.velocity),
@@ -211,7 +211,7 @@ fn one_coin_drives_another() {
 }
 
 #[test]
-fn a_coin_in_the_way_closes_a_way() {
+fn a_coin_in_the_way_blocks_a_path() {
     let board = Board::default();
     let open = [coin(0.1, 0.1)];
     let set = PieceSet::Tournament;
@@ -219,13 +219,13 @@ fn a_coin_in_the_way_closes_a_way() {
     assert_eq!(pockets(&open), 4);
     let barred = [open[0], coin(0.2, 0.215)];
     assert_eq!(pockets(&barred), 3);
-    // Slightly more than two radii beside the path, it is free.
+    // The path is free if the coin is slightly more than two radii away from it.
     let beside = DVec2::splat(0.2) + DVec2::new(0.5, -0.5).normalize() * 0.0319;
     assert_eq!(pockets(&[open[0], coin(beside.x, beside.y)]), 4);
 }
 
 #[test]
-fn no_ghost_in_the_frame_and_no_hit_from_the_wrong_side() {
+fn a_ghost_in_the_frame_and_a_hit_from_the_wrong_side_are_rejected() {
     let board = Board::default();
     let coins = [coin(-0.354, 0.1), coin(0.1, 0.1)];
     let sight = sight(&board, PieceSet::Tournament, &coins);

@@ -30,7 +30,7 @@ fn speed_after(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
 }
 
 #[test]
-fn one_disc_stops_where_friction_says() {
+fn one_disc_stops_at_the_predicted_distance() {
     let board = closed_board();
     let a = board.deceleration();
     let shot = Table::default()
@@ -47,7 +47,7 @@ fn one_disc_stops_where_friction_says() {
 }
 
 #[test]
-fn one_disc_meets_the_cushion_and_comes_back() {
+fn one_disc_hits_the_cushion_and_comes_back() {
     let board = closed_board();
     let a = board.deceleration();
     let shot = Table::default()
@@ -81,7 +81,7 @@ fn one_disc_falls_into_a_pocket() {
     let shot = Table::default()
         .with(COIN, (0.0, 0.0), (-2.0, 2.0))
         .play(&board);
-    // The pocket's centre lies a radius from both sides; the disc falls at its edge.
+    // The pocket's centre is one radius from both sides; the disc falls at the pocket's edge.
     let hole = 0.5 * board.pocket_diameter;
     let way = (0.37 - hole) * 2_f64.sqrt() - hole;
     let speed = 8_f64.sqrt();
@@ -99,7 +99,7 @@ fn one_disc_falls_into_a_pocket() {
 }
 
 #[test]
-fn two_discs_with_friction_meet_when_and_where_the_closed_form_says() {
+fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
     let board = closed_board();
     let a = board.deceleration();
     for degrees in [0.0, 10.0, 30.0, 45.0, 60.0, 80.0, 89.0_f64] {
@@ -119,7 +119,7 @@ fn two_discs_with_friction_meet_when_and_where_the_closed_form_says() {
             DVec2::new(way - 0.2, 0.0),
             1e-14,
         );
-        // And they leave as the closed forms for a target at rest predict.
+        // The discs leave as the closed forms for a target at rest predict.
         let speed = speed_after(way, 2.0, a).expect("it gets there");
         let EventKind::Impact {
             discs,
@@ -142,9 +142,9 @@ fn two_discs_with_friction_meet_when_and_where_the_closed_form_says() {
 }
 
 #[test]
-fn two_sliding_discs_meet_when_their_paths_say() {
-    // At right angles with equal speeds: the centres lie at (−x, 0) and (0, −x), so
-    // they are √2 x apart and meet at x = R/√2, each having slid the same way.
+fn two_sliding_discs_meet_at_the_predicted_time() {
+    // The discs move at right angles with equal speeds: the centres are at (−x, 0) and (0, −x), so
+    // they are √2 x apart and meet at x = R/√2, after sliding equally far.
     let board = closed_board();
     let shot = Table::default()
         .with(COIN, (-0.2, 0.0), (1.7, 0.0))
@@ -158,8 +158,8 @@ fn two_sliding_discs_meet_when_their_paths_say() {
 }
 
 #[test]
-fn a_row_of_equal_discs_hands_the_motion_on() {
-    // One, two and three in: as many out, touching or with gaps, e = 1.
+fn a_row_of_equal_discs_passes_the_motion_on() {
+    // At e = 1 as many discs leave as arrive: one, two or three, touching or with gaps.
     let board = Board {
         friction: 0.0,
         ..Board::open(1.0)
@@ -206,8 +206,8 @@ fn two_discs_sliding_side_by_side_do_not_disturb_each_other() {
 
 #[test]
 fn a_pair_pressed_together_while_it_slides_stays_apart_and_comes_to_rest() {
-    // The slower of two touching discs that go the same way loses its sideways
-    // speed sooner, so the other is pressed against it: a lasting, sliding contact.
+    // If two touching discs move in the same direction, the slower one loses its sideways speed
+    // sooner and the other is pressed against it: a lasting, sliding contact.
     let board = closed_board();
     let reach = 2.0 * COIN.radius;
     let shot = Table::default()
@@ -229,7 +229,7 @@ fn a_pair_pressed_together_while_it_slides_stays_apart_and_comes_to_rest() {
 
 #[test]
 fn a_gap_of_1e_19_m_is_closed() {
-    // Discs so small that a double can tell such a gap from none.
+    // The discs are so small that an `f64` can represent such a gap.
     let small = Disc {
         mass: 1e-6,
         radius: 5e-5,
@@ -259,7 +259,7 @@ fn a_gap_of_1e_19_m_is_closed() {
 }
 
 #[test]
-fn touching_discs_that_part_do_not_meet() {
+fn touching_discs_that_move_apart_do_not_meet() {
     let board = closed_board();
     let reach = 2.0 * COIN.radius;
     let shot = Table::default()
@@ -300,7 +300,7 @@ fn a_symmetric_break_stays_symmetric() {
 }
 
 #[test]
-fn an_impossible_shot_is_refused_in_words() {
+fn an_impossible_shot_is_refused_with_a_reason() {
     let says = |board: &Board, table: &Table, limits: Limits| {
         play(board, &table.discs, &table.start, limits)
             .expect_err("it is unusable")
@@ -334,10 +334,10 @@ fn an_impossible_shot_is_refused_in_words() {
     assert!(says(&board, &good, few).starts_with("more than 0 events"));
 }
 
-/// In a pack that touches, of masses over six powers of ten, nearly all work goes into the impulses
-/// of contacts at once. The part played before the work ran out stays in the record.
+/// In a touching pack with masses over six powers of ten, nearly all the work is finding the
+/// impulses of simultaneous contacts. The record keeps the part that was played before the limit.
 #[test]
-fn a_shot_that_is_too_much_work_is_given_up_where_it_is() {
+fn a_shot_that_takes_too_much_work_stops_and_keeps_its_record() {
     let mut table = rack(0.0, (0.3, 4.0));
     for (i, disc) in table.discs.iter_mut().enumerate() {
         disc.mass = [1e-5, 1e-2, 10.0][i * i % 3];

@@ -27,9 +27,9 @@ fn fingerprint(shot: &Shot) -> u64 {
     hash
 }
 
-/// A pinned figure is right here, and only here: a break is chaotic, so one bit that a compiler or
-/// a processor rounds differently anywhere comes out as another number. A deliberate change of the
-/// arithmetic needs a new pinned figure.
+/// Only here is a pinned number the right test: a break is chaotic, so one bit rounded differently
+/// by a compiler or a processor gives another number. A deliberate change of the arithmetic
+/// requires a new pinned number.
 #[test]
 fn whole_breaks_are_the_same_to_the_last_bit() {
     let inelastic = Board {

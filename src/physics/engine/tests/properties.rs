@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::tables::{Table, rack};
 use crate::physics::{Board, Disc, DiscState, EventKind, Limits, Motion, Shot, play};
 
-/// Discs may overlap each other or the frame no further than this, in metres.
+/// The largest allowed overlap of a disc with another or with the frame, in metres.
 const DEEPEST: f64 = 1e-9;
 
 fn a_disc() -> impl Strategy<Value = (Disc, Motion)> {
@@ -88,7 +88,7 @@ fn assert_on_the_board(shot: &Shot) {
 }
 
 fn assert_balanced(shot: &Shot) {
-    // Contacts at the same instant share their energy: only their sum must not rise.
+    // Contacts at the same instant exchange energy: only the total must not increase.
     let mut gained = 0.0;
     let mut since = f64::NAN;
     for event in shot.events() {
@@ -147,7 +147,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
     #[test]
-    fn any_table_plays_to_its_end_by_the_laws((table, board) in (a_table(), a_board())) {
+    fn any_table_obeys_the_laws_to_its_end((table, board) in (a_table(), a_board())) {
         assert_sound(&table, &board);
     }
 }
@@ -156,7 +156,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(150))]
 
     #[test]
-    fn so_does_any_break(
+    fn any_break_obeys_the_laws(
         (board, gap) in (a_board(), prop_oneof![Just(0.0), Just(1e-19), Just(1e-12), 0.0..1e-3]),
         (across, speed) in (-0.6..0.6, 0.1..6.0),
     ) {
@@ -166,7 +166,7 @@ proptest! {
 
 /// Packs that stay together, press and come to rest disc by disc: the hardest case.
 #[test]
-fn so_do_packs_that_collapse() {
+fn collapsing_packs_obey_the_laws() {
     for (gap, friction, e, cushion, velocity) in [
         (7.932992e-4, 0.2206, 0.0, 1.0, (0.4178, 2.3016)),
         (0.0, 0.2213, 0.0, 1.0, (0.0, 1.2933)),
@@ -187,7 +187,7 @@ fn so_do_packs_that_collapse() {
 
 /// A table large enough for the grid, with every disc moving.
 #[test]
-fn so_does_a_crowd() {
+fn a_crowd_obeys_the_laws() {
     for e in [1.0, 0.6] {
         let mut table = Table::default();
         for i in 0..400 {
@@ -209,7 +209,7 @@ fn so_does_a_crowd() {
 
 /// Without friction no energy is lost at e = 1, however long the shot.
 #[test]
-fn without_friction_energy_stays() {
+fn without_friction_energy_is_conserved() {
     let board = Board {
         friction: 0.0,
         pocket_diameter: 0.0,

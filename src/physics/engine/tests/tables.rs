@@ -29,7 +29,7 @@ impl Table {
     }
 }
 
-/// The board of the break: no pockets.
+/// The board for the break, without pockets.
 pub(super) fn closed_board() -> Board {
     Board {
         pocket_diameter: 0.0,
@@ -37,8 +37,8 @@ pub(super) fn closed_board() -> Board {
     }
 }
 
-/// A striker below the pack of 19: one, six around it, twelve around those, `gap`
-/// metres apart. The pack is its own mirror image to the last bit.
+/// A striker below a pack of 19: one disc, six around it and twelve around those, `gap` metres
+/// apart. The pack is its own mirror image to the last bit.
 pub(super) fn rack(gap: f64, velocity: (f64, f64)) -> Table {
     let mut table = Table::default().with(STRIKER, (0.0, -0.26), velocity);
     let pitch = 2.0 * COIN.radius + gap;

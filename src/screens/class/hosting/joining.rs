@@ -12,19 +12,19 @@ use crate::widgets::big::Big;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Look, Role, Room, SplitLayout, areas, text};
 
-/// The hint if nobody has joined for a while.
-const HINT: &str = "Nobody in yet? Devices must be on the same network as this computer. Many \
-                    school networks separate devices: then open a hotspot on this computer or a \
+/// The hint shown when nobody has joined for a while.
+const HINT: &str = "Has nobody joined? Devices must be on the same network as this computer. Many \
+                    school networks isolate devices: then open a hotspot on this computer or a \
                     phone and let everyone join it, or vote with hands or cards instead.";
-/// Rows of an address in large letters.
+/// The height of an address in large letters, in rows.
 const LETTERS: u16 = 4;
-/// The least rows beside a QR code for large letters.
+/// The smallest number of rows beside a QR code for large letters.
 const LARGE_FROM: u16 = 13;
 /// The scales of a QR code, the largest first.
 const SCALES: [usize; 3] = [3, 2, 1];
-/// Columns beside it, for the address in plain letters at least.
+/// The smallest number of columns beside a QR code: enough for the address in plain letters.
 const LEAST_WORDS: u16 = 24;
-/// The notice for everyone.
+/// The notice that names and votes are not private.
 const OPENLY: &str = "Everyone on this network can see names and votes. Nicknames are fine.";
 
 /// The instructions for joining.
@@ -44,7 +44,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
             let words = "The round can also be played with teams or with cards.";
             panel.paragraph(words, Role::Text);
             let on = ClassAction::Hosting(HostingAction::GoOn);
-            panel.prompt("go on without pupils", on);
+            panel.prompt("continue without pupils", on);
             return View::alone(column, panel);
         }
     };
@@ -56,7 +56,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let qr = Qr::of(&link, &look).filter(|_| joining.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
     let is_below = beside.as_ref().is_some_and(|it| it.address_is_below);
-    // Beside a QR code there is room for the hint if nobody joins.
+    // The hint that nobody has joined is shown only beside a QR code, where there is room for it.
     let waits = session.waits_long();
     write(session, joining, (&address, is_below), &mut panel);
     if waits && beside.is_some() {
@@ -93,7 +93,8 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     }
 }
 
-/// Writes the address, unless it is below, the code, and the number of participants.
+/// Writes the code, the number of participants and, unless it is shown below the QR code, the
+/// address.
 fn write(
     session: &Session,
     joining: &JoinDetails,
@@ -115,7 +116,7 @@ fn write(
     panel.large([joining.code.to_string().as_str()], Role::Title, LARGE_FROM);
     panel.gap();
     let in_words = match (session.present(), session.round().participants().len()) {
-        (0, 0) => "Nobody is in yet.".to_owned(),
+        (0, 0) => "Nobody has joined yet.".to_owned(),
         (1, 1) => "One is in.".to_owned(),
         (present, all) if present == all => format!("{all} are in."),
         (present, all) => format!("{present} of {all} are in."),
@@ -140,18 +141,19 @@ fn address(joining: &JoinDetails) -> String {
     first.map(ToString::to_string).unwrap_or_default()
 }
 
-/// A QR code, and what is around it.
+/// A QR code, and the layout around it.
 struct BesideQr {
     qr: Qr,
     place: Rect,
     words: Rect,
-    /// Whether the address is below it, because it is too long to be large beside it.
+    /// Whether the address is shown below the QR code, because it is too long for large letters
+    /// beside the code.
     address_is_below: bool,
 }
 
 impl BesideQr {
-    /// The largest QR code that leaves room for the words: for the address in plain letters, or in
-    /// large ones if the QR code can be smaller.
+    /// The largest QR code that leaves room for the address in large letters, or else the smallest,
+    /// if that leaves room for the address in plain letters.
     fn new(qr: Qr, address: &str, body: Rect, look: &Look) -> Option<Self> {
         let mut qr = qr;
         for scale in SCALES {

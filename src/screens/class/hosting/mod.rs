@@ -15,15 +15,16 @@ use crate::widgets::SplitLayout;
 use crate::widgets::input::{KeyTable, ListAction};
 use people::People;
 
-/// What keys do about pupils on their own devices.
+/// The key actions for pupils on their own devices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum HostingAction {
     /// show how to join: the address and the code
+    #[strum(serialize = "door")]
     Joining,
-    /// show who is in, and who has voted
+    /// show who has joined, and who has voted
     Names,
-    /// go on with the round
+    /// continue the round
     GoOn,
     /// close the round to newcomers, or open it again
     Shut,
@@ -43,7 +44,7 @@ pub(crate) enum HostingAction {
     NotYet,
 }
 
-/// A page of its own.
+/// A page about pupils on their own devices.
 #[derive(Debug, Clone)]
 pub(super) enum HostPage {
     /// How to join.
@@ -51,7 +52,7 @@ pub(super) enum HostPage {
     People(People),
 }
 
-/// The keys that there are at every step.
+/// The keys that are available at every step.
 pub(super) fn step_keys() -> KeyTable<HostingAction> {
     KeyTable::new("class")
         .on('j', HostingAction::Joining, "how to join")
@@ -78,7 +79,7 @@ impl HostPage {
         }
     }
 
-    /// Handles a typing key; returns whether it was one.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match self {
             Self::People(people) => people.typed(key),
@@ -136,7 +137,7 @@ impl HostPage {
         }
     }
 
-    /// Shows the present state.
+    /// Updates the page to the current state.
     pub(super) fn renew(&mut self, session: &Session) {
         if let Self::People(people) = self {
             people.renew(session);

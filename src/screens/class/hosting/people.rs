@@ -1,4 +1,4 @@
-//! Who is in, and who has voted: names that are shown when the teacher asks for them.
+//! The list of participants and of who has voted; names are shown only on the teacher's request.
 
 use super::{ClassAction, HostingAction};
 use crate::class::{ClassChange, ClassRound, LONGEST_NAME, Participant, Session, Vote};
@@ -11,33 +11,33 @@ use crate::widgets::{Outcome, Role};
 #[derive(Debug, Clone)]
 pub(in crate::screens::class) struct People {
     list: ListView,
-    /// The row at the mark.
-    marked: Option<Row>,
-    doing: Doing,
-    /// The participant whom the question is about. By the time it is answered, others may have
-    /// joined or left.
+    /// The marked row.
+    marked: Option<PersonRow>,
+    doing: PersonEdit,
+    /// The participant whom the open confirmation is about. Others may join or leave before the
+    /// teacher answers it.
     asked: Option<String>,
 }
 
 /// A row of the list, by its unique name.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Row {
+enum PersonRow {
     Person(String),
     Removed(String),
 }
 
 /// The action in progress on the chosen row.
 #[derive(Debug, Clone)]
-enum Doing {
+enum PersonEdit {
     Nothing,
-    /// Another name is typed.
+    /// A new name is being typed.
     Rename(String, TextField),
     /// The original participant is being chosen.
     Merge(String),
 }
 
-/// The rows in their order: those who have not voted first, those who were removed last.
-fn rows(session: &Session) -> Vec<Row> {
+/// The rows in order: first those who have not voted, last those who were removed.
+fn rows(session: &Session) -> Vec<PersonRow> {
     let round = session.round();
     let question = round.place().question;
     let voted = |it: &&Participant| {
@@ -46,8 +46,10 @@ fn rows(session: &Session) -> Vec<Row> {
     };
     let mut people: Vec<_> = round.participants().iter().collect();
     people.sort_by_key(voted);
-    let people = people.into_iter().map(|it| Row::Person(it.name().into()));
-    let removed = round.removed().map(|name| Row::Removed(name.into()));
+    let people = people
+        .into_iter()
+        .map(|it| PersonRow::Person(it.name().into()));
+    let removed = round.removed().map(|name| PersonRow::Removed(name.into()));
     people.chain(removed).collect()
 }
 
@@ -57,19 +59,20 @@ fn number(session: &Session, name: &str) -> Option<usize> {
 }
 
 impl People {
-    /// The page as things stand.
+    /// The page in the current state of the session.
     pub(super) fn new(session: &Session) -> Self {
         let mut people = Self {
             list: ListView::default(),
             marked: None,
-            doing: Doing::Nothing,
+            doing: PersonEdit::Nothing,
             asked: None,
         };
         people.renew(session);
         people
     }
 
-    /// Keeps the mark at the same participant, or at the next one if that one has gone.
+    /// Keeps the mark on the same participant, or moves it to the next one if that participant has
+    /// left.
     pub(super) fn renew(&mut self, session: &Session) {
         let rows = rows(session);
         if let Some(at) = rows
@@ -80,19 +83,21 @@ impl People {
         }
         self.marked = rows.get(self.list.chosen(rows.len())).cloned();
         let gone = match &self.doing {
-            Doing::Rename(name, _) | Doing::Merge(name) => number(session, name).is_none(),
-            Doing::Nothing => false,
+            PersonEdit::Rename(name, _) | PersonEdit::Merge(name) => {
+                number(session, name).is_none()
+            }
+            PersonEdit::Nothing => false,
         };
         if gone {
-            self.doing = Doing::Nothing;
+            self.doing = PersonEdit::Nothing;
         }
     }
 
-    /// The one at the mark, if they are on the list.
+    /// The marked participant, if they are on the list.
     fn at(&self) -> Option<&str> {
         match self.marked.as_ref()? {
-            Row::Person(name) => Some(name),
-            Row::Removed(_) => None,
+            PersonRow::Person(name) => Some(name),
+            PersonRow::Removed(_) => None,
         }
     }
 
@@ -101,23 +106,23 @@ impl People {
         use HostingAction::{Back, List, Merge, NotYet, Remove, RemoveAway, Rename, Shut};
         let keys = KeyTable::new("class");
         match &self.doing {
-            Doing::Rename(..) => {
+            PersonEdit::Rename(..) => {
                 keys.on(Key::Enter, Rename, "use this name")
                     .on(Key::Escape, NotYet, "cancel")
             }
-            Doing::Merge(_) => {
-                let list = ListView::keys("it is this one");
+            PersonEdit::Merge(_) => {
+                let list = ListView::keys("same person");
                 keys.with(list, List).on(Key::Escape, NotYet, "cancel")
             }
-            Doing::Nothing => keys
+            PersonEdit::Nothing => keys
                 .with(
                     ListView::keys(match self.marked {
-                        Some(Row::Removed(_)) => "let in again",
+                        Some(PersonRow::Removed(_)) => "let in again",
                         _ => "rename",
                     }),
                     List,
                 )
-                .on('m', Merge, "is somebody else")
+                .on('m', Merge, "joined twice")
                 .when(self.at().is_some() && rows(session).len() > 1)
                 .on(Key::Delete, Remove, "remove")
                 .or([(Key::Char('x'), Remove)])
@@ -130,10 +135,10 @@ impl People {
         }
     }
 
-    /// Handles a typing key; returns whether it was one.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match &mut self.doing {
-            Doing::Rename(_, field) => field.update(key),
+            PersonEdit::Rename(_, field) => field.update(key),
             _ => false,
         }
     }
@@ -146,7 +151,7 @@ impl People {
     ) -> Option<String> {
         let opens = match action {
             HostingAction::List(ListAction::Open) => true,
-            // A second click.
+            // A second click opens the row.
             HostingAction::List(ListAction::Point(at)) => {
                 self.marked.is_some() && rows(session).get(at) == self.marked.as_ref()
             }
@@ -155,14 +160,16 @@ impl People {
         self.asked = self.at().map(str::to_owned);
         let asked = self.asked.as_ref();
         match (&self.doing, action) {
-            (Doing::Nothing, HostingAction::Remove) => Some(format!(
+            (PersonEdit::Nothing, HostingAction::Remove) => Some(format!(
                 "Remove {} with all their votes? They stay out until you let them in \
                  again.",
                 asked?
             )),
-            (Doing::Merge(from), _) if opens => {
+            (PersonEdit::Merge(from), _) if opens => {
                 let into = asked.filter(|into| *into != from)?;
-                Some(format!("{from} is {into}? The two become one."))
+                Some(format!(
+                    "Merge {from} into {into}? They become one participant."
+                ))
             }
             _ => None,
         }
@@ -171,25 +178,28 @@ impl People {
     /// Carries out an action; returns the change of the round.
     pub(super) fn act(&mut self, action: HostingAction, session: &Session) -> Option<ClassChange> {
         let asked = self.asked.take().and_then(|name| number(session, &name));
-        match (action, std::mem::replace(&mut self.doing, Doing::Nothing)) {
+        match (
+            action,
+            std::mem::replace(&mut self.doing, PersonEdit::Nothing),
+        ) {
             (HostingAction::List(action), doing) => {
                 let rows = rows(session);
                 let outcome = self.list.act(action, rows.len());
                 self.marked = rows.get(self.list.chosen(rows.len())).cloned();
                 match (outcome, doing) {
-                    (Outcome::Done(_), Doing::Merge(from)) => {
+                    (Outcome::Done(_), PersonEdit::Merge(from)) => {
                         let into = asked?;
                         let from = number(session, &from).filter(|from| *from != into)?;
                         return Some(ClassChange::Merge { from, into });
                     }
                     (Outcome::Done(_), _) => match self.marked.as_ref()? {
-                        Row::Removed(name) => {
+                        PersonRow::Removed(name) => {
                             let removed = session.round().removed().position(|it| it == name)?;
                             return Some(ClassChange::Readmit { removed });
                         }
-                        Row::Person(name) => {
+                        PersonRow::Person(name) => {
                             let field = TextField::new(name, 2 * LONGEST_NAME);
-                            self.doing = Doing::Rename(name.clone(), field);
+                            self.doing = PersonEdit::Rename(name.clone(), field);
                         }
                     },
                     (_, doing) => self.doing = doing,
@@ -197,13 +207,13 @@ impl People {
                 None
             }
             (HostingAction::Merge, _) => {
-                self.doing = Doing::Merge(self.at()?.to_owned());
+                self.doing = PersonEdit::Merge(self.at()?.to_owned());
                 None
             }
-            (HostingAction::Rename, Doing::Rename(old, field)) => {
+            (HostingAction::Rename, PersonEdit::Rename(old, field)) => {
                 let person = number(session, &old)?;
                 let name = session.round().renamed(person, field.text())?;
-                self.marked = Some(Row::Person(name.clone()));
+                self.marked = Some(PersonRow::Person(name.clone()));
                 Some(ClassChange::Rename { person, name })
             }
             (HostingAction::Remove, _) => Some(ClassChange::Remove { person: asked? }),
@@ -211,7 +221,7 @@ impl People {
         }
     }
 
-    /// The list.
+    /// The list of participants.
     pub(super) fn panel(&self, session: &Session) -> Panel<ClassAction> {
         let round = session.round();
         let (present, all) = (session.present(), round.participants().len());
@@ -220,12 +230,12 @@ impl People {
             handed => format!("{present} in, {all} on the list, {handed} handed in"),
         });
         let words = match &self.doing {
-            Doing::Merge(from) => format!("Who is \"{from}\" really? Choose the name."),
-            Doing::Rename(..) => "Type the name.".into(),
-            Doing::Nothing if session.is_shut() => {
+            PersonEdit::Merge(from) => format!("Who is \"{from}\" really? Choose the name."),
+            PersonEdit::Rename(..) => "Type the name.".into(),
+            PersonEdit::Nothing if session.is_shut() => {
                 "The round is closed: nobody new can join.".into()
             }
-            Doing::Nothing => match session.handed_in_where() {
+            PersonEdit::Nothing => match session.handed_in_where() {
                 Some(folder) => format!("Handed in: carrom gather \"{folder}\" --out class.html"),
                 None => String::new(),
             },
@@ -237,19 +247,19 @@ impl People {
         }
         let rows = rows(session);
         if rows.is_empty() {
-            panel.paragraph("Nobody is in yet.", Role::Text);
+            panel.paragraph("Nobody has joined yet.", Role::Text);
         }
         for (at, row) in rows.iter().enumerate() {
             let chosen = self.marked.as_ref() == Some(row);
             let (name, state) = match row {
-                Row::Person(name) => {
+                PersonRow::Person(name) => {
                     let one = number(session, name).and_then(|it| round.participants().get(it));
                     (name, one.map(|it| state_of(it, round)).unwrap_or_default())
                 }
-                Row::Removed(name) => (name, "removed".to_owned()),
+                PersonRow::Removed(name) => (name, "removed".to_owned()),
             };
             match &self.doing {
-                Doing::Rename(_, field) if chosen => {
+                PersonEdit::Rename(_, field) if chosen => {
                     panel.text_field("name", field.around_cursor(), true, None);
                 }
                 _ => {
@@ -263,7 +273,7 @@ impl People {
     }
 }
 
-/// Whether somebody has voted, has handed in and is away.
+/// The state of a participant: has voted, has handed in, is away.
 fn state_of(one: &Participant, round: &ClassRound) -> String {
     let ballot = one.ballot(round.place().question);
     let voted = match Vote::BOTH.map(|vote| ballot.vote(vote)) {

@@ -7,7 +7,7 @@ use ratatui::style::{Color, Style};
 
 use crate::widgets::{Charset, Depth, Look};
 
-/// White modules around the code.
+/// The width of the white margin around the code, in modules.
 const MARGIN: usize = 2;
 
 /// A QR code that can be drawn.
@@ -16,13 +16,13 @@ pub(super) struct Qr {
     side: usize,
     /// White and black.
     colours: [Color; 2],
-    /// Columns of a module.
+    /// The width of a module, in columns.
     scale: usize,
 }
 
 impl Qr {
-    /// The QR code of a text; `None` if a phone could not read it: without half blocks, or without
-    /// black and white.
+    /// The QR code of a string; `None` if a phone could not read it: without half blocks, or
+    /// without black and white.
     pub(super) fn of(text: &str, look: &Look) -> Option<Self> {
         let has_cells = look.charset == Charset::Unicode && look.theme.depth != Depth::None;
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
@@ -38,12 +38,12 @@ impl Qr {
         })
     }
 
-    /// The same enlarged, to be read from farther away.
+    /// The same code enlarged, so that phones can read it from farther away.
     pub(super) fn scaled(self, scale: usize) -> Self {
         Self { scale, ..self }
     }
 
-    /// Columns and rows.
+    /// The size in columns and rows.
     pub(super) fn size(&self) -> (u16, u16) {
         let side = (self.scale * (self.side + 2 * MARGIN)) as u16;
         (side, side.div_ceil(2))
@@ -59,7 +59,7 @@ impl Qr {
         }
     }
 
-    /// Draws it into the upper left corner of an area, on white.
+    /// Draws the code into the upper left corner of an area, on white.
     pub(super) fn draw(&self, place: Rect, buf: &mut Buffer) {
         let (columns, rows) = self.size();
         let colour = |dark: bool| self.colours[usize::from(dark)];
@@ -81,7 +81,7 @@ mod tests {
     use crate::widgets::{Palette, Theme};
 
     #[test]
-    fn each_module_stands_in_its_half_of_a_cell_within_a_white_rim() {
+    fn each_module_is_drawn_in_its_half_of_a_cell_within_a_white_margin() {
         let look = Look {
             charset: Charset::Unicode,
             theme: Theme::new(Palette::Dark, Depth::True),

@@ -55,7 +55,7 @@ impl Contents {
     }
 }
 
-/// Moves the mark, or opens its line.
+/// Moves the mark, or opens the marked line.
 fn listed(book: &mut Book, action: ListAction) -> Next {
     let mut list = ListView::at(book.at);
     let count = lines(book).len();
@@ -64,7 +64,7 @@ fn listed(book: &mut Book, action: ListAction) -> Next {
     Next::of(outcome, |_| open(book))
 }
 
-/// What a line of the contents is.
+/// A line of the contents.
 #[derive(Debug, Clone, Copy)]
 enum ContentsLine<'a> {
     Chapter(&'a Chapter),
@@ -164,8 +164,8 @@ impl Screen for Contents {
         };
         Next::Confirm(Confirmation::new(
             format!(
-                "Forget {title}? Your place and your answers in {of} are forgotten, so that you \
-                 can start over. Your progress still counts every answer you have given."
+                "Forget {title}? Your place and your answers in {of} will be forgotten, so that \
+                 you can start over. Your progress still counts every answer you have given."
             ),
             "forget it",
             "leave it",

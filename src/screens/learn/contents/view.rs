@@ -96,7 +96,7 @@ fn about_chapter(book: &Book, chapter: &Chapter) -> Panel<ContentsAction> {
     panel.gap();
     let next = match mark.page(chapter) {
         0 => "read it".into(),
-        page => format!("go on at page {}", page + 1),
+        page => format!("read on at page {}", page + 1),
     };
     panel.prompt(next, ContentsAction::List(ListAction::Open));
     panel
@@ -132,8 +132,8 @@ fn summary(contents: &Contents, book: &Book) -> Panel<ContentsAction> {
     panel.heading("On the board, try this:");
     for idea in [
         "Two equal coins, off-centre: look for the right angle.",
-        "Striker on a coin: it is deflected by at most 21.5°. At which offset?",
-        "Levels: aim by the line of impact.",
+        "A striker that hits a coin is deflected by at most 21.5°. At which offset?",
+        "Levels: use the line of impact to aim.",
     ] {
         panel.item(idea, Role::Text);
     }

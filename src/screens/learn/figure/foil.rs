@@ -1,4 +1,4 @@
-//! α-particles past the charge of an atom: exact hyperbolas.
+//! α-particles passing the charge of an atom: exact hyperbolas.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -7,15 +7,16 @@ use crate::physics::rutherford::{FM, Rutherford};
 use crate::widgets::Role;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 
-/// Offsets of the particles, in closest approaches d.
+/// Offsets of the particles, in units of the closest approach d.
 const OFFSETS: [f64; 8] = [-2.2, -1.4, -0.8, -0.35, 0.15, 0.5, 1.0, 1.8];
-/// How far from the charge a path is drawn, in d, and the number of its straight pieces.
+/// The distance from the charge at which a path ends, in d, and the number of straight segments of
+/// a path.
 const FARTHEST: f64 = 20.0;
 const PIECES: u32 = 240;
 /// Half the width and height of the picture, in d.
 const EXTENT: DVec2 = DVec2::new(4.0, 3.4);
 
-/// Some of them, on gold.
+/// The paths of some α-particles past a gold nucleus.
 pub(super) fn picture(area: Rect) -> Picture {
     use LabelSide::{Below, BelowLeft, BelowRight, Right};
     let gold = Rutherford::radium_c_on_gold();

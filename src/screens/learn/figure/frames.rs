@@ -18,11 +18,12 @@ pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
     })
 }
 
-/// The area of each: side by side if there is room, otherwise one above the other.
+/// The areas of the two pictures: side by side if there is room, otherwise one above the other.
 fn halves(area: Rect) -> [Rect; 2] {
     let wide = area.width + 2 >= area.height.saturating_mul(2);
     if wide {
-        // Of equal size, so that they are drawn to the same scale: the middle column may be shared.
+        // Both have the same size, so that they are drawn to the same scale; they may therefore
+        // share the middle column.
         let width = area.width.div_ceil(2);
         let x = area.right() - width;
         [Rect { width, ..area }, Rect { x, width, ..area }]

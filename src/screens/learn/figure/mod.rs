@@ -31,16 +31,16 @@ use crate::widgets::{Look, RayInput, curves, svg};
 
 use worked::WorkedFigure;
 
-/// Steps of a setting, or degrees, that `<` and `>` go at once.
+/// The number of steps, or of degrees, by which `<` and `>` change a setting.
 const LEAP: i8 = 10;
 
-/// What keys do to the figure of a page.
+/// The key actions for the figure of a page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FigureAction {
     /// change α
     Alpha(i8),
-    /// set α to a head-on or a grazing collision
+    /// set α for a head-on or a grazing collision
     AlphaEnd(i8),
     /// step through the working
     Step(isize),
@@ -52,7 +52,7 @@ pub(crate) enum FigureAction {
     Foil(FoilFigureAction),
 }
 
-/// A figure as it stands.
+/// A figure in its current state.
 #[derive(Debug, Clone)]
 pub(super) struct LiveFigure {
     figure: Figure,
@@ -65,7 +65,7 @@ pub(super) struct LiveFigure {
 /// The state of a kind of figure.
 #[derive(Debug, Clone)]
 enum FigureState {
-    /// The hit being watched, or the hit in two frames.
+    /// The collision that is replayed, in one frame or in two.
     Hits(Vec<Watch>),
     /// Nothing but the collision.
     Plain,
@@ -96,7 +96,7 @@ impl LiveFigure {
         shown
     }
 
-    /// Starts the state anew from the collision.
+    /// Resets the state to the beginning of the collision.
     fn set_up(&mut self, said: Option<Rays>, pace: HitPace) {
         let watch = || match said {
             Some(_) => Watch::new(self.collision, said, pace),
@@ -129,13 +129,13 @@ impl LiveFigure {
         &self.collision
     }
 
-    /// The same as settings of the lab.
+    /// The collision as settings of the lab.
     pub(super) fn setup(&self) -> CollisionSpec {
         CollisionSpec::from(&self.collision)
     }
 
-    /// The question where both will go, if the shot is given by the impact angle and is of the
-    /// quiz's kind: smooth discs, one of them at rest.
+    /// The question of where both discs will go, if the shot is given by the impact angle and suits
+    /// the quiz: smooth discs, one of them at rest.
     pub(super) fn question_by_angle(&self) -> Option<Hit> {
         let collision = &self.collision;
         let hit = collision.outcome().meeting == Meeting::Hit;
@@ -149,8 +149,7 @@ impl LiveFigure {
         })
     }
 
-    /// The page of the foil that shows more of it, if it is the foil, which has a
-    /// screen of its own.
+    /// The page of the foil's own screen that shows more, if the figure is the foil.
     pub(super) fn foil_page(&self) -> Option<FoilPage> {
         let FigureKind::Foil { page, .. } = self.figure.kind else {
             return None;
@@ -159,7 +158,7 @@ impl LiveFigure {
         FoilPage::ALL.get(at).copied()
     }
 
-    /// The hit that is watched, for its explanation.
+    /// The collision that is replayed, for its explanation.
     pub(super) fn watch(&self) -> Option<&Watch> {
         match &self.state {
             FigureState::Hits(hits) if !self.hidden && self.figure.kind.is_hit() => hits.first(),
@@ -181,24 +180,24 @@ impl LiveFigure {
         }
     }
 
-    /// Shows the whole explanation of its collision at once.
+    /// Shows the whole explanation of the collision at once.
     pub(super) fn explain(&mut self) {
         if let FigureState::Hits(hits) = &mut self.state {
             hits.iter_mut().for_each(Watch::reveal);
         }
     }
 
-    /// Whether it uses arrow keys, so that keys go to it first.
+    /// Whether the figure uses arrow keys, so that keys go to it first.
     pub(super) fn is_set_by_keys(&self) -> bool {
         self.has_alpha() || self.is_text()
     }
 
-    /// Whether it is read rather than seen.
+    /// Whether the figure is text rather than a picture.
     pub(super) fn is_text(&self) -> bool {
         matches!(self.state, FigureState::Worked(_))
     }
 
-    /// Whether a number is being typed in it.
+    /// Whether a number is being typed in the figure.
     pub(super) fn is_typing(&self) -> bool {
         matches!(&self.state, FigureState::Worked(worked) if worked.is_typing())
     }
@@ -209,12 +208,12 @@ impl LiveFigure {
         }
     }
 
-    /// Whether its α is the student's own, the same in all such figures of a chapter.
+    /// Whether the student sets α, which is then the same in all such figures of a chapter.
     pub(super) fn is_own(&self) -> bool {
         self.figure.own
     }
 
-    /// Whether α is set in it.
+    /// Whether the figure has a setting for α.
     fn has_alpha(&self) -> bool {
         use FigureKind::{Angles, Curves, Energy, Frames, Triangle};
         let drawn_against_it = matches!(
@@ -242,7 +241,7 @@ impl LiveFigure {
                 match &self.state {
                     FigureState::Worked(worked) => worked.title(&self.collision),
                     FigureState::Foil(plot) => plot.title().into(),
-                    _ => "α-particles at an atom".into(),
+                    _ => "α-particles near an atom".into(),
                 }
             }
             FigureKind::Shots { space, .. } => shots::title(space).into(),
@@ -255,7 +254,7 @@ impl LiveFigure {
         kind.is_hit() || matches!(kind, FigureKind::Triangle { .. } | FigureKind::Frames)
     }
 
-    /// The keys that work it.
+    /// The keys that control the figure.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
         use FigureAction::{Alpha, AlphaEnd, Foil};
         let keys = KeyTable::new("figure");
@@ -274,7 +273,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // The frame of each hit is fixed.
+                // Each of two collisions is shown in a fixed frame.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha.with(watched, FigureAction::Watch)
@@ -316,7 +315,8 @@ impl LiveFigure {
         }
     }
 
-    /// Handles the mouse over its picture, where `rays` may be turned; returns whether it was used.
+    /// Handles the mouse over the picture, where `rays` can be turned; returns whether the mouse
+    /// was used.
     pub(super) fn mouse(
         &mut self,
         mouse: &Mouse,
@@ -377,7 +377,7 @@ impl LiveFigure {
         }
     }
 
-    /// When it next needs time.
+    /// The time until the figure must next be advanced.
     pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.state {
             _ if self.hidden => None,
@@ -387,14 +387,14 @@ impl LiveFigure {
         }
     }
 
-    /// Draws it, with the predicted rays.
+    /// Draws the figure, with the predicted rays.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
         for picture in self.lay_out(area, buf, look, rays) {
             picture.draw(buf, look);
         }
     }
 
-    /// Writes its text, and returns its picture.
+    /// Writes the text of the figure, and returns its picture.
     fn lay_out(
         &self,
         area: Rect,
@@ -423,14 +423,14 @@ impl LiveFigure {
                 let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
                 vec![shots::lay_out(space, beyond, area, buf, look)]
             }
-            // It is read.
+            // A worked solution is text.
             (FigureState::Worked(_), _) => vec![],
             (_, kind) => curves::curves_and_hit(kind, &self.collision, area, look).into(),
         }
     }
 }
 
-/// Only the lines n and t, and the split of u unless it is to be the `lines` alone.
+/// The lines n and t and, unless only the `lines` are to be shown, the components of u.
 fn split_layers(lines: bool) -> Overlays {
     use Overlay::{Angles, Split, Trails, Triangle, Velocities};
     let mut layers = Overlays::default().without([Velocities, Angles, Triangle, Trails]);
@@ -445,16 +445,16 @@ fn split_layers(lines: bool) -> Overlays {
 #[error("{0}")]
 pub struct FigureError(String);
 
-/// The figure that these words describe, as an SVG picture: `curves alpha_deg=30`.
+/// The figure that a description such as `curves alpha_deg=30` stands for, as an SVG picture.
 ///
 /// # Errors
-/// What was expected of the words.
+/// What was expected in the description.
 pub fn draw_figure(words: &str, look: &Look) -> Result<String, FigureError> {
     let figure = Figure::from_words(words).map_err(FigureError)?;
     Ok(svg_of(&LiveFigure::new(figure, None, false), look))
 }
 
-/// A figure as it stands, as an SVG picture.
+/// A figure in its current state, as an SVG picture.
 pub(super) fn svg_of(shown: &LiveFigure, look: &Look) -> String {
     svg::of_panel(&shown.title(), look, |area, cells| {
         shown.lay_out(area, cells, look, None)

@@ -13,21 +13,21 @@ const ON_BOARD: u32 = 8;
 
 const IN_SPACE: u32 = 60;
 
-/// Half the width and height of the picture, in touching distances.
+/// Half the width and height of the picture, in units of r₁ + r₂.
 const ON_BOARD_EXTENT: DVec2 = dvec2(1.8, 1.6);
 const IN_SPACE_EXTENT: DVec2 = dvec2(1.3, 1.1);
 
 /// The title of the figure.
 pub(super) fn title(space: bool) -> &'static str {
     if space {
-        "the target, along the flight"
+        "the target, face on"
     } else {
         "shots without aiming"
     }
 }
 
-/// The shots, evenly spread. With an angle `beyond`, in radians, those deflected by more are
-/// highlighted, with their number below.
+/// The shots, evenly spread. With an angle `beyond`, in radians, those deflected by more than that
+/// are highlighted, with their number below.
 pub(super) fn lay_out(
     space: bool,
     beyond: Option<f64>,
@@ -77,14 +77,14 @@ fn ways(near: Option<f64>, area: Rect) -> Picture {
     picture
 }
 
-/// The circular target of shots in space, and where they hit it. Those within `near` are
-/// highlighted.
+/// The circular target of shots in space, and the points where the shots hit it. Those within
+/// `near` are highlighted.
 fn face(near: Option<f64>, area: Rect) -> Picture {
     let view = View::fit(area, -IN_SPACE_EXTENT, IN_SPACE_EXTENT);
     let mut picture = Picture::new(view);
     picture.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
     for at in in_space() {
-        // Small enough to be drawn as a mark.
+        // A disc of this radius is drawn as a mark.
         let counted = near.is_some_and(|near| at.length() < near);
         let role = if counted { Role::Marble } else { Role::Coin };
         picture.disc(at, 1e-3, role, ' ');
@@ -104,8 +104,8 @@ fn on_board() -> Vec<DVec2> {
     (0..ON_BOARD).map(|i| dvec2(0.0, offset(i))).collect()
 }
 
-/// Offsets evenly spread over a disc: each ring of equal area has as many, and the golden
-/// angle keeps neighbours apart (H. Vogel, 1979, on sunflower heads).
+/// Offsets evenly spread over a disc: rings of equal area have equal numbers, and the golden angle
+/// separates neighbours (H. Vogel, 1979, on sunflower heads).
 fn in_space() -> Vec<DVec2> {
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let at = |i| {
@@ -116,7 +116,7 @@ fn in_space() -> Vec<DVec2> {
 }
 
 /// The path of a striker's centre: straight on until the rims touch, then at θ₁ = 90° − α from its
-/// original direction, away from the coin, sin α = b.
+/// original direction, away from the coin, where sin α = b.
 fn way(offset: f64) -> [DVec2; 3] {
     let far = 3.0 * ON_BOARD_EXTENT.length();
     let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);
@@ -135,9 +135,9 @@ mod tests {
     use crate::physics::beam::Beam;
     use crate::physics::units::rad_from_deg;
 
-    /// As the engine says.
+    /// The deflection agrees with the engine.
     #[test]
-    fn a_way_turns_by_the_angle_of_the_hit() {
+    fn a_path_turns_by_the_deflection_angle() {
         for at in on_board() {
             let [from, contact, to] = way(at.y);
             let alpha = at.y.asin();
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn the_share_counted_is_that_of_the_law() {
+    fn the_counted_share_agrees_with_the_law() {
         for (offsets, beam) in [(on_board(), Beam::Board), (in_space(), Beam::Space)] {
             let near = rad_from_deg(60.0).cos();
             let counted = offsets.iter().filter(|at| at.length() < near).count();

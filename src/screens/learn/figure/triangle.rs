@@ -49,7 +49,7 @@ fn view(collision: &Collision, step: u8, area: Rect) -> View {
     View::fit(area, low, high)
 }
 
-/// The angle for which the joint would be nearest to a cell, in degrees.
+/// The angle α, in degrees, at which the common point of v₁ and v₂ is nearest to a cell.
 pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
     let collision = shown.collision();
     let FigureKind::Triangle { step } = shown.figure.kind else {
@@ -57,7 +57,7 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
     };
     let [picture, _] = rooms(area);
     let at = view(collision, step, picture).world_at(column, row);
-    // v₂ runs from the joint to the end of u, at α below u.
+    // v₂ runs from that point to the end of u, at α below u.
     let left = collision.u1 - at;
     picture
         .contains((column, row).into())
@@ -112,7 +112,7 @@ pub(super) fn lay_out(
             _ => format!("{name} = {length:.2}"),
         };
         let outwards = outwards(from, to, middle);
-        // In the middle of a square if there is room, otherwise beyond it.
+        // The label is in the middle of a square if there is room, otherwise outside it.
         let columns = length / picture.view().per_column();
         let roomy = columns > text::width(&text) as f64 + 2.0;
         let towards = LabelSide::towards(outwards);
@@ -130,7 +130,7 @@ pub(super) fn lay_out(
     picture
 }
 
-/// Away from the middle of the triangle, perpendicular to a side.
+/// The direction away from the middle of the triangle, perpendicular to a side.
 fn outwards(from: DVec2, to: DVec2, middle: DVec2) -> DVec2 {
     let across = (to - from).perp().normalize_or_zero();
     let away = (from + to) / 2.0 - middle;
@@ -153,7 +153,7 @@ fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> String {
     let both = 2.0 * a.dot(b);
     let both = if both.abs() < 1e-9 * uu { 0.0 } else { both };
     match step {
-        1 => "The arrows close: u = v₁ + v₂.".into(),
+        1 => "The triangle closes: u = v₁ + v₂.".into(),
         2 => format!("{uu:.2} = {aa:.2} + {bb:.2}{}", spare(both)),
         _ => {
             let both = fixed(both, 2);

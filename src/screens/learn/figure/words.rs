@@ -31,12 +31,12 @@ pub(in crate::screens::learn) fn describe(
     let collision = figure.shot.collision();
     match figure.kind {
         FigureKind::Foil { .. } => vec![
-            "The figure throws many particles at a centre that repels them, and counts where they \
-             go. carrom foil does so on a screen."
+            "The figure sends many particles towards a repulsive centre and counts their \
+             directions. carrom foil shows this on a screen."
                 .into(),
         ],
         FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, revealed),
-        // These are words already.
+        // These figures are text already.
         FigureKind::Worked { .. } | FigureKind::Solve => Vec::new(),
         kind => {
             let mut lines = vec![format!("Figure: {}", set_up(&figure.shot, &collision))];
@@ -68,8 +68,8 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     })
 }
 
-/// The outcome of a collision, as a figure of this kind shows it; if it `is_asked` later, only the
-/// drawn geometry.
+/// The outcome of a collision, as a figure of this kind shows it; only the drawn geometry if a
+/// later page asks for the outcome (`is_asked`).
 fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
     match kind {
         FigureKind::Split { lines } => split(collision, lines),
@@ -81,20 +81,20 @@ fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<Strin
     }
 }
 
-/// What a figure plots against the impact angle, whatever is asked beside it.
+/// The quantities that a figure plots against the impact angle, regardless of the page's question.
 fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     match kind {
         FigureKind::Curves => every_ten(collision, |alpha_deg, outcome| {
             let [v1, v2] = [outcome.v1, outcome.v2].map(speed);
-            format!(
-                "At α = {alpha_deg}° the striker leaves with {v1} and the other disc with {v2}."
-            )
+            format!("At α = {alpha_deg}° the striker leaves at {v1} and the other disc at {v2}.")
         }),
         FigureKind::Angles => every_ten(collision, |_, outcome| {
             let angle = |theta: Option<f64>| theta.map(|theta| degrees(theta.abs()));
             match (angle(outcome.theta1), angle(outcome.theta2)) {
-                (Some(theta1), Some(theta2)) => format!("θ₁ = {theta1} belongs to θ₂ = {theta2}."),
-                _ => "Head-on the striker stops and has no direction.".into(),
+                (Some(theta1), Some(theta2)) => {
+                    format!("θ₁ = {theta1} corresponds to θ₂ = {theta2}.")
+                }
+                _ => "Head-on, the striker stops and has no direction.".into(),
             }
         }),
         FigureKind::Energy => every_ten(collision, |alpha_deg, outcome| {
@@ -105,7 +105,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
             let taken = share(collision.target, outcome.v2);
             format!(
                 "At α = {alpha_deg}° the striker keeps {kept} % of the energy, the other disc \
-                 takes {taken} %."
+                 receives {taken} %."
             )
         }),
         _ => Vec::new(),
@@ -130,7 +130,7 @@ fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
     lines
 }
 
-/// The set-up of the collision, as the picture before it shows.
+/// The set-up, as the picture before the collision shows it.
 fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     let place = match collision.alpha() {
         _ if collision.offset.abs() <= 0.0 => "head-on".to_owned(),
@@ -153,7 +153,7 @@ fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     )
 }
 
-/// What no picture shows: the masses, and the kind of contact.
+/// The properties that no picture shows: the masses, and the kind of contact.
 fn weighed(collision: &Collision) -> String {
     let [m1, m2] = [collision.striker, collision.target]
         .map(|disc| with_unit(&significant(g_from_kg(disc.mass)), "g"));
@@ -164,7 +164,7 @@ fn weighed(collision: &Collision) -> String {
         }
         Bond::Slip => "No energy is lost.".to_owned(),
     };
-    format!("The first has {m1}, the other one {m2}. {contact}")
+    format!("The first has a mass of {m1}, the other {m2}. {contact}")
 }
 
 /// The outcome, as the worked solution summarizes it.
@@ -177,7 +177,7 @@ fn speed(v: DVec2) -> String {
     with_unit(&significant(v.length()), "m/s")
 }
 
-/// A line every ten degrees of the impact angle, from head-on to nearly a graze.
+/// A line of text for every ten degrees of the impact angle, from head-on to nearly grazing.
 fn every_ten(
     collision: &Collision,
     line: impl Fn(u32, &CollisionOutcome) -> String,
@@ -221,8 +221,8 @@ fn triangle(collision: &Collision) -> Vec<String> {
     ];
     let [before, striker, target] = sides.map(|momentum| significant(1e3 * momentum));
     let momenta = format!(
-        "The momenta form a triangle: {before} g m/s before; afterwards {striker} g m/s of the \
-         striker and {target} g m/s of the other disc."
+        "The momenta form a triangle: {before} g m/s before; afterwards {striker} g m/s for the \
+         striker and {target} g m/s for the other disc."
     );
     let apart = outcome.separation.map(degrees);
     let apart = apart.map(|angle| format!("The angle between the two paths is {angle}."));

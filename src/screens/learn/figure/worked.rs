@@ -21,7 +21,7 @@ pub(super) struct WorkedFigure {
     form: Option<SettingsForm>,
 }
 
-/// The student's numbers in a solution of their own.
+/// The numbers that the student can set in a solution of their own.
 const FIELDS: [CollisionField; 5] = [
     CollisionField::StrikerMass,
     CollisionField::CoinMass,
@@ -59,7 +59,8 @@ fn last(collision: &Collision) -> usize {
 }
 
 impl WorkedFigure {
-    /// A solution to read, open at the step that is blank while it is `hidden`, if there is one.
+    /// A solution to read, open at the step `blank`, if there is one, whose results are left out
+    /// while `hidden`.
     pub(super) fn given(blank: Option<usize>, hidden: bool) -> Self {
         Self {
             step: blank.map_or(0, |step| step - 1),
@@ -68,7 +69,7 @@ impl WorkedFigure {
         }
     }
 
-    /// A solution of numbers that the student sets.
+    /// A solution with numbers that the student sets.
     pub(super) fn of_own() -> Self {
         Self {
             step: 0,
@@ -91,14 +92,14 @@ impl WorkedFigure {
         format!("worked out: step {} of {}", step + 1, last + 1)
     }
 
-    /// The keys that work it.
+    /// The keys that control the solution.
     pub(super) fn keys(&self, collision: &Collision) -> KeyTable<FigureAction> {
         let steps =
             |keys: [Key; 2]| KeyTable::new("figure").by(keys, FigureAction::Step, [-1, 1], "step");
         let Some(form) = &self.form else {
             return steps([Key::Left, Key::Right]);
         };
-        // Tab and the keys for pages are those of the page.
+        // Tab and the page keys are left to the page.
         let page = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         let set = form.keys(&numbers(collision)).without_keys(&page);
         // On a small screen the steps have priority over the typed number.
@@ -106,7 +107,7 @@ impl WorkedFigure {
         let set = set.renamed("", |action| matches!(action, FormAction::Number(_)));
         let set = set.map(FigureAction::Set);
         let steps_by = [',', '.'].map(Key::Char);
-        // A point belongs to a number that is being typed.
+        // While a number is being typed, a point is part of it.
         let set = match form.is_typing() {
             true => set,
             false => set.without_keys(&steps_by),
@@ -135,7 +136,7 @@ impl WorkedFigure {
         }
     }
 
-    /// Writes the present step, below the settings, if there are any.
+    /// Writes the current step, below the settings, if there are any.
     pub(super) fn write(&self, collision: &Collision, panel: &mut Panel<FigureAction>) {
         if let Some(form) = &self.form {
             let numbers = numbers(collision);
@@ -172,12 +173,12 @@ impl WorkedFigure {
 /// The placeholder of a result.
 const GAP: &str = "____";
 
-/// A line of working without its results: the formula and the inserted numbers stay; from the first
-/// value on there is a gap.
+/// A line of working without its results: the formula and the substituted numbers remain, but the
+/// first value and all that follows it are replaced by a gap.
 fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
     let value = equality().find(|at| is_value(&line[at + 1..]));
-    // θ₁: undefined, or a separation.
+    // A line such as `θ₁: undefined`, or a separation.
     let revealed = line
         .find(": ")
         .filter(|at| value.is_none_or(|value| *at < value));
@@ -188,7 +189,7 @@ fn without_result(line: &str) -> String {
     }
 }
 
-/// Whether a text begins with a number or with the components of a vector.
+/// Whether a string begins with a number or with the components of a vector.
 fn is_value(text: &str) -> bool {
     let text = text.trim_start().trim_start_matches(['(', '−']);
     text.starts_with(|first: char| first.is_ascii_digit())
@@ -200,7 +201,7 @@ mod tests {
     use crate::physics::{Bond, CollisionSpec};
 
     #[test]
-    fn a_blank_keeps_the_formula_and_what_is_put_into_it() {
+    fn a_blank_keeps_the_formula_and_the_substituted_numbers() {
         let blank = [
             (
                 "n = (cos α, −sin α) = (0.7071, −0.7071)",
@@ -237,9 +238,9 @@ mod tests {
         }
     }
 
-    /// However the pieces meet: what the blank steps find is nowhere to be read in them.
+    /// Whatever the collision, the blank steps do not show the values that the student has to find.
     #[test]
-    fn a_blank_tells_nothing_of_the_end() {
+    fn a_blank_step_does_not_show_its_result() {
         let setup = CollisionSpec {
             m1_g: 20.0,
             m2_g: 41.0,

@@ -21,9 +21,9 @@ use crate::widgets::{
     AnswerAction, AnswerInput, Look, Outcome, PAGE_ROWS, Role, SplitLayout, sheet,
 };
 
-use page::{OpenPage, Stage};
+use page::{CheckpointStage, OpenPage};
 
-/// What keys do in a chapter.
+/// The key actions in a chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ReadingAction {
@@ -61,7 +61,7 @@ pub(crate) struct Reading {
     at: usize,
     /// The page; none is open until the bookmark is known.
     open: Option<OpenPage>,
-    /// The impact angle that was set since the bookmark was moved last, in degrees.
+    /// The impact angle in degrees, if it was set since the bookmark was last moved.
     alpha_deg: Option<f64>,
     notice: Option<&'static str>,
     /// The page that was opened to look something up.
@@ -69,18 +69,18 @@ pub(crate) struct Reading {
 }
 
 /// Why a figure is not shown completely yet.
-const SAY_FIRST: &str = "First say what you think.";
+const SAY_FIRST: &str = "Give your answer first.";
 
 impl Reading {
-    /// A chapter, at the page where it was left; `None` beyond the last.
+    /// A chapter, at the page where it was left; `None` if there is no such chapter.
     pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         cx.book.chapter(number)?;
         cx.book.at = number;
         Self::opened(number, None, cx)
     }
 
-    /// A chapter, opened at a page to look something up; `None` beyond the last. The bookmark does
-    /// not move.
+    /// A chapter, opened at a page to look something up; `None` if there is no such chapter. The
+    /// bookmark does not move.
     pub(crate) fn visit(number: usize, page: usize, cx: &mut Context) -> Option<Self> {
         cx.ask_for_marks();
         Self::opened(number, Some(page), cx)
@@ -109,8 +109,8 @@ impl Reading {
         }
     }
 
-    /// A page before its checkpoint, after a `first` wrong answer to it, or with an `answer`, for
-    /// the check whether it fits.
+    /// A page before its checkpoint, after a `first` wrong answer to it, or with an `answer`, to
+    /// check whether it fits on the screen.
     pub(super) fn of_page(
         chapter: &Chapter,
         at: usize,
@@ -152,7 +152,7 @@ impl Reading {
         self.lay_out(mark.and_then(|mark| mark.alpha_deg), answer);
     }
 
-    /// Saves what was done; looking something up does not move the bookmark.
+    /// Saves the progress; looking something up does not move the bookmark.
     fn mark(&self, mut later: Bookmark, cx: &mut Context) {
         if self.visited.is_some() {
             later.place = None;
@@ -225,7 +225,7 @@ impl Reading {
         self.notice = Some("The chapter starts over.");
     }
 
-    /// Notes the impact angle that the student has set.
+    /// Records the impact angle that the student has set.
     fn note_alpha(&mut self) {
         if let Some(figure) = self.figure().filter(|figure| figure.is_own()) {
             self.alpha_deg = Some(figure.alpha_deg());
@@ -244,7 +244,7 @@ impl Reading {
         }
     }
 
-    /// To the next page; from the last one to the contents.
+    /// Goes to the next page, or from the last one to the contents.
     fn on(&mut self, cx: &mut Context) -> Next {
         if self.at + 1 < self.chapter.pages.len() {
             self.open(self.at + 1, cx);
@@ -257,7 +257,7 @@ impl Reading {
         };
         self.mark(first, cx);
         if self.visited.is_none() {
-            // The next chapter, or after the last one the overall progress.
+            // The contents then show the next chapter or, after the last one, the overall progress.
             cx.book.at = self.number + 1;
         }
         Next::Back
@@ -280,7 +280,7 @@ impl Reading {
         self.open(self.at, cx);
     }
 
-    /// The figure in the lab, or the foil.
+    /// Opens the figure in the lab, or on the foil's own screen.
     fn full_size(&mut self) -> Next {
         let Some(figure) = self.figure() else {
             return Next::Stay;
@@ -290,7 +290,7 @@ impl Reading {
                 let setup = figure.setup();
                 Next::Open(Route::LabOf { setup })
             }
-            // It would show the answer.
+            // The lab would show the answer.
             Some(_) if self.is_asking() => {
                 self.notice = Some(SAY_FIRST);
                 Next::Stay
@@ -309,7 +309,7 @@ impl Reading {
         }
     }
 
-    /// The keys that give an answer. The other ray is chosen by Enter: Tab goes to the figure.
+    /// The keys that give an answer. Enter chooses the other ray, because Tab goes to the figure.
     fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
         // On a small screen the way back to the contents has priority.
         let spare = |action| {
@@ -359,7 +359,7 @@ impl Screen for Reading {
             return keys().on(Key::Escape, Leave, away);
         };
         let (asking, explaining) = (open.is_asking(), open.explaining().is_some());
-        // Enter and Escape belong to a number that is being typed.
+        // While a number is being typed, Enter and Escape apply to it.
         let typing = self.figure().is_some_and(LiveFigure::is_typing);
         let on = match self.at + 1 >= self.chapter.pages.len() {
             true => "finish",
@@ -514,12 +514,12 @@ impl Screen for Reading {
         }
     }
 
-    /// The mouse over the picture.
+    /// Handles the mouse over the picture.
     fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
         let used = picture.contains(mouse.cell().into())
             && self.open.as_mut().is_some_and(|open| {
                 let rays = match open.question.as_mut().map(|question| &mut question.stage) {
-                    Some(Stage::Asking(AnswerInput::Rays(rays))) => Some(rays),
+                    Some(CheckpointStage::Asking(AnswerInput::Rays(rays))) => Some(rays),
                     _ => None,
                 };
                 let figure = open.figure.as_mut();
@@ -531,7 +531,7 @@ impl Screen for Reading {
         Next::after(used)
     }
 
-    /// Beyond its ends the text continues with another page.
+    /// Goes to another page when the text is scrolled beyond one of its ends.
     fn scrolled_out(&mut self, by: i16, cx: &mut Context) -> Next {
         match by {
             PAGE_ROWS => self.on(cx),

@@ -22,17 +22,17 @@ pub(super) struct OpenPage {
 #[derive(Debug, Clone)]
 pub(super) struct PageQuestion {
     pub(super) checkpoint: Checkpoint,
-    pub(super) stage: Stage,
-    /// The wrong answer before, after which there was a hint.
+    pub(super) stage: CheckpointStage,
+    /// The first wrong answer, after which a hint was shown.
     pub(super) first: Option<Response>,
 }
 
 /// The state of a question.
 #[derive(Debug, Clone)]
-pub(super) enum Stage {
-    /// It waits for its answer, or after a hint for the second one.
+pub(super) enum CheckpointStage {
+    /// The question waits for an answer or, after a hint, for a second one.
     Asking(AnswerInput),
-    /// It was answered, and the right answer is shown.
+    /// The question was answered, and the right answer is shown.
     Answered(Response),
 }
 
@@ -50,7 +50,7 @@ impl PageQuestion {
         let input = AnswerInput::new(&form_of(checkpoint, figure));
         Self {
             checkpoint: checkpoint.clone(),
-            stage: Stage::Asking(input),
+            stage: CheckpointStage::Asking(input),
             first: None,
         }
     }
@@ -60,10 +60,10 @@ impl PageQuestion {
         form_of(&self.checkpoint, figure)
     }
 
-    /// Begins the second try: the rays stay as they were, to be changed.
+    /// Begins the second try: the rays keep their positions and can be changed.
     pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
         self.first = Some(first);
-        self.stage = Stage::Asking(match first {
+        self.stage = CheckpointStage::Asking(match first {
             Response::Rays(_) => AnswerInput::saying(form, &first),
             _ => AnswerInput::new(form),
         });
@@ -71,8 +71,8 @@ impl PageQuestion {
 }
 
 impl OpenPage {
-    /// A page as it is opened. `tries` are the answer given to its question, and the wrong
-    /// one before it; `alpha_deg` is the impact angle that the student set last.
+    /// A newly opened page. `tries` holds the answer given to its question, and the wrong answer
+    /// before it; `alpha_deg` is the impact angle that the student set last.
     pub(super) fn new(
         page: &ChapterPage,
         alpha_deg: Option<f64>,
@@ -99,7 +99,7 @@ impl OpenPage {
         open
     }
 
-    /// Whether keys go to the figure first on a page as it is opened.
+    /// Whether keys go to the figure first on a newly opened page.
     fn is_open_to_figure(&self) -> bool {
         !self.is_asking() && self.figure.as_ref().is_some_and(LiveFigure::is_set_by_keys)
     }
@@ -112,16 +112,16 @@ impl OpenPage {
     /// The answer being entered.
     pub(super) fn input(&self) -> Option<&AnswerInput> {
         match &self.question.as_ref()?.stage {
-            Stage::Asking(input) => Some(input),
-            Stage::Answered(_) => None,
+            CheckpointStage::Asking(input) => Some(input),
+            CheckpointStage::Answered(_) => None,
         }
     }
 
-    /// The same, for changing.
+    /// Mutable access to the answer being entered.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         match &mut self.question.as_mut()?.stage {
-            Stage::Asking(input) => Some(input),
-            Stage::Answered(_) => None,
+            CheckpointStage::Asking(input) => Some(input),
+            CheckpointStage::Answered(_) => None,
         }
     }
 
@@ -149,7 +149,7 @@ impl OpenPage {
     /// Shows the result of an answer.
     pub(super) fn reveal(&mut self, answer: Response, pace: HitPace) {
         if let Some(question) = &mut self.question {
-            question.stage = Stage::Answered(answer);
+            question.stage = CheckpointStage::Answered(answer);
         }
         if let Some(figure) = &mut self.figure {
             figure.reveal(answer.rays(), pace);

@@ -1,7 +1,7 @@
-//! The text of a page: its words and question, or the feedback on an answer.
+//! The panel of a page: its text and question, or the feedback on an answer.
 
 use super::ReadingAction;
-use super::page::{OpenPage, PageQuestion, Stage};
+use super::page::{CheckpointStage, OpenPage, PageQuestion};
 use crate::lessons::CheckpointKind;
 use crate::quiz::{Form, Rays, Response, why_of_hit};
 use crate::screens::learn::figure::LiveFigure;
@@ -11,8 +11,8 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::{AnswerAction, AnswerInput, Charset, Role};
 
-/// The prompts have the lowest priority, because the line of keys shows them too; then the text
-/// that has been read.
+/// The prompts have the lowest priority, because the line of keys shows them too; next comes the
+/// text that has already been read.
 const NEXT: u8 = 1;
 const READ: u8 = 2;
 
@@ -44,15 +44,15 @@ pub(super) fn panel(
     };
     let form = question.form(prose.figure);
     match &question.stage {
-        Stage::Asking(input) => {
+        CheckpointStage::Asking(input) => {
             panel.subject += usize::from(question.first.is_some());
-            // It is read from its beginning, until it is answered.
+            // The page is shown from its beginning until the student begins to answer.
             panel.from_top = *input == AnswerInput::new(&form);
             asking(open, question, (&form, input), prose, &mut panel);
         }
-        Stage::Answered(answer) => {
+        CheckpointStage::Answered(answer) => {
             panel.subject += 2;
-            // The text stays above it, if there is room for both.
+            // The text stays above the feedback, if there is room for both.
             panel.worth(READ, |panel| {
                 prose.write_dimmed(&open.page.text, panel);
                 if answer.rays().is_some() {
@@ -91,9 +91,11 @@ fn asking(
     if let Some(first) = &question.first {
         let verdict = match form.rays_grade(first) {
             Some(grade) if grade.striker.is_right() => {
-                "The striker is right. The coin is not, yet."
+                "The striker is right. The coin is not right yet."
             }
-            Some(grade) if grade.target.is_right() => "The coin is right. The striker is not, yet.",
+            Some(grade) if grade.target.is_right() => {
+                "The coin is right. The striker is not right yet."
+            }
             None if form.credit(first) > 0.0 => "Nearly. A hint:",
             _ => "Not yet. A hint:",
         };
@@ -105,7 +107,7 @@ fn asking(
         Some(Response::Choice(chosen)) => Some(chosen),
         _ => None,
     };
-    // A click on what is chosen gives the answer.
+    // A click on the chosen option gives the answer.
     let given = |action| match action {
         AnswerAction::Choose(at) if chosen == Some(at) => AnswerAction::Give(at),
         action => action,
@@ -120,7 +122,7 @@ fn asking(
                     rays.write_prompt(panel, target, "watch");
                 });
             }
-            _ if input.said().is_some() => input.write_prompt(form, "say it", panel),
+            _ if input.said().is_some() => input.write_prompt(form, "confirm", panel),
             _ => panel.paragraph(input.about(form), Role::Key),
         });
     });
@@ -172,7 +174,7 @@ fn revealed(
     }
 }
 
-/// Both rays beside the truth, and the explanation that starts from them.
+/// The predicted rays beside the true ones, and the explanation that starts from the prediction.
 fn write_rays<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Panel<A>) {
     let names = ["striker", "coin"].map(Some);
     said_and_true(watch.collision(), rays, names, false, panel);
@@ -184,7 +186,7 @@ fn write_rays<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Pa
     reason(&why, panel);
 }
 
-/// A number beside the right one.
+/// The student's number beside the right one.
 fn write_number<A>((form, answer): (&Form, &Response), right: bool, panel: &mut Panel<A>) {
     let role = if right { Role::Good } else { Role::Warn };
     panel.pair(("you said", Role::Dim), (form.words(answer), role));

@@ -8,14 +8,14 @@ use crate::screens::{Context, Next, Route, Screen, View};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
-/// The list of levels. Which one is chosen belongs to the [`Shelf`].
+/// The list of levels. The [`Shelf`] records which one is chosen.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Levels {
-    /// Whether the player has chosen for themselves.
+    /// Whether the player has moved the mark.
     moved: bool,
 }
 
-/// What keys do in the list of levels.
+/// The key actions in the list of levels.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelsAction {
@@ -28,8 +28,8 @@ pub(crate) enum LevelsAction {
 }
 
 impl Levels {
-    /// The list, at the first level that was never won. The levels won before are requested, and
-    /// the list moves to the next one when they are known.
+    /// The list, at the first level that was never won. The levels won earlier are requested, and
+    /// the list moves to the next level to win when they arrive.
     pub(crate) fn new(cx: &mut Context) -> Self {
         cx.shelf.at = cx.shelf.next().unwrap_or(0);
         let player = cx.settings.player.clone();
@@ -37,8 +37,7 @@ impl Levels {
         Self::default()
     }
 
-    /// Puts the mark where the list has it now; opens a level, as a problem has nothing
-    /// to open.
+    /// Copies the mark of the list to the shelf, and opens a level; a problem cannot be opened.
     fn listed(&mut self, list: ListView, outcome: Outcome<usize>, shelf: &mut Shelf) -> Next {
         if !outcome.is_used() {
             return Next::Ignored;
@@ -52,7 +51,7 @@ impl Levels {
     }
 }
 
-/// How many lines can be chosen: the levels, and after them the problems.
+/// The number of lines that can be chosen: the levels, and after them the problems.
 fn choices(shelf: &Shelf) -> usize {
     shelf.count() + shelf.library().problems.len()
 }

@@ -10,10 +10,10 @@ use crate::widgets::{Role, Room, SplitLayout};
 
 /// The mark beside the level to win next.
 const NEXT: &str = "next";
-/// Columns of the panel on a narrow screen, where the titles need the room.
+/// The width of the panel on a narrow screen, where the titles need the room.
 const NARROW_PANEL: u16 = 24;
 
-/// Where the list and the panel are.
+/// The areas of the list and of the panel.
 fn layout(room: Room) -> SplitLayout {
     if room.area.width < 80 {
         SplitLayout::with_panel(room, NARROW_PANEL)
@@ -30,7 +30,7 @@ pub(super) fn view<'s>(shelf: &Shelf) -> View<'s, LevelsAction> {
         let mut panel = Panel::new("what is wrong");
         panel.paragraph(problem.to_string(), Role::Warn);
         panel.gap();
-        panel.paragraph("The other levels can be played all the same.", Role::Text);
+        panel.paragraph("The other levels can still be played.", Role::Text);
         panel
     } else if let Some((_, level)) = shelf.get(shelf.at) {
         about(level, shelf.stars(shelf.at))

@@ -10,20 +10,22 @@ use crate::physics::units::m_from_mm;
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
 use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
+use crate::widgets::replay::{ShotImpact, impacts};
 use crate::widgets::{Role, board, sheet};
 
-/// Length of the arrow of the shot, in metres for each m/s.
+/// Length of the arrow of the shot, in metres per m/s.
 const ARROW: f64 = 0.03;
 /// Length of a predicted ray, in metres.
 const RAY: f64 = 0.14;
-/// The same in a picture of the discs alone.
+/// Length of a predicted ray in an enlarged picture of the discs, in metres.
 const NEAR_RAY: f64 = 0.055;
 
-/// Space around the discs if only the first collision counts, in metres, to see them leave.
+/// Space around the discs if only the first collision matters, in metres, so that they can be seen
+/// leaving.
 const MARGIN: f64 = 0.02;
 
-/// The area of the board on the screen: the whole board, or an enlarged part with the discs if only
-/// their first collision counts.
+/// The part of the board that is shown: the whole board, or an enlarged part with the discs if only
+/// their first collision matters.
 pub(super) fn view(level: &Level, area: Rect) -> View {
     let scene = &level.scene;
     if !level.is_of_the_first_hit() {
@@ -43,7 +45,7 @@ pub(super) fn view(level: &Level, area: Rect) -> View {
                 take_in(DVec2::new(x, piece.at.y), piece.disc.radius);
             }
         } else {
-            // The striker may come to touch it from any side.
+            // The striker may touch the disc from any side.
             let striker = scene.pieces.get(scene.stroke.disc);
             let beside = 2.0 * striker.map_or(0.0, |striker| striker.disc.radius);
             take_in(piece.at, piece.disc.radius + beside + MARGIN);
@@ -61,8 +63,8 @@ fn ground(level: &Level, area: Rect) -> Picture {
     let mut picture = Picture::new(view);
     let board = &level.scene.board;
     board::ground(&mut picture, board);
-    // A board with pockets that fills the picture is clear; otherwise the cushions are drawn,
-    // because discs rebound there.
+    // A board with pockets that fills the picture needs no outline; otherwise the cushions are
+    // drawn, because discs rebound there.
     if view.area() != area || board.pocket_diameter <= 0.0 {
         let half = DVec2::splat(0.5 * board.side);
         picture.rectangle(-half, half, Role::BoardLine);
@@ -82,7 +84,7 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
         .filter_map(|goal| goal.circle())
         .collect();
     for (circle, disc) in &circles {
-        // A single circle is "goal"; several have the names of their discs.
+        // A single circle is labelled "goal"; several are labelled with the names of their discs.
         let name = level.scene.name(*disc);
         let text = match circles.as_slice() {
             [_] => "goal",
@@ -134,10 +136,10 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: 
     if let Some(piece) = scene.pieces.get(aimed)
         && let Some(heading) = velocity.try_normalize()
     {
-        if let Some((end, touches)) = met {
-            picture.line(piece.at, end, Pen::new(Role::Aim).dotted());
-            if touches {
-                board::ghost(&mut picture, end, piece.disc.radius, Role::Predicted);
+        if let Some(met) = met {
+            picture.line(piece.at, met.at, Pen::new(Role::Aim).dotted());
+            if met.impact.is_some() {
+                board::ghost(&mut picture, met.at, piece.disc.radius, Role::Predicted);
             }
         }
         discs(level, &mut picture, &places);
@@ -150,17 +152,25 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: 
     picture
 }
 
-/// Where a disc first meets something or stops, and whether it is another disc.
-pub(super) type FirstMet = (DVec2, bool);
+/// Where a disc first meets something or stops.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FirstMet {
+    at: DVec2,
+    /// The impact, if it meets another disc.
+    pub(super) impact: Option<ShotImpact>,
+}
 
-/// Where the disc of a scene's shot first meets something, or stops.
+/// Where the disc played in a scene's shot first meets something or stops.
 pub(super) fn first_met(scene: &Scene) -> Option<FirstMet> {
     let (shot, aimed) = (scene.play_for_a_moment(), scene.stroke.disc);
     let (time, touches) = shot.events().iter().find_map(|event| {
         let touches = event.kind.partner(aimed).is_some();
         (touches || event.kind.discs().0 == aimed).then_some((event.time, touches))
     })?;
-    Some((shot.at(aimed, time).position, touches))
+    Some(FirstMet {
+        at: shot.at(aimed, time).position,
+        impact: impacts(&shot, aimed).next().filter(|_| touches),
+    })
 }
 
 /// A shot at the time of its clock, with the paths so far.
@@ -180,7 +190,7 @@ pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
     if level.is_of_the_first_hit()
         && let Some(impact) = player.impacts().first().filter(|impact| impact.time < now)
     {
-        // At the contact, because discs that leave are soon out of the picture.
+        // The arrows are at the contact, because discs that leave are soon out of the picture.
         for disc in impact.discs {
             let at = shot.at(disc, impact.time).position;
             let radius = shot.discs().get(disc).map_or(0.0, |disc| disc.radius);
@@ -222,7 +232,7 @@ fn said(picture: &mut Picture, level: &Level, made: &MadeShot) {
         let Some(angle) = said.so_far().get(ray) else {
             continue;
         };
-        // The scattering angle counts anticlockwise, the recoil angle clockwise.
+        // The scattering angle is positive anticlockwise, the recoil angle clockwise.
         let [first, second] = impact.discs;
         let (turn, disc) = match ray {
             Ray::Striker => (angle, first),
@@ -248,9 +258,9 @@ mod tests {
     use crate::widgets::svg::Svg;
     use crate::widgets::{Charset, Look, Theme};
 
-    /// Every piece is a circle, every number one.
+    /// Every piece is a circle, and no number is NaN.
     #[test]
-    fn the_board_of_every_level_has_a_vector_form() {
+    fn the_board_of_every_level_can_be_drawn_as_svg() {
         let look = Look {
             charset: Charset::Unicode,
             theme: Theme::default(),
@@ -267,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_first_hit_counts_the_discs_are_whole_and_larger() {
+    fn if_only_the_first_collision_matters_the_discs_are_complete_and_enlarged() {
         let library = LevelLibrary::embedded();
         let mut fitted = 0;
         for level in library.packs.iter().flat_map(|pack| &pack.levels) {
@@ -283,7 +293,7 @@ mod tests {
                 let view = view(level, area);
                 for piece in &level.scene.pieces {
                     for way in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
-                        // Rounding to the middle of a cell may take half of one.
+                        // Rounding to the middle of a cell may cut off half a cell.
                         let edge = piece.at + piece.disc.radius * way;
                         let cell = view.to_cell(edge);
                         let inside = |low: u16, at: f64, high: u16| {

@@ -1,4 +1,4 @@
-//! What the player sets before the shot.
+//! The dials that the player sets before the shot.
 
 use glam::DVec2;
 
@@ -21,8 +21,8 @@ pub(super) struct Dials {
 impl FormFields for Dials {
     fn fields(&self) -> Vec<Field> {
         let field = |(dial, range): (Dial, Range)| {
-            // Turning right decreases the direction, and a direction has several values that differ
-            // by whole turns.
+            // Turning to the right decreases the angle, and angles that differ by whole turns are
+            // the same direction.
             let (range_held, step) = match dial {
                 Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
                 _ => ((range.from, range.to), dial.step()),
@@ -56,7 +56,7 @@ impl Dials {
         dials
     }
 
-    /// Restore the level's initial aim.
+    /// Restores the level's initial aim.
     pub(super) fn reset(&mut self) {
         self.set_aim(self.level.start());
     }
@@ -71,8 +71,8 @@ impl Dials {
         self.level.adjust.dials().position(|(own, _)| own == dial)
     }
 
-    /// Sets a dial as close to a number as the level allows; a direction may be counted from either
-    /// side of a whole turn.
+    /// Sets a dial as close to a number as the level allows; a direction may differ from the number
+    /// by a whole turn.
     fn set_dial(&mut self, dial: Dial, number: f64) {
         let Some(range) = self.level.adjust.range(dial) else {
             return;
@@ -94,15 +94,16 @@ impl Dials {
         set.collect::<Vec<_>>().join(", ")
     }
 
-    /// The wheel turns the speed, or the chosen dial where the speed is fixed.
+    /// Handles the wheel, which changes the speed, or the chosen dial if the speed is fixed.
     pub(super) fn wheel(&mut self, form: &mut SettingsForm, up: f64) {
         form.commit(self);
         let chosen = form.selected(self.level.adjust.dials().count());
         form.step_at(self.place(Dial::Speed).unwrap_or(chosen), up, self);
     }
 
-    /// The button went down (`pressed`) or moved over a point of the board: drags the disc along
-    /// its line if the button was pressed on the disc, otherwise aims the shot there.
+    /// Handles the mouse button at a point on the board, where it was `pressed` or moved while
+    /// down. Drags the disc along its line if the button was pressed on the disc, otherwise aims
+    /// the shot at that point.
     pub(super) fn drag(&mut self, form: &mut SettingsForm, at: DVec2, near: f64, pressed: bool) {
         let scene = self.level.aimed(&self.aim);
         let Some(piece) = scene.pieces.get(scene.stroke.disc) else {
@@ -130,7 +131,7 @@ impl Dials {
         }
     }
 
-    /// What can be dragged on the board, in a sentence.
+    /// A sentence about what can be dragged on the board.
     pub(super) fn drag_words(&self) -> Option<&'static str> {
         let may = |dial| self.level.adjust.range(dial).is_some();
         match (may(Dial::Place), may(Dial::Direction)) {
@@ -141,14 +142,14 @@ impl Dials {
         }
     }
 
-    /// Sets a dial by hand, to a whole step.
+    /// Sets a dial with the mouse, to a whole step.
     fn snap(&mut self, dial: Dial, number: f64) {
         let step = dial.step();
         self.set_dial(dial, (number / step).round() * step);
     }
 }
 
-/// A setting with its unit, to one decimal more where fine steps need it.
+/// A setting with its unit, with one more decimal if fine steps require it.
 fn with_unit(dial: Dial, setting: f64) -> String {
     let number = number(dial, setting);
     match dial {

@@ -1,4 +1,4 @@
-//! A shot that was made, being watched.
+//! A shot that was made, and its replay.
 
 use crate::levels::{Judgement, Level, Win, judge};
 use crate::physics::{Event, EventKind, Shot};
@@ -8,8 +8,8 @@ use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
 use crate::widgets::replay::{ShotAction, ShotClock, ShotImpact, ShotPlayer, WatchRate};
 
-/// The time until which a shot is shown. If only the first collision counts, until the next cushion
-/// after it.
+/// The time at which the replay of a shot ends. If only the first collision matters, the replay
+/// ends at the next cushion contact after that collision.
 fn end(level: &Level, shot: &Shot) -> f64 {
     if !level.is_of_the_first_hit() {
         return shot.duration();
@@ -17,18 +17,18 @@ fn end(level: &Level, shot: &Shot) -> f64 {
     let hit = |event: &Event| matches!(event.kind, EventKind::Impact { .. });
     let cushion = |event: &&Event| matches!(event.kind, EventKind::Cushion { .. });
     let events = shot.events();
-    // The collision may itself come after a cushion.
+    // The collision may itself come after a cushion contact.
     let since = events.iter().position(hit).unwrap_or(0);
     let next = events.iter().skip(since).find(cushion);
     next.map_or(shot.duration(), |event| event.time)
 }
 
-/// The rays that the level asks for.
+/// The rays that the player has to predict.
 pub(super) fn asked(said: &RayInput) -> impl Iterator<Item = Ray> + '_ {
     Ray::BOTH.into_iter().filter(|ray| said.asks(*ray))
 }
 
-/// Whether all of them are right.
+/// Whether all predicted rays are right.
 fn is_right(said: &RayInput, impact: &ShotImpact) -> bool {
     let truth = Rays::from(&impact.collision.outcome());
     asked(said).all(|ray| {
@@ -44,15 +44,15 @@ pub(super) struct MadeShot {
     pub(super) verdict: Judgement,
     /// The player's prediction for the first impact.
     pub(super) said: Option<RayInput>,
-    /// The kind of win, if it was won.
+    /// The kind of win, if the level was won.
     pub(super) win: Option<Win>,
-    /// Whether it was watched to its end, so that its outcome may be shown.
+    /// Whether the shot was watched to its end, so that its outcome may be shown.
     pub(super) watched: bool,
 }
 
 impl MadeShot {
-    /// The shot numbered `number`, from 1, made after this many hints, watched at `rate` if that
-    /// was chosen. `to_say`: whether a prediction was possible.
+    /// The shot with this number, counted from 1, made after this many hints; replayed at `rate`,
+    /// if the player has chosen one. `to_say` says whether a prediction was possible.
     pub(super) fn new(
         level: &Level,
         shot: Shot,
@@ -88,14 +88,14 @@ impl MadeShot {
         }
     }
 
-    /// Works the clock, or an impact.
+    /// Controls the clock, or the replay of an impact.
     pub(super) fn watch(&mut self, action: ShotAction, level: usize, cx: &mut Context) {
         let pace = cx.settings.pace();
         self.player.act(action, &mut cx.settings.watch_rate, pace);
         self.keep_if_watched(level, cx);
     }
 
-    /// Notes whether the shot has been watched to its end, and then saves a win in the level of
+    /// Records whether the shot has been watched to its end, and then saves a win in the level with
     /// this number.
     pub(super) fn keep_if_watched(&mut self, level: usize, cx: &mut Context) {
         self.watched |= self.player.zoom().is_none() && self.player.clock().is_over();
@@ -104,7 +104,7 @@ impl MadeShot {
         }
     }
 
-    /// Saves a win; it counts even if it was not watched to its end.
+    /// Saves a win, even if the shot was not watched to its end.
     pub(super) fn keep(&self, level: usize, cx: &mut Context) {
         if let Some(win) = self.win {
             cx.won(level, win);

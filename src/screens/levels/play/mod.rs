@@ -26,14 +26,14 @@ use made_shot::MadeShot;
 
 #[derive(Debug, Clone)]
 pub(crate) struct LevelPlay {
-    /// Its number on the shelf, from 0.
+    /// The number of the level on the shelf, counted from 0.
     number: usize,
     dials: Dials,
     /// The dial that keys change.
     form: SettingsForm,
-    /// How many hints have been asked for.
+    /// The number of hints shown so far.
     hints: usize,
-    /// Shots made since it was opened.
+    /// The number of shots since the level was opened.
     shots: u32,
     /// The results of the shots watched, the latest last.
     earlier: Vec<EarlierShot>,
@@ -52,10 +52,10 @@ enum LevelPhase {
     Watch(Box<MadeShot>),
 }
 
-/// A shot that was made, in short.
+/// The summary of a shot that was made.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct EarlierShot {
-    /// Its number, from 1.
+    /// The number of the shot, counted from 1.
     number: u32,
     set: String,
     /// The result: the first goal that was missed.
@@ -70,7 +70,7 @@ struct PendingShot {
     impact: ShotImpact,
 }
 
-/// What keys do in a level.
+/// The key actions in a level.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelAction {
@@ -80,7 +80,7 @@ pub(crate) enum LevelAction {
     Set(FormAction),
     /// restore the level's initial aim
     Reset,
-    /// show a hint; again for the next one
+    /// show a hint; press again for the next one
     Hint,
     /// predict first, or just shoot
     Predict,
@@ -97,7 +97,7 @@ pub(crate) enum LevelAction {
 }
 
 impl LevelPlay {
-    /// The level of this number; `None` if there is none.
+    /// The level with this number; `None` if there is no such level.
     pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         let (_, level) = cx.shelf.get(number)?;
         let dials = Dials::new(level.clone());
@@ -127,7 +127,7 @@ impl LevelPlay {
         }
     }
 
-    /// The rays of an impact that the level asks for.
+    /// The rays of an impact that the player has to predict.
     fn asks(&self, impact: &ShotImpact) -> impl Iterator<Item = Ray> {
         let asked = impact
             .discs
@@ -136,7 +136,7 @@ impl LevelPlay {
         both.filter_map(|(ray, asked)| asked.then_some(ray))
     }
 
-    /// From aiming to predicting, or to the shot if there is nothing to predict.
+    /// Goes from aiming to predicting, or to the shot if there is nothing to predict.
     fn go(&mut self, cx: &mut Context) {
         let scene = self.level().aimed(&self.dials.aim);
         let shot = match scene.play(Patience::AKey) {

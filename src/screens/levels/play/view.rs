@@ -1,5 +1,5 @@
-//! The view of a level: the board or an impact, and beside it goals and dials, the predicted rays,
-//! the result and the explanation.
+//! The view of a level: the board or an impact, and beside it the goals and dials, the predicted
+//! rays, the result and the explanation.
 
 use super::made_shot::{MadeShot, asked};
 use super::{LevelAction, LevelPhase, LevelPlay, PendingShot, board};
@@ -8,7 +8,7 @@ use crate::numbers;
 use crate::quiz::{Ray, why};
 use crate::screens::levels::words;
 use crate::screens::{Context, View};
-use crate::widgets::hit::{Markings, Watch, setup_picture};
+use crate::widgets::hit::{CONTACT, Markings, Watch, contact_picture, setup_picture};
 use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{
@@ -17,7 +17,7 @@ use crate::widgets::panels::{
 use crate::widgets::replay::{ShotAction, ShotImpact};
 use crate::widgets::{RayInput, Role};
 
-/// Shots that are shown while the next one is set.
+/// The number of earlier shots that are listed while the next one is set.
 const SHOWN_EARLIER: usize = 2;
 
 type LevelPanel = Panel<LevelAction>;
@@ -30,7 +30,14 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
             let board = move |area| board::of_aim(level, &scene, play.dials.met, area);
-            View::drawn("aim", board, panel).dragging(play.dials.drag_words())
+            let impact = play.dials.met.and_then(|met| met.impact);
+            let contact = impact.map(|impact| {
+                let faces = impact.discs.map(|disc| words::face_of(&level.scene, disc));
+                move |area| contact_picture(area, faces, &impact.collision)
+            });
+            View::drawn("aim", board, panel)
+                .with_inset(CONTACT, contact)
+                .dragging(play.dials.drag_words())
         }
         LevelPhase::Predict(pending) => {
             let faces = pending
@@ -77,7 +84,7 @@ fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// Under the level's title its goals.
+/// The goals, below the level's title.
 fn goals(play: &LevelPlay) -> LevelPanel {
     let mut panel = Panel::new(&play.level().title);
     panel.heading("Goal");
@@ -121,7 +128,7 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// The hints asked for, and how to get the next.
+/// The hints shown so far, and the prompt for the next.
 fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
     let all = &play.level().hints;
     for (number, hint) in all.iter().take(play.hints).enumerate() {
@@ -145,7 +152,7 @@ fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
     let collision = &pending.impact.collision;
     offset(collision, &mut panel);
     if pending.rays.asks(Ray::Target) {
-        // The player has to predict this angle.
+        // The impact angle is not shown, because the player has to predict it.
         contact_distance(collision, &mut panel);
     } else {
         impact_angle(collision, &mut panel);
@@ -172,7 +179,7 @@ fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
     panel.fact("watched at", clock.rate().words());
     panel.gap();
     let go_on = LevelAction::Watch(ShotAction::GoOn);
-    panel.prompt("go on, or to the end", go_on);
+    panel.prompt("go on, or skip to the end", go_on);
     panel
 }
 
@@ -259,7 +266,7 @@ fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, panel: &mut L
     said_and_true(&impact.collision, &said.so_far(), names, false, panel);
 }
 
-/// One impact, enlarged: the explanation of the lab.
+/// One impact, enlarged, explained as in the lab.
 fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let Some((number, impact)) = made.player.chosen() else {
         return Panel::new("");
@@ -270,7 +277,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
-    // After a win nothing is hidden any more.
+    // After a win nothing is hidden.
     let secret = match made.win {
         Some(_) => &[],
         None => play.level().unknown_mass.as_slice(),

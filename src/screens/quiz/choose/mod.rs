@@ -44,21 +44,21 @@ pub(crate) struct Choosing {
     own: Arc<Library>,
 }
 
-/// The page of the screen.
+/// The pages of the screen.
 #[derive(Debug, Clone, PartialEq)]
 enum ChoosingPage {
     Rounds,
     Topics,
     /// A code.
     Code {
-        /// The typed part.
+        /// The typed text.
         typed: TextField,
-        /// Whether it was entered and is not a code.
+        /// Whether the player entered the text and it is not a valid code.
         refused: bool,
     },
 }
 
-/// The longest code that can be typed; no code is this long.
+/// The largest number of characters that can be typed; every code is shorter.
 const LONGEST: usize = 40;
 
 /// A kind of round to choose.
@@ -66,7 +66,7 @@ const LONGEST: usize = 40;
 enum RoundChoice {
     /// A kind that is always available.
     Always(CourseKind),
-    /// A review of what is due.
+    /// A review of the topics that are due.
     Review,
     /// Questions about the chapters that the player has read.
     Read,
@@ -78,7 +78,7 @@ enum RoundChoice {
     Own,
 }
 
-/// The kinds of round, each with its letter; its number works too.
+/// The kinds of round, each with its letter; the number of its row works too.
 static CHOICES: [(char, RoundChoice); 10] = [
     ('f', RoundChoice::Always(CourseKind::FindOut)),
     ('q', RoundChoice::Always(CourseKind::Quick)),
@@ -93,7 +93,7 @@ static CHOICES: [(char, RoundChoice); 10] = [
 ];
 
 impl Choosing {
-    /// Requests what the player has done.
+    /// Requests the player's record.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         Self {
@@ -105,7 +105,7 @@ impl Choosing {
         }
     }
 
-    /// The kinds of round to choose from; a teacher's questions only if a folder was given.
+    /// The kinds of round to choose from, with a teacher's questions only if a folder was given.
     fn choices(&self) -> &'static [(char, RoundChoice)] {
         match *self.own == Library::default() {
             true => &CHOICES[..CHOICES.len() - 1],
@@ -204,7 +204,7 @@ impl Choosing {
     }
 }
 
-/// The first question of a round.
+/// Opens the first question of a round.
 fn begin(code: Code) -> Next {
     Next::Replace(Route::Quiz { code: Some(code) })
 }
@@ -263,7 +263,7 @@ impl Screen for Choosing {
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
             "A round is a few questions: you answer, choose how sure you are, watch what happens and read why.",
-            "carrom saves every answer on this computer. What you knew rests for 1, 2, 4 … 32 days; what you missed is due at once. A review asks one question about each topic that is due, of any kind that covers it.",
+            "carrom saves every answer on this computer. What you knew is due again after 1, 2, 4 … 32 days; what you missed is due at once. A review asks one question of any suitable kind about each topic that is due.",
             "An exam gives no feedback until the end; then you can open every question.",
             "Every round except a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
         ]
@@ -273,7 +273,7 @@ impl Screen for Choosing {
         let ChoosingPage::Code { typed, refused } = &mut self.page else {
             return false;
         };
-        // A question mark opens the help here, because no code contains one.
+        // A question mark opens the help, because no code contains one.
         let of_code = |c: char| c.is_ascii_alphanumeric() || c == '-';
         let used = !matches!(key, Key::Char(c) if !of_code(c)) && typed.update(key);
         *refused &= !used;

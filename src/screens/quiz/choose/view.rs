@@ -1,4 +1,4 @@
-//! The view of choosing a round.
+//! The view for choosing a round.
 
 use super::{Choosing, ChoosingAction, ChoosingPage, RoundChoice, chapters_read, code as code_of};
 use crate::lessons::Book;
@@ -14,7 +14,7 @@ const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a 
     miss more of them. But each time you have to recognize the kind of question first, and this \
     helps you remember: weeks later you know more.";
 
-/// Opens the chosen line.
+/// The action that opens the chosen line.
 const OPEN: ChoosingAction = ChoosingAction::List(ListAction::Open);
 
 /// The list of the page, and a description of the chosen line.
@@ -49,7 +49,7 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
                 ),
                 CourseKind::FindOut => (
                     format!("up to {questions}"),
-                    "Up to twelve questions, each chosen by your earlier answers. There is no feedback until the end; then you see what you seem to believe about collisions, which answers show it, and where to read more.",
+                    "Up to twelve questions, each based on your earlier answers. There is no feedback until the end; then you see what you seem to believe about collisions, which answers show it, and where to read more.",
                 ),
                 CourseKind::Quick => (
                     questions,
@@ -195,9 +195,7 @@ fn about_review(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
             Some(history) if history.calendar.now_s.is_none() => {
                 "carrom does not know the date here, so nothing can be due. Any other round is just as good."
             }
-            Some(_) => {
-                "Nothing is due: well done. Let what you know rest; it will come back here by itself."
-            }
+            Some(_) => "Nothing is due: well done. What you know will come back here by itself.",
         };
         panel.paragraph(text, Role::Text);
         if let Some((topic, when)) = &due.next {
@@ -207,7 +205,7 @@ fn about_review(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
         }
         return;
     }
-    let text = "Review what you missed and what has rested long enough. Due now:";
+    let text = "Review what you missed and what you have not seen for a while. Due now:";
     panel.paragraph(text, Role::Text);
     panel.gap();
     for topic in due.first() {
@@ -219,7 +217,7 @@ fn about_review(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
     }
 }
 
-/// The player's answers in a family, if there are any.
+/// The player's results in a family of questions, if there are any.
 fn known(choosing: &Choosing, family: Family) -> Option<TopicStanding> {
     let attempts = &choosing.history.history()?.attempts;
     let of_family = attempts.iter().filter(|it| it.family == family.id());
@@ -255,7 +253,10 @@ fn about_topic(choosing: &Choosing) -> Panel<ChoosingAction> {
         Some(TopicStanding { all, lately, .. }) => {
             let text = format!("{} answered, {} right.", all.attempts, all.right);
             match all.attempts > lately.attempts {
-                true => format!("{text} Of the last {}, {}.", lately.attempts, lately.right),
+                true => format!(
+                    "{text} Of the last {}, {} right.",
+                    lately.attempts, lately.right
+                ),
                 false => text,
             }
         }
@@ -301,7 +302,7 @@ fn code(choosing: &Choosing, typed: &TextField, refused: bool) -> Panel<Choosing
 fn about_codes() -> Panel<ChoosingAction> {
     let mut panel = Panel::new("codes");
     panel.paragraph(
-        "A code consists of the kind of round, the number of questions if it is not the usual one, and a number that fixes them:",
+        "A code consists of the kind of round, the number of questions if it is not the usual one, and a number that fixes the questions:",
         Role::Text,
     );
     panel.gap();

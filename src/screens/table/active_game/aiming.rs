@@ -21,12 +21,12 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::{impact_angle, offset};
 use crate::widgets::{Charset, Outcome, Role};
 
-/// A step of the speed, in m/s.
+/// The step of the speed, in m/s.
 const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
-/// A step of the direction, in degrees.
+/// The step of the direction, in degrees.
 const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
 
-/// What keys do while aiming.
+/// The key actions while aiming.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum AimAction {
@@ -36,13 +36,13 @@ pub enum AimAction {
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
-    /// change the strength; the wheel too
+    /// change the strength; the wheel works, too
     Strength(i8),
     /// move the striker by 2 mm or by 20 mm
     Place(i8),
     /// practice: move the striker up or down
     PlaceUp(i8),
-    /// type a number: the angle, or with the key after it the strength or the position in millimetres
+    /// type a number: the angle or, with a key after it, the strength or the position in millimetres
     Number(EntryAction),
     /// turn the aim line, the ghost or the predicted paths on or off
     Aid(AimAid),
@@ -56,14 +56,14 @@ pub enum AimAction {
     Undo,
 }
 
-/// A help while aiming.
+/// An aid for aiming.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AimAid {
-    /// The striker's way to its first coin.
+    /// The striker's path to the first coin.
     Line,
-    /// Where the striker will be then.
+    /// The position of the striker at that contact.
     Ghost,
-    /// Both paths after that collision.
+    /// The paths of both discs after that collision.
     Rays,
 }
 
@@ -87,7 +87,7 @@ impl ActiveGame {
         use GameAction::{Back, Export, LookBack, WatchAll};
         let typing = self.entry.is_open();
         let practice = self.is_practice();
-        // A long hint is read with the page keys.
+        // A long hint is scrolled with the page keys.
         let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
         let back = if self.is_pulling() { "cancel" } else { "" };
         let aim = KeyTable::new("table")
@@ -129,7 +129,7 @@ impl ActiveGame {
             .with(unnamed, TableAction::Aim)
     }
 
-    /// Aims, or carries out other actions. A typed number is a direction, unless the key after it
+    /// Aims, or carries out another action. A typed number is a direction, unless the key after it
     /// makes it a position or a speed.
     pub(super) fn aim_by(&mut self, action: AimAction, cx: &Context) -> Option<GamePhase> {
         if !matches!(action, AimAction::Number(_))
@@ -170,20 +170,20 @@ impl ActiveGame {
         None
     }
 
-    /// Makes the stroke harder by so many steps.
+    /// Makes the stroke harder by this many steps.
     pub(super) fn strengthen(&mut self, steps: i8) {
         let by = f64::from(steps) * SPEED_STEP;
         self.aim.set_speed(self.aim.speed + by);
     }
 
-    /// Moves the striker by so many steps in a direction of the screen.
+    /// Moves the striker by this many steps in a direction on the screen.
     fn shift(&mut self, steps: i8, way: DVec2) {
         let step = f64::from(steps) * PLACE_STEP * way;
         self.aim.move_by(step, self.history.game());
     }
 
-    /// Puts the striker so many metres beside the middle, to the right on the screen
-    /// (or up it).
+    /// Puts the striker this many metres to the right of the middle (or above it), as seen on the
+    /// screen.
     fn stand(&mut self, metres: f64) {
         let game = self.history.game();
         let along = along_the_screen(game.seat(), game.setup().rules);
@@ -191,7 +191,8 @@ impl ActiveGame {
         self.aim.put(beside + metres * along, game);
     }
 
-    /// Takes the last move back; after a stroke, with its aim, to try it again.
+    /// Takes the last move back; after a stroke, its aim is restored so that the player can try
+    /// again.
     fn take_back(&mut self) {
         let last = self.history.len().checked_sub(1);
         let strike = last.and_then(|last| self.history.strike(last).copied());
@@ -202,7 +203,7 @@ impl ActiveGame {
         }
     }
 
-    /// Takes the last move back; says whether there was one.
+    /// Takes the last move back; returns whether there was one.
     pub(super) fn undo(&mut self) -> bool {
         let undone = self.history.undo();
         if undone {
@@ -211,7 +212,7 @@ impl ActiveGame {
         undone
     }
 
-    /// From aiming to the stroke, or to the call before it.
+    /// Makes the stroke, or asks for the call before it.
     pub(super) fn strike(&mut self, cx: &Context) -> Option<GamePhase> {
         let lines = self.game().base_lines();
         if !self.is_practice() && lines.nearest(DVec2::ZERO).is_none() {
@@ -219,7 +220,7 @@ impl ActiveGame {
             return Some(self.turn(cx));
         }
         if let Err(why) = self.game().check_place(self.aim.place) {
-            self.notice = Some(format!("Not from there: {why}."));
+            self.notice = Some(format!("No stroke is possible from there: {why}."));
             return None;
         }
         self.look_ahead();
@@ -261,7 +262,7 @@ impl ActiveGame {
         }
         if self.is_pulling() {
             let what = match self.is_drawn() {
-                true => "Let go: strike. Back to the striker: cancel.",
+                true => "Let go to strike. Return to the striker to cancel.",
                 false => "Pull farther back to strike.",
             };
             panel.paragraph(what, Role::Key);
@@ -272,7 +273,10 @@ impl ActiveGame {
         } else if let Some(hinted) = &self.hint {
             hint(hinted, panel);
         } else if let Err(why) = self.game().check_place(aim.place) {
-            panel.paragraph(format!("Not from here: {why}."), Role::Warn);
+            panel.paragraph(
+                format!("No stroke is possible from here: {why}."),
+                Role::Warn,
+            );
         } else {
             self.write_ahead(panel);
         }
@@ -284,7 +288,7 @@ impl ActiveGame {
         format!("{:.1}°", aim.shown_deg(self.seat()))
     }
 
-    /// Writes whose turn it is, with what colour, and what the laws ask of the stroke.
+    /// Writes whose turn it is, with which colour, and what the laws require of the stroke.
     pub(super) fn write_turn<A>(&self, panel: &mut Panel<A>) {
         if self.is_practice() {
             return;
@@ -300,7 +304,7 @@ impl ActiveGame {
         panel.line(capital(&turn), Role::Title);
     }
 
-    /// Writes what the striker will meet first.
+    /// Writes what the striker will hit first.
     fn write_ahead<A>(&self, panel: &mut Panel<A>) {
         let Some(preview) = &self.preview else {
             return;
@@ -321,13 +325,13 @@ impl ActiveGame {
     }
 }
 
-/// Writes how hard the stroke is.
+/// Writes the strength of the stroke.
 pub(super) fn strength<A>(aim: &Aim, panel: &mut Panel<A>) {
     let speed = format!("{:.1} m/s", aim.speed);
     panel.meter("strength", aim.speed / SPEEDS.1, speed);
 }
 
-/// Writes the hint: first where to look, then all of it.
+/// Writes the hint: first where to look, then the whole stroke.
 fn hint(hinted: &Hinted, panel: &mut Panel<TableAction>) {
     let (words, more) = match hinted.whole {
         false => (hinted.hint.which(), "tell me more"),
@@ -342,7 +346,7 @@ fn piece(game: &Game, coin: usize) -> &'static str {
     coin.map_or("coin", |coin| coin.piece.into())
 }
 
-/// Writes a first collision in numbers: which coin, b, and α if it may be shown.
+/// Writes the numbers of the first collision: which coin, b, and α if `tells_angle`.
 pub(super) fn first_hit<A>(game: &Game, hit: &FirstHit, tells_angle: bool, panel: &mut Panel<A>) {
     panel.fact("first hit", piece(game, hit.coin));
     offset(&hit.impact.collision, panel);

@@ -1,4 +1,4 @@
-//! Practice: laying the coins out by hand.
+//! Practice: arranging the coins by hand.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -15,22 +15,22 @@ use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Charset, Role};
 
-/// A small step of the hand, in metres.
+/// The small step of the hand, in metres.
 const STEP: f64 = 0.002;
 
-/// What is said where there is nothing to take.
+/// The notice if there is no coin to pick up.
 const NO_COIN: &str = "There is no coin under the hand.";
 
-/// A hand over the board, maybe with a coin in it; at first empty, over the middle.
+/// A hand over the board, which may hold a coin; at first it is empty and over the middle.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::screens::table) struct Arrange {
-    /// Where the hand is, in metres.
+    /// The position of the hand, in metres.
     hand: DVec2,
-    /// The coin that goes with the hand, counted as the game counts them.
+    /// The index, in the game, of the coin that the hand holds.
     held: Option<usize>,
 }
 
-/// What keys do while coins are laid out.
+/// The key actions while coins are arranged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ArrangeAction {
@@ -40,7 +40,7 @@ pub enum ArrangeAction {
     TakeOrLay,
     /// move the hand to the next coin
     NextCoin,
-    /// add a white, a black, or the queen
+    /// add a white coin, a black coin or the queen
     Add(Piece),
     /// remove the coin under the hand
     RemoveCoin,
@@ -97,7 +97,7 @@ impl Arrange {
         }
     }
 
-    /// Moves the hand with the mouse, and what it holds while the button is down.
+    /// Moves the hand with the mouse: a press picks a coin up, the release puts it down.
     pub(super) fn point(&mut self, mouse: &Mouse, area: Rect, game: &mut ActiveGame) -> After {
         let (at, inside) = picture::pointed(mouse, area);
         match mouse.kind {
@@ -112,7 +112,7 @@ impl Arrange {
         After::Same
     }
 
-    /// The coin under the hand: the nearest one it touches.
+    /// The coin under the hand: the nearest one that it touches.
     fn under(&self, game: &Game) -> Option<usize> {
         let reach = 1.2 * game.setup().set.coin_radius();
         let distance = |coin: &Coin| coin.at.distance(self.hand);
@@ -122,7 +122,7 @@ impl Arrange {
         nearest.map(|(i, _)| i)
     }
 
-    /// Puts the hand over the next coin, if it is empty.
+    /// Moves an empty hand over the next coin.
     fn reach_next(&mut self, game: &Game) {
         let next = self.under(game).map_or(0, |i| i + 1);
         let coin = game.coins().get(next).or(game.coins().first());
@@ -131,14 +131,14 @@ impl Arrange {
         }
     }
 
-    /// Moves the hand, to whole millimetres and within the frame.
+    /// Moves the hand to a point, rounded to whole millimetres and kept within the frame.
     fn put_hand(&mut self, at: DVec2, game: &Game) {
         let room = Board::default().side / 2.0 - game.setup().set.coin_radius();
         let whole = (at * 1000.0).round() / 1000.0;
         self.hand = whole.clamp(DVec2::splat(-room), DVec2::splat(room));
     }
 
-    /// Takes the coin under the hand, or lays the held one down.
+    /// Picks up the coin under the hand, or puts the held one down.
     fn take_or_lay(&mut self, game: &mut ActiveGame) {
         let mut coins = game.game().coins().to_vec();
         match self.held.and_then(|held| coins.get_mut(held)) {
@@ -155,7 +155,7 @@ impl Arrange {
         }
     }
 
-    /// Lays one more of a kind where the hand is, if the set has one.
+    /// Adds a piece of this kind at the hand, if the set has one left.
     fn add(&self, piece: Piece, game: &mut ActiveGame) {
         let most = if piece == Piece::Queen { 1 } else { COINS_EACH };
         if count(game.game().coins(), piece) >= most {
@@ -167,7 +167,7 @@ impl Arrange {
         game.make(Move::LayOut(coins));
     }
 
-    /// Lays the coins out like this, if they can lie so; then nothing is held any more.
+    /// Uses this arrangement of coins if it is allowed; then the hand is empty.
     fn lay_out(&mut self, coins: Vec<Coin>, game: &mut ActiveGame) {
         game.make(Move::LayOut(coins));
         if game.notice.is_none() {

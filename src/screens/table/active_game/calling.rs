@@ -1,4 +1,4 @@
-//! Calling the first impact before the stroke.
+//! Calls: predicting the first impact before the stroke.
 
 use ratatui::layout::Rect;
 
@@ -17,12 +17,12 @@ use crate::widgets::panels::{contact_distance, masses, offset};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Outcome, RayInput, Role};
 
-/// A call in the making.
+/// A call that the player is making.
 #[derive(Debug, Clone)]
 pub(in crate::screens::table) struct Calling {
     hit: FirstHit,
     rays: RayInput,
-    /// The computer's stroke, if it is one of those.
+    /// The computer's stroke, if the call is about one.
     of: Option<ComputerStroke>,
 }
 
@@ -36,7 +36,7 @@ impl Calling {
         self.rays.keys("next, then strike")
     }
 
-    /// Turns a ray; once both are said, strikes.
+    /// Turns a ray; once both are set, makes the stroke.
     pub(super) fn act(
         &mut self,
         action: RayAction,
@@ -57,7 +57,7 @@ impl Calling {
         })
     }
 
-    /// Back to the aim, or to the computer's.
+    /// Goes back to the aim, or to the computer's aim.
     pub(super) fn leave(&mut self, game: &ActiveGame, cx: &Context) -> GamePhase {
         match self.of.take() {
             Some(stroke) => GamePhase::Show(Box::new(ShownStroke::new(stroke, &game.options, cx))),
@@ -76,7 +76,7 @@ impl Calling {
     }
 
     pub(super) fn picture(&self, area: Rect) -> Picture {
-        // Not the impact angle, because the coin leaves along the line of impact.
+        // The impact angle is hidden, because the coin leaves along the line of impact.
         let shown = Markings {
             angle: false,
             ..Markings::ALL
@@ -86,11 +86,11 @@ impl Calling {
         setup_picture(area, Face::STRIKER_AND_COIN, collision, shown, rays)
     }
 
-    /// Writes the hit, and both rays as said so far.
+    /// Writes the collision, and both rays as predicted so far.
     pub(super) fn write(&self, panel: &mut Panel<TableAction>) {
         let collision = &self.hit.impact.collision;
         offset(collision, panel);
-        // Not the impact angle, which would reveal the coin's direction.
+        // The impact angle is left out, because it would reveal the coin's direction.
         contact_distance(collision, panel);
         masses(collision, [false; 2], panel);
         panel.gap();

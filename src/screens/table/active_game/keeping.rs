@@ -1,4 +1,4 @@
-//! Saving the game: after each move, as an export, and for resuming it later.
+//! Saving the game after each move, exporting it, and resuming it later.
 
 use super::ActiveGame;
 use crate::game::{Fingerprint, RecordError, SavedGame};
@@ -8,14 +8,15 @@ use crate::screens::table::game_history::GameHistory;
 use crate::screens::table::options::Options;
 use crate::screens::table::words;
 
-/// How a game is saved.
+/// The state of saving a game.
 #[derive(Debug, Clone, Default)]
 pub(super) struct GameKeeping {
-    /// The ticket it is saved with, once it has been.
+    /// The ticket with which the game is saved, once it has been saved.
     ticket: Option<u64>,
-    /// Whether the present game can be resumed later; `None` until the first save is answered.
+    /// Whether the current game can be resumed later; `None` until the result of the first
+    /// save is known.
     pub(super) saved: Option<bool>,
-    /// What the player has to know, until the next stroke: why the game cannot be saved.
+    /// A message, shown until the next stroke, that says why the game cannot be saved.
     pub(super) trouble: Option<String>,
 }
 
@@ -36,7 +37,7 @@ impl ActiveGame {
             && let Some(strike) = active.history.strike(number)
             && !active.game().play().is_unbroken()
         {
-            // The strength stands where it was left.
+            // The strength of the last stroke is restored.
             active.aim.set_speed(strike.velocity.length());
             active.look_ahead();
         }
@@ -53,7 +54,7 @@ impl ActiveGame {
         }
     }
 
-    /// The game as it is kept.
+    /// The game in the form in which it is saved.
     pub(super) fn saved(&self, cx: &Context) -> SavedGame {
         SavedGame {
             player: cx.settings.player.clone(),

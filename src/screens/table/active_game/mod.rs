@@ -1,5 +1,5 @@
-//! A game in progress at the table: the game itself, and one file per phase: aiming, calling,
-//! watching a stroke, examining an impact, laying coins out.
+//! A game in progress at the table. Each phase has its own file: aiming, calling, watching a
+//! stroke, examining an impact, arranging coins.
 
 mod aiming;
 mod arranging;
@@ -50,30 +50,30 @@ pub(super) struct ActiveGame {
     pub(super) aim: Aim,
     /// The first contact of the aim, cached because the engine has to compute it.
     pub(super) preview: Option<Preview>,
-    /// The aim it was computed for, and the number of moves at that time.
+    /// The aim for which the preview was computed, and the number of moves at that time.
     previewed: Option<(Aim, usize)>,
-    /// An angle being typed.
+    /// A number that is being typed.
     entry: NumberEntry,
     /// Help with the next stroke.
     pub(super) hint: Option<Hinted>,
-    /// What the mouse holds while its button is down.
+    /// What the mouse is dragging.
     grip: Grip,
-    /// A notice: why something cannot be done.
+    /// A notice that says why something cannot be done.
     notice: Option<String>,
     keeping: GameKeeping,
 }
 
-/// The phase of the table.
+/// The phases of a game.
 #[derive(Debug, Clone)]
 enum GamePhase {
     /// Aiming the next stroke.
     Aim,
-    /// Seeing the computer's stroke before it is struck.
+    /// The computer's aim is shown before its stroke.
     Show(Box<ShownStroke>),
     /// Predicting the directions after the first impact.
     Call(Box<Calling>),
     Watch(Box<StrokeReplay>),
-    /// Laying coins out, in practice.
+    /// Arranging the coins of a practice game.
     Arrange(Arrange),
     /// The board has ended.
     Over,
@@ -93,33 +93,33 @@ pub enum GameAction {
     Back,
 }
 
-/// What follows from something that was done.
+/// The consequence of an input.
 #[derive(Debug)]
 enum After {
-    /// It meant nothing here.
+    /// The input was not used.
     Ignored,
-    /// The phase goes on.
+    /// The phase continues.
     Same,
-    /// Another one begins.
+    /// Another phase begins.
     Phase(GamePhase),
-    /// Something that concerns the whole screen.
+    /// A consequence for the whole screen.
     Screen(Next),
 }
 
-/// Another phase, unless there is none.
+/// Another phase, or the same one for `None`.
 impl From<Option<GamePhase>> for After {
     fn from(phase: Option<GamePhase>) -> Self {
         phase.map_or(Self::Same, Self::Phase)
     }
 }
 
-/// A hint that was asked for.
+/// A hint that the player has requested.
 #[derive(Debug, Clone)]
 pub(super) struct Hinted {
     hint: StrokeHint,
-    /// What it speaks of on the board, if it speaks of a coin.
+    /// The coin that the hint refers to, if any, and its pocket.
     pub(super) pointer: Option<Pointer>,
-    /// Whether all of it is told, or only where to look.
+    /// Whether the whole hint is shown, not only where to look.
     whole: bool,
 }
 
@@ -146,17 +146,17 @@ impl ActiveGame {
         active
     }
 
-    /// The game as it stands.
+    /// The game in its current state.
     pub(super) fn game(&self) -> &Game {
         self.history.game()
     }
 
-    /// The pieces it is played with.
+    /// The set of pieces in use.
     pub(super) fn set(&self) -> PieceSet {
         self.game().setup().set
     }
 
-    /// Whose turn it is.
+    /// The seat whose turn it is.
     pub(super) fn seat(&self) -> Seat {
         self.game().seat()
     }
@@ -165,7 +165,7 @@ impl ActiveGame {
         self.game().setup().rules == Rules::Practice
     }
 
-    /// Whether the computer is to play.
+    /// Whether it is the computer's turn.
     fn is_computers_turn(&self) -> bool {
         self.options.player(self.seat()) == Player::Computer
     }
@@ -175,8 +175,8 @@ impl ActiveGame {
         self.history.len() > 0 && !matches!(self.game().stage(), GameStage::MatchOver(_))
     }
 
-    /// What the game as it stands goes on with: an aim, that of the computer, or the end of
-    /// the board.
+    /// The next phase of the game: the player's aim, the computer's aim, or the end of the
+    /// board.
     fn turn(&mut self, cx: &Context) -> GamePhase {
         match self.game().stage() {
             GameStage::Playing if self.is_computers_turn() => self.think(cx),
@@ -185,8 +185,8 @@ impl ActiveGame {
         }
     }
 
-    /// Makes a move and begins the next turn; reports in words if it is impossible. Returns the
-    /// shot if it was a stroke.
+    /// Makes a move and begins the next turn; shows a notice if the move is impossible. Returns
+    /// the shot if the move was a stroke.
     fn make(&mut self, next: Move) -> Option<Shot> {
         match self.history.make(next) {
             Ok(shot) => {
@@ -200,7 +200,7 @@ impl ActiveGame {
         }
     }
 
-    /// Plays a stroke and starts its replay; `None` if it cannot be played.
+    /// Plays a stroke and starts its replay; `None` if the stroke cannot be played.
     fn play(&mut self, stroke: Move, cx: &Context) -> Option<GamePhase> {
         let number = self.history.len();
         let shot = self.make(stroke)?;
@@ -234,8 +234,8 @@ impl ActiveGame {
         self.look_at(first, cx.settings.reduced_motion, cx)
     }
 
-    /// A new aim for the present game. In practice the aim stays if possible, for another try with
-    /// a small change.
+    /// Sets the aim for the next turn. In a practice game it stays the same if possible, so that
+    /// the player can try again with a small change.
     fn begin_turn(&mut self) {
         if !self.is_practice() || self.game().check_place(self.aim.place).is_err() {
             let speed = self.aim.speed;
@@ -249,7 +249,7 @@ impl ActiveGame {
         self.grip = Grip::default();
     }
 
-    /// Passes, because coins bar every place for the striker.
+    /// Passes, because coins block every position of the striker.
     fn pass(&mut self) {
         let number = self.history.len();
         self.make(Move::NoPlace);
@@ -258,7 +258,7 @@ impl ActiveGame {
         }
     }
 
-    /// The aim with the number that is being typed for its direction.
+    /// The aim, with the direction that is being typed.
     pub(super) fn aimed(&self) -> Aim {
         let mut aim = self.aim;
         if let Some(degrees) = self.entry.value() {
@@ -275,7 +275,7 @@ impl ActiveGame {
         }
     }
 
-    /// What the aim will meet first.
+    /// The first collision of the aim, if there is one.
     pub(super) fn first_hit(&self) -> Option<FirstHit> {
         self.preview.as_ref()?.first_hit()
     }

@@ -1,4 +1,4 @@
-//! The end of a board, a game or the match: who won what, and what follows.
+//! The end of a board, a game or the match: the result, and what comes next.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -13,7 +13,7 @@ use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 
-/// What keys do at the end of a board.
+/// The key actions at the end of a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum OverAction {
@@ -60,8 +60,8 @@ impl ActiveGame {
         }
     }
 
-    /// A click on the board goes on. The match is left by a key: by a click its end would be
-    /// gone unread.
+    /// A click on the board continues. The end of a match is left only with a key: after an
+    /// accidental click, nobody could read the result.
     pub(super) fn click_on_end(&mut self, cx: &Context) -> After {
         match self.game().stage() {
             GameStage::MatchOver(_) => After::Same,
@@ -121,7 +121,7 @@ impl ActiveGame {
         }
     }
 
-    /// Who won the match, the game or the board, and with how many hints, if with any.
+    /// Who won the match, the game or the board, and with how many hints, if any.
     fn headline(&self, report: &BoardReport) -> String {
         let hints = |team: Team| match report.teams[team].hints {
             0 => String::new(),
@@ -140,7 +140,7 @@ impl ActiveGame {
         }
     }
 
-    /// Writes what both teams did on the board, beside each other.
+    /// Writes the figures of both teams for the board, side by side.
     fn write_teams<A>(&self, report: &BoardReport, panel: &mut Panel<A>) {
         panel.gap();
         let both =
@@ -160,7 +160,7 @@ impl ActiveGame {
         }
     }
 
-    /// Writes which stroke of the board was the best.
+    /// Writes the best stroke of the board.
     fn write_best<A>(&self, report: &BoardReport, panel: &mut Panel<A>) {
         let history = &self.history;
         let past = |number| Some((number, history.past(number)?));
@@ -177,7 +177,7 @@ impl ActiveGame {
     }
 }
 
-/// Who breaks the next board, if there is one with sides.
+/// The seat that breaks the next board; `None` in a practice game or after the match.
 fn next_breaker(game: &Game) -> Option<Seat> {
     if game.setup().rules == Rules::Practice {
         return None;

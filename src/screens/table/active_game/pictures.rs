@@ -1,4 +1,4 @@
-//! The board of a game in progress: the aim, the computer's aim, a stroke that is watched.
+//! Pictures of a game in progress: the aim, the computer's aim, the replay of a stroke.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -17,18 +17,18 @@ use crate::screens::table::words;
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture};
 use crate::widgets::{Role, board, sheet};
 
-/// Seconds after which a trail has faded.
+/// The time in which a trail fades, in seconds.
 const FADE: f64 = 0.9;
-/// Shades of a trail, each fainter than the one after it.
+/// The number of shades of a trail, each fainter than the next.
 const SHADES: usize = 4;
-/// Longest that a departure is drawn, in metres.
+/// The greatest length of a path drawn after the first collision, in metres.
 const LONGEST_RAY: f64 = 0.16;
-/// Length of the arrow that shows the aim where the whole line is not drawn.
+/// Length of the arrow that shows the aim if the aim line is off, in metres.
 const STUB: f64 = 0.09;
 /// Length of the arrow that shows the strength, in metres per m/s.
 const ARROW: f64 = 0.03;
 
-/// The board with the striker, its aim and what helps to aim.
+/// The board with the striker, its aim and the aids.
 pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     let mut picture = ground(area);
     let seat = active.seat();
@@ -82,7 +82,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     picture
 }
 
-/// The striker pulled back, and how hard it would be struck.
+/// Draws the striker pulled back, and the speed of the stroke.
 fn pulled(picture: &mut Picture, active: &ActiveGame, to: DVec2) {
     let place = active.aim.place;
     let pen = Pen::new(Role::Key).on(DrawLayer::Trail);
@@ -91,12 +91,12 @@ fn pulled(picture: &mut Picture, active: &ActiveGame, to: DVec2) {
         true => format!("{:.1} m/s", active.aim.speed),
         false => "no stroke".into(),
     };
-    // Beside the striker, for the mouse may be beyond the picture.
+    // The label is beside the striker, because the mouse may be outside the picture.
     let sides = LabelSide::towards(place - to);
     picture.label(says, place, &sides, Role::Key);
 }
 
-/// The board with a stroke that the computer is about to make, as much of it as is seen.
+/// The board with the parts of the computer's next stroke that are visible so far.
 pub(super) fn of_show(active: &ActiveGame, shown: &ShownStroke, area: Rect) -> Picture {
     let mut picture = ground(area);
     let seat = active.seat();
@@ -119,15 +119,15 @@ pub(super) fn of_show(active: &ActiveGame, shown: &ShownStroke, area: Rect) -> P
     picture
 }
 
-/// The way of the striker as the computer meant it.
+/// Draws the path of the striker as the computer intended it.
 fn meant(picture: &mut Picture, stroke: &ComputerStroke, role: Role) {
     let way = stroke.preview.iter().flat_map(|preview| &preview.way);
     let pen = Pen::new(role).on(DrawLayer::Trail);
     picture.curve(way.copied(), pen.dotted());
 }
 
-/// The stroke as the computer meant it, beside the one that was played: its way, by how
-/// much it was off, and the pocket it was meant for.
+/// Draws the computer's intended stroke beside the actual one: its path, the error, and the
+/// pocket that it was meant for.
 fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
     if let Some(pointer) = &stroke.pointer {
         point_out(picture, pointer);
@@ -147,7 +147,7 @@ fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
     }
 }
 
-/// Draws the coin's way into the pocket that is spoken of, and the pocket.
+/// Draws the coin's path into the pocket that the pointer refers to, and marks the pocket.
 fn point_out(picture: &mut Picture, pointer: &Pointer) {
     let pen = Pen::new(Role::Good).on(DrawLayer::Trail);
     picture.curve(pointer.way.iter().copied(), pen.dotted());
@@ -156,7 +156,8 @@ fn point_out(picture: &mut Picture, pointer: &Pointer) {
     }
 }
 
-/// Where both leave the first hit: as far as each would slide if it met nothing.
+/// Draws the paths of both discs after the first collision, as far as each would slide if it hit
+/// nothing.
 fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
     let outcome = hit.impact.collision.outcome();
     let deceleration = Board::default().deceleration();
@@ -167,14 +168,14 @@ fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
     for (from, v, role) in bodies {
         let way = stopping_distance(v.length(), deceleration).min(LONGEST_RAY);
         if way > 1.5 * picture.view().per_column() {
-            // Discs run over it: none may be hidden by what is to come.
+            // Moving discs are drawn over the ray, which must not hide any of them.
             let pen = Pen::new(role).on(DrawLayer::Trail);
             picture.arrow(from, from + way * v.normalize_or_zero(), pen);
         }
     }
 }
 
-/// Marks the side whose turn it is, between its base line and the frame.
+/// Marks the seat whose turn it is, between its base line and the frame.
 fn own_side(picture: &mut Picture, seat: Seat) {
     let half = Board::default().side / 2.0;
     let end = |along: f64| seat.turn(DVec2::new(along, -half));
@@ -182,7 +183,7 @@ fn own_side(picture: &mut Picture, seat: Seat) {
     picture.line(end(-0.2), end(0.2), pen);
 }
 
-/// A stroke at the time its clock shows.
+/// The board during the replay of a stroke, at the time of its clock.
 pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) -> Picture {
     let mut picture = ground(area);
     for disc in 0..replay.pieces.len() {
@@ -211,8 +212,8 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
     picture
 }
 
-/// The pocket answers a disc that has fallen into it: a ring runs out of it. `share` is how
-/// much of its moment has gone by.
+/// Draws a ring that spreads from a pocket after a disc has fallen into it. `share` is the elapsed
+/// fraction of the ring's duration.
 fn answer(picture: &mut Picture, share: f64, corner: usize) {
     let board = Board::default();
     if let Some(pocket) = board::pocket(&board, corner).filter(|_| (0.0..1.0).contains(&share)) {
@@ -223,8 +224,8 @@ fn answer(picture: &mut Picture, share: f64, corner: usize) {
     }
 }
 
-/// Where a disc has been: fading while time runs; at the end the whole way of the
-/// striker, of the coin it met first and of what fell.
+/// Draws where a disc has been: as a fading trail while time runs; at the end, the whole paths of
+/// the striker, the first coin that it hit and the pocketed pieces.
 fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
     let (player, shot) = (&replay.player, replay.player.shot());
     let (now, shown) = (player.clock().time(), player.clock().is_over());
@@ -242,14 +243,14 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
             picture.line(leg.from, leg.to, pen.dotted());
             continue;
         }
-        // The way is straight; where on it the disc is, the shot knows.
+        // The leg is straight; the shot computes the disc's position on it.
         let place = |time: f64| match time {
             _ if time <= leg.start => leg.from,
             _ if time >= leg.end => leg.to,
             _ => shot.at(disc, time).position,
         };
-        // A shade has its stretch of time behind the disc: from picture to picture only those
-        // cells change where one shade gives way to the next.
+        // Each shade covers a fixed interval of time behind the disc. From frame to frame, only the
+        // cells at the borders between shades change.
         let stretch = FADE / SHADES as f64;
         for shade in (0..SHADES).rev() {
             let since = now - stretch * (shade + 1) as f64;

@@ -1,21 +1,21 @@
-//! A game and what is being done in it: each phase has its keys, its picture and its panel.
+//! A game and its current phase. Each phase has its own keys, picture and panel.
 
 use std::time::Duration;
 
 use ratatui::layout::Rect;
 
 use super::{ActiveGame, After, GameAction, GamePhase, pictures, trays};
-use crate::game::{GameStage, Rules};
+use crate::game::{GameStage, Piece, Rules};
 use crate::messages::{Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, picture, words};
 use crate::screens::{Confirmation, Context, Next, View};
-use crate::widgets::hit::HitPace;
+use crate::widgets::hit::{CONTACT, HitPace, contact_picture};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Charset, RayInput, Role, board};
 
-/// A game, and what is being done in it.
+/// A game and its current phase.
 #[derive(Debug, Clone)]
 pub(in crate::screens::table) struct Playing {
     pub(in crate::screens::table) game: ActiveGame,
@@ -23,7 +23,7 @@ pub(in crate::screens::table) struct Playing {
 }
 
 impl From<ActiveGame> for Playing {
-    /// As a game begins or is resumed; the computer decides as soon as time passes.
+    /// A game that begins or is resumed; the computer decides as soon as time passes.
     fn from(game: ActiveGame) -> Self {
         let phase = match game.game().stage() {
             GameStage::Playing => GamePhase::Aim,
@@ -116,7 +116,7 @@ impl Playing {
         self.follow(after, cx)
     }
 
-    /// Takes the mouse over the picture.
+    /// Handles the mouse over the picture.
     pub(in crate::screens::table) fn point(
         &mut self,
         mouse: &Mouse,
@@ -138,7 +138,7 @@ impl Playing {
         self.follow(after, cx)
     }
 
-    /// Takes a turn of the wheel.
+    /// Handles a turn of the mouse wheel.
     pub(in crate::screens::table) fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
         self.game.notice = None;
         let after = match &mut self.phase {
@@ -166,7 +166,7 @@ impl Playing {
         self.follow(after.into(), cx);
     }
 
-    /// When it next needs time.
+    /// The time until the game must next be advanced.
     pub(in crate::screens::table) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.phase {
             GamePhase::Watch(replay) => replay.wake(&self.game, pace),
@@ -176,14 +176,15 @@ impl Playing {
         }
     }
 
-    /// Lets the computer decide where it has not yet: as a game begins, and after it passed.
+    /// Lets the computer decide if it has not done so yet: at the beginning of a game, and after
+    /// it has passed.
     fn hand_over(&mut self, cx: &Context) {
         if matches!(self.phase, GamePhase::Aim) && self.game.is_computers_turn() {
             self.phase = self.game.turn(cx);
         }
     }
 
-    /// Continues as the result of an action requires, and saves the game.
+    /// Continues as required by the result of an action, and saves the game.
     fn follow(&mut self, after: After, cx: &mut Context) -> Next {
         let next = match after {
             After::Ignored => Next::Ignored,
@@ -199,7 +200,7 @@ impl Playing {
         next
     }
 
-    /// What it shows.
+    /// The view of the current phase.
     pub(in crate::screens::table) fn view(&self, charset: Charset) -> View<'_, TableAction> {
         let (game, phase) = (&self.game, &self.phase);
         let (title, panel_title) = phase.titles(game);
@@ -213,6 +214,13 @@ impl Playing {
         if phase.is_enlarged() {
             return View::drawn(title, |area| phase.picture(game, area), panel);
         }
+        let hit = { game.first_hit() }.filter(|_| matches!(phase, GamePhase::Aim));
+        let hit = hit.filter(|_| game.options.aids.ghost);
+        let contact = hit.and_then(|hit| {
+            let coin = game.game().coins().get(hit.coin)?;
+            let faces = [Piece::Striker, coin.piece].map(words::face);
+            Some(move |area| contact_picture(area, faces, &hit.impact.collision))
+        });
         let draw = |area: Rect, buf: &mut _, look: &_| {
             phase.picture(game, area).draw(buf, look);
             let replay = match phase {
@@ -223,6 +231,7 @@ impl Playing {
         };
         View::picture(title, draw, panel)
             .square()
+            .with_inset(CONTACT, contact)
             .dragging(match phase {
                 GamePhase::Aim => Some(
                     "Touch the board to aim. Drag the striker along its base line; pull it back \
@@ -235,8 +244,8 @@ impl Playing {
 }
 
 impl GamePhase {
-    /// One step back: out of a call, a stroke that is watched, or laying out; from there
-    /// out of the game.
+    /// Goes one step back: leaves a call, a replay or the arrangement of coins, and otherwise
+    /// the game.
     fn back(&mut self, game: &mut ActiveGame, cx: &Context) -> After {
         match self {
             Self::Aim if game.is_pulling() => game.let_slip(),
@@ -251,7 +260,7 @@ impl GamePhase {
         After::Same
     }
 
-    /// Whether one impact is seen, enlarged, and not the board.
+    /// Whether an enlarged impact is shown instead of the board.
     fn is_enlarged(&self) -> bool {
         match self {
             Self::Call(_) => true,
@@ -274,7 +283,7 @@ impl GamePhase {
         }
     }
 
-    /// The titles of picture and panel.
+    /// The titles of the picture and the panel.
     fn titles(&self, game: &ActiveGame) -> (String, String) {
         let panel = match self {
             Self::Call(_) => return ("call it: where to?".into(), "predict it".into()),
@@ -301,7 +310,7 @@ impl GamePhase {
     }
 }
 
-/// What is asked before the game is left.
+/// The confirmation before the player leaves the game.
 fn parting(game: &ActiveGame) -> Confirmation {
     let kept = match game.keeping.saved {
         Some(true) => " It is saved, and can be resumed from the page of a new game.",
@@ -310,7 +319,7 @@ fn parting(game: &ActiveGame) -> Confirmation {
     Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
 }
 
-/// Which board it is, and the score.
+/// The number of the board, and the score.
 fn board_title(active: &ActiveGame) -> String {
     let game = active.game();
     let score = game.score();

@@ -8,20 +8,20 @@ use crate::physics::angle::signed_angle;
 use crate::screens::Context;
 use crate::screens::table::aim::{Aim, SPEEDS};
 
-/// How near the mouse has to be to take hold of the striker, in its radii.
+/// The distance within which the mouse takes hold of the striker, in radii of the striker.
 const HOLD: f64 = 1.6;
-/// How far one has to pull for any stroke at all, in radii of the striker.
+/// The shortest pull that makes a stroke, in radii of the striker.
 const LEAST_PULL: f64 = 1.5;
-/// How much farther one pulls for the hardest stroke, in metres: it ends beside the board.
+/// The additional pull for the hardest stroke, in metres; a full pull ends beside the board.
 const FULL_PULL: f64 = 0.15;
-/// Up to which angle off the aim a pull leaves it as it is, in radians (20°): a cell is too
-/// coarse to aim with.
+/// The largest angle between a pull and the aim that does not change the aim, in radians (20°):
+/// a cell is too coarse for aiming.
 const STEADY: f64 = 0.35;
-/// Within which angle off straight back a drag from the striker pulls, where the striker
-/// may be moved anywhere, in radians (45°).
+/// The largest angle from straight back at which a drag pulls the striker rather than moving it,
+/// in radians (45°), if the striker may be moved anywhere.
 const BACKWARDS: f64 = 0.79;
 
-/// What the mouse holds while its button is down.
+/// What the mouse is dragging.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) enum Grip {
     /// Nothing.
@@ -33,9 +33,9 @@ pub(super) enum Grip {
     Striker,
     /// The striker, pulled back.
     Pull {
-        /// How far: where the mouse is.
+        /// The position of the mouse.
         to: DVec2,
-        /// The aim to go back to.
+        /// The aim to restore if the pull is cancelled.
         before: Aim,
     },
 }
@@ -46,12 +46,12 @@ impl ActiveGame {
         matches!(self.grip, Grip::Pull { .. })
     }
 
-    /// Whether it is pulled far enough to be struck when it is let go.
+    /// Whether the striker is pulled far enough to be struck on release.
     pub(super) fn is_drawn(&self) -> bool {
         matches!(self.grip, Grip::Pull { to, .. } if self.pull(to) > 0.0)
     }
 
-    /// The button went down at a point of the board.
+    /// Handles a press of the mouse button at a point on the board.
     pub(super) fn take_hold(&mut self, at: DVec2) {
         let reach = HOLD * self.set().striker_radius();
         self.grip = match self.aim.place.distance(at) < reach {
@@ -63,7 +63,7 @@ impl ActiveGame {
         }
     }
 
-    /// The mouse moved with its button down.
+    /// Handles a movement of the mouse with the button down.
     pub(super) fn lead(&mut self, at: DVec2) {
         self.entry.take();
         match self.grip {
@@ -78,7 +78,7 @@ impl ActiveGame {
         }
     }
 
-    /// The button was let go at a point of the board.
+    /// Handles the release of the mouse button at a point on the board.
     pub(super) fn let_go(&mut self, at: DVec2, cx: &Context) -> After {
         let Grip::Pull { before, .. } = self.grip else {
             self.grip = Grip::Free;
@@ -100,8 +100,8 @@ impl ActiveGame {
         }
     }
 
-    /// Whether a drag of the striker to there pulls it back: in a game to behind its base
-    /// lines, along which it is moved; in practice away from where it is aimed.
+    /// Whether a drag of the striker to this point pulls it back rather than moving it: in a game
+    /// if the point is behind the base lines, in a practice game if it is opposite to the aim.
     fn pulls(&self, at: DVec2) -> bool {
         let seat = self.seat();
         let way = at - self.aim.place;
@@ -113,13 +113,13 @@ impl ActiveGame {
         seat.turn_back(way).y < -radius
     }
 
-    /// The share of the whole strength that a pull to there has; 0 if it is none yet.
+    /// The fraction of the full strength for a pull to this point; 0 if it is too short.
     fn pull(&self, to: DVec2) -> f64 {
         let least = LEAST_PULL * self.set().striker_radius();
         ((self.aim.place.distance(to) - least) / FULL_PULL).clamp(0.0, 1.0)
     }
 
-    /// Pulls the striker back to there.
+    /// Pulls the striker back to this point.
     fn draw_back(&mut self, to: DVec2, before: Aim) {
         let seat = self.seat();
         self.aim = before;

@@ -1,4 +1,4 @@
-//! What is left on the board, what is owed, what the calls have brought.
+//! The coins left on the board, the coins owed, and the points of the calls.
 
 use super::ActiveGame;
 use crate::game::{ByTeam, Colour, Team};
@@ -10,7 +10,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role};
 
 impl ActiveGame {
-    /// The points of the calls of each team; they never count in the score.
+    /// The points of each team's calls, which are not part of the score.
     pub(super) fn calls(&self) -> ByTeam<Vec<u32>> {
         let mut calls = ByTeam::<Vec<u32>>::default();
         for Past { before, called, .. } in self.history.moves() {
@@ -21,7 +21,7 @@ impl ActiveGame {
     }
 }
 
-/// Writes the coins of each colour and the queen, in few rows.
+/// Writes the coins of each colour and the queen, in as few rows as possible.
 pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<A>) {
     let game = active.game();
     for colour in [Colour::White, Colour::Black] {
@@ -44,7 +44,7 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
     panel.pair(("queen Q", Role::Text), (queen, Role::Dim));
 }
 
-/// Writes pieces, dues, and the calls.
+/// Writes the pieces, the coins owed, and the points of the calls.
 pub(super) fn write<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<A>) {
     write_pieces(active, charset, panel);
     for team in Team::BOTH {
@@ -57,7 +57,7 @@ pub(super) fn write<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<
     write_calls(active, panel);
 }
 
-/// Writes the tally of the calls; it is no part of the score.
+/// Writes the points of the calls, which are not part of the score.
 pub(super) fn write_calls<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     let calls = active.calls();
     for team in Team::BOTH

@@ -1,7 +1,7 @@
-//! The computer's stroke before it is struck: position, aim and strength, so that the player can
-//! predict the result; and the player's hints.
+//! The computer's stroke before it is played: position, aim and strength, so that the player can
+//! predict the result; and hints for the player.
 //!
-//! Both are searched for without a thread: nothing moves on the board meanwhile, and a search takes
+//! Neither search uses a thread: nothing moves on the board meanwhile, and a search takes
 //! too little time to be noticed (`docs/performance.md`).
 
 use std::time::Duration;
@@ -24,24 +24,25 @@ use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role};
 
-/// How long each part of the aim is seen before the next, and the whole at last.
+/// How long each part of the aim is visible before the next one appears, and how long the whole aim
+/// is visible after that.
 const PARTS: [Duration; 3] = [
     Duration::from_millis(250),
     Duration::from_millis(250),
     Duration::from_millis(700),
 ];
 
-/// A stroke that is about to be struck.
+/// The computer's next stroke, while it is shown.
 #[derive(Debug, Clone)]
 pub(super) struct ShownStroke {
     pub(super) stroke: ComputerStroke,
-    /// How many of its parts are seen: the place, the direction, the strength.
+    /// How many of its parts are visible: the position, the direction, the strength.
     pub(super) parts: usize,
-    /// Until the next part, or the stroke; `None` where it waits for a key.
+    /// The time until the next part, or the stroke; `None` if carrom waits for a key.
     left: Option<Duration>,
 }
 
-/// What keys do while the computer's aim is seen.
+/// The key actions while the computer's aim is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShowAction {
@@ -60,7 +61,7 @@ pub(super) fn keys() -> KeyTable<ShowAction> {
 }
 
 impl ShownStroke {
-    /// What the computer is about to strike.
+    /// The computer's next stroke, with its first part visible.
     pub(super) fn new(stroke: ComputerStroke, options: &Options, cx: &Context) -> Self {
         let parts = match cx.settings.reduced_motion {
             true => PARTS.len(),
@@ -85,13 +86,13 @@ impl ShownStroke {
         }
     }
 
-    /// Strikes what was shown, at once.
+    /// Plays the stroke at once.
     pub(super) fn strike(&self, game: &mut ActiveGame, cx: &Context) -> Option<GamePhase> {
         Some(game.play_for_the_computer(&self.stroke, None, cx))
     }
 
-    /// Lets the player predict the directions after its first collision. The call is about the
-    /// actual stroke, with the error of the hand.
+    /// Lets the player predict the directions after the first collision. The call is about the
+    /// actual stroke, which includes the error of the hand.
     fn call(&self, game: &mut ActiveGame, cx: &Context) -> Option<GamePhase> {
         let [struck, _] = self.stroke.strikes();
         let preview = Preview::of(&struck, game.game());
@@ -102,7 +103,7 @@ impl ShownStroke {
         Some(GamePhase::Call(Box::new(calling)))
     }
 
-    /// Lets time pass: part after part is seen, then it is struck.
+    /// Advances the time: the parts appear one after another, then the stroke is played.
     pub(super) fn advance(
         &mut self,
         mut passed: Duration,
@@ -128,7 +129,7 @@ impl ShownStroke {
         self.left
     }
 
-    /// Writes as much of the stroke as is seen.
+    /// Writes the visible parts of the stroke.
     pub(super) fn write(
         &self,
         game: &ActiveGame,
@@ -162,8 +163,8 @@ impl ShownStroke {
     }
 }
 
-/// How long a stroke is shown when this many of its parts are visible. Players who predict strokes
-/// get time to do so; a faster replay speed makes this faster too.
+/// How long a stroke is shown while this many of its parts are visible. Players who predict strokes
+/// get more time; a faster replay speed also shortens this.
 fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
     let waits = options.call && options.count(Player::Person) > 0;
     if waits && parts == PARTS.len() {
@@ -175,7 +176,7 @@ fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration>
 }
 
 impl ActiveGame {
-    /// Plays what the computer has decided, with what was called of it.
+    /// Plays the stroke that the computer has decided on, with the player's call.
     pub(super) fn play_for_the_computer(
         &mut self,
         stroke: &ComputerStroke,
@@ -190,7 +191,7 @@ impl ActiveGame {
                 return watching;
             }
         }
-        // Neither can be played.
+        // Neither stroke can be played.
         self.hand_to_person();
         GamePhase::Aim
     }
@@ -210,7 +211,7 @@ impl ActiveGame {
         }
     }
 
-    /// Gives a hint; then all of it; at last sets it.
+    /// Gives a hint; the next time, shows the whole stroke; the third time, sets the aim.
     pub(super) fn help(&mut self) {
         match &mut self.hint {
             Some(hinted) if hinted.whole => {
@@ -235,7 +236,8 @@ impl ActiveGame {
         });
     }
 
-    /// The seed of the next stroke: different each time, and the same when the game is replayed.
+    /// The seed of the next stroke: different for each stroke, but the same when the game is
+    /// replayed.
     fn next_seed(&self) -> u64 {
         let seed = self.game().setup().seed.unwrap_or(0);
         seed.rotate_left(32) ^ self.history.len() as u64

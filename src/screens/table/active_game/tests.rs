@@ -18,7 +18,7 @@ fn playing(options: Options) -> Playing {
     ActiveGame::new(options, 4).into()
 }
 
-/// Nobody plays but the computer.
+/// Options with a computer at every seat.
 fn computers() -> Options {
     Options {
         players: [Player::Computer; 4],
@@ -40,8 +40,8 @@ fn press(playing: &mut Playing, keys: &str, cx: &mut Context) {
     }
 }
 
-/// What was written down leads to what is on the table, to the last bit, also by
-/// way of a file.
+/// Asserts that the record replays to the game on the table, to the last bit, also after a round
+/// trip through a file.
 fn assert_recorded(active: &ActiveGame, cx: &Context) {
     let text = active.saved(cx).text().unwrap();
     let (read, game) = SavedGame::read("a game", text.as_bytes()).unwrap();
@@ -75,7 +75,7 @@ fn the_record_replays_to_the_game_on_the_table() {
 fn the_computer_shows_its_stroke_and_then_plays_it() {
     let mut cx = still();
     let mut playing = playing(computers());
-    // Nobody has to press a key for it.
+    // No key press is needed.
     assert!(playing.wake(HitPace::Still).is_some());
     playing.advance(Duration::ZERO, &mut cx);
     assert!(matches!(playing.phase, GamePhase::Show(_)));
@@ -89,7 +89,7 @@ fn the_computer_shows_its_stroke_and_then_plays_it() {
 }
 
 #[test]
-fn computers_play_on_by_themselves_unless_all_waits() {
+fn computers_play_on_by_themselves_unless_steps_wait_for_a_key() {
     let mut cx = Context::new(Settings::default(), 1);
     let mut playing = playing(computers());
     while !matches!(playing.phase, GamePhase::Watch(_)) {
@@ -104,7 +104,7 @@ fn computers_play_on_by_themselves_unless_all_waits() {
         passed += 1;
     }
     assert!(matches!(playing.phase, GamePhase::Show(_)));
-    // Whoever wants to press a key for each step is waited for here, too.
+    // If steps wait for a key, the computers wait, too.
     cx.settings.wait_at_beats = true;
     waits.advance(Duration::from_secs(60), &mut cx);
     waits.advance(Duration::from_secs(60), &mut cx);
@@ -113,7 +113,7 @@ fn computers_play_on_by_themselves_unless_all_waits() {
 }
 
 #[test]
-fn nothing_moves_but_a_stroke_that_is_watched() {
+fn nothing_moves_except_a_stroke_that_is_being_watched() {
     let mut cx = Context::new(Settings::default(), 1);
     let mut playing = playing(Options::two_people());
     assert_eq!(playing.wake(HitPace::Still), None);

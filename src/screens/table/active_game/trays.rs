@@ -1,5 +1,5 @@
-//! The trays on the lower frame of the board: what each team has pocketed, counted, and
-//! what has just fallen on its way there.
+//! The trays on the lower frame of the board: the pieces that each team has pocketed, their
+//! number, and the pieces that are on their way there.
 
 use std::iter;
 
@@ -15,8 +15,8 @@ use crate::widgets::flow::Run;
 use crate::widgets::ink::token;
 use crate::widgets::{Item, Look, Role, Words, sheet, text};
 
-/// Draws both trays on the frame round `board`, and what is on its way into them while a
-/// stroke is watched.
+/// Draws both trays on the frame around `board`, and during a replay the pieces on their way to
+/// the trays.
 pub(super) fn draw(
     active: &ActiveGame,
     replay: Option<&StrokeReplay>,
@@ -63,7 +63,7 @@ fn sign(piece: Piece, look: &Look) -> (&'static str, Role) {
     (token(role, look.charset), role)
 }
 
-/// Whose tray a piece goes into; the striker goes into none.
+/// The team into whose tray a piece goes; `None` for the striker.
 fn owner(game: &Game, piece: Piece) -> Option<Team> {
     match piece {
         Piece::Striker => None,
@@ -74,8 +74,8 @@ fn owner(game: &Game, piece: Piece) -> Option<Team> {
     }
 }
 
-/// What lies in the trays of a game. A queen that is yet to be covered lies with those who
-/// have to cover her.
+/// The pieces in the trays. A queen that has not been covered yet is in the tray of the team
+/// that has to cover her.
 fn pocketed(game: &Game) -> ByTeam<Vec<Piece>> {
     let mut trays = ByTeam::<Vec<Piece>>::default();
     for team in Team::BOTH {
@@ -93,8 +93,8 @@ fn pocketed(game: &Game) -> ByTeam<Vec<Piece>> {
     trays
 }
 
-/// Draws a tray on the lower frame, the first team's on the left; gives the column where the
-/// next piece goes.
+/// Draws a tray on the lower frame, the first team's on the left; returns the column of the next
+/// piece.
 fn draw_tray(
     active: &ActiveGame,
     team: Team,
@@ -147,8 +147,8 @@ fn put((column, row): (u16, u16), words: &str, role: Role, buf: &mut Buffer, loo
     }
 }
 
-/// Where on the frame a piece is that has gone a share of its way from the corner where it
-/// fell to a column of the lower frame.
+/// The cell of a piece on the frame, after a fraction of its path from the corner where it fell to
+/// a column of the lower frame.
 fn on_the_frame(board: Rect, corner: usize, column: u16, share: f64) -> (u16, u16) {
     let left = f64::from(board.x) - 1.0;
     let right = f64::from(board.right());
@@ -159,7 +159,7 @@ fn on_the_frame(board: Rect, corner: usize, column: u16, share: f64) -> (u16, u1
     );
     let turn = dvec2(from.x, bottom);
     let to = dvec2(f64::from(column), bottom);
-    // A row is as long as two columns.
+    // A row is as high as two columns are wide.
     let (down, along) = (2.0 * from.distance(turn), turn.distance(to));
     let gone = share * (down + along);
     let at: DVec2 = if gone < down {

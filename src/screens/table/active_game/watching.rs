@@ -24,40 +24,41 @@ use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::replay::{ShotAction, ShotClock, ShotPlayer, WatchRate};
 use crate::widgets::{Charset, Role};
 
-/// Seconds for which a piece that has fallen is seen on its way to its tray.
+/// The time that a pocketed piece takes to reach its tray, in seconds.
 pub(super) const FALL: f64 = 0.6;
 
-/// Seconds for which the end of a stroke is seen, at real speed, before computers play on.
+/// The time, in seconds at real speed, for which the end of a stroke is shown before computers play
+/// on.
 const END_SEEN: f64 = 4.0;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FallingPiece {
     pub(super) piece: Piece,
-    /// When, in seconds since the start of the stroke.
+    /// The time of the fall, in seconds since the start of the stroke.
     pub(super) time: f64,
-    /// Into which corner, as the engine counts them.
+    /// The index of the corner, as in the engine.
     pub(super) corner: usize,
 }
 
-/// A stroke being watched.
+/// The replay of a stroke.
 #[derive(Debug, Clone)]
 pub(super) struct StrokeReplay {
-    /// The number of the move it was.
+    /// The number of its move in the game.
     pub(super) number: usize,
-    /// Whether it was made just now: then the game waits, and there is nothing to go back
-    /// to but the question whether to leave it.
+    /// Whether the stroke was just made: then the game waits for its end, and going back means
+    /// leaving the game.
     pub(super) live: bool,
-    /// How long its end has been seen while nobody had to press a key.
+    /// How long the end has been shown without waiting for a key.
     end_seen: Duration,
-    /// What each disc of the shot is.
+    /// The piece of each disc in the shot.
     pub(super) pieces: Vec<Piece>,
-    /// What falls in it, in order.
+    /// The pieces that fall, in order.
     pub(super) falls: Vec<FallingPiece>,
-    /// Its shot, its clock and its impacts.
+    /// The shot, its clock and its impacts.
     pub(super) player: ShotPlayer,
 }
 
-/// What keys do while a stroke is watched.
+/// The key actions while a stroke is watched.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum StrokeAction {
@@ -96,7 +97,7 @@ impl StrokeReplay {
             _ => None,
         });
         let falls: Vec<_> = falls.collect();
-        // The last one is seen on its way too.
+        // The replay lasts until the last piece has reached its tray.
         let last = falls.last().map_or(0.0, |fall| fall.time + FALL);
         let clock = ShotClock::new(shot.duration().max(last), rate, at_end);
         let called = past.called.as_ref().map(|called| called.said);
@@ -111,7 +112,7 @@ impl StrokeReplay {
         }
     }
 
-    /// The discs on the board now, with where they are.
+    /// The discs that are now on the board, with their positions.
     pub(super) fn discs(&self) -> impl Iterator<Item = (Piece, DVec2)> {
         let discs = self.player.discs();
         discs.filter_map(|(disc, at)| Some((*self.pieces.get(disc)?, at)))
@@ -156,7 +157,7 @@ impl StrokeReplay {
         }
     }
 
-    /// Works the clock, or the impacts; the stroke is watched on.
+    /// Controls the clock or the list of impacts; the replay continues.
     pub(super) fn work(&mut self, action: ShotAction, cx: &mut Context) -> Option<GamePhase> {
         let settings = &mut cx.settings;
         let pace = settings.pace();
@@ -164,7 +165,7 @@ impl StrokeReplay {
         None
     }
 
-    /// On to the next stroke, or with the game.
+    /// Continues with the next stroke, or with the game.
     fn go_on(&self, game: &mut ActiveGame, cx: &Context) -> GamePhase {
         let next = game.history.stroke_from(self.number + 1);
         let still = cx.settings.reduced_motion;
@@ -172,7 +173,7 @@ impl StrokeReplay {
         watching.unwrap_or_else(|| game.turn(cx))
     }
 
-    /// A click on the picture goes on.
+    /// Handles a click on the picture: the replay continues.
     pub(super) fn click(&mut self, game: &mut ActiveGame, cx: &mut Context) -> After {
         match self.player.clicked() {
             Some(action) => self.work(action, cx).into(),
@@ -181,13 +182,13 @@ impl StrokeReplay {
         }
     }
 
-    /// Whether all of it has been seen, and no impact is looked into.
+    /// Whether the replay is at its end and no impact is open.
     fn is_at_its_end(&self) -> bool {
         self.player.clock().is_over() && self.player.chosen().is_none()
     }
 
-    /// When a game of computers alone goes on from the end of a stroke: by itself, unless
-    /// all is to wait for a key.
+    /// The time left until a game between computers continues after a stroke; `None` if it waits
+    /// for a key.
     fn left_at_end(&self, game: &ActiveGame, pace: HitPace) -> Option<Duration> {
         let alone = game.options.count(Player::Person) == 0 && pace == HitPace::Flowing;
         let goes_on = self.live && alone && self.is_at_its_end();
@@ -195,7 +196,7 @@ impl StrokeReplay {
         goes_on.then(|| all.saturating_sub(self.end_seen))
     }
 
-    /// Lets time pass over the stroke, and over its end.
+    /// Advances the time of the stroke, and of the pause at its end.
     pub(super) fn advance(
         &mut self,
         passed: Duration,
@@ -215,7 +216,7 @@ impl StrokeReplay {
         running.or_else(|| self.left_at_end(game, pace))
     }
 
-    /// The titles of picture and panel.
+    /// The titles of the picture and the panel.
     pub(super) fn titles(&self, history: &GameHistory) -> (String, String) {
         if let Some(watch) = self.player.zoom() {
             return (watch.slowed_title(), "why".into());
@@ -254,7 +255,7 @@ impl StrokeReplay {
         }
     }
 
-    /// Writes what can be seen of a stroke that is not over yet.
+    /// Writes the facts about a stroke whose pieces are still moving.
     fn write_so_far<A>(&self, name: &str, charset: Charset, panel: &mut Panel<A>) {
         let player = &self.player;
         let speed = player.shot().start(0).velocity.length();
@@ -272,7 +273,7 @@ impl StrokeReplay {
         }
     }
 
-    /// Writes what came of the stroke.
+    /// Writes the result of the stroke.
     fn write_end(
         &self,
         past: &Past,
@@ -306,7 +307,7 @@ impl StrokeReplay {
         });
     }
 
-    /// Writes all impacts of the stroke, the chosen one marked.
+    /// Writes the list of impacts, with the chosen one marked.
     fn write_list(&self, panel: &mut Panel<TableAction>) {
         let list = |action| TableAction::Watch(StrokeAction::Replay(ShotAction::List(action)));
         panel.prompt("look closer", list(ListAction::Open));
@@ -324,8 +325,8 @@ impl StrokeReplay {
         }
     }
 
-    /// Writes the explanation of an enlarged impact: which two met, in numbers, and why they
-    /// go where they go.
+    /// Writes the explanation of an enlarged impact: the two discs, the numbers, and the reason for
+    /// their directions.
     fn write_impact<A>(&self, watch: &Watch, panel: &mut Panel<A>) {
         let impact = self.player.chosen().map(|(_, impact)| impact.discs);
         let [first, second] = impact.unwrap_or_default().map(|disc| self.name(disc));
@@ -340,7 +341,7 @@ impl StrokeReplay {
         reason(&why(watch.collision(), watch.said().copied()), panel);
     }
 
-    /// What a disc is.
+    /// The name of a disc.
     fn name(&self, disc: usize) -> &'static str {
         self.pieces
             .get(disc)
@@ -348,7 +349,7 @@ impl StrokeReplay {
     }
 }
 
-/// Writes what was called and what was true.
+/// Writes the call beside the true directions.
 fn write_call<A>(called: &Called, panel: &mut Panel<A>) {
     let points = format!("{} of {}", called.points(), Called::MOST);
     panel.pair(("your call", Role::Title), (points, Role::Title));
@@ -358,7 +359,7 @@ fn write_call<A>(called: &Called, panel: &mut Panel<A>) {
 }
 
 impl Past {
-    /// Writes what the referee announced of the move, with the numbers of the laws.
+    /// Writes the referee's announcements about the move, with the numbers of the laws.
     pub(super) fn write_rulings<A>(&self, panel: &mut Panel<A>) {
         for ruling in &self.rulings {
             let law = ruling

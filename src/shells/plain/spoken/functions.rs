@@ -1,8 +1,8 @@
-//! Functions of an angle as read aloud.
+//! Functions of an angle, in spoken form.
 
 use super::signs::power;
 
-/// Functions as texts write them, with their names.
+/// The functions as they are written in text, with their spoken names.
 const FUNCTIONS: [(&str, &str); 5] = [
     ("arcsin", "arc sine"),
     ("sin", "sine"),
@@ -11,8 +11,8 @@ const FUNCTIONS: [(&str, &str); 5] = [
     ("cot", "cotangent"),
 ];
 
-/// The function that stands at a place of a text, in words ("times the sine squared of"),
-/// and how many signs that takes; `None` where a plain word stands, or nothing of it.
+/// The function at a position in the text, in words ("times the sine squared of"), and the number
+/// of characters that it replaces; `None` if there is no function at this position.
 pub(super) fn at(letters: &[char], place: usize) -> Option<(String, usize)> {
     let (before, here) = letters.split_at_checked(place)?;
     if before.last().is_some_and(char::is_ascii_alphabetic) {
@@ -44,7 +44,7 @@ pub(in crate::shells::plain) fn is_function(word: &str) -> bool {
     FUNCTIONS.iter().any(|(written, _)| *written == word)
 }
 
-/// Whether an argument begins here: a number, a bracket, a sign, but no word.
+/// Whether an argument begins here: a number, a bracket or a symbol, but not a word.
 fn starts_argument(letters: &[char]) -> bool {
     match letters {
         ['(' | '√' | '½', ..] => true,
@@ -55,8 +55,8 @@ fn starts_argument(letters: &[char]) -> bool {
     }
 }
 
-/// Whether a text ends in something that a function multiplies: a number, a bracket, or a
-/// letter that stands for a quantity.
+/// Whether the text ends in a factor before a function: a number, a bracket, or the symbol of a
+/// quantity.
 fn is_factor(letters: &[char]) -> bool {
     let end = letters.iter().rposition(|c| *c != ' ');
     let Some((last, before)) = end.and_then(|end| letters[..=end].split_last()) else {

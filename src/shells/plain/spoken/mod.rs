@@ -1,4 +1,4 @@
-//! A text as it is read aloud.
+//! Text as it is read aloud.
 
 mod functions;
 mod signs;
@@ -7,12 +7,12 @@ mod units;
 pub(super) use functions::is_function;
 pub(super) use units::{means_unit, unit_name};
 
-/// Marks around text that stays unchanged: Unicode's isolates.
+/// The marks around text that stays unchanged: Unicode's isolates.
 const BEGIN: char = '\u{2068}';
 const END: char = '\u{2069}';
 
-/// A text with its signs and units spelt as they are read aloud, in one line without
-/// blanks at its ends; what is spelt is ASCII, and letters of names stay as they are.
+/// The text on one line, trimmed, with its symbols and units as they are read aloud. The words for
+/// them are ASCII; letters in names stay unchanged.
 ///
 /// ```
 /// use carrom::shells::plain::spoken;
@@ -31,19 +31,19 @@ pub fn spoken(text: &str) -> String {
     line.trim().to_owned()
 }
 
-/// A text that [`spoken`] leaves as it is: the name of a file, an error, a code to be
-/// typed, or what is spelt already.
+/// Marks a text that [`spoken`] leaves unchanged: a file name, an error, a code to type, or a text
+/// that is already in words.
 pub(super) fn verbatim(text: &str) -> String {
     format!("{BEGIN}{}{END}", without_controls(text))
 }
 
-/// A formula's signs as words, which [`spoken`] then leaves as they are: its m is a mass
-/// and no metre.
+/// A formula in words, which [`spoken`] then leaves unchanged: in a formula, m is a mass and not a
+/// metre.
 pub(super) fn spoken_formula(text: &str) -> String {
     verbatim(tidy(&signs::spell(text)).trim())
 }
 
-/// A name as a sentence of its own.
+/// A name as a sentence.
 pub(super) fn sentence(name: &str) -> String {
     match name.ends_with(['?', '.', '!']) {
         true => name.into(),
@@ -51,7 +51,7 @@ pub(super) fn sentence(name: &str) -> String {
     }
 }
 
-/// Without what could move a cursor, or end too early what is to stay.
+/// Removes characters that could move a cursor, or that would end an unchanged part too early.
 fn without_controls(text: &str) -> String {
     let marks = |c: &char| !matches!(*c, BEGIN | END);
     let blanked = |c: char| if c.is_control() { ' ' } else { c };
@@ -62,15 +62,15 @@ fn spelt(text: &str) -> String {
     tidy(&signs::spell(&units::spell(text)))
 }
 
-/// One blank between two words, and none before a stop; a blank at an end stays, for
-/// more may follow there.
+/// Leaves one space between two words and none before punctuation. A space at either end stays,
+/// because more text may follow there.
 fn tidy(text: &str) -> String {
     let words: Vec<&str> = text.split_whitespace().collect();
     let mut line = words.join(" ");
     for (apart, together) in [("( ", "("), (" )", ")"), (" ,", ",")] {
         line = line.replace(apart, together);
     }
-    // "Forward is +."
+    // The sentence may end in a symbol, as in "Forward is +."
     line = line.replace(" . ", ". ");
     if let Some(stopped) = line.strip_suffix(" .") {
         line = format!("{stopped}.");
@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn signs_and_units_are_read_aloud() {
+    fn symbols_and_units_are_read_aloud() {
         for (text, read) in [
             ("60.0°", "60.0 degrees"),
             ("90 - 30.0 = 60.0°", "90 minus 30.0 equals 60.0 degrees"),
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_that_moves_a_cursor_is_left() {
+    fn characters_that_move_a_cursor_are_removed() {
         let all: String = (0..0x3000).filter_map(char::from_u32).collect();
         for text in [spoken(&all), spoken(&verbatim(&all))] {
             assert!(text.chars().all(|c| !c.is_control()));
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_is_stopped_once() {
+    fn a_name_gets_one_full_stop() {
         let said = ["Why?", "Stop!", "So.", "So"].map(sentence);
         assert_eq!(said, ["Why?", "Stop!", "So.", "So."]);
     }

@@ -1,9 +1,9 @@
-//! Signs as words.
+//! Symbols as words.
 
 use super::functions;
 use crate::widgets::signs::{greek, superscript};
 
-/// Signs as words, with blanks around them.
+/// Replaces symbols with words, with spaces around them.
 pub(super) fn spell(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let mut plain = String::with_capacity(2 * text.len());
@@ -25,7 +25,7 @@ pub(super) fn spell(text: &str) -> String {
             if ends_quantity || begins_sign {
                 separate(&mut plain, after.first());
             }
-            // A part times the direction along which it lies: "v₁ₙ n".
+            // A component times its direction: "v₁ₙ n".
             if matches!(letter, 'ₙ' | 'ₜ') && is_direction(after) {
                 plain += " times";
             }
@@ -34,15 +34,14 @@ pub(super) fn spell(text: &str) -> String {
     plain
 }
 
-/// Puts a blank before a letter: another quantity begins.
+/// Inserts a space before a letter, because another quantity begins there.
 fn separate(plain: &mut String, next: Option<&char>) {
     if next.is_some_and(|c| c.is_alphabetic()) {
         plain.push(' ');
     }
 }
 
-/// The power that stands at the beginning of a text, in words, and how many signs that
-/// takes.
+/// The power at the start of the text, in words, and the number of characters that it replaces.
 pub(super) fn power(letters: &[char]) -> Option<(String, usize)> {
     let power: String = letters.iter().map_while(|c| superscript(*c)).collect();
     let words = match power.as_str() {
@@ -54,7 +53,7 @@ pub(super) fn power(letters: &[char]) -> Option<(String, usize)> {
     Some((words, power.chars().count()))
 }
 
-/// A single sign between what stands before and after it.
+/// A single symbol in words; these depend on the characters before and after it.
 fn one(letter: char, before: &[char], after: &[char]) -> String {
     let (last, next) = (before.last().copied(), after.first().copied());
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
@@ -99,14 +98,14 @@ fn is_greek(letter: char) -> bool {
     spelling(letter).is_none() && greek(letter).is_some()
 }
 
-/// Whether the name of a function comes first, after blanks.
+/// Whether the text starts with the name of a function, after any spaces.
 fn begins_function(letters: &[char]) -> bool {
     let word = letters.iter().skip_while(|c| **c == ' ');
     let word: String = word.take_while(|c| c.is_ascii_alphabetic()).collect();
     functions::is_function(&word)
 }
 
-/// Whether a direction by its letter, or one of its components, comes next.
+/// Whether the text starts with the letter of a direction or of one of its components.
 fn is_direction(letters: &[char]) -> bool {
     match letters {
         [' ', 'n' | 't', 'ₓ' | 'ᵧ', ..] => true,
@@ -115,18 +114,18 @@ fn is_direction(letters: &[char]) -> bool {
     }
 }
 
-/// Whether two letters of the alphabet come first: a word rather than a quantity.
+/// Whether the text starts with two letters, and therefore with a word rather than a quantity.
 fn is_word<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
     letters.take(2).filter(|c| c.is_ascii_alphabetic()).count() == 2
 }
 
-/// Whether a letter comes first, after blanks or the digits written below it.
+/// Whether the text starts with a letter, after any spaces or subscript digits.
 fn is_quantity<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
     let mut letters = letters.skip_while(|c| matches!(**c, ' ' | '₀'..='₉' | 'ₙ' | 'ₜ'));
     letters.next().is_some_and(|c| c.is_alphabetic())
 }
 
-/// Whether a text ends in the number 1.
+/// Whether the text ends in the number 1.
 fn is_one(letters: &[char]) -> bool {
     let part = |c: &&char| c.is_ascii_digit() || matches!(**c, '.' | ',');
     let number: String = letters.iter().rev().take_while(part).collect();
@@ -138,7 +137,7 @@ fn is_exponent(letters: &[char]) -> bool {
     matches!(letters, ['-' | '−' | '+', c, ..] | [c, ..] if c.is_ascii_digit())
 }
 
-/// How a sign is read; `None` for a letter, Greek ones too.
+/// The spoken form of a symbol; `None` for a letter, including Greek ones.
 const fn spelling(letter: char) -> Option<&'static str> {
     Some(match letter {
         'µ' => "mu",

@@ -1,6 +1,6 @@
-//! Units as they are read aloud, and as they are typed.
+//! Units as they are read aloud and as they are typed.
 
-/// Units as texts write them, with their names after one and after many.
+/// The units as they are written in text, with their singular and plural names.
 const UNITS: [(&str, &str, &str); 18] = [
     ("m/s", "metre per second", "metres per second"),
     ("rad/s", "radian per second", "radians per second"),
@@ -22,17 +22,17 @@ const UNITS: [(&str, &str, &str); 18] = [
     ("times", "time", "times"),
 ];
 
-/// What is called by its mass: "a 15 gram coin".
+/// The nouns that can follow a mass: "a 15 gram coin".
 const DISCS: [&str; 6] = ["disc", "discs", "coin", "marble", "striker", "target"];
 
-/// How many of a unit there are.
+/// Whether a unit is in the singular or the plural.
 #[derive(Clone, Copy, PartialEq)]
 enum Count {
     One,
     Many,
 }
 
-/// A text with the units after its numbers as words.
+/// Replaces the units after numbers in a text with words.
 pub(super) fn spell(text: &str) -> String {
     let mut words: Vec<String> = Vec::new();
     let mut tokens = text.split_whitespace().peekable();
@@ -43,7 +43,7 @@ pub(super) fn spell(text: &str) -> String {
         let speed_follows = stop.is_empty() && next == Some("m/s");
         let name = match (count, bare) {
             (_, "g" | "kg") if speed_follows => {
-                // A number counts what follows: "gram metres per second".
+                // The number refers to the whole unit: "gram metres per second".
                 words.extend(name(bare, Count::One).map(str::to_owned));
                 continue;
             }
@@ -51,7 +51,7 @@ pub(super) fn spell(text: &str) -> String {
                 name(unit, Count::One)
             }
             (Some(count), unit) => name(unit, count),
-            // What can be no letter of a formula: "in mm".
+            // A unit that cannot be a symbol in a formula: "in mm".
             (None, unit @ ("m/s" | "mm" | "cm" | "kg")) => name(unit, Count::Many),
             (None, _) => None,
         };
@@ -77,7 +77,7 @@ pub(in crate::shells::plain) fn unit_name(unit: &str) -> String {
     counted.strip_prefix("2 ").unwrap_or(unit).to_owned()
 }
 
-/// Whether what is typed is this unit, by its sign or by its name.
+/// Whether the typed text is this unit, as a symbol or as a name.
 pub(in crate::shells::plain) fn means_unit(typed: &str, unit: &str) -> bool {
     let usual = |text: &str| {
         let words: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
@@ -94,9 +94,9 @@ pub(in crate::shells::plain) fn means_unit(typed: &str, unit: &str) -> bool {
     names.iter().any(|name| usual(name) == usual(typed))
 }
 
-/// Whether a token is a number, so that a unit may follow, and which.
+/// Singular or plural, if a token is a number, after which a unit may follow.
 fn counted(token: &str) -> Option<Count> {
-    // Also the last of a pair: "(60, 0) g m/s".
+    // The last number in a pair also counts: "(60, 0) g m/s".
     let number = token
         .trim_start_matches(['(', '"', '“'])
         .trim_end_matches(')');
@@ -112,7 +112,7 @@ fn counted(token: &str) -> Option<Count> {
     })
 }
 
-/// A word and the stops after it.
+/// A word and the punctuation after it.
 fn without_stop(word: &str) -> (&str, &str) {
     let bare = word.trim_end_matches([',', '.', ';', ':', ')', '?', '!', '"', '”']);
     (bare, &word[bare.len()..])
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn units_are_typed_in_many_ways() {
+    fn units_can_be_typed_in_many_ways() {
         for (typed, unit) in [
             ("m/s", "m/s"),
             ("M/S", "m/s"),

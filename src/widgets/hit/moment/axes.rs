@@ -1,4 +1,4 @@
-//! The line of impact and the tangent, and what is measured.
+//! The line of impact and the tangent, the masses and the impact angle.
 
 use glam::DVec2;
 
@@ -9,7 +9,7 @@ use crate::widgets::Role;
 use crate::widgets::hit::sketch::Sketch;
 
 impl Moment<'_> {
-    /// Line of impact and tangent, the first only `outside` the discs.
+    /// Draws the line of impact, only `outside` the discs if set, and the tangent.
     pub(super) fn axes(&self, sketch: &mut Sketch, outside: bool, n: DVec2, t: DVec2) {
         let unit = self.stage.unit();
         let ends = [
@@ -18,7 +18,7 @@ impl Moment<'_> {
         ];
         let pen = self.pen(Role::LineOfImpact).dashed();
         if outside {
-            // The arrows within the discs must stay readable.
+            // The arrows inside the discs must stay readable.
             for (body, end) in ends.into_iter().enumerate() {
                 let centre = self.stage.centres[body];
                 let rim = centre + self.stage.radius(body) * (end - centre).normalize_or_zero();
@@ -34,7 +34,7 @@ impl Moment<'_> {
         sketch.label("t", top, t, Role::TangentLine);
     }
 
-    /// The masses, and the angle to the line of impact.
+    /// Draws the masses, and the angle to the line of impact.
     pub(super) fn measures(&self, sketch: &mut Sketch) {
         let [c1, c2] = self.stage.centres;
         let apart = (c2 - c1).normalize_or(DVec2::X);

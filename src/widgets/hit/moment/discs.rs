@@ -1,4 +1,4 @@
-//! The two discs, where they came from and where they have gone.
+//! The two discs and their paths.
 
 use glam::DVec2;
 
@@ -8,19 +8,20 @@ use crate::widgets::picture::{Pen, Picture};
 
 /// The shortest path that is drawn, in radii of the disc.
 const STANDS: f64 = 1e-6;
-/// How far from the centre a displaced letter is, in radii of the disc.
+/// The distance of a displaced letter from the centre, in radii of the disc.
 const LETTER_ASIDE: f64 = 0.55;
 
 impl Moment<'_> {
-    /// A disc where it is now. During the explanation, and once it has left and stopped, it is
-    /// drawn so that it hides nothing, and its letter is displaced.
+    /// Draws a disc at its current position. During the explanation, and at the end of the shot,
+    /// the disc hides nothing and its letter is displaced.
     pub(super) fn disc(&self, picture: &mut Picture, body: usize, now: DVec2) {
         let face = self.watch.faces[body];
         let radius = self.stage.radius(body);
         let gone = now - self.stage.centres[body];
         let has_left = self.watch.clock.has_met() && gone.length() > STANDS * radius;
         let beside = match gone.try_normalize() {
-            // Its arrow runs through its middle: on the side further from its original path.
+            // The arrow runs through the disc's middle, so the letter is on the side away from the
+            // original path.
             Some(way) if has_left && !self.watch.clock.is_moving() => {
                 let off = self.stage.heading().perp();
                 let away = way.perp().dot(off) * way.dot(off);
@@ -38,11 +39,11 @@ impl Moment<'_> {
         }
     }
 
-    /// The side of a disc's centre on which no component of its velocity lies.
+    /// The side of a disc's centre on which no component of its velocity is drawn.
     fn aside(&self, body: usize) -> Option<DVec2> {
         let tangent = self.watch.outcome.tangent?;
         if self.split_step().is_some() && !self.target_rests() {
-            // All of them lie on the side away from the contact.
+            // All components are on the side away from the contact.
             return (-self.stage.centres[body]).try_normalize();
         }
         let collision = &self.stage.collision;
@@ -57,7 +58,7 @@ impl Moment<'_> {
         Some(-tangent * 1.0_f64.copysign(sideways))
     }
 
-    /// Where the discs came from and, after the contact, have gone.
+    /// Draws the paths of the discs up to now.
     pub(super) fn trails(&self, picture: &mut Picture, time: f64) {
         let contact = self.watch.clock.contact;
         for body in 0..2 {
@@ -73,7 +74,7 @@ impl Moment<'_> {
                 continue;
             }
             let fresh = Pen::new(Role::Trail);
-            // A pair that sticks turns, so its trail is a curve.
+            // A pair that moves on together also rotates, so its trail is curved.
             let pieces = if self.sticks() { 48 } else { 1 };
             let point = |i: usize| {
                 let share = i as f64 / f64::from(pieces);

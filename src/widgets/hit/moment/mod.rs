@@ -1,4 +1,4 @@
-//! The picture of a hit at one moment.
+//! The picture of a collision at one moment.
 
 mod axes;
 mod discs;
@@ -18,14 +18,14 @@ use crate::widgets::picture::{self, Pen, Picture};
 /// The point where the rims touch.
 const CONTACT: &str = "●";
 
-/// The data for drawing one moment of a collision.
+/// The data needed to draw one moment of a collision.
 pub(super) struct Moment<'a> {
     pub(super) watch: &'a Watch,
     pub(super) stage: HitLayout,
 }
 
 impl Moment<'_> {
-    /// Velocity of the reference frame.
+    /// The velocity of the reference frame.
     fn drift(&self) -> DVec2 {
         self.watch.frame.velocity(&self.stage.collision)
     }
@@ -46,17 +46,17 @@ impl Moment<'_> {
         position - self.drift() * (time - self.watch.clock.contact)
     }
 
-    /// Whether lines and arrows are on the discs at the contact.
+    /// Whether lines and arrows are drawn on the discs at the contact.
     fn is_explaining(&self) -> bool {
         self.watch.clock.at_contact() && self.watch.step() > Some(ExplanationStep::Contact)
     }
 
-    /// Whether they move on as one body.
+    /// Whether the discs move on as one body.
     fn sticks(&self) -> bool {
         self.stage.collision.bond == Bond::Stick && self.watch.outcome.hit()
     }
 
-    /// Velocities before the contact, in the frame.
+    /// The velocities before the contact, in the frame.
     fn before(&self) -> [DVec2; 2] {
         let collision = &self.stage.collision;
         [collision.u1, collision.u2].map(|u| u - self.drift())
@@ -67,8 +67,9 @@ impl Moment<'_> {
         self.before()[1] == DVec2::ZERO
     }
 
-    /// Velocities after the contact as arrows show them, at a time of the shot. A pair that sticks
-    /// shows that of its centre of mass; in the centre-of-mass frame the velocities of its discs.
+    /// The velocities after the contact, for arrows at a given time. For a pair that moves on
+    /// together, both are the velocity of the centre of mass; in the centre-of-mass frame, they are
+    /// those of the discs.
     fn after(&self, time: f64) -> [DVec2; 2] {
         let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
         if self.sticks() && self.watch.frame == Frame::CentreOfMass {
@@ -80,8 +81,8 @@ impl Moment<'_> {
         shared.map(|v| v - self.drift())
     }
 
-    /// A pen for the geometry of the contact: over the discs while they are there,
-    /// behind them once they have left.
+    /// A pen for the geometry of the contact: it draws over the discs at the contact, and behind
+    /// them at other times.
     fn pen(&self, role: Role) -> Pen {
         if self.watch.clock.at_contact() {
             Pen::new(role)

@@ -9,7 +9,7 @@ use crate::widgets::hit::names::part_name;
 use crate::widgets::hit::sketch::{ArrowScale, NamedVelocity, Root, Sketch};
 
 impl Moment<'_> {
-    /// The velocities of a step, with their components along n and t.
+    /// Draws the velocities of a step, with their components along n and t.
     pub(super) fn parts(
         &self,
         sketch: &mut Sketch,
@@ -28,7 +28,7 @@ impl Moment<'_> {
                 parts.into_iter().chain([(root, v)])
             })
             .collect();
-        // One scale for all steps, so that arrows keep their lengths.
+        // All steps have the same scale, so that arrows keep their lengths.
         let along = before[0].dot(axes[0]) * axes[0];
         let along = if self.target_rests() {
             along
@@ -57,9 +57,10 @@ impl Moment<'_> {
         }
     }
 
-    /// Where the initial velocity of a disc is drawn. If the target is at rest it begins at the
-    /// centre, so that its component along n ends where the target's begins. If both move it ends
-    /// at the centre, unless the other disc is behind, so that each has its arrows on its own side.
+    /// Where the initial velocity of a disc is drawn. If the target is at rest, the arrow begins at
+    /// the centre, so that its component along n ends where the target's begins. If both move, it
+    /// ends at the centre, unless the other disc is behind, so that each disc has its arrows on its
+    /// own side.
     fn root_before(&self, body: usize, v: DVec2) -> Root {
         let centre = self.stage.centres[body];
         if self.target_rests() || self.stage.runs_ahead(body, v) {
@@ -69,7 +70,7 @@ impl Moment<'_> {
         }
     }
 
-    /// An initial velocity with its components, if there is one.
+    /// Draws an initial velocity with its components, if there is one.
     pub(super) fn split_before(
         &self,
         sketch: &mut Sketch,
@@ -87,7 +88,7 @@ impl Moment<'_> {
         sketch.split(scale, (body, root), NamedVelocity { name, v, role }, &parts);
     }
 
-    /// A final velocity with its components; that along t is unchanged.
+    /// Draws a final velocity with its components; the component along t is unchanged.
     fn split_after(
         &self,
         sketch: &mut Sketch,
@@ -105,7 +106,7 @@ impl Moment<'_> {
         sketch.split(scale, (body, root), whole, &[along, across]);
     }
 
-    /// A velocity after the hit.
+    /// A velocity after the collision.
     fn velocity_after(&self, body: usize, v: DVec2) -> NamedVelocity {
         NamedVelocity {
             name: self.names().after[body].to_owned(),
@@ -114,7 +115,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The components of a velocity along n and t, with the names of the initial ones.
+    /// The components of a velocity along n and t, with the names of the initial components.
     fn parts_before(&self, body: usize, v: DVec2, axes: [DVec2; 2]) -> [NamedVelocity; 2] {
         let name = self.names().before[body];
         let part = |axis: DVec2, sign, role| NamedVelocity {

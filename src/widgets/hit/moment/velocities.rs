@@ -11,7 +11,7 @@ use crate::widgets::hit::sketch::{ArrowScale, Sketch};
 use crate::widgets::picture::Pen;
 
 impl Moment<'_> {
-    /// The prediction, the final velocities, and their deflections.
+    /// Draws the prediction, the final velocities, and the deflections.
     pub(super) fn departures(
         &self,
         sketch: &mut Sketch,
@@ -33,7 +33,7 @@ impl Moment<'_> {
         }
         let pen = self.pen(Role::Arc);
         if frame == Frame::CentreOfMass {
-            // Both are deflected by the same angle, so one arc is enough.
+            // Both discs of a pair are deflected by the same angle, so one arc is enough.
             if !self.sticks() {
                 sketch.arc(0, [before[0], after[0]], "Θ = ", pen);
             }
@@ -49,7 +49,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The velocities before the hit.
+    /// Draws the velocities before the collision.
     pub(super) fn incoming(
         &self,
         sketch: &mut Sketch,
@@ -65,7 +65,7 @@ impl Moment<'_> {
 
     fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2], at: [DVec2; 2]) {
         if self.sticks() && self.watch.frame != Frame::CentreOfMass {
-            // The one velocity of a pair that sticks, from its centre of mass.
+            // A pair that moves on together has one velocity, drawn from its centre of mass.
             if !scale.is_still(after[0]) {
                 let collision = &self.stage.collision;
                 let (m1, m2) = (collision.striker.mass, collision.target.mass);
@@ -84,7 +84,7 @@ impl Moment<'_> {
         }
     }
 
-    /// What was said of them.
+    /// Draws the predicted rays.
     fn prediction(&self, sketch: &mut Sketch) {
         for ray in Ray::BOTH {
             if let Some(angle) = self.watch.said.and_then(|said| said.get(ray)) {
@@ -96,7 +96,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The triangle of momenta, if there is room for it.
+    /// Draws the triangle of momenta, if there is room for it.
     pub(super) fn triangle(&self, sketch: &mut Sketch, before: [DVec2; 2], after: [DVec2; 2]) {
         let collision = &self.stage.collision;
         let p1 = collision.striker.mass * after[0];

@@ -2,13 +2,13 @@
 
 use std::sync::LazyLock;
 
-/// Samples in a cell: columns, rows.
+/// The number of samples in a cell: columns, rows.
 pub(in super::super) const GRID: (usize, usize) = (3, 5);
 const SAMPLES: usize = GRID.0 * GRID.1;
 
-/// How much ink each glyph has in each sample, in hundredths, row by row from the top left, as
+/// The amount of ink of each glyph in each sample, in hundredths, row by row from the top left, as
 /// measured in a common monospace font. (The apostrophe of most fonts is upright;
-/// the grave accent has its ink to the left.)
+/// the grave accent has its ink on the left.)
 const HUNDREDTHS: [(u8, [u8; SAMPLES]); 13] = [
     (b' ', [0; SAMPLES]),
     (b'.', [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 37, 0, 0, 0, 0]),
@@ -25,23 +25,23 @@ const HUNDREDTHS: [(u8, [u8; SAMPLES]); 13] = [
     (b'"', [0, 0, 0, 18, 49, 18, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
 ];
 
-/// The same, where 1 is the most ink that a sample can have.
+/// The amounts of ink on a scale where 1 is a full sample.
 static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
     HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
 });
 
-/// How much of a sample's ink its neighbours get: strokes are a little wider than
-/// the samples they hit, and so are the glyphs.
+/// The fraction of a sample's ink that its neighbours receive: strokes are a little wider than the
+/// samples that they hit, and so are the glyphs.
 const BLUR: f32 = 0.5;
 
-/// How much ink a sample has that a stroke goes through.
+/// The amount of ink in a sample that a stroke passes through.
 const FULL: f32 = 0.4;
 
-/// The nearest glyph to every mask.
+/// The glyph nearest to each mask.
 ///
-/// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first
-/// term is the same for all glyphs and d·g is a sum over the samples of the mask,
-/// so it is put together from a sum over its low half and one over its high half.
+/// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first term is the same
+/// for all glyphs, and d·g is a sum over the samples of the mask, so it is the sum of a part for
+/// the low half of the mask and a part for the high half.
 static NEAREST: LazyLock<Box<[u8]>> = LazyLock::new(|| {
     let weights = INK.map(|(_, ink)| weights(&ink));
     let sizes = INK.map(|(_, ink)| blurred(&ink).iter().map(|ink| ink * ink).sum::<f32>());
@@ -73,7 +73,7 @@ static NEAREST: LazyLock<Box<[u8]>> = LazyLock::new(|| {
 });
 
 const GLYPHS: usize = HUNDREDTHS.len();
-/// How many samples make the low half of a mask.
+/// The number of samples in the low half of a mask.
 const LOW: usize = 8;
 
 /// The glyph nearest to a mask of samples (bit 0 is the top left one).
@@ -83,7 +83,7 @@ pub(in super::super) fn nearest(mask: u16) -> char {
         .map_or(' ', |&glyph| char::from(glyph))
 }
 
-/// How much each sample of a drawing has in common with a glyph.
+/// What each sample of a drawing contributes to its similarity to a glyph.
 fn weights(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
     let ink = blurred(ink);
     std::array::from_fn(|sample| {
@@ -119,7 +119,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_table_agrees_with_a_search() {
+    fn the_table_agrees_with_an_exhaustive_search() {
         for mask in 0..1u16 << SAMPLES {
             let drawn = std::array::from_fn(|i| if mask >> i & 1 == 1 { FULL } else { 0.0 });
             let drawn = blurred(&drawn);
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn plain_shapes_have_their_plain_glyphs() {
+    fn simple_shapes_get_the_obvious_glyphs() {
         for (rows, glyph) in [
             (["...", "...", "...", "...", "..."], ' '),
             (["...", "...", "###", "...", "..."], '-'),

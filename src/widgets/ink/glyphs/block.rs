@@ -1,16 +1,16 @@
-//! The block element nearest to a pattern in an 8 × 8 grid: the filled discs.
+//! The block element nearest to a pattern in an 8 × 8 grid, for filled discs.
 
 use std::sync::LazyLock;
 
 use crate::widgets::text::blocks::{LEFT, LOWER, QUARTERS};
 
-/// A block element, and whether it is drawn in the background's colour upon the
-/// disc's, which gives the shapes Unicode has no character for.
+/// A block element, and whether it is drawn in the background's colour on the disc's colour, which
+/// gives shapes for which Unicode has no character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(in super::super) struct BlockGlyph {
     pub(in super::super) symbol: char,
     pub(in super::super) inverse: bool,
-    /// The cells of the 8 × 8 grid it covers, row by row from the top left.
+    /// The cells of the 8 × 8 grid that it covers, row by row from the top left.
     cover: u64,
 }
 
@@ -46,13 +46,13 @@ fn grid(inside: impl Fn(u32, u32) -> bool) -> u64 {
         .fold(0, |cover, i| cover | 1 << i)
 }
 
-/// All of them but the inverse ones: each, and what it covers.
+/// All block elements except the inverse ones, each with the cells that it covers.
 pub(in super::super) fn shapes() -> impl Iterator<Item = (char, u64)> {
     let upright = BLOCKS.iter().filter(|block| !block.inverse);
     upright.map(|block| (block.symbol, block.cover))
 }
 
-/// The block nearest to `cover`; inverse ones only where `inverse` allows them.
+/// The block nearest to `cover`; inverse blocks are used only if `inverse` is set.
 pub(in super::super) fn nearest(cover: u64, inverse: bool) -> BlockGlyph {
     BLOCKS
         .iter()
@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn without_inverse_blocks_halves_and_quarters_remain() {
+    fn without_inverse_blocks_only_halves_and_quarters_remain() {
         assert_eq!(nearest(grid(|x, _| x >= 3), false).symbol, '▐');
         assert_eq!(nearest(grid(|_, y| y < 5), false).symbol, '▀');
         assert_eq!(nearest(u64::MAX, false).symbol, '█');

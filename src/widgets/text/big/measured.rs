@@ -1,5 +1,5 @@
-//! The words of a text for large type. Many areas and sizes are tried, so the letters of each word
-//! are assembled only once.
+//! The words of a string for large type. Many areas and sizes are tried, so the letters of each
+//! word are put together only once.
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -9,13 +9,13 @@ use super::{BLANK, Ink, LetterSize, pixels_of};
 use crate::widgets::Charset;
 use crate::widgets::text::terms;
 
-/// The most letters that are kept together on a line.
+/// The largest number of letters that are kept together on a line.
 const HELD: usize = 14;
 
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct BigText {
     words: Vec<BigWord>,
-    /// Words that belong together, in their order.
+    /// Groups of words that belong together, in order.
     held: Vec<Range<usize>>,
 }
 
@@ -28,7 +28,7 @@ struct BigWord {
 }
 
 impl BigText {
-    /// The words of a text, spelt in a charset.
+    /// The words of a string, spelt in a charset.
     pub(crate) fn new(text: &str, charset: Charset) -> Self {
         let text = charset.text(text);
         let words: Vec<&str> = text.split_whitespace().collect();
@@ -42,14 +42,14 @@ impl BigText {
         Self { words, held }
     }
 
-    /// How many words it has.
+    /// The number of words.
     pub(super) fn len(&self) -> usize {
         self.words.len()
     }
 
-    /// Its words from one of them on in lines of so many columns, as far as to the first word that
-    /// is too long for a line; `None` if a letter is not to be had. What belongs together stays
-    /// together where it fits.
+    /// Breaks the words from a given one into lines of this many columns, up to the first word that
+    /// is too long for a line; `None` if a letter has no large form. Words that belong together
+    /// stay together if they fit.
     pub(super) fn lines(
         &self,
         from: usize,
@@ -89,7 +89,7 @@ impl BigText {
         Some(lines.into_iter().map(|(line, _)| line).collect())
     }
 
-    /// The columns of words beside each other.
+    /// The width of words in one line, in columns.
     pub(super) fn columns(&self, words: Range<usize>, size: LetterSize) -> Option<usize> {
         let blanks = words.len().saturating_sub(1);
         let mut words = self.words[words].iter();
@@ -114,7 +114,7 @@ impl BigText {
         Some(Ink::Pixels(words?.join(&[0; BLANK][..])))
     }
 
-    /// Words in a line of strokes.
+    /// A line of words in strokes.
     pub(super) fn strokes(&self, words: Range<usize>) -> Option<LetterRows> {
         let words: Option<Vec<_>> = self.words[words].iter().map(BigWord::strokes).collect();
         Some(strokes::beside(&words?))

@@ -1,10 +1,9 @@
-//! Large type, to be read from the back row.
+//! Large type that can be read from the back row of a class.
 //!
-//! The letters are those of the public-domain font "8x8" (crate `font8x8`), set close
-//! together, each pixel a quarter, a half or the whole of two cells. In ASCII half a
-//! cell is a quotation mark or a full stop; there the smallest letters are those of
-//! `strokes`, for no part of a cell is small enough for a pixel. Else the smallest have a dot
-//! of braille for a pixel.
+//! The letters are those of the public-domain font "8x8" (crate `font8x8`), set closely together.
+//! A pixel is a quarter of a cell, half a cell or two cells. In ASCII, half a cell is a quotation
+//! mark or a full stop, and the smallest letters are those of `strokes`, because there are no
+//! smaller parts of a cell. In Unicode, the smallest letters have a braille dot for each pixel.
 
 mod measured;
 mod pages;
@@ -24,27 +23,27 @@ pub(crate) use pages::BigPages;
 pub(crate) use size::LetterSize;
 use strokes::LetterRows;
 
-/// Pixels between two letters.
+/// The number of pixels between two letters.
 const GAP: usize = 1;
 const BLANK: usize = 4;
-/// Pixels from the top of a letter to its foot.
+/// The height of a letter, in pixels.
 const HEIGHT: usize = 8;
-/// Pixels from the foot of a small letter, such as an x, to its top.
+/// The height of a small letter such as x, in pixels.
 const SMALL_LETTER: usize = 5;
 
-/// Rows of a line of letters of the usual sizes.
+/// The number of rows in a line of letters of the usual sizes.
 const LINE: u16 = 4;
 
-/// Where a text stands in its place.
+/// The horizontal alignment of text in its area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Align {
     Left,
-    /// In the middle.
+    /// Centred.
     Centre,
     Right,
 }
 
-/// A text in large type.
+/// Text in large type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Big {
     text: Rc<BigText>,
@@ -56,21 +55,21 @@ pub(crate) struct Big {
 struct BigLine {
     words: Range<usize>,
     columns: usize,
-    /// Its rows, from the first of the text. Lines of strokes may have rows in common.
+    /// Its rows, counted from the top of the text. Lines of strokes may share rows.
     rows: Range<usize>,
-    /// Rows of its ink that are left out at the top.
+    /// The number of its rows that are left out at the top.
     left_out: usize,
 }
 
-/// What letters are made of.
+/// The elements of letters.
 enum Ink {
     Pixels(Vec<u8>),
     Strokes(LetterRows),
 }
 
 impl Big {
-    /// A name or a heading as large as it fits into so many columns and rows, broken at blanks;
-    /// `None` if it does not fit at all or has letters without a large form.
+    /// A name or a heading in the largest letters that fit into this many columns and rows, broken
+    /// at blanks; `None` if it does not fit at all or has letters without a large form.
     #[must_use]
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
@@ -78,15 +77,15 @@ impl Big {
         Self::of_one_size(&[text], sizes, columns, charset, fits)?.pop()
     }
 
-    /// Several names in letters of one size, each in one line of at most four rows;
-    /// `None` as for one.
+    /// Several names in letters of one size, each in one line of at most four rows; `None` in the
+    /// same cases as for [`Self::fit`].
     #[must_use]
     pub(crate) fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
         Self::of_one_size(texts, LetterSize::of_name(charset), columns, charset, fits)
     }
 
-    /// The texts in the largest letters with which they are narrow enough and `fit`.
+    /// The strings in the largest letters for which they are narrow enough and `fit` returns true.
     fn of_one_size(
         texts: &[&str],
         sizes: &[LetterSize],
@@ -103,16 +102,16 @@ impl Big {
         sizes.iter().filter_map(set).find(|all| fit(all))
     }
 
-    /// A text in lines of so many columns, broken between words but not between a number and its
-    /// unit; `None` if a word is too long for any line, or a letter is not to be had.
+    /// Text in lines of this many columns, broken between words but not between a number and its
+    /// unit; `None` if a word is too long for a line, or a letter has no large form.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
         Self::begin(text, 0, size, (columns, u16::MAX), false)
             .filter(|big| big.words() == text.len())
     }
 
-    /// The same from one of its words on, as far as to the first word that is too long for a line
-    /// or the first line that is too low for a room of so many columns and rows; `at_top` of a
-    /// page without an empty row above it.
+    /// The text from a given word on, up to the first word that is too long for a line or the first
+    /// line that does not fit into this many columns and rows. `at_top` means that the text is at
+    /// the top of a page, without an empty row above it.
     fn begin(
         text: &Rc<BigText>,
         from: usize,
@@ -157,12 +156,12 @@ impl Big {
         Some(big)
     }
 
-    /// How many words it has.
+    /// The number of words.
     fn words(&self) -> usize {
         self.lines.iter().map(|line| line.words.len()).sum()
     }
 
-    /// Lines that fit into so many rows.
+    /// The number of lines that fit into this many rows.
     fn lines_in(&self, rows: u16) -> usize {
         let fits = |line: &&BigLine| line.rows.end <= rows.into();
         self.lines.iter().take_while(fits).count()
@@ -180,7 +179,7 @@ impl Big {
         u16::try_from(end).unwrap_or(u16::MAX)
     }
 
-    /// Draws it at the top of an area.
+    /// Draws the text at the top of an area.
     pub(crate) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, role: Role, align: Align) {
         let style = look.theme.style(role);
         for (i, line) in self.lines.iter().enumerate() {
@@ -219,7 +218,7 @@ impl Big {
     }
 }
 
-/// What stands in a cell of a line of pixels that has so many empty ones `above` it.
+/// The character of a cell in a line of pixels that has this many empty pixels `above` it.
 fn symbol(
     line: &[u8],
     column: usize,
@@ -258,14 +257,14 @@ fn symbol(
     }
 }
 
-/// The columns of pixels of a word; `None` where a letter has none.
+/// The columns of pixels of a word; `None` if the font lacks a letter.
 fn pixels_of(word: &str) -> Option<Vec<u8>> {
     let letters: Option<Vec<_>> = word.chars().map(letter_columns).collect();
     Some(letters?.join(&[0; GAP][..]))
 }
 
-/// The columns of pixels of a letter, without the empty ones beside it; `None` if the
-/// font has no such letter.
+/// The columns of pixels of a letter, without the empty columns at its sides; `None` if the font
+/// lacks the letter.
 fn letter_columns(letter: char) -> Option<Vec<u8>> {
     if letter.is_control() {
         return None;
@@ -275,7 +274,7 @@ fn letter_columns(letter: char) -> Option<Vec<u8>> {
         .or_else(|| LATIN_FONTS.get(letter))
         .or_else(|| GREEK_FONTS.get(letter))
         .or_else(|| {
-            // Its ASCII form, if that is a single clear letter.
+            // The letter's ASCII form is used if it is a single unambiguous letter.
             let text = letter.to_string();
             let plain = Charset::Ascii.text(&text);
             let mut plain = plain.chars();
@@ -313,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_in_both_charsets() {
+    fn letters_are_drawn_in_both_charsets() {
         assert_eq!(
             drawn("Question 3", 79, 4, Charset::Ascii).unwrap(),
             r###".#""#.                        .#    ""                   .#""#.
@@ -334,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn as_large_as_it_fits_and_not_at_all_where_it_does_not() {
+    fn a_text_is_as_large_as_possible_or_none_if_it_does_not_fit() {
         let size = |columns, rows, charset| Some(Big::fit("Scores", columns, rows, charset)?.size);
         assert_eq!(size(300, 8, Charset::Ascii), Some(LetterSize::Large));
         assert_eq!(size(60, 8, Charset::Ascii), Some(LetterSize::Middle));
@@ -346,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_of_dots_have_air_between_them() {
+    fn lines_of_dots_have_space_between_them() {
         let pages = |rows| {
             let room = [(30, rows), (30, rows)];
             let text = BigText::new("One coin and two", Charset::Unicode);
@@ -378,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn the_back_row_reads_what_is_large_enough() {
+    fn only_sufficiently_large_letters_count_as_legible_from_the_back_row() {
         let smallest = |charset, rows| LetterSize::legible(charset, rows).last();
         assert_eq!(smallest(Charset::Unicode, 24), Some(LetterSize::Dots));
         assert_eq!(smallest(Charset::Unicode, 40), Some(LetterSize::Small));
@@ -388,7 +387,7 @@ mod tests {
     }
 
     #[test]
-    fn any_text_at_any_size_stays_within_its_place() {
+    fn any_text_at_any_size_stays_within_its_area() {
         let texts = ["", "a", "Question 10 of 10", "Õ~\u{202e}", "\n", "é\u{301}"];
         for text in texts {
             for charset in [Charset::Ascii, Charset::Unicode] {

@@ -1,4 +1,4 @@
-//! Long texts in large type, on as many pages as they need.
+//! Long text in large type, on as many pages as necessary.
 
 use std::ops::Range;
 use std::rc::Rc;
@@ -8,37 +8,38 @@ use ratatui::{buffer::Buffer, layout::Rect};
 use super::{Align, Big, BigText, LetterSize};
 use crate::widgets::{Look, Role};
 
-/// Paragraphs in letters of one size, on pages.
+/// Paragraphs in letters of one size, divided into pages.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct BigPages {
     pages: Vec<BigPage>,
-    /// Whether one ends early, before a word that is too long for its lines.
+    /// Whether a page ends early, before a word that is too long for its lines.
     ends_early: bool,
 }
 
-/// What stands on a page.
+/// The contents of a page.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct BigPage {
     parts: Vec<BigPart>,
-    /// Rows that are taken, with the gap below the last part.
+    /// The number of rows used, including the gap below the last part.
     taken: u16,
 }
 
-/// A paragraph on a page, or as much of it as goes there.
+/// A paragraph on a page, or the part of it that fits there.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct BigPart {
     row: u16,
     paragraph: usize,
     big: Big,
-    /// Whether nothing of the paragraph is left for the next page.
+    /// Whether the paragraph ends on this page.
     ends: bool,
 }
 
 impl BigPages {
-    /// Sets paragraphs with `gap` rows below each, the first page in so many columns and rows,
-    /// all others in those of `rest`. One that is marked so stands whole on a page, if it fits on
-    /// one; the others go on over the edge. What is too long for a line of the first page begins the
-    /// next one. `None` if a word is too long for any line, or a letter is not to be had.
+    /// Sets paragraphs with `gap` rows below each, in the given columns and rows on the first page
+    /// and those of `rest` on all others. A paragraph marked as whole is not split if it fits on
+    /// one page; others may continue on the next. A word that is too long for a line of the first
+    /// page begins the next page. `None` if a word is too long for any line, or a letter has no
+    /// large form.
     pub(crate) fn set(
         texts: &[(Rc<BigText>, bool)],
         gap: u16,
@@ -64,7 +65,7 @@ impl BigPages {
                     false => 0,
                 };
                 if most == 0 {
-                    // Not even one line fits, so nothing better is possible on an empty page.
+                    // Not even one line fits on an empty page, so no further page can be better.
                     if is_fresh && pages.len() > 1 {
                         return None;
                     }
@@ -94,19 +95,20 @@ impl BigPages {
         self.ends_early
     }
 
-    /// How many pages there are.
+    /// The number of pages.
     pub(crate) fn count(&self) -> usize {
         self.pages.len()
     }
 
-    /// A page, from 0; the last one where there are not so many.
+    /// The page with this number, from 0; the last one if there are fewer pages.
     pub(crate) fn page(&self, number: usize) -> Option<&BigPage> {
         self.pages.get(number.min(self.count().saturating_sub(1)))
     }
 }
 
 impl BigPage {
-    /// Draws it, a paragraph in its role; gives the row below each paragraph that ends here.
+    /// Draws the page, each paragraph in its role; returns the row below each paragraph that ends
+    /// here.
     pub(crate) fn draw(
         &self,
         area: Rect,
@@ -130,7 +132,7 @@ impl BigPage {
         ends
     }
 
-    /// The paragraphs on it, each with its rows.
+    /// The paragraphs on the page, each with its rows.
     pub(crate) fn places(&self) -> impl Iterator<Item = (usize, Range<u16>)> + '_ {
         let rows = |part: &BigPart| part.row..part.row + part.big.rows();
         { self.parts.iter() }.map(move |part| (part.paragraph, rows(part)))

@@ -1,21 +1,21 @@
-//! Letters of strokes: the smallest large type in ASCII, three rows and a descender.
+//! Letters made of strokes: the smallest large type in ASCII, with three rows and a descender.
 //!
-//! The font is "Mini" by Glenn Chappell, in the format of FIGlet: after a line with the
-//! height of its letters and the number of lines of remarks each letter from the blank on
-//! has as many lines, each with an end mark, the last with two. A dollar sign is a blank
-//! that nothing else may come into.
+//! The font is "Mini" by Glenn Chappell, in the format of FIGlet. The first line contains the
+//! height of the letters and the number of comment lines. After these, each letter from the blank
+//! on has as many lines as its height; each line has an end mark, and the last line has two. A
+//! dollar sign is a blank that other letters must not fill.
 
 use std::sync::LazyLock;
 
 static FONT: &str = include_str!("../../../../assets/fonts/mini.flf");
 
-/// Rows of a line of letters.
+/// The number of rows in a line of letters.
 pub(super) const ROWS: usize = 4;
 pub(super) const BLANK: usize = 3;
-/// A blank that nothing else may come into.
+/// A blank that other letters must not fill.
 const HARD: char = '$';
 
-/// The rows of a letter or of a line of them, all of one length.
+/// The rows of a letter or of a line of letters, all of the same length.
 pub(super) type LetterRows = [Vec<char>; ROWS];
 
 /// The letters from the blank to the tilde.
@@ -34,20 +34,20 @@ static LETTERS: LazyLock<Vec<LetterRows>> = LazyLock::new(|| {
     lines.chunks_exact(ROWS).map(letter).take(95).collect()
 });
 
-/// Rows of a line: that of the tails counts only where there are any.
+/// The number of rows of a line; the row of descenders is included only if there are any.
 pub(super) fn rows_of(line: &LetterRows) -> usize {
     let tails = line[ROWS - 1].iter().any(|c| *c != ' ');
     ROWS - usize::from(!tails)
 }
 
-/// Rows at the top of a line without ink: small letters have one.
+/// The number of empty rows at the top of a line; small letters have one.
 pub(super) fn empty_rows(line: &LetterRows) -> usize {
     let is_empty = |row: &&Vec<char>| row.iter().all(|c| *c == ' ');
     line.iter().take_while(is_empty).count()
 }
 
-/// Rows from the top of a line to that of the one below it, whose capitals stand between its
-/// tails where they do not touch.
+/// The number of rows from the top of a line to the top of the next. Capitals of the next line may
+/// be between the descenders of this one if they do not touch.
 pub(super) fn apart(above: &LetterRows, below: &LetterRows) -> usize {
     let tails = above[ROWS - 1].iter().enumerate();
     let mut tails = tails.filter(|(_, c)| **c != ' ').map(|(at, _)| at);
@@ -65,8 +65,8 @@ pub(super) fn beside(words: &[&LetterRows]) -> LetterRows {
     })
 }
 
-/// The letters of a word of ASCII, as close together as they go without touching; `None` if a
-/// letter has no strokes.
+/// The letters of an ASCII word, as close together as possible without touching; `None` if a letter
+/// has no strokes.
 pub(super) fn joined(word: &str) -> Option<LetterRows> {
     let mut joined = LetterRows::default();
     for letter in word.chars() {
@@ -93,7 +93,7 @@ pub(super) fn joined(word: &str) -> Option<LetterRows> {
         }
     };
     joined.iter_mut().flatten().for_each(soft);
-    // Nothing but air may stand at the ends.
+    // Only ordinary blanks may be removed at the ends.
     let empty = |rows: &LetterRows, at: usize| rows.iter().all(|row| row.get(at) == Some(&' '));
     while !joined[0].is_empty() && empty(&joined, joined[0].len() - 1) {
         joined
@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_letter_of_ascii_has_strokes_of_one_height() {
+    fn every_ascii_letter_has_strokes_of_the_same_height() {
         assert_eq!(LETTERS.len(), 95);
         for (letter, rows) in (' '..='~').zip(LETTERS.iter()) {
             let inked = rows.iter().flatten().any(|c| ![' ', HARD].contains(c));
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn tails_and_capitals_share_a_row_unless_they_touch() {
+    fn descenders_and_capitals_share_a_row_unless_they_touch() {
         let line = |word: &str| joined(word).unwrap();
         assert_eq!([rows_of(&line("coin")), rows_of(&line("gap"))], [3, 4]);
         assert_eq!([empty_rows(&line("coin")), empty_rows(&line("25"))], [1, 0]);

@@ -1,8 +1,8 @@
-//! Rows of text that are put together around a base line.
+//! Blocks of text rows that are combined along a baseline.
 
 use crate::widgets::text;
 
-/// Rows of one width, one of which is the base line.
+/// Rows of the same width, one of which is the baseline.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct FormulaBlock {
     rows: Vec<String>,
@@ -15,7 +15,7 @@ impl FormulaBlock {
         Self::of([text.to_owned()], 0)
     }
 
-    /// Rows with their base line.
+    /// A block of rows with this baseline.
     pub(super) fn of(rows: impl IntoIterator<Item = String>, base: usize) -> Self {
         let mut rows: Vec<_> = rows.into_iter().collect();
         let width = rows.iter().map(|row| text::width(row)).max().unwrap_or(0);
@@ -42,24 +42,24 @@ impl FormulaBlock {
         self.rows
     }
 
-    /// Whether the base line ends in a letter.
+    /// Whether the baseline ends in a letter.
     pub(super) fn ends_with_letter(&self) -> bool {
         let last = self.rows.get(self.base).and_then(|row| row.chars().last());
         last.is_some_and(char::is_alphabetic)
     }
 
-    /// The same with another base line.
+    /// This block with another baseline.
     pub(super) fn with_base(self, base: usize) -> Self {
         Self { base, ..self }
     }
 
-    /// The same with its last row as the base line.
+    /// This block with the last row as its baseline.
     pub(super) fn with_base_at_end(self) -> Self {
         let base = self.rows.len().saturating_sub(1);
         self.with_base(base)
     }
 
-    /// This and then `right`, on one base line.
+    /// This block followed by `right`, on the same baseline.
     pub(super) fn beside(&self, right: &Self) -> Self {
         if self.rows.is_empty() {
             return right.clone();
@@ -75,7 +75,7 @@ impl FormulaBlock {
         Self::of((0..height).map(|i| row(self, i) + &row(right, i)), base)
     }
 
-    /// This above `under`, both in the middle; the base line stays where it is.
+    /// This block above `under`, both centred; the baseline does not change.
     pub(super) fn over(&self, under: &Self) -> Self {
         let width = self.width().max(under.width());
         let centred = |row: &String| {
@@ -86,7 +86,7 @@ impl FormulaBlock {
         Self::of(rows, self.base)
     }
 
-    /// This with one block above its right end and one below it.
+    /// This block with one block above its right end and one below it.
     pub(super) fn with_scripts(self, high: Option<&Self>, low: Option<&Self>) -> Self {
         if high.is_none() && low.is_none() {
             return self;

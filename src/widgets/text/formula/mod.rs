@@ -1,5 +1,4 @@
-//! Formulas set over several rows, as on paper: fractions, roots, what is raised and
-//! lowered.
+//! Formulas set over several rows, as on paper: fractions, roots, superscripts and subscripts.
 
 mod block;
 
@@ -8,7 +7,7 @@ use block::FormulaBlock;
 use super::Charset;
 use crate::lessons::formula::{Formula, Node, subscript, superscript};
 
-/// A formula as rows of text of one width.
+/// A formula as rows of text of the same width.
 ///
 /// ```
 /// use carrom::lessons::Formula;
@@ -33,7 +32,7 @@ impl Setter {
     fn row(&self, formula: &Formula) -> FormulaBlock {
         let mut row = FormulaBlock::default();
         for term in &formula.0 {
-            // In ASCII a degree is a word.
+            // In ASCII the degree sign is a word.
             let degree = term.node == Node::Word("°".into()) && self.charset == Charset::Ascii;
             if term.apart || degree {
                 row = row.beside(&FormulaBlock::line(" "));
@@ -91,7 +90,7 @@ impl Setter {
         left.beside(inside).beside(&right)
     }
 
-    /// A hook on the left, a roof over the rest.
+    /// A root: its sign on the left, and a line above the radicand.
     fn root(&self, inside: &FormulaBlock) -> FormulaBlock {
         let roof = "_".repeat(inside.width());
         let (hook, side) = match self.charset {
@@ -105,8 +104,8 @@ impl Setter {
         left.beside(&roofed.with_base(inside.base() + 1))
     }
 
-    /// In the row itself what Unicode has letters for; else above and below it. In
-    /// ASCII what is lowered by a letter stays in the row too, spelt out.
+    /// Superscripts and subscripts: in the row itself if Unicode has letters for them, otherwise
+    /// above and below it. In ASCII a subscript after a letter also stays in the row, spelt out.
     fn scripted(
         &self,
         base: &FormulaBlock,
@@ -133,7 +132,7 @@ impl Setter {
         set.with_scripts(high.as_ref(), low.as_ref())
     }
 
-    /// A subscript beside its base: an underscore parts letters from letters.
+    /// A subscript beside its base; an underscore separates letters from letters.
     fn spelt(&self, letters: &str, base: &FormulaBlock) -> FormulaBlock {
         let spelt = self.charset.text(letters);
         let joined = base.ends_with_letter() && spelt.starts_with(char::is_alphabetic);
@@ -162,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn fractions() {
+    fn fractions_are_set_over_several_rows() {
         let formula = "v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n";
         assert_eq!(
             ascii(formula),
@@ -179,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_and_raised_things() {
+    fn roots_and_scripts_are_set_in_both_charsets() {
         assert_eq!(ascii("2 sqrt 3"), ["    _", "2 \\/3"]);
         assert_eq!(unicode("sqrt(a + b)"), [" _____", "√a + b"]);
         assert_eq!(ascii("sin^2 alpha"), ["   2", "sin  alpha"]);
@@ -203,7 +202,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn all_rows_are_of_one_width(text in "[-a-z0-9_^()/ =+]{1,40}") {
+        fn all_rows_have_the_same_width(text in "[-a-z0-9_^()/ =+]{1,40}") {
             if let Ok(formula) = Formula::read(&text) {
                 for charset in [Charset::Ascii, Charset::Unicode] {
                     let rows = set(&formula, charset);
