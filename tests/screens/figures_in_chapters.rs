@@ -274,7 +274,7 @@ fn claims() -> Vec<Claim> {
     claim(10, "or [50] % of the hits", 100.0 * on_board);
     claim(
         10,
-        "so b below [half] of $r_1 + r_2$",
+        "so b must be below [half] of $r_1 + r_2$",
         rad_from_deg(60.0).cos(),
     );
     let in_space = Beam::Space.share_beyond(rad_from_deg(60.0));

@@ -172,7 +172,7 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
         game.key(Key::PageDown);
     }
     for said in [
-        "-15% and +23%",
+        "-15% to +23%",
         "3.7x10^-7",
         "3.2x10^-7",
         "1909",
