@@ -58,7 +58,7 @@ fn a_chapter_reopens_where_it_was_left() {
     let mut game = open(folder.path(), "Ada", None);
     shows(&mut game, "read 3 of 5");
     game.press("<Home><Down>");
-    shows(&mut game, "go on at page 3");
+    shows(&mut game, "read on at page 3");
     shows(&mut game, "3 of 5");
     game.press("<Enter>");
     shows(&mut game, "page 3 of 5");
