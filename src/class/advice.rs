@@ -34,7 +34,7 @@ impl Advice {
     /// The text for the teacher, which does not reveal the right answer.
     pub const fn words(self) -> &'static str {
         match self {
-            Self::ExplainAgain => "Under 30 % are right: explain again, then vote again.",
+            Self::ExplainAgain => "Under 30 % are right: explain, then vote again.",
             Self::Talk => "30 to 80 % are right: discussion helps most now.",
             Self::GoOn => "More than 80 % are right: continue to the shot.",
         }

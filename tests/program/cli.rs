@@ -369,7 +369,7 @@ fn a_right_choice_that_gives_itself_away_is_reported_with_its_line() {
     assert_eq!(output.status.code(), Some(2));
     assert!(out(&output).contains("our-marbles-head-on: NOT GOOD: mine, easy"));
     let message = err(&output);
-    let wanted = format!("{path}:21: our-marbles-head-on.right: expected a choice about as long");
+    let wanted = format!("{path}:21: our-marbles-head-on.right: expected a right choice about");
     assert!(message.contains(&wanted), "{message}");
     // The id of a built-in question cannot be used.
     fs::write(

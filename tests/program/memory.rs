@@ -245,7 +245,7 @@ fn a_damaged_database_is_reported_and_the_game_continues() {
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
     assert!(
-        screen.contains("please note") && screen.contains("has been repaired. Everything in it"),
+        screen.contains("please note") && screen.contains("has been repaired. Everything"),
         "{screen}"
     );
     game.press("x");

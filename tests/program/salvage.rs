@@ -194,7 +194,9 @@ fn campaign(
         let request = StoreRequest::Recall(None);
         let answer = store.answer(&StoreCall { ticket: 0, request });
         match (&answer.done, &answer.notice) {
-            (StoreReply::Recalled(Ok(_)), Some(notice)) if !notice.contains("has been repaired") => {
+            (StoreReply::Recalled(Ok(_)), Some(notice))
+                if !notice.contains("has been repaired") =>
+            {
                 // No page is damaged, but a flipped bit has made an answer impossible.
                 assert!(notice.contains("left out"), "{notice}");
             }

@@ -70,7 +70,7 @@ impl MovingPair {
     /// A question about the pair, with this sentence about where they meet.
     fn outline(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
-            0 => "ahead of the striker in the same direction".into(),
+            0 => "ahead of it in the same direction".into(),
             180 => "in the opposite direction".into(),
             way => format!("at {} to the striker's direction", in_degrees(way)),
         };

@@ -154,10 +154,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ),
     };
     let backward = if along < 0.0 {
-        format!(
-            " The minus sign means motion in the direction of the {name}, which has the larger \
-             momentum."
-        )
+        format!(" The minus sign means motion in the {name}'s direction.")
     } else {
         String::new()
     };

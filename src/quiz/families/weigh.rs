@@ -135,8 +135,8 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     seen.outline(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
-            "The striker's speed was {before} m/s before and {then} m/s after; the coin's was \
-             {coin} m/s after. What is the coin's mass?"
+            "The striker's speed was {before} m/s before and {then} m/s after; the coin left at \
+             {coin} m/s. What is the coin's mass?"
         ))
         .number(Measure::Mass, seen.coin_g)
         .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)

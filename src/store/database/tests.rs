@@ -356,7 +356,12 @@ fn long_rows_and_rows_in_the_log_of_a_damaged_database_are_saved() {
     fs::write(&log, written.1).unwrap();
     let mut database = scratch.database();
     assert_eq!(database.attempts(Some(&long.player)).unwrap(), [long]);
-    assert!(database.take_notice().unwrap().contains("has been repaired"));
+    assert!(
+        database
+            .take_notice()
+            .unwrap()
+            .contains("has been repaired")
+    );
     let of_the_log: Vec<_> = (1001..=1040).map(|number| attempt("Bo", number)).collect();
     assert_eq!(database.attempts(Some("Bo")).unwrap(), of_the_log);
 }
@@ -407,7 +412,12 @@ fn a_damaged_database_behind_a_link_is_repaired_at_the_target() {
     let mut database = scratch.database();
     let answers = database.attempts(None).unwrap().len();
     assert!((150..200).contains(&answers), "{answers}");
-    assert!(database.take_notice().unwrap().contains("has been repaired"));
+    assert!(
+        database
+            .take_notice()
+            .unwrap()
+            .contains("has been repaired")
+    );
     database.record(&attempt("Bo", 1)).unwrap();
     assert!(link.is_symlink());
     assert_eq!(scratch.names(), ["progress.db"]);
