@@ -36,6 +36,7 @@
 //!                  showed; the messages between devices and the host
 //!   ─────────────────────────────────────────────────────────────
 //!   gradebook/     the hand-ins of a class: each pupil, each round, each question
+//!   path/          a player's one next step, the reason for it, and what is done
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   progress/      a player's answers, and what follows from them: topics, confidence,
@@ -80,6 +81,7 @@ pub mod levels;
 pub mod messages;
 pub(crate) mod numbers;
 pub mod paper;
+pub mod path;
 pub mod physics;
 pub mod progress;
 pub mod quiz;

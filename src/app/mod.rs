@@ -597,7 +597,7 @@ impl App {
             Route::FoilAt { page } => hosted(FoilScreen::at(page)),
             Route::Table => hosted(Table::default()),
             Route::Progress => hosted(Progress::ask(cx)),
-            Route::Settings => hosted(SettingsScreen::default()),
+            Route::Settings => hosted(SettingsScreen::ask(cx)),
         });
     }
 }

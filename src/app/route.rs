@@ -2,7 +2,7 @@
 
 use super::Data;
 use crate::physics::CollisionSpec;
-use crate::quiz::{Answer, Code, CourseKind};
+use crate::quiz::{Answer, Code};
 use crate::screens::{Context, FoilPage, Route};
 
 impl Data {
@@ -93,10 +93,10 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         "" => name.to_owned(),
         value => format!("{name}={value}"),
     };
-    let round = |name: &str, code: &Code| match code.course.kind {
-        // A review has no code that another player, or the same player later, could use.
-        CourseKind::Review(_) => name.to_owned(),
-        _ => named(name, &code.to_string()),
+    let round = |name: &str, code: &Code| match code.course.kind.is_personal() {
+        // It has no code that another player, or the same one later, could use.
+        true => name.to_owned(),
+        false => named(name, &code.to_string()),
     };
     let chapter = |number: usize| cx.book.chapter(number).map_or("", |it| &it.id);
     match route {
@@ -115,7 +115,7 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
             is_explained,
         } => {
             let address = round("quiz", code);
-            if answers.is_empty() || matches!(code.course.kind, CourseKind::Review(_)) {
+            if answers.is_empty() || code.course.kind.is_personal() {
                 return address;
             }
             let answers: Vec<_> = answers.iter().map(|it| it.to_text()).collect();

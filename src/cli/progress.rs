@@ -1,6 +1,6 @@
 //! `carrom progress`: opens the screen, or prints the answers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 
 use anyhow::anyhow;
@@ -8,8 +8,11 @@ use anyhow::anyhow;
 use super::written::{self, NamedFile};
 use super::{Failure, GlobalOptions, print};
 use crate::files::{Document, escape_control_lines};
+use crate::lessons::Bookmark;
+use crate::levels::Starred;
 use crate::messages::{History, StoreCall, StoreReply, StoreRequest};
 use crate::paper::report::{Report, Sources};
+use crate::path::{NextStep, PathSoFar};
 use crate::progress::{csv, json};
 use crate::store::Store;
 
@@ -58,7 +61,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     if let Some(file) = &args.report {
         let players = match args.everyone {
             true => players(&history),
-            false => vec![player],
+            false => vec![player.clone()],
         };
         let documents = reports(&players, &history, &mut store, file, options)?;
         return Ok(written::write_beside(&file.path, &documents, args.force)?);
@@ -66,7 +69,14 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
     } else {
-        json(&history.attempts, &history.calendar).map_err(|reason| anyhow!(reason))? + "\n"
+        let next = match args.everyone {
+            true => None,
+            false => {
+                let kept = kept(&player, &mut store)?;
+                Some(next(&history, &kept, options))
+            }
+        };
+        json(&history.attempts, next.as_deref()).map_err(|reason| anyhow!(reason))? + "\n"
     };
     Ok(print(text.as_bytes())?)
 }
@@ -97,29 +107,24 @@ fn reports(
     options: &GlobalOptions,
 ) -> anyhow::Result<Vec<Document>> {
     let (shelf, book) = (options.shelf(), options.book());
-    let mut kept = Vec::new();
+    let mut all = Vec::new();
     for player in players {
-        let stars = match ask(store, StoreRequest::Stars(player.clone())) {
-            StoreReply::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
-            _ => return Err(anyhow!("the stars could not be read")),
-        };
-        let marks = match ask(store, StoreRequest::Marks(player.clone())) {
-            StoreReply::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
-            _ => return Err(anyhow!("the bookmarks could not be read")),
-        };
+        let kept = kept(player, store)?;
         let own = history.attempts.iter().filter(|it| it.player == *player);
         let history = History {
             attempts: own.cloned().collect(),
             ..history.clone()
         };
-        kept.push((player, history, marks, stars));
+        let next = next(&history, &kept, options);
+        all.push((player, history, kept, next));
     }
-    let reports = kept.iter().map(|(player, history, marks, stars)| {
+    let reports = all.iter().map(|(player, history, (marks, stars), next)| {
         Report::new(&Sources {
             player,
             history,
             marks,
             stars,
+            next,
             levels: shelf.library(),
             lessons: book.library(),
         })
@@ -127,7 +132,39 @@ fn reports(
     Ok(documents(&reports.collect::<Vec<_>>(), file))
 }
 
-/// Sends a request to the store, and prints the store's notice if there is one.
+/// A player's bookmarks and stars.
+type Kept = (BTreeMap<String, Bookmark>, Vec<Starred>);
+
+fn kept(player: &str, store: &mut Store) -> anyhow::Result<Kept> {
+    let stars = match ask(store, StoreRequest::Stars(player.to_owned())) {
+        StoreReply::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
+        _ => return Err(anyhow!("the stars could not be read")),
+    };
+    let marks = match ask(store, StoreRequest::Marks(player.to_owned())) {
+        StoreReply::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
+        _ => return Err(anyhow!("the bookmarks could not be read")),
+    };
+    Ok((marks, stars))
+}
+
+/// What the player should do next, and why.
+fn next(history: &History, (marks, stars): &Kept, options: &GlobalOptions) -> String {
+    let (mut shelf, mut book) = (options.shelf(), options.book());
+    book.recall(marks.clone());
+    for starred in stars {
+        shelf.recall(starred);
+    }
+    let so_far = PathSoFar {
+        attempts: &history.attempts,
+        calendar: &history.calendar,
+        book: &book,
+        shelf: &shelf,
+    };
+    let NextStep { words, why, .. } = so_far.next_step();
+    format!("{words}. {why}")
+}
+
+/// Asks the store, and prints its notice if there is one.
 fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
     let answer = store.answer(&StoreCall { ticket: 0, request });
     if let Some(notice) = answer.notice {

@@ -95,8 +95,8 @@ impl Book {
         self.marks.as_ref()?.get(id)
     }
 
-    /// Adds what was done in a chapter to its bookmark.
-    pub(crate) fn merge(&mut self, id: &str, later: Bookmark) {
+    /// Adds to the bookmark in a chapter what was done there.
+    pub fn merge(&mut self, id: &str, later: Bookmark) {
         let marks = self.marks.get_or_insert_default();
         marks.entry(id.to_owned()).or_default().merge(later);
     }
@@ -119,21 +119,22 @@ impl Book {
         }
     }
 
-    /// Where to continue reading: the last chapter that was opened and is not done, with the page
-    /// where reading stopped; otherwise the next chapter that is not done, with no page if it was
-    /// never opened. `None` if nothing was opened or everything is done.
-    pub(crate) fn reading_on(&self) -> Option<(usize, Option<usize>)> {
-        let chapters = &self.library().chapters;
-        let opened = |chapter: &&Chapter| {
-            let mark = self.mark(&chapter.id);
-            mark.is_some_and(|mark| mark.place.is_some())
-        };
-        let last = chapters.iter().rposition(|chapter| opened(&chapter))?;
-        let undone = |at: &usize| !self.is_done(&chapters[*at]);
-        let at = (last..chapters.len()).chain(0..last).find(undone)?;
-        let mark = self.mark(&chapters[at].id);
-        let left = mark.filter(|_| opened(&&chapters[at]));
-        Some((at, left.map(|mark| mark.page(&chapters[at]))))
+    /// The last chapter that was opened and is not done, and its page to continue at: the one
+    /// where it was left, or once all are read the first whose question is not answered.
+    pub(crate) fn begun(&self) -> Option<(usize, usize)> {
+        let chapters = self.library().chapters.iter().enumerate();
+        let begun = chapters.rev().find_map(|(at, chapter)| {
+            let mark = self.mark(&chapter.id)?;
+            let is_begun = mark.place.is_some() && !mark.is_done(chapter);
+            is_begun.then_some((at, chapter, mark))
+        });
+        let (at, chapter, mark) = begun?;
+        let unanswered = { chapter.pages.iter() }
+            .position(|page| page.checkpoint.is_some() && mark.given(page).is_none());
+        match mark.seen(chapter) < chapter.pages.len() {
+            true => Some((at, mark.page(chapter))),
+            false => Some((at, unanswered?)),
+        }
     }
 
     /// Whether anything has been read.

@@ -3,7 +3,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::*;
 use crate::files::FileLibrary;
 use crate::quiz::concepts;
-use crate::quiz::{Dice, Difficulty, Family, Misconception, Topic};
+use crate::quiz::{Dice, Difficulty, Family, Figures, Misconception, Topic};
 
 #[test]
 fn all_built_in_chapters_are_valid() {
@@ -137,36 +137,50 @@ const OF_TOPICS: &str = "
     momentum, impulse | momentum
 ";
 
-/// All cases that questions can show: a misconception, a topic, and what is asked about the topic.
-fn cases() -> BTreeSet<(&'static str, Topic, Option<String>)> {
-    let mut cases = BTreeSet::new();
+/// What may be missed in which question: a misconception, or none that is known, a topic, and the
+/// figures of one such question.
+type Case = (Option<&'static str>, Topic, [String; 3]);
+
+fn cases() -> BTreeMap<Case, Figures> {
+    let mut cases = BTreeMap::new();
     let all = Family::ALL
         .iter()
         .flat_map(|family| Difficulty::ALL.map(|it| (*family, it)));
     for ((family, difficulty), seed) in all.flat_map(|it| (0..300).map(move |seed| (it, seed))) {
         let asked = family.ask(difficulty, &mut Dice::new(seed));
         if let Some((question, _)) = asked {
-            for belief in &question.beliefs {
-                let id = belief.misconception.id();
-                let asked = question.asked().map(String::from);
-                cases.insert((id, question.topic.clone(), asked));
+            let beliefs = question.beliefs.iter().map(|it| it.misconception.id());
+            for id in beliefs.map(Some).chain([None]) {
+                let names = Misconception::names_of_case(&question.topic, &question.figures);
+                let case = (id, question.topic.clone(), names);
+                cases.insert(case, question.figures.clone());
             }
         }
     }
     cases
 }
 
-/// If an answer shows a misconception, the page to which it links treats that case: it contains
-/// phrases about the misconception and about what the question asks for.
+/// Chapters about equal masses without loss alone, and those about unequal masses alone.
+const OF_EQUAL_MASSES: [&str; 2] = ["the-right-angle", "speeds-and-angles"];
+const OF_UNEQUAL_MASSES: [&str; 2] = ["marbles", "weighing-by-angle"];
+
+/// Pages there that speak of any masses.
+const OF_ANY_MASSES: [&str; 2] = ["A share of the energy", "The split of energy"];
+
+/// Wherever an answer is wrong, the page that it leads to treats that case: it speaks of the
+/// misconception, if one shows, and of what the question asks for, in a chapter about such masses.
 #[test]
-fn the_page_linked_from_a_misconception_treats_the_question() {
+fn the_page_after_a_wrong_answer_treats_what_was_asked() {
     let chapters = chapters();
     let (misconceptions, topics) = (words_by_id(OF_MISCONCEPTIONS), words_by_id(OF_TOPICS));
     let cases = cases();
     let mut faults = Vec::new();
-    for (id, topic, asked) in &cases {
-        let misconception = Misconception::with_id(id).unwrap();
-        let passage = misconception.settled_in(topic, asked.as_deref());
+    for ((id, topic, names), figures) in &cases {
+        let misconception = id.and_then(Misconception::with_id);
+        let passage = match misconception {
+            Some(it) => it.settled_in(topic, figures),
+            None => topic.taught_for(figures).unwrap(),
+        };
         let heading = format!("\n# {}\n", passage.page);
         let text = chapters[passage.chapter].split_once(&heading).unwrap().1;
         let text = text
@@ -175,29 +189,55 @@ fn the_page_linked_from_a_misconception_treats_the_question() {
             .unwrap()
             .replace('\n', " ")
             .to_lowercase();
-        for words in [&misconceptions[id], &topics[topic.id()]] {
+        let page = passage.page;
+        let of_misconception = id.map(|id| &misconceptions[id]);
+        for words in of_misconception.into_iter().chain([&topics[topic.id()]]) {
             if !words.iter().any(|word| text.contains(&word.to_lowercase())) {
-                let page = passage.page;
-                faults.push(format!(
-                    "{id}, {}, {asked:?}: {page}: no {words:?}",
-                    topic.id()
-                ));
+                faults.push(format!("{id:?}, {names:?}: {page}: no {words:?}"));
             }
+        }
+        let figure = |name: &str| figures.get(name).and_then(|it| it.as_f64());
+        let is_equal = figure("m1_g").zip(figure("m2_g")).map(|(m1, m2)| m1 == m2);
+        let unfit: &[&str] = match is_equal {
+            Some(true) if topic.id() != "which-is-heavier" => &OF_UNEQUAL_MASSES,
+            Some(false) => &OF_EQUAL_MASSES,
+            _ => &[],
+        };
+        if unfit.contains(&passage.chapter) && !OF_ANY_MASSES.contains(&page) {
+            let chapter = passage.chapter;
+            faults.push(format!(
+                "{id:?}, {names:?}: {chapter}, {page}: other masses"
+            ));
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    let met: BTreeSet<_> = cases.iter().map(|(id, ..)| *id).collect();
+    let met: BTreeSet<_> = cases.keys().filter_map(|(id, ..)| *id).collect();
     assert_eq!(met.len(), Misconception::ALL.len());
     // Every page named under `elsewhere` is used.
     for misconception in Misconception::ALL {
         for name in misconception.settled_elsewhere() {
-            let led_to = cases.iter().any(|(id, topic, asked)| {
-                let case = format!("{}/{}", topic.id(), asked.as_deref().unwrap_or_default());
-                *id == misconception.id() && (name == topic.id() || name == case)
+            let led_to = cases.keys().any(|(id, _, names)| {
+                *id == Some(misconception.id()) && names.iter().any(|it| it == name)
             });
             assert!(led_to, "{}: {name}", misconception.id());
         }
     }
+}
+
+/// Every question of a chapter comes back as another question about the same.
+#[test]
+fn every_checkpoint_has_a_topic_with_questions() {
+    let mut asked = 0;
+    for chapter in &ChapterLibrary::embedded_once().chapters {
+        for page in chapter.pages.iter().filter(|it| it.checkpoint.is_some()) {
+            let topic = Topic::of_checkpoint(&chapter.id, &page.title);
+            let topic = topic.unwrap_or_else(|| panic!("{}: {}", chapter.id, page.title));
+            assert!(!topic.families().is_empty(), "{topic}");
+            asked += 1;
+        }
+    }
+    let rows = include_str!("../../assets/checkpoints.csv").lines().count();
+    assert_eq!(asked, rows - 1);
 }
 
 /// Symbols and the chapters that use them, from the table in `docs/notation.md`.

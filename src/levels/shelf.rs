@@ -90,8 +90,8 @@ impl Shelf {
         self.best.clear();
     }
 
-    /// Records stars that were won earlier; returns whether there are more than the known ones.
-    pub(crate) fn recall(&mut self, starred: &Starred) -> bool {
+    /// Notes stars that were won before; returns whether they are more than known.
+    pub fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();
         let stars = starred.stars.min(MOST_STARS);

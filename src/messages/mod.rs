@@ -15,4 +15,6 @@ pub use class::{JoinCall, JoinNews};
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
 pub use key::Key;
-pub use store::{History, Kept, KeptGame, StoreAnswer, StoreCall, StoreReply, StoreRequest};
+pub use store::{
+    History, Kept, KeptGame, KnownPlayer, StoreAnswer, StoreCall, StoreReply, StoreRequest,
+};

@@ -66,7 +66,9 @@ pub enum StoreRequest {
     Recall(Option<String>),
     /// List the levels that this player has won.
     Stars(String),
-    /// Add a player's progress in a chapter to the chapter's bookmark.
+    /// List everyone who has done something here.
+    Players,
+    /// Add what a player has done in a chapter to the bookmark there.
     Mark {
         /// The player's name.
         player: String,
@@ -127,6 +129,17 @@ pub enum StoreReply {
     Stars(Result<Vec<Starred>, String>),
     /// The bookmarks, by the ids of the chapters.
     Marks(Result<BTreeMap<String, Bookmark>, String>),
+    /// The players, those who answered last first.
+    Players(Result<Vec<KnownPlayer>, String>),
+}
+
+/// Somebody who has answered, read or won something here.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KnownPlayer {
+    /// The name.
+    pub name: String,
+    /// The day of the last answer, if that is known.
+    pub last: Option<Date>,
 }
 
 /// A player's answers so far.
@@ -173,6 +186,7 @@ impl StoreCall {
                 Recall(_) => StoreReply::Recalled(Err(reason)),
                 Stars(_) => StoreReply::Stars(Err(reason)),
                 Marks(_) => StoreReply::Marks(Err(reason)),
+                Players => StoreReply::Players(Err(reason)),
                 Record(_) | Star(..) | Mark { .. } | Forget(..) | KeepSettings(_) | Retry => {
                     StoreReply::Noted(Err(reason))
                 }

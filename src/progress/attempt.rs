@@ -170,7 +170,21 @@ impl Attempt {
         noted.map_or_else(|| self.seed.to_string(), str::to_owned)
     }
 
-    /// The points for accuracy, 0 to [`Grade::MOST`], without the confidence.
+    /// Whether it was given in a review.
+    pub(crate) fn is_of_review(&self) -> bool {
+        self.family != LESSON && self.round().starts_with("review")
+    }
+
+    /// The topic of the quiz that it is about; for a checkpoint of a chapter, the one by which it
+    /// is reviewed.
+    pub(crate) fn quiz_topic(&self) -> Option<&str> {
+        match self.family.as_str() {
+            LESSON => self.question.get(REVIEWED_BY)?.as_str(),
+            _ => Some(&self.topic),
+        }
+    }
+
+    /// Points by how close it was, 0 to [`Grade::MOST`], without the confidence.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
@@ -220,7 +234,10 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
 /// The key in [`Attempt::question`] of the code of the round.
 pub(crate) const ROUND: &str = "round";
 
-/// The key of the misconceptions that an answer could have shown.
+/// Where the question of a chapter has the topic by which it is reviewed.
+pub(crate) const REVIEWED_BY: &str = "topic";
+
+/// Where it says what an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
 /// The key of the chance that a guess fits one of these misconceptions.

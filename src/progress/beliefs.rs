@@ -1,7 +1,10 @@
 //! The player's misconceptions, and whether they fade.
 
 use super::Attempt;
-use crate::quiz::{Clue, Evidence, Misconception};
+use crate::quiz::{Clue, CourseKind, Evidence, Misconception};
+
+/// How many answers in a row settle a misconception, if they could have shown it and did not.
+const SETTLED: usize = 2;
 
 /// A misconception that the answers show, with the evidence from the first half of all attempts and
 /// from the second half, which has one more attempt if their number is odd.
@@ -67,7 +70,48 @@ impl HeldBelief {
     }
 }
 
-/// The misconceptions shown by all answers or by one half of them, those with the most evidence in
+/// A misconception that the answers name, until enough answers after the last that showed it could
+/// have shown it again and did not.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct UnsettledBelief<'a> {
+    pub(crate) misconception: Misconception,
+    /// How many answers showed it.
+    pub(crate) times: usize,
+    /// The last of them.
+    pub(crate) last: &'a Attempt,
+}
+
+impl UnsettledBelief<'_> {
+    /// Whether the last answer that showed it was given in a check of it.
+    pub(crate) fn failed_check(&self) -> bool {
+        let check = CourseKind::Check(self.misconception);
+        let round = self.last.round();
+        round.trim_end_matches(|c: char| c.is_ascii_digit() || c == '-') == check.id()
+    }
+}
+
+/// The named misconceptions that are not settled, and how many were ever named.
+pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usize) {
+    let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
+    let named = beliefs(attempts);
+    let unsettled = named.iter().filter_map(|held| {
+        let misconception = held.misconception;
+        // A question drawn for a misconception that was split later shows a part of it.
+        let is_it =
+            |it: &Misconception| *it == misconception || it.in_codes() == Some(misconception);
+        let shows = |clue: &&Clue| clue.shows.as_ref().is_some_and(is_it);
+        let last = clues.iter().rposition(|clue| shows(&clue))?;
+        let could_show = |clue: &&Clue| clue.could_show.iter().any(is_it);
+        (clues[last + 1..].iter().filter(could_show).count() < SETTLED).then(|| UnsettledBelief {
+            misconception,
+            times: clues.iter().filter(shows).count(),
+            last: &attempts[last],
+        })
+    });
+    (unsettled.collect(), named.len())
+}
+
+/// The misconceptions that all answers name, or one half of them: those with the most evidence in
 /// the second half first. Unknown ones are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();

@@ -1,7 +1,7 @@
 //! The topics of the quiz that are due.
 
 use super::{Attempt, Calendar, LESSON, Review, reviews};
-use crate::quiz::{Course, CourseKind, Family, Topic};
+use crate::quiz::{Course, CourseKind, Topic};
 
 /// The topics of the quiz that are due, and the next one. Chapters are not included, because each
 /// chapter shows which of its questions to repeat.
@@ -46,23 +46,16 @@ impl Due {
 }
 
 impl Review {
-    /// Whether the quiz or the chapter still has questions about the topic. A topic of a teacher's
-    /// own questions may have none.
-    pub(crate) fn comes_back(&self) -> bool {
-        self.family == LESSON || self.is_of_quiz()
-    }
-
-    /// Whether the quiz has questions about the topic.
+    /// Whether the quiz can ask about it: a teacher's own questions may have topics of their own.
     fn is_of_quiz(&self) -> bool {
-        Family::with_id(&self.family).is_some()
-            && !Topic::with_id(self.topic.clone()).families().is_empty()
+        self.family != LESSON && !Topic::with_id(self.topic.clone()).families().is_empty()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quiz::{Answer, Code, Confidence, Round};
+    use crate::quiz::{Answer, Code, Confidence, Family, Round};
 
     const NOW_S: i64 = 1_800_000_000;
 

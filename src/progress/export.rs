@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::attempt::{ROUND, figures_text};
-use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
+use super::{Attempt, Tally, beliefs, calibration, topics};
 use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
@@ -104,13 +104,14 @@ pub fn utc(time_s: i64) -> Option<String> {
     (time_s >= 0).then(|| time.to_string())
 }
 
-/// The attempts and a summary as the text of one JSON object.
+/// The attempts as the text of one JSON object, with what follows from them, and what the player
+/// should do next.
 ///
 /// # Errors
-/// The reason if something cannot be written, which does not happen in practice.
-pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String> {
+/// None that can be met in practice; the reason, should something not be writable.
+pub fn json(attempts: &[Attempt], next: Option<&str>) -> Result<String, String> {
     let all = All {
-        summary: summary(attempts, calendar),
+        summary: summary(attempts, next),
         attempts,
     };
     let mut text = Vec::new();
@@ -139,8 +140,8 @@ impl Serialize for AttemptRow<'_> {
     }
 }
 
-/// The summary of the attempts.
-fn summary(attempts: &[Attempt], calendar: &Calendar) -> Value {
+/// What follows from the attempts.
+fn summary(attempts: &[Attempt], next: Option<&str>) -> Value {
     let tally = |tally: &Tally| {
         json!({
             "attempts": tally.attempts,
@@ -190,7 +191,7 @@ fn summary(attempts: &[Attempt], calendar: &Calendar) -> Value {
         "topics": topics,
         "calibration": calibration,
         "misconceptions": beliefs,
-        "next": advice(attempts, calendar),
+        "next": next,
     })
 }
 
@@ -203,7 +204,7 @@ mod tests {
     use crate::files::is_invisible;
 
     fn read(attempts: &[Attempt]) -> Value {
-        serde_json::from_str(&json(attempts, &Calendar::default()).unwrap()).unwrap()
+        serde_json::from_str(&json(attempts, None).unwrap()).unwrap()
     }
 
     #[test]

@@ -1,11 +1,10 @@
 //! The player's record: all answers, and what follows from them.
 //!
 //! An [`Attempt`] is one answer with everything known about it. Everything else here is derived
-//! from a player's attempts in order, and never stored: a [`Tally`] of any of them, the state of
-//! each topic, how well [`Confidence`](crate::quiz::Confidence) matches the answers, misconceptions
-//! and whether they fade, what is [`Due`] for review, and what to do next.
+//! from the attempts of a player, in their order, and never stored: a [`Tally`] of any of them, the
+//! state of each topic, how well [`Confidence`](crate::quiz::Confidence) matches the answers,
+//! misconceptions and whether they fade, and what is [`Due`] for review.
 
-mod advice;
 mod attempt;
 mod beliefs;
 mod calendar;
@@ -18,11 +17,10 @@ mod tally;
 mod topics;
 pub(crate) mod words;
 
-pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
-pub(crate) use attempt::{ROUND, figures_text};
+pub(crate) use attempt::{REVIEWED_BY, ROUND, figures_text};
 pub use beliefs::beliefs;
-pub(crate) use beliefs::{HeldBelief, Trend};
+pub(crate) use beliefs::{HeldBelief, Trend, UnsettledBelief, unsettled};
 pub use calendar::Calendar;
 pub(crate) use calendar::long_day;
 pub(crate) use calibration::{Calibrated, calibration_over_time};

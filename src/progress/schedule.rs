@@ -16,15 +16,18 @@
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
 //!   than one.
 //!
-//! This is the card box of S. Leitner (1972): the better something is known, the longer it may
-//! rest, and an answer that requires some effort has the greatest effect.
+//! A question of a chapter that is missed brings back its topic in the same way, but on the next
+//! day, and asked differently. A topic that only chapters have brought up is off the list once it
+//! has been answered twice when due.
+//!
+//! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
+//! rest, and an answer that takes some effort has the greatest effect.
 
 use indexmap::IndexMap;
 use jiff::ToSpan;
 use jiff::civil::Date;
 
-use super::attempt::topic_name;
-use super::{Attempt, Calendar};
+use super::{Attempt, Calendar, LESSON};
 use crate::numbers::counted;
 use crate::quiz::Confidence;
 
@@ -45,15 +48,15 @@ pub struct Review {
     pub due: Date,
     /// The time at which the topic reached its step, in seconds since the start of 1970.
     since_s: i64,
+    /// Whether only questions of chapters have brought it up.
+    of_chapter: bool,
 }
 
-impl Review {
-    /// The name of the topic, as shown.
-    pub(crate) fn topic_name(&self) -> String {
-        topic_name(&self.family, &self.topic)
-    }
+/// The step at which a topic that only chapters have brought up is off the list.
+const DONE: u32 = 1;
 
-    /// When the topic is due relative to `today`, in short: "now", "in 2 days".
+impl Review {
+    /// When it is due relative to `today`, in few letters: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // The difference between two dates in days always fits.
         match usize::try_from((self.due - today).get_days()) {
@@ -85,8 +88,24 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
         let Some((since_s, day)) = day else {
             continue;
         };
+        if attempt.family == LESSON
+            && !attempt.right
+            && let Some(topic) = attempt.quiz_topic()
+        {
+            let found = reviews.get(topic);
+            let review = Review {
+                family: found.map_or_else(String::new, |it| it.family.clone()),
+                topic: topic.to_owned(),
+                step: None,
+                due: day.saturating_add(1.days()),
+                since_s,
+                of_chapter: found.is_none_or(|it| it.of_chapter),
+            };
+            reviews.insert(topic, review);
+        }
         let known = attempt.right && attempt.confidence != Some(Confidence::Guess);
         let found = reviews.get(attempt.topic.as_str());
+        let of_chapter = known && found.is_some_and(|it| it.of_chapter);
         let step = match found.and_then(|it| Some((it.step?, it))) {
             _ if !known => None,
             Some((step, review)) if review.is_due(day) => {
@@ -95,8 +114,13 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
             }
             // The topic is not due yet, so nothing changes.
             Some(_) => continue,
+            None if of_chapter && found.is_some_and(|it| !it.is_due(day)) => continue,
             None => Some(0),
         };
+        if of_chapter && step >= Some(DONE) {
+            reviews.shift_remove(attempt.topic.as_str());
+            continue;
+        }
         let rest = step.map_or(0, |step| 1_i64 << step);
         let review = Review {
             family: attempt.family.clone(),
@@ -104,6 +128,7 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
             step,
             due: day.saturating_add(rest.days()),
             since_s,
+            of_chapter,
         };
         reviews.insert(&attempt.topic, review);
     }
@@ -190,6 +215,43 @@ mod tests {
         let reviews = reviews(&[on_day(0, true), other, timeless], &Calendar::default());
         let topics: Vec<_> = reviews.iter().map(|it| it.topic.as_str()).collect();
         assert_eq!(topics, ["b", "a"]);
+    }
+
+    /// A missed question of a chapter about the topic "a", so many days after the first.
+    fn missed_in_a_chapter(day: i64) -> Attempt {
+        let mut attempt = Attempt {
+            family: LESSON.into(),
+            topic: "A chapter".into(),
+            ..on_day(day, false)
+        };
+        attempt.question.insert("topic".into(), "a".into());
+        attempt
+    }
+
+    #[test]
+    fn what_a_chapter_missed_comes_back_later_and_leaves_once_answered_twice() {
+        let calendar = Calendar::utc(Some(START_S));
+        let mut attempts = vec![missed_in_a_chapter(0)];
+        let due = |attempts: &[Attempt]| {
+            let all = reviews(attempts, &calendar);
+            let found = all.iter().find(|it| it.topic == "a");
+            found.map(|it| (it.due - calendar.today().unwrap()).get_days())
+        };
+        assert_eq!(due(&attempts), Some(1));
+        // Too early.
+        attempts.push(on_day(0, true));
+        assert_eq!(due(&attempts), Some(1));
+        attempts.push(on_day(1, true));
+        assert_eq!(due(&attempts), Some(2));
+        let mut missed = attempts.clone();
+        attempts.push(on_day(2, true));
+        assert_eq!(due(&attempts), None);
+        // What the quiz has asked and found missing stays on the ladder.
+        missed.extend([on_day(2, false), on_day(2, true), on_day(3, true)]);
+        assert_eq!(due(&missed), Some(5));
+        missed.push(missed_in_a_chapter(4));
+        missed.extend([on_day(5, true), on_day(6, true)]);
+        assert_eq!(due(&missed), Some(8));
     }
 
     #[test]

@@ -4,8 +4,8 @@ use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration};
 use crate::numbers;
 use crate::physics::units::rad_from_deg;
 use crate::quiz::{
-    Clue, Confidence, Evidence, Grade, Misconception, Origin, Passage, Rays, RaysGrade, Topic,
-    evidence, named,
+    ChaptersRead, Clue, Confidence, Evidence, Grade, Misconception, Origin, Passage, Rays,
+    RaysGrade, Topic, evidence, named,
 };
 
 /// The fewest answers for a comment on calibration.
@@ -50,11 +50,22 @@ impl<'a> Summary<'a> {
         self.all.right
     }
 
-    /// The points and right answers as text: "61.5 of 100 points, 7 of 10 right".
+    /// The right answers in words: "7 of 10 right".
     pub fn score(&self) -> String {
+        format!("{} of {} right", self.right(), self.attempts.len())
+    }
+
+    /// The points in words, with their meaning: "61.5 of 100 points: …".
+    pub(crate) fn points_words(&self) -> String {
         let (points, most) = (numbers::points(self.points()), self.most());
-        let (right, asked) = (self.right(), self.attempts.len());
-        format!("{points} of {most:.0} points, {right} of {asked} right")
+        let meaning = match self.points() < 0.0 {
+            true => {
+                "a wrong \"sure\" loses points, so answers that you are not sure of cost less \
+                     as guesses"
+            }
+            false => "they count how close each answer was, and whether you knew how sure to be",
+        };
+        format!("{points} of {most:.0} points: {meaning}.")
     }
 
     /// The errors of all angles in radians; two rays count as two angles.
@@ -179,7 +190,7 @@ impl<'a> Summary<'a> {
                 .into()
         } else if suspected.is_empty() {
             "Your wrong answers have no pattern: no known misconception explains them. Go through \
-             them once more, with the explanations; then begin with the first chapters."
+             them once more, with the explanations."
                 .into()
         } else {
             format!(
@@ -220,36 +231,24 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next: the page that explains the strongest misconception, or else the page
-    /// that teaches the first missed topic. Topics with a "sure" but wrong answer come first.
+    /// The page to read next: the one that explains the strongest misconception, or else teaches
+    /// what was missed first in the order of the chapters, with what was missed with "sure" first;
     /// `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
             let mut shown = self.attempts.iter().rev();
             let shown = shown.find(|it| it.shows() == Some(misconception))?;
-            let asked = shown.question.get("asked").and_then(|it| it.as_str());
-            return Some(misconception.settled_in(&Topic::with_id(shown.topic.clone()), asked));
+            let topic = Topic::with_id(shown.topic.clone());
+            return Some(misconception.settled_in(&topic, &shown.question));
         }
         let missed = self.attempts.iter().filter(|it| !it.right);
-        let missed = missed.min_by_key(|it| !it.is_surely_wrong());
-        Topic::with_id(missed?.topic.clone()).taught_on()
-    }
-
-    /// One piece of advice on what to try next.
-    pub fn advice(&self) -> String {
-        if let Some((misconception, _)) = self.most_held() {
-            return misconception.advice().into();
-        }
-        match self.attempts.len() {
-            0 => "Answer a question first.".into(),
-            // As for a solid topic: at least four right in five.
-            asked if 5 * self.right() >= 4 * asked => {
-                "You know this. Try a new round, or a level that needs an exact cut.".into()
-            }
-            _ => "In the lab, take one collision at a time: first the line of impact, then the \
-                  perpendicular component."
-                .into(),
-        }
+        let teaching = missed.filter_map(|it| {
+            let topic = Topic::with_id(it.topic.clone());
+            Some((it, topic.taught_for(&it.question)?))
+        });
+        let first = teaching
+            .min_by_key(|(it, page)| (!it.is_surely_wrong(), ChaptersRead::order_of(page.chapter)));
+        first.map(|(_, page)| page)
     }
 }
 
@@ -271,7 +270,7 @@ fn times_as(weight: f64) -> String {
 mod tests {
     use super::*;
     use crate::physics::ImpactPoint;
-    use crate::quiz::{Answer, Code, Hit, Pieces, Question, Response, Round};
+    use crate::quiz::{Answer, Code, Hit, Pieces, Question, Response};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
@@ -353,31 +352,16 @@ mod tests {
         assert!(nonsense.contains("no known misconception"), "{nonsense}");
     }
 
-    /// The answers in this round are not angles, and one in three is wrong.
-    #[test]
-    fn advice_depends_on_right_answers_of_every_kind() {
-        let round = Round::of(Code::parse("speeds3-5").unwrap());
-        let summary = |right: usize| {
-            let attempt = |(number, question): (u32, &Question)| {
-                let said = match question.form.truth() {
-                    Response::Number(truth) if number as usize > right => {
-                        Response::Number(truth + 90.0)
-                    }
-                    truth => truth,
-                };
-                let answer = Answer::new(said, Confidence::Guess);
-                Attempt::of_quiz("Ada", round.code(), number, question, &answer)
-            };
-            let attempts = (1..).zip(round.questions()).map(attempt).collect();
-            Summary::new(Vec::leak(attempts))
-        };
-        assert!(summary(3).advice().starts_with("You know this."));
-        assert!(summary(2).advice().starts_with("In the lab,"));
-    }
-
     #[test]
     fn the_points_are_the_sum_even_below_zero() {
         let missed = summary(&[(Confidence::Sure, false); 3]);
+        // The headline is never negative; the points below it are explained.
+        assert_eq!(missed.score(), "0 of 3 right");
+        assert!(
+            missed
+                .points_words()
+                .contains("a wrong \"sure\" loses points")
+        );
         assert!((missed.points() + 18.0).abs() < 1e-12);
         assert!((missed.most() - 30.0).abs() < 1e-12);
         assert_eq!(missed.right(), 0);

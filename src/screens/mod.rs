@@ -1,5 +1,6 @@
 //! The screens: one folder each, with the state and its updates, and the view in a file of its own.
 
+mod ahead;
 mod context;
 mod hosted;
 mod kept_files;

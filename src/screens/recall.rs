@@ -45,12 +45,7 @@ impl Recall {
         }
     }
 
-    /// Whether the record has been loaded.
-    pub(super) fn is_known(&self) -> bool {
-        !matches!(self, Self::Asked(_))
-    }
-
-    /// The player's answers, if there are any.
+    /// What was done, where there is something.
     pub(super) fn history(&self) -> Option<&History> {
         match self {
             Self::Known(history) if !history.attempts.is_empty() => Some(history),

@@ -29,7 +29,7 @@ use crate::class::{ClassChange, ClassRound, answers_csv, appended, items_csv};
 use crate::files::{self, Existing};
 use crate::game::{Game, SavedGame};
 use crate::gradebook::HandIn;
-use crate::messages::{History, StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use crate::messages::{History, KnownPlayer, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::numbers::counted;
 use crate::progress::{Attempt, Calendar};
 use crate::quiz::concepts::Library;
@@ -239,6 +239,7 @@ impl Store {
             StoreRequest::Recall(player) => StoreReply::Recalled(self.recall(player.as_deref())),
             StoreRequest::Stars(player) => StoreReply::Stars(self.progress.stars(player)),
             StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
+            StoreRequest::Players => StoreReply::Players(self.players()),
             StoreRequest::KeepSettings(text) => StoreReply::Noted(self.keep_settings(text)),
             StoreRequest::Retry => StoreReply::Noted(self.flush()),
             note => StoreReply::Noted(self.note(note)),
@@ -389,7 +390,18 @@ impl Store {
         }))
     }
 
-    /// The calendar for the ages of files; `None` unless the store uses the computer's clock.
+    fn players(&mut self) -> Result<Vec<KnownPlayer>, String> {
+        let calendar = self.calendar();
+        let players = self.progress.players()?;
+        let known = players.into_iter().map(|(name, last_s)| KnownPlayer {
+            name,
+            last: last_s.and_then(|last_s| calendar.day(last_s)),
+        });
+        Ok(known.collect())
+    }
+
+    /// The calendar for the ages of files; `None` where they mean nothing beside what its clock
+    /// says.
     fn ages(&self) -> Option<Calendar> {
         (self.clock == Clock::Computer).then(|| self.calendar())
     }

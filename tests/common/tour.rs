@@ -245,6 +245,11 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("progress", "progress", ""),
     moment("settings", "settings", ""),
     moment("settings, the player", "settings", "<End>"),
+    moment(
+        "settings, the players",
+        "quiz from-angle1-7",
+        "60<Enter>30<Enter>2<End><Enter><Escape><Escape>s<End><Enter>",
+    ),
     moment("settings, a name typed", "settings", "<End><Enter>").taking_any(),
     moment(
         "a chapter page opened from the quiz",

@@ -57,7 +57,7 @@ fn a_chapter_reopens_where_it_was_left() {
     shows(&mut game, "page 3 of 5");
     let mut game = open(folder.path(), "Ada", None);
     shows(&mut game, "read 3 of 5");
-    game.press("<Down>");
+    game.press("<Home><Down>");
     shows(&mut game, "read on at page 3");
     shows(&mut game, "3 of 5");
     game.press("<Enter>");
@@ -81,7 +81,7 @@ fn a_finished_chapter_opens_at_its_first_page() {
     shows(&mut game, "carrom : learn");
     let mut game = open(folder.path(), "Ada", None);
     shows(&mut game, "right 0 of 3");
-    game.press("<Down>");
+    game.press("<Home><Down>");
     shows(&mut game, "Enter: read it.");
     game.press("<Enter>");
     shows(&mut game, "page 1 of 5");
@@ -220,11 +220,18 @@ fn a_chapter_that_has_changed_still_opens() {
         assert_eq!(game.screen().contains("Said to that."), answered, "{pages}");
         // The chapter can be read to the end, and is then done.
         game.press(&"b".repeat(5));
-        for _ in 0..5 {
-            game.press("1<Enter>n");
+        for key in ["1", "<Enter>", "n"].repeat(5) {
+            // In the contents that key takes the next step, out of the chapters.
+            if key != "n" || !game.screen().contains("carrom : learn") {
+                game.press(key);
+            }
         }
-        // This may lead back to the first screen, which asks for confirmation before quitting.
-        game.press("<Escape><Escape>ne");
+        // Perhaps as far as the first screen, which asks before it is left.
+        game.press("<Escape><Escape>");
+        if game.screen().contains("Leave carrom?") {
+            game.press("n");
+        }
+        game.press("e");
         shows(&mut game, "1 of 1 chapters done");
         // If the chapter is restored, the bookmarks that fit it are shown again.
         let mut game = own(folder.path(), &before);
@@ -248,7 +255,8 @@ fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
     for place in [Route::Learn, Route::Chapter { number: 1 }] {
         let mut app = App::new(place, settings("Ada"), 1);
         let asked = app.update(&Input::Resize(80, 24));
-        let [Effect::Keep(request)] = &asked[..] else {
+        // The contents also request what the next step depends on.
+        let Some(Effect::Keep(request)) = asked.first() else {
             panic!("{asked:?}");
         };
         assert_eq!(request.request, StoreRequest::Marks("Ada".into()));

@@ -129,6 +129,7 @@ fn with_marks<'a>(
         history,
         marks,
         stars,
+        next: "Find out what you believe.",
         levels: levels::LevelLibrary::embedded_once(),
         lessons: lessons::ChapterLibrary::embedded_once(),
     })
@@ -225,7 +226,7 @@ fn no_name_breaks_the_table_or_the_json() {
             let shown: String = name.chars().filter(shown).collect();
             assert_eq!(row[1].replace('\'', ""), shown.replace('\'', ""));
         }
-        let json = json(&history.attempts, &history.calendar).unwrap();
+        let json = json(&history.attempts, None).unwrap();
         let read: serde_json::Value = serde_json::from_str(&json).unwrap();
         assert_eq!(read["attempts"][5]["player"], *name);
         assert_eq!(
@@ -352,7 +353,7 @@ fn the_report_of_a_player_without_answers_explains_that_there_are_none() {
     assert!(report.pictures().is_empty());
     for text in [report.html(), report.markdown("pictures")] {
         assert!(text.contains("every game starts with a clean board"));
-        assert!(text.contains("Play a round of the quiz"));
+        assert!(text.contains("Find out what you believe"));
         assert!(!text.contains("NaN") && !text.contains("inf "));
     }
 }

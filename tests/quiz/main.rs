@@ -11,6 +11,9 @@ mod families;
 mod find_out;
 mod forms;
 mod frozen;
+mod path;
 mod readability;
 mod rounds;
+#[path = "../../benches/students/mod.rs"]
+mod students;
 mod working;

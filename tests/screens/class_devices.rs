@@ -86,7 +86,7 @@ fn answered_alone(folder: &Folder) -> (Classroom, Who) {
     // There is nothing to hand in yet.
     assert!(!class.game(ada).screen().contains("hand in"));
     press(&mut class, ada, "<Escape>y", "Back to your class");
-    press(&mut class, ada, "b", "question 1");
+    press(&mut class, ada, "b<Enter>", "question 1");
     class.game(ada).press("60<Enter>30<Enter><Enter>");
     assert_eq!(class.game(ada).attempts().len(), 1);
     let home = "<Escape>y<Escape><Escape>";

@@ -163,7 +163,7 @@ fn an_exam_gives_no_feedback_before_its_end_and_then_all_of_it() {
         assert_eq!(top(&mut game), format!("question {number} of 6"));
         let screen = game.screen();
         let status = screen.lines().next().unwrap();
-        assert!(!status.contains("points") && status.contains("code exam6-7"));
+        assert!(!status.contains(" right") && status.contains("code exam6-7"));
         answer(&mut game, "3");
         assert!(!game.screen().contains("of 10 points"), "{}", game.screen());
         assert_eq!(game.attempts().len(), number, "kept at once");
@@ -212,7 +212,7 @@ fn an_exam_that_is_left_shows_what_was_answered() {
     assert_eq!(top(&mut game), "2 of 6 answered", "{}", game.screen());
     let screen = game.screen();
     assert!(screen.contains(" of 20 points"), "{screen}");
-    assert!(screen.lines().next().unwrap().contains(" points  code"));
+    assert!(screen.lines().next().unwrap().contains(" right  code"));
     game.press("<Down><Enter>");
     assert_eq!(top(&mut game), "question 2 of 6");
     let screen = game.screen();

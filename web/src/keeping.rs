@@ -312,6 +312,7 @@ fn changes(request: &StoreRequest) -> bool {
         | R::KeepHandIn(_)
         | R::Recall(_)
         | R::Stars(_)
+        | R::Players
         | R::Marks(_) => false,
     }
 }

@@ -18,8 +18,8 @@ use crate::levels::Starred;
 use crate::messages::History;
 use crate::numbers::counted;
 use crate::progress::{
-    Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, advice,
-    beliefs, calibration, ends_deg, long_day, topics,
+    Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, beliefs,
+    calibration, ends_deg, long_day, topics,
 };
 use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
@@ -43,7 +43,9 @@ pub struct Sources<'a> {
     pub marks: &'a BTreeMap<String, Bookmark>,
     /// The levels that the player has won.
     pub stars: &'a [Starred],
-    /// All levels.
+    /// What the player should do next.
+    pub next: &'a str,
+    /// The levels there are.
     pub levels: &'a levels::LevelLibrary,
     /// All chapters.
     pub lessons: &'a lessons::ChapterLibrary,
@@ -57,6 +59,7 @@ pub struct Report<'a> {
     name: String,
     attempts: &'a [Attempt],
     calendar: &'a Calendar,
+    next: &'a str,
     all: Tally,
     topics: Cut<TopicStanding>,
     calibration: [Calibrated; 3],
@@ -96,6 +99,7 @@ impl<'a> Report<'a> {
             },
             attempts,
             calendar: &sources.history.calendar,
+            next: sources.next,
             all: Tally::of(attempts),
             topics: Cut::new(met, MOST_TOPICS),
             calibration: calibration(attempts),
@@ -152,7 +156,7 @@ impl<'a> Report<'a> {
     }
 
     fn next(&self) -> String {
-        clean(&advice(self.attempts, self.calendar), 300)
+        clean(self.next, 300)
     }
 
     /// The source of the results, and the rules behind them.

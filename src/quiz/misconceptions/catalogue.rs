@@ -5,9 +5,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-#[cfg(doc)]
-use crate::quiz::question::Question;
-use crate::quiz::question::{Misconception, Passage, Topic};
+use crate::quiz::question::{Figures, Misconception, Passage, Topic, case};
 
 /// The description of a misconception.
 #[derive(Default, Deserialize)]
@@ -21,8 +19,8 @@ struct Description {
     elsewhere: Vec<Elsewhere>,
 }
 
-/// The page that corrects a misconception in questions about these topics; "centre-of-mass/turn" is
-/// a topic whose question is named "turn".
+/// The page that settles a misconception in questions about these topics; "centre-of-mass/turn" is
+/// one of which the turn is asked, "target-speed/unequal" one with unequal masses.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Elsewhere {
@@ -68,18 +66,31 @@ impl Misconception {
         Passage { chapter, page }
     }
 
-    /// The page that corrects it in questions about this topic with this name
-    /// ([`Question::asked`]).
-    pub(crate) fn settled_in(self, topic: &Topic, asked: Option<&str>) -> Passage {
-        let case = format!("{}/{}", topic.id(), asked.unwrap_or_default());
+    /// The page that settles it in a question about this topic with these figures.
+    pub(crate) fn settled_in(self, topic: &Topic, figures: &Figures) -> Passage {
+        let names = Self::names_of_case(topic, figures);
         let elsewhere = &self.description().elsewhere;
         let is_for = |it: &&Elsewhere, name: &str| it.topics.iter().any(|topic| topic == name);
-        let of_case = elsewhere.iter().find(|it| is_for(it, &case));
-        let found = of_case.or_else(|| elsewhere.iter().find(|it| is_for(it, topic.id())));
+        let found = names
+            .iter()
+            .find_map(|name| elsewhere.iter().find(|it| is_for(it, name)));
         found.map_or_else(
             || self.settled_by(),
             |Elsewhere { chapter, page, .. }| Passage { chapter, page },
         )
+    }
+
+    /// What `elsewhere` may call a question, the most particular first: by what is asked, by its
+    /// masses and loss, and by its topic.
+    pub(crate) fn names_of_case(topic: &Topic, figures: &Figures) -> [String; 3] {
+        let asked = figures.get("asked").and_then(|it| it.as_str());
+        let id = topic.id();
+        let of = |part: &str| format!("{id}/{part}");
+        [
+            of(asked.unwrap_or_default()),
+            of(case(figures)),
+            id.to_owned(),
+        ]
     }
 
     /// The topics, or `topic/asked`, for which another page is named.

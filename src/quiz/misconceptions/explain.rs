@@ -22,14 +22,14 @@ pub struct Explanation {
 
 /// Explains a question to a player who gave this answer.
 pub fn explain(question: &Question, answer: &Answer) -> Explanation {
-    let taught = question.topic.taught_on();
+    let taught = question.topic.taught_for(&question.figures);
     let (title, opening, passage) = match question.belief_of(answer) {
         Some((belief, _)) => {
             let it = belief.misconception;
             (
                 it.name(),
                 belief.says.clone(),
-                Some(it.settled_in(&question.topic, question.asked())),
+                Some(it.settled_in(&question.topic, &question.figures)),
             )
         }
         None if question.form.is_right(&answer.said) => {

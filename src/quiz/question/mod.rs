@@ -48,3 +48,4 @@ pub use question::{Fit, MIN_SEPARATION, Question, WrongAnswer};
 pub use rays::{Ray, Rays};
 pub use tolerance::RIGHT_DEG;
 pub use topic::Topic;
+pub(in crate::quiz) use topic::case;

@@ -149,11 +149,6 @@ impl Question {
             .map(|(belief, fit, _)| (belief, fit))
     }
 
-    /// The name of the question within its topic, if the topic has several.
-    pub(crate) fn asked(&self) -> Option<&str> {
-        self.figures.get("asked")?.as_str()
-    }
-
     /// The misconceptions that an answer could show.
     pub fn could_show(&self) -> impl Iterator<Item = Misconception> {
         self.beliefs.iter().map(|belief| belief.misconception)

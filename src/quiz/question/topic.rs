@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use super::{Family, Passage};
+use super::{Family, Figures, Passage};
 
 /// What a question is about. Store it by its [`id`](Self::id), which never changes; show its
 /// [`name`](Self::name). Topics with the same id are equal.
@@ -35,9 +35,58 @@ static ROWS: LazyLock<Vec<TopicRow>> = LazyLock::new(|| {
     rows.filter_map(Result::ok).collect()
 });
 
+/// Which topic a chapter's question is about: a row of `assets/checkpoints.csv`.
+#[derive(Deserialize)]
+struct CheckpointRow {
+    chapter: String,
+    page: String,
+    topic: String,
+}
+
+static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> = LazyLock::new(|| {
+    let text = include_str!("../../../assets/checkpoints.csv");
+    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
+    rows.filter_map(Result::ok).collect()
+});
+
+/// The page that treats a topic in a case that its own page does not: a row of
+/// `assets/topic_pages.csv`.
+#[derive(Deserialize)]
+struct CaseRow {
+    topic: String,
+    case: String,
+    chapter: String,
+    page: String,
+}
+
+static CASES: LazyLock<Vec<CaseRow>> = LazyLock::new(|| {
+    let text = include_str!("../../../assets/topic_pages.csv");
+    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
+    rows.filter_map(Result::ok).collect()
+});
+
+/// Which case a question is about, by its figures: "lossy", "unequal" for the masses, or "equal".
+pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
+    let figure = |name: &str| figures.get(name).and_then(|it| it.as_f64());
+    if figure("restitution").is_some_and(|e| e < 1.0) {
+        "lossy"
+    } else if figure("m1_g") != figure("m2_g") {
+        "unequal"
+    } else {
+        "equal"
+    }
+}
+
 impl Topic {
-    /// The topic with this id. An unknown id belongs to a question in words and also serves as the
-    /// name.
+    /// The topic by which the question on a page of a chapter is reviewed; `None` in a teacher's
+    /// own chapters.
+    pub(crate) fn of_checkpoint(chapter: &str, page: &str) -> Option<Self> {
+        let mut rows = CHECKPOINTS.iter();
+        let row = rows.find(|row| row.chapter == chapter && row.page == page)?;
+        Some(Self::with_id(row.topic.as_str()))
+    }
+
+    /// The topic of an id. An unknown id belongs to a question in words and is its own name.
     pub fn with_id(id: impl Into<Cow<'static, str>>) -> Self {
         Self(id.into())
     }
@@ -78,8 +127,8 @@ impl Topic {
         families.split(' ').filter_map(Family::with_id).collect()
     }
 
-    /// The topics taught in the chapter with this id.
-    pub(in crate::quiz) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
+    /// The topics that the chapter of an id teaches.
+    pub(crate) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
         let taught = ROWS.iter().filter(move |row| row.chapter == chapter);
         taught.map(|row| Self::with_id(row.id.as_str()))
     }
@@ -88,6 +137,17 @@ impl Topic {
     pub fn taught_on(&self) -> Option<Passage> {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })
+    }
+}
+
+impl Topic {
+    /// The page that teaches what a question with these figures asks about it.
+    pub(crate) fn taught_for(&self, figures: &Figures) -> Option<Passage> {
+        let case = case(figures);
+        let mut rows = CASES.iter();
+        let found = rows.find(|row| row.topic == self.0 && row.case == case);
+        let of_case = found.map(|CaseRow { chapter, page, .. }| Passage { chapter, page });
+        of_case.or_else(|| self.taught_on())
     }
 }
 

@@ -38,8 +38,13 @@ impl ChaptersRead {
         Self::of_letters(ids.into_iter().filter_map(letter))
     }
 
-    /// The chapters that the letters in a code stand for; `None` if the letters are invalid or not
-    /// in order.
+    /// The place of a chapter among those of the program, for sorting; others come last.
+    pub(crate) fn order_of(id: &str) -> usize {
+        let found = LETTERS.iter().position(|(_, known)| *known == id);
+        found.unwrap_or(LETTERS.len())
+    }
+
+    /// The chapters of the letters in a code; `None` if they are none, or not in order.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;
         (chapters.to_string() == letters).then_some(chapters)
@@ -62,15 +67,8 @@ impl ChaptersRead {
     /// repeated, easy ones first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
-        let mut order: Vec<Topic> = Vec::new();
-        while order.len() < count && !topics.is_empty() {
-            let mut all = topics.clone();
-            dice.shuffle(&mut all);
-            order.extend(all);
-        }
-        order.truncate(count);
+        let mut questions = review::in_turn(&topics, count, Topic::families_in_codes, dice);
         let mut asked = BTreeSet::new();
-        let mut questions = review::questions(&order, Topic::families_in_codes, dice);
         questions.retain(|question| asked.insert(question.text.clone()));
         questions
     }

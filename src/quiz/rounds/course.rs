@@ -10,7 +10,10 @@ use crate::quiz::concepts::Library;
 use crate::quiz::families;
 use crate::quiz::question::{Family, Misconception, Topic};
 
-/// The prefix of chapter letters in codes.
+/// The names of personal rounds, which look like codes where answers are stored.
+const PERSONAL: [&str; 2] = ["review", "met"];
+
+/// The prefix of the letters of chapters in codes.
 const READ: &str = "read";
 
 /// What a round is made of.
@@ -33,9 +36,11 @@ pub enum CourseKind {
     Mixed,
     /// All kinds, mixed so that every misconception is tested often enough to be detected.
     Even,
-    /// Finding out what a student believes: each question is chosen according to the answers before
-    /// it.
+    /// Finding out what a student believes: each question is chosen by the answers before it. It
+    /// begins with equal masses.
     FindOut,
+    /// The same with any first question, for existing codes.
+    FindOutFromAny,
     /// Questions that can show a misconception.
     Check(Misconception),
     /// All kinds, with no feedback until the end.
@@ -44,8 +49,10 @@ pub enum CourseKind {
     Topic(Family),
     /// The topics that these chapters teach.
     Read(ChaptersRead),
-    /// A question about each of these topics, which are due for review, longest overdue first; if
-    /// there are too many, only about the first of them.
+    /// What this player has read or answered before: these topics.
+    Met(Vec<Topic>),
+    /// A question about each of these topics, which are due, the longest due first; if there are
+    /// many, about the first of them.
     Review(Vec<Topic>),
     /// A teacher's own questions in words. A code that has just been read has none yet:
     /// [`Code::with_own`] adds them.
@@ -85,24 +92,31 @@ impl CourseKind {
             Self::Quick => ("quick", "quick five", 5),
             Self::Mixed => ("mixed", "mixed ten, as before", 10),
             Self::Even => ("even", "mixed ten", 10),
-            Self::FindOut => ("find-out", "find out what you believe", 12),
+            Self::FindOut => ("beliefs", "find out what you believe", 12),
+            Self::FindOutFromAny => ("find-out", "find out, as before", 12),
             Self::Check(misconception) => (misconception.id(), misconception.name(), 2),
             Self::Exam => ("exam", "exam", 15),
             Self::Topic(family) => (family.id(), family.name(), 6),
             Self::Read(_) => (READ, "what you have read", 10),
+            Self::Met(_) => ("met", "what you have met", 10),
             Self::Review(due) => ("review", "review", due.len().min(Course::REVIEWED)),
             Self::Own(_) => ("own", "your own questions", 10),
         }
     }
 
-    /// The kind with this `id`; a review has none, because it belongs to one player.
+    /// Whether it depends on one player's record, so that its rounds have no code.
+    pub fn is_personal(&self) -> bool {
+        matches!(self, Self::Met(_) | Self::Review(_))
+    }
+
+    /// The kind of an `id`; none for those that belong to one player.
     pub fn with_id(id: &str) -> Option<Self> {
         let topics = Self::topics().map(Self::Topic);
         let checks = Misconception::ALL.iter().copied().map(Self::Check);
         let read = || ChaptersRead::parse(id.strip_prefix(READ)?.strip_prefix('-')?);
         Self::ALWAYS
             .into_iter()
-            .chain([Self::Mixed, Self::Own(Arc::default())])
+            .chain([Self::Mixed, Self::FindOutFromAny, Self::Own(Arc::default())])
             .chain(topics)
             .chain(checks)
             .find(|kind| kind.id() == id)
@@ -141,13 +155,14 @@ impl Course {
 
     /// Whether there is no feedback until the end.
     pub(crate) fn feedback_at_end(&self) -> bool {
-        matches!(self.kind, CourseKind::Exam | CourseKind::FindOut)
+        self.kind == CourseKind::Exam || self.follows_answers()
     }
 
     /// Whether questions depend on earlier answers, so that the round cannot be printed or given to
     /// a class.
     pub(crate) fn follows_answers(&self) -> bool {
-        self.kind == CourseKind::FindOut
+        use CourseKind::{FindOut, FindOutFromAny};
+        matches!(self.kind, FindOut | FindOutFromAny)
     }
 }
 
@@ -183,12 +198,12 @@ pub enum NoCode {
     /// The number of ten hits is fixed.
     #[error("expected no number of questions in the code of ten hits, as in hits-7")]
     Hits,
-    /// A review depends on one player's answers.
+    /// A review, or a round about what a player has met, depends on that player's record.
     #[error(
         "a review has no code, because it is different for everyone; choose it in carrom quiz, or \
          give a code such as mixed-7"
     )]
-    Review,
+    Personal,
 }
 
 impl Code {
@@ -217,8 +232,8 @@ impl Code {
         }
         let seed = seed.parse().map_err(|_| NoCode::Unlike)?;
         let id = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        if id == "review" {
-            return Err(NoCode::Review);
+        if PERSONAL.contains(&id) {
+            return Err(NoCode::Personal);
         }
         let kind = CourseKind::with_id(id).ok_or(NoCode::Unlike)?;
         let course = match &name[id.len()..] {
@@ -236,19 +251,19 @@ impl Code {
         Ok(Self { course, seed })
     }
 
-    /// Reads the round stored with an answer: its code, or the name of a review, which cannot be
-    /// opened again. The name is returned in its standard spelling.
+    /// The round stored with an answer, as codes are written: the code, or that of a personal round,
+    /// which cannot be opened again.
     ///
     /// # Errors
     /// Returns the reason if the text is neither.
     pub(crate) fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
         match Self::read(text) {
             Ok(code) => Ok((code.to_string(), Some(code))),
-            Err(NoCode::Review) => {
+            Err(NoCode::Personal) => {
                 let text = text.trim().to_ascii_lowercase();
                 let (name, seed) = text.rsplit_once('-').ok_or(NoCode::Unlike)?;
                 let seed: u64 = seed.parse().map_err(|_| NoCode::Unlike)?;
-                let count = name.trim_start_matches("review");
+                let count = name.trim_start_matches(|c: char| c.is_ascii_lowercase());
                 let counts = 1..=Course::MOST;
                 let fits = count.is_empty() || count.parse().is_ok_and(|it| counts.contains(&it));
                 match fits {

@@ -37,8 +37,15 @@ const CANDIDATES: [(Family, usize); 11] = [
     (Family::Concept, 6),
 ];
 
-/// Misconceptions that are not tested for, because only students who have read about foils,
-/// friction or the greatest deflection can show them.
+/// The candidates for the first question, as long as it is not hard: collisions of equal masses.
+const FIRST_CANDIDATES: [(Family, usize); 3] = [
+    (Family::FromAngle, 3),
+    (Family::FromOffset, 3),
+    (Family::FromPicture, 3),
+];
+
+/// Misconceptions that are not tested for: only students who have read about foils, friction or the
+/// greatest deflection can show them.
 const NOT_SOUGHT: [Misconception; 8] = [
     Misconception::EveryAngleAlike,
     Misconception::BeyondLargest,
@@ -139,16 +146,30 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// Of the questions drawn with the dice, the most informative one after these answers, with
-/// misconceptions as codes count them; no question in `asked` is repeated.
+/// The most informative first question, of those about collisions of equal masses.
+pub(super) fn ask_first(dice: &mut Dice) -> Option<Question> {
+    ask_from(&FIRST_CANDIDATES, &[], &[], dice)
+}
+
+/// The most informative question after these answers, with misconceptions as codes count them, of
+/// those drawn with the dice; none of `asked` again.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
+    ask_from(&CANDIDATES, asked, in_codes, dice)
+}
+
+fn ask_from(
+    candidates: &[(Family, usize)],
+    asked: &[Question],
+    in_codes: &[Clue],
+    dice: &mut Dice,
+) -> Option<Question> {
     let posterior = Posterior::new(&evidence(in_codes));
     let hardest = match asked.len() < BEFORE_HARD {
         true => Difficulty::Middle,
         false => Difficulty::Hard,
     };
     let mut best: Option<(i64, Question)> = None;
-    for (family, each) in CANDIDATES {
+    for &(family, each) in candidates {
         let difficulties = Difficulty::ALL.into_iter().filter(|it| *it <= hardest);
         for difficulty in difficulties.flat_map(|it| std::iter::repeat_n(it, each)) {
             let Some((question, _)) = family.ask(difficulty, dice) else {

@@ -1,4 +1,4 @@
-//! The questions of a review: one about each topic that is due.
+//! Questions about given topics, as in a review.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
@@ -6,10 +6,27 @@ use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
-/// A question about each of these topics, from the families that `families` gives for it. The
-/// questions are shuffled, with easy ones first as far as possible. No family comes twice in a row
-/// if that can be avoided, because returning to an idea works best after something else. A topic
-/// without questions is left out.
+/// This many questions about these topics, every topic once before any is repeated, easy ones
+/// first.
+pub(super) fn in_turn(
+    topics: &[Topic],
+    count: usize,
+    families: fn(&Topic) -> Vec<Family>,
+    dice: &mut Dice,
+) -> Vec<Question> {
+    let mut order: Vec<Topic> = Vec::new();
+    while order.len() < count && !topics.is_empty() {
+        let mut all = topics.to_vec();
+        dice.shuffle(&mut all);
+        order.extend(all);
+    }
+    order.truncate(count);
+    questions(&order, families, dice)
+}
+
+/// A question about each of these topics, from these families of theirs, shuffled, easy ones first
+/// as far as possible. If it can be avoided no family comes twice in a row, because returning to an
+/// idea works best after something else. A topic without questions is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,

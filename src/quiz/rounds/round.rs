@@ -59,9 +59,22 @@ impl Round {
                 let mut dice = Dice::new(salted(course.kind.id(), seed));
                 even::questions(MIXED, course.count, &mut dice)
             }
-            CourseKind::FindOut => Vec::new(),
+            CourseKind::FindOut | CourseKind::FindOutFromAny => Vec::new(),
             CourseKind::Check(misconception) => showing(*misconception, &course, seed),
             CourseKind::Own(library) => own(&library.concepts, &course, seed),
+            CourseKind::Met(topics) => {
+                let mut dice = Dice::new(salted(course.kind.id(), seed));
+                let asked = review::in_turn(topics, course.count, Topic::families, &mut dice);
+                let mut questions: Vec<Question> = Vec::with_capacity(asked.len());
+                for question in asked {
+                    let is_it =
+                        |it: &Question| (&it.text, &it.form) == (&question.text, &question.form);
+                    if !questions.iter().any(is_it) {
+                        questions.push(question);
+                    }
+                }
+                questions
+            }
             CourseKind::Review(due) => {
                 let topics = &due[..due.len().min(course.count)];
                 let mut dice = Dice::new(salted(course.kind.id(), seed));
@@ -94,7 +107,11 @@ impl Round {
         if !find_out::is_settled(&clues, &in_codes) {
             // The seed does not depend on how many numbers earlier questions drew.
             let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
-            let next = find_out::ask(&self.questions, &in_codes, &mut Dice::new(seed));
+            let dice = &mut Dice::new(seed);
+            let next = match course.kind {
+                CourseKind::FindOut if asked == 0 => find_out::ask_first(dice),
+                _ => find_out::ask(&self.questions, &in_codes, dice),
+            };
             self.questions.extend(next);
         }
     }

@@ -1,35 +1,43 @@
 //! The home screen: what to do next, and the menu.
 
-mod suggestion;
 mod view;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::recall::Recall;
+use super::ahead::Ahead;
 use super::{Confirmation, Context, Next, Route, Screen, View};
 use crate::messages::{Input, Key};
-use crate::physics::CollisionSpec;
+use crate::physics::{CollisionSpec, ImpactPoint};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
-use suggestion::{Suggestion, suggestions};
+use crate::widgets::text;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Home {
     list: ListView,
     picture: Watch,
-    /// The player's answers so far; they are not requested while another screen is on top.
-    history: Recall,
+    /// The next step; not requested while another screen is on top.
+    ahead: Ahead,
 }
 
+/// The impact angle of the picture, in degrees: not that of the lab's first shot, whose result the
+/// player is to predict.
+const ALPHA_DEG: f64 = -50.0;
+
 impl Default for Home {
-    /// The first line is chosen; the picture shows the worked shot at its contact.
+    /// The first line is chosen; the picture shows a collision at its contact.
     fn default() -> Self {
-        let worked_shot = CollisionSpec::default().collision();
+        let shot = CollisionSpec {
+            point: ImpactPoint::Angle {
+                alpha_deg: ALPHA_DEG,
+            },
+            ..CollisionSpec::default()
+        };
         let layers = Overlays::default().without([Overlay::Triangle]);
         Self {
             list: ListView::default(),
-            picture: Watch::revealed(worked_shot).with_layers(layers),
-            history: Recall::Asked(0),
+            picture: Watch::revealed(shot.collision()).with_layers(layers),
+            ahead: Ahead::default(),
         }
     }
 }
@@ -42,19 +50,35 @@ impl Home {
         home
     }
 
-    fn suggestions(&self, cx: &Context) -> Vec<Suggestion> {
-        suggestions(&self.history, cx)
+    /// The lines: what comes next, then the menu.
+    fn lines(&self, cx: &Context) -> Vec<HomeLine> {
+        let class = cx.class.iter().map(|_| HomeLine::Class);
+        let step = self.ahead.step().map(|_| HomeLine::Next);
+        let entries = (0..ENTRIES.len()).map(HomeLine::Entry);
+        class.chain(step).chain(entries).collect()
     }
 
-    /// Opens a line; lines are counted from the first suggestion.
-    fn open(&mut self, line: usize, cx: &mut Context) -> Next {
-        self.list.choose(line);
-        let suggestions = self.suggestions(cx);
-        Next::Open(match suggestions.get(line) {
-            Some(suggestion) => suggestion.route(cx),
-            None => ENTRIES[line - suggestions.len()].3.clone(),
-        })
+    /// Opens a line.
+    fn open(&mut self, line: HomeLine, cx: &mut Context) -> Next {
+        let at = self.lines(cx).iter().position(|it| *it == line);
+        self.list.choose(at.unwrap_or(0));
+        match line {
+            HomeLine::Class => cx.class.clone().map_or(Next::Stay, Next::Open),
+            HomeLine::Next => self.ahead.follow(cx),
+            HomeLine::Entry(entry) => Next::Open(ENTRIES[entry].3.clone()),
+        }
     }
+}
+
+/// A line of the home screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HomeLine {
+    /// Return to the class that the pupil left.
+    Class,
+    /// Follow the path.
+    Next,
+    /// An entry of the menu.
+    Entry(usize),
 }
 
 /// Actions of the home screen.
@@ -63,8 +87,8 @@ impl Home {
 pub enum HomeAction {
     /// choose and open
     List(ListAction),
-    /// follow the suggestion: read on, review what is due, find out what you believe
-    Suggested(usize),
+    /// take the next step: read on, review what is due, find out what you believe
+    Suggested(HomeLine),
     /// open a menu entry by its letter
     Open(usize),
     /// quit carrom
@@ -73,9 +97,7 @@ pub enum HomeAction {
     Leave,
 }
 
-/// Indices of some [`ENTRIES`].
-const LEARN: usize = 0;
-const LAB: usize = 1;
+/// The index of the class in [`ENTRIES`].
 const CLASS: usize = 3;
 
 /// The menu: the letter, the name, the description and the screen of each entry.
@@ -112,15 +134,22 @@ impl Screen for Home {
         "home".into()
     }
 
+    fn status(&self, cx: &Context) -> String {
+        text::clipped(&cx.settings.player, 24)
+    }
+
     fn keys(&self, cx: &Context) -> KeyTable<HomeAction> {
-        let suggested = self.suggestions(cx);
-        let suggested = suggested.iter().map(Suggestion::key);
+        let next = HomeAction::Suggested(HomeLine::Next);
         let letters = ENTRIES.iter().map(|(letter, ..)| *letter);
         let letters = letters.zip((0..).map(HomeAction::Open));
         KeyTable::new("home")
             .with(ListView::keys("open"), HomeAction::List)
             .on(Key::Char('q'), HomeAction::Quit, "quit")
-            .each(suggested.zip((0..).map(HomeAction::Suggested)), "")
+            .on('n', next, "next step")
+            .or([(Key::Char('b'), next), (Key::Char('r'), next)])
+            .when(self.ahead.step().is_some())
+            .on('j', HomeAction::Suggested(HomeLine::Class), "")
+            .when(cx.class.is_some())
             .each(letters, "")
             // Earlier versions used this letter for the class.
             .or([(Key::Char('g'), HomeAction::Open(CLASS))])
@@ -134,12 +163,12 @@ impl Screen for Home {
     fn act(&mut self, action: HomeAction, cx: &mut Context) -> Next {
         match action {
             HomeAction::List(action) => {
-                let lines = self.suggestions(cx).len() + ENTRIES.len();
-                let outcome = self.list.act(action, lines);
-                Next::of(outcome, |line| self.open(line, cx))
+                let lines = self.lines(cx);
+                let outcome = self.list.act(action, lines.len());
+                Next::of(outcome, |line| self.open(lines[line], cx))
             }
             HomeAction::Suggested(line) => self.open(line, cx),
-            HomeAction::Open(entry) => self.open(self.suggestions(cx).len() + entry, cx),
+            HomeAction::Open(entry) => self.open(HomeLine::Entry(entry), cx),
             HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
             HomeAction::Quit => Next::Quit,
         }
@@ -153,10 +182,10 @@ impl Screen for Home {
         self.act(HomeAction::List(ListAction::Choose(by.into())), cx)
     }
 
-    fn input(&mut self, input: &Input, _cx: &mut Context) -> Next {
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
             Input::Kept(answer) => {
-                self.history.take(answer);
+                self.ahead.take(answer, cx);
                 Next::Stay
             }
             _ => Next::Ignored,
@@ -164,8 +193,7 @@ impl Screen for Home {
     }
 
     fn resumed(&mut self, cx: &mut Context) {
-        cx.ask_for_marks();
-        self.history = Recall::ask(cx);
+        self.ahead.ask_again(cx);
         self.list = ListView::default();
     }
 

@@ -4,8 +4,8 @@ use serde_json::json;
 
 use crate::lessons::{AFTER_HINT, Chapter, answer_json};
 use crate::physics::units::deg_from_rad;
-use crate::progress::{Attempt, LESSON};
-use crate::quiz::{Form, Response, figures};
+use crate::progress::{Attempt, LESSON, REVIEWED_BY};
+use crate::quiz::{Form, Response, Topic, figures};
 
 /// The marked answer to the checkpoint of page `at` (counted from 0), a question of this `form`.
 /// After a hint, an answer earns half the credit.
@@ -29,6 +29,10 @@ pub fn attempt(
     let mut question = json!({"chapter": chapter.id, "page": number, "asked": asked});
     if after_hint {
         question["try"] = 2.into();
+    }
+    let page = chapter.pages.get(at).map_or("", |page| &page.title);
+    if let Some(topic) = Topic::of_checkpoint(&chapter.id, page) {
+        question[REVIEWED_BY] = topic.id().into();
     }
     let share = if after_hint { AFTER_HINT } else { 1.0 };
     Attempt {

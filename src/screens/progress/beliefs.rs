@@ -56,8 +56,8 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
     panel.paragraph(legend, Role::Dim);
 }
 
-/// The strongest misconception that has not disappeared.
-pub(super) fn held(history: &History) -> Option<HeldBelief> {
+/// The strongest belief that is not gone.
+fn held(history: &History) -> Option<HeldBelief> {
     { beliefs(&history.attempts).into_iter() }.find(|belief| belief.trend() != Trend::Gone)
 }
 

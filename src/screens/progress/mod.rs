@@ -9,15 +9,12 @@ mod topics;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
-use super::recall::Recall;
+use super::ahead::Ahead;
 use super::view::View;
-use super::{Context, Next, Route, Screen, SharedAction, leads};
+use super::{Context, Next, Route, Screen, SharedAction};
 use crate::gradebook::HandIn;
-use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::numbers::counted;
-use crate::progress::Due;
-use crate::quiz::{Code, Course, CourseKind, Passage};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
@@ -33,7 +30,7 @@ pub enum ProgressAction {
     TurnTo(usize),
     /// scroll a text that is longer than its panel
     Scroll(i16),
-    /// do what the page suggests: a review, a page of a chapter, a round of the quiz
+    /// take the next step: a page of a chapter, a review, a level
     DoNext,
     /// hand in every answer, as one small file for a teacher
     HandIn,
@@ -41,39 +38,7 @@ pub enum ProgressAction {
     Back,
 }
 
-/// The suggested next step, which depends on the page shown.
-enum NextStep {
-    /// A review of the topics that are due.
-    Review(CourseKind),
-    /// The page that corrects a misconception the player still has.
-    Read(Passage),
-    /// A round of the quiz that the player chooses.
-    Choose,
-}
-
-impl NextStep {
-    /// The description of the step, in one line.
-    fn words(&self, book: &Book) -> String {
-        match self {
-            Self::Review(kind) => {
-                format!("review {}", counted(kind.length(), "topic"))
-            }
-            Self::Read(passage) => format!("read {}", book.named(*passage).unwrap_or_default()),
-            Self::Choose => "choose a round of the quiz".into(),
-        }
-    }
-
-    /// The name of the step, in one or two words.
-    const fn name(&self) -> &'static str {
-        match self {
-            Self::Review(_) => "review",
-            Self::Read(_) => "its chapter",
-            Self::Choose => "quiz",
-        }
-    }
-}
-
-/// The smallest number of columns for a panel of the usual width.
+/// Fewest columns for a panel of the usual width.
 const NARROW: u16 = 80;
 /// The width of the panel on a narrow screen, where the tables need the room.
 const NARROW_PANEL: u16 = 26;
@@ -117,49 +82,29 @@ impl ProgressPage {
 /// The screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Progress {
-    history: Recall,
+    ahead: Ahead,
     page: ProgressPage,
 }
 
 impl Progress {
     /// Requests the player's record.
     pub(crate) fn ask(cx: &mut Context) -> Self {
-        cx.ask_for_marks();
         Self {
-            history: Recall::ask(cx),
+            ahead: Ahead::ask(cx),
             page: ProgressPage::OverTime,
         }
     }
 
     /// The player's answers, if there are any.
     fn history(&self) -> Option<&History> {
-        self.history.history()
+        self.ahead.history.history()
     }
 
-    /// The next step that Enter starts on this page.
-    fn next_step(&self) -> NextStep {
-        let step = self.history().and_then(|history| match self.page {
-            ProgressPage::Topics => {
-                let due = Due::of(&history.attempts, &history.calendar);
-                due.course().map(NextStep::Review)
-            }
-            ProgressPage::Beliefs => {
-                let held = beliefs::held(history)?;
-                Some(NextStep::Read(held.misconception.settled_by()))
-            }
-            _ => None,
-        });
-        step.unwrap_or(NextStep::Choose)
-    }
-
-    /// This view with the prompt for Enter at the end.
-    fn with_next_step<'s>(
-        &self,
-        view: View<'s, ProgressAction>,
-        book: &Book,
-    ) -> View<'s, ProgressAction> {
+    /// The same view with the next step at the end.
+    fn with_next_step<'s>(&self, view: View<'s, ProgressAction>) -> View<'s, ProgressAction> {
         let mut second = view.second;
-        second.prompt(self.next_step().words(book), ProgressAction::DoNext);
+        second.worth(1, |second| second.heading("What next"));
+        self.ahead.write(ProgressAction::DoNext, &mut second);
         View { second, ..view }.laid_out(layout)
     }
 
@@ -234,7 +179,8 @@ impl Screen for Progress {
             .when(some)
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
             .when(some)
-            .on(Key::Enter, DoNext, self.next_step().name())
+            .on(Key::Enter, DoNext, "next step")
+            .when(self.ahead.step().is_some())
             .on('h', HandIn, "hand in")
             .when(some)
             .on(Key::Escape, Back, "back")
@@ -245,17 +191,7 @@ impl Screen for Progress {
             ProgressAction::Turn(by) => self.page = self.page.beside(by),
             ProgressAction::TurnTo(page) => self.page = ProgressPage::ALL[page],
             ProgressAction::Scroll(rows) => return Next::Shared(SharedAction::Scroll(rows)),
-            ProgressAction::DoNext => {
-                let code = match self.next_step() {
-                    NextStep::Read(passage) => return leads::open(Some(passage), cx),
-                    NextStep::Choose => None,
-                    NextStep::Review(kind) => Some(Code {
-                        course: Course::new(kind),
-                        seed: cx.next_seed(),
-                    }),
-                };
-                return Next::Replace(Route::Quiz { code });
-            }
+            ProgressAction::DoNext => return self.ahead.follow(cx),
             ProgressAction::HandIn => self.hand_in(cx),
             ProgressAction::Back => return Next::Back,
         }
@@ -265,7 +201,7 @@ impl Screen for Progress {
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
             Input::Kept(answer) => {
-                self.history.take(answer);
+                self.ahead.take(answer, cx);
                 Next::Stay
             }
             Input::Exported(exported) => {
@@ -280,17 +216,18 @@ impl Screen for Progress {
         let (book, page) = (&cx.book, self.page);
         let Some(history) = self.history() else {
             let mut first = Panel::new("your progress");
-            match self.history.unknown() {
+            match self.ahead.history.unknown() {
                 Some((words, role)) => first.paragraph(words, role),
                 None => nothing_yet(&mut first),
             }
-            return self.with_next_step(View::panels(first, Panel::new("what next")), book);
+            return self.with_next_step(View::panels(first, Panel::new("")));
         };
         let (title, beside) = page.titles();
         let (mut first, mut second) = (Panel::new(title), Panel::new(beside));
         let plot: Option<DrawPlot> = match page {
             ProgressPage::OverTime => {
-                over_time::panel(history, book, &mut second);
+                over_time::panel(history, &mut second);
+                self.ahead.write_done(&mut second);
                 Some(over_time::plot)
             }
             ProgressPage::SureOverTime => {
@@ -326,7 +263,7 @@ impl Screen for Progress {
             ),
             None => View::panels(first, second),
         };
-        self.with_next_step(view, book)
+        self.with_next_step(view)
     }
 
     fn point(&mut self, mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {
@@ -335,6 +272,10 @@ impl Screen for Progress {
         }
         self.page = self.page.beside(1);
         Next::Stay
+    }
+
+    fn resumed(&mut self, cx: &mut Context) {
+        self.ahead.ask_again(cx);
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {

@@ -3,10 +3,9 @@
 use ratatui::layout::Rect;
 
 use super::ProgressAction;
-use crate::lessons::Book;
 use crate::messages::History;
 use crate::progress::words::{degrees, percent};
-use crate::progress::{Tally, advice, ends_deg};
+use crate::progress::{Tally, ends_deg};
 use crate::quiz::RIGHT_DEG;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
@@ -23,13 +22,12 @@ pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture,
     picture.ok_or("None of your answers so far was an angle.")
 }
 
-/// The overall figures, a comparison of the first and last answers, and what to do next.
-pub(super) fn panel(history: &History, book: &Book, panel: &mut Panel<ProgressAction>) {
+/// The overall figures, and the first answers beside the last.
+pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let attempts = &history.attempts;
     let all = Tally::of(attempts);
     panel.fact("answers", all.attempts.to_string());
     panel.fact("right", percent(all.share_right()));
-    panel.fact("chapters done", book.done());
     if let Some(error) = all.mean_error_deg() {
         panel.fact("angles", all.angles().to_string());
         panel.fact("mean error", degrees(Some(error)));
@@ -40,9 +38,6 @@ pub(super) fn panel(history: &History, book: &Book, panel: &mut Panel<ProgressAc
         panel.gap();
         panel.paragraph(compared(first, last), Role::Text);
     }
-    panel.gap();
-    panel.heading("What next");
-    panel.paragraph(advice(attempts, &history.calendar), Role::Text);
     panel.gap();
     panel.paragraph(
         "o: right, x: not yet; the line is the mean of five.",

@@ -15,9 +15,9 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
+use super::ahead::Ahead;
 use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View, leads};
-use crate::messages::{Key, Mouse, MouseKind};
-use crate::numbers;
+use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
 use crate::progress::{Attempt, Summary};
 use crate::quiz::{
@@ -51,7 +51,9 @@ pub(crate) enum QuizAction {
     Another,
     /// open the chapter page that explains the answer
     ReadUp,
-    /// check with two questions whether you still have the misconception
+    /// take the next step
+    Next,
+    /// check with two questions whether you still believe it
     Check,
     /// scroll a text that is longer than its panel
     Scroll(i16),
@@ -79,6 +81,8 @@ pub(crate) struct Quiz {
     phase: QuizPhase,
     /// The overlays that the player has switched on.
     layers: Overlays,
+    /// The next step, requested with the summary.
+    ahead: Option<Ahead>,
 }
 
 /// The phases of a round.
@@ -128,6 +132,7 @@ impl Quiz {
             attempts: Vec::new(),
             phase: QuizPhase::Summary(ListView::default()),
             layers: Overlays::default(),
+            ahead: None,
         };
         quiz.ask();
         quiz
@@ -140,7 +145,7 @@ impl Quiz {
         code: Code,
         answers: &[Answer],
         is_explained: bool,
-        cx: &Context,
+        cx: &mut Context,
     ) -> Self {
         let mut quiz = Self::new(code);
         for answer in answers {
@@ -152,6 +157,7 @@ impl Quiz {
             quiz.note(&question, *answer, cx);
         }
         quiz.ask();
+        quiz.look_ahead(cx);
         if let Some(last) = quiz.answers.len().checked_sub(1)
             && is_explained
             && !quiz.feedback_at_end()
@@ -258,7 +264,14 @@ impl Quiz {
         }
     }
 
-    /// The number of the current question, from 1.
+    /// Requests the next step, when the summary is shown.
+    fn look_ahead(&mut self, cx: &mut Context) {
+        if let (QuizPhase::Summary(_), None) = (&self.phase, &self.ahead) {
+            self.ahead = Some(Ahead::ask(cx));
+        }
+    }
+
+    /// Number of the present question, from 1.
     fn number(&self) -> usize {
         match &self.phase {
             QuizPhase::Asked(_) => self.answers.len() + 1,
@@ -323,7 +336,7 @@ impl Quiz {
                 };
                 let (what, yes) = match self.round.course().kind {
                     CourseKind::Exam => ("End the exam and see your answers?", "end the exam"),
-                    CourseKind::FindOut => {
+                    CourseKind::FindOut | CourseKind::FindOutFromAny => {
                         ("Stop here and see what your answers show?", "stop here")
                     }
                     _ => ("Leave the round?", "leave the round"),
@@ -403,11 +416,12 @@ impl Screen for Quiz {
         };
         let scores = !course.follows_answers();
         if scores && (!self.feedback_at_end() || self.has_ended()) {
-            status += &format!("  {} points", numbers::points(self.summary().points()));
+            status += &format!("  {} right", self.summary().right());
         }
         match &course.kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",
             CourseKind::Review(due) => format!("{status}  review: {count} of {} due", due.len()),
+            CourseKind::Met(_) => status,
             _ => format!("{status}  code {}", self.round.code()),
         }
     }
@@ -456,6 +470,8 @@ impl Screen for Quiz {
             }
             QuizPhase::Summary(_) => keys
                 .with(ListView::keys("look at it"), LookBack)
+                .on(Key::Char('x'), QuizAction::Next, "next step")
+                .when(self.ahead.as_ref().is_some_and(|it| it.step().is_some()))
                 .on(Key::Char('k'), Check, "check it")
                 .when(self.found().is_some())
                 .on(Key::Char('n'), Another, "another round")
@@ -519,17 +535,42 @@ impl Screen for Quiz {
             }
             (QuizAction::Another, _) => return self.again(cx),
             (QuizAction::ReadUp, _) => return leads::open(self.passage(), cx),
+            (QuizAction::Next, _) => {
+                let ahead = self.ahead.as_ref();
+                return match ahead.map_or(Next::Stay, |ahead| ahead.follow(cx)) {
+                    // Another round takes the place of this one.
+                    Next::Open(round @ Route::Quiz { .. }) => Next::Replace(round),
+                    other => other,
+                };
+            }
             (QuizAction::Check, _) => self.check(),
             (QuizAction::Scroll(rows), _) => return scroll(rows),
             (QuizAction::Leave, _) => return self.leave(),
             _ => return Next::Ignored,
         }
+        self.look_ahead(cx);
         Next::Stay
     }
 
-    fn confirmed(&mut self, _left: QuizAction, _cx: &mut Context) -> Next {
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match (input, &mut self.ahead) {
+            (Input::Kept(answer), Some(ahead)) => ahead.take(answer, cx),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn resumed(&mut self, cx: &mut Context) {
+        match &mut self.ahead {
+            Some(ahead) => ahead.ask_again(cx),
+            None => self.look_ahead(cx),
+        }
+    }
+
+    fn confirmed(&mut self, _left: QuizAction, cx: &mut Context) -> Next {
         if self.feedback_at_end() {
             self.phase = QuizPhase::Summary(ListView::default());
+            self.look_ahead(cx);
             return Next::Stay;
         }
         CHOOSE

@@ -17,10 +17,14 @@ pub(super) const WIDEST: u16 = 108;
 /// confidence matched the answers, and what to try next.
 pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     let summary = quiz.summary();
-    let finds_out = quiz.round.course().kind == CourseKind::FindOut;
+    let finds_out = quiz.round.course().follows_answers();
     let (title, opening, closing) = match finds_out {
         true => ("what you seem to believe", summary.finding(), Vec::new()),
-        false => ("your round", vec![score(&summary)], closing(quiz, &summary)),
+        false => (
+            "your round",
+            vec![score(&summary), summary.points_words()],
+            closing(quiz, &summary),
+        ),
     };
     let mut panel = Panel::new(title);
     for (i, text) in opening.into_iter().enumerate() {
@@ -44,6 +48,10 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
         };
         panel.prompt(check, QuizAction::Check);
     }
+    if let Some(ahead) = &quiz.ahead {
+        panel.worth(4, Panel::gap);
+        ahead.write(QuizAction::Next, &mut panel);
+    }
     if let Some((text, command)) = for_a_friend(quiz.round.code()) {
         panel.worth(3, Panel::gap);
         let address = format!("quiz={}", quiz.round.code());
@@ -55,7 +63,7 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
 /// The command that gives a friend the same round; a review has none, because it is personal.
 fn for_a_friend(code: &Code) -> Option<(&'static str, String)> {
     match code.course.kind {
-        CourseKind::Review(_) | CourseKind::Own(_) => None,
+        CourseKind::Met(_) | CourseKind::Review(_) | CourseKind::Own(_) => None,
         CourseKind::Hits => Some((
             "The same ten for a friend",
             format!("carrom quiz --seed {code}"),
@@ -86,7 +94,8 @@ fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
         CourseKind::Check(misconception) => closing.push(summary.checked(misconception)),
         _ => {
             closing.extend(summary.held_words());
-            closing.push(summary.advice());
+            let held = summary.most_held();
+            closing.extend(held.map(|(misconception, _)| misconception.advice().into()));
         }
     }
     closing

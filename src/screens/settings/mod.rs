@@ -9,12 +9,16 @@ pub use values::Settings;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Route, Screen, View};
+use super::{Confirmation, Context, Next, Route, Screen, View};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
-use crate::messages::{Input, Key};
+use crate::messages::{Input, Key, KnownPlayer, StoreReply, StoreRequest};
+use crate::progress::long_day;
+use crate::widgets::Outcome;
 use crate::widgets::Role;
-use crate::widgets::input::{FormAction, FormFields, KeyTable, SettingsForm, TextField};
+use crate::widgets::input::{
+    FormAction, FormFields, KeyTable, ListAction, ListView, SettingsForm, TextField,
+};
 use crate::widgets::panel::Panel;
 use field::PLAYER;
 
@@ -24,7 +28,11 @@ const LONGEST: usize = 40;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SettingsScreen {
     form: SettingsForm,
-    /// The player's name while it is being typed.
+    /// Everyone who has done something here.
+    players: Vec<KnownPlayer>,
+    /// The list of players, while one is being chosen.
+    choosing: Option<ListView>,
+    /// The name of a new player while it is being typed.
     typed: Option<TextField>,
 }
 
@@ -34,9 +42,11 @@ pub(crate) struct SettingsScreen {
 pub(crate) enum SettingsAction {
     /// choose a setting and change it
     Set(FormAction),
-    /// go to the next value, or type the player's name
+    /// go to the next value; for the player, choose one
     Enter,
-    /// use the typed name
+    /// choose a player, or add one
+    Players(ListAction),
+    /// use the typed name; a new player is confirmed
     Take,
     /// go back; discard a name that is being typed
     Back,
@@ -48,26 +58,74 @@ impl SettingsScreen {
         self.form.selected(cx.settings.fields().len()) == PLAYER
     }
 
-    /// Starts typing the player's name, or goes to a setting's next value.
+    /// Requests the players.
+    pub(crate) fn ask(cx: &mut Context) -> Self {
+        cx.ask(StoreRequest::Players);
+        Self::default()
+    }
+
+    /// Opens the list of players, or goes to a setting's next value.
     fn enter(&mut self, cx: &mut Context) {
-        if self.is_at_player(cx) {
+        if !self.is_at_player(cx) {
+            self.form.act(FormAction::Step(1), &mut cx.settings);
+        } else if self.players.is_empty() {
             self.typed = Some(TextField::new("", LONGEST));
         } else {
-            self.form.act(FormAction::Step(1), &mut cx.settings);
+            let present = |it: &KnownPlayer| it.name == cx.settings.player;
+            let at = self.players.iter().position(present);
+            self.choosing = Some(ListView::at(at.unwrap_or(0)));
         }
     }
 
-    /// Uses the typed name, if it is valid.
-    fn take(&mut self, cx: &mut Context) {
-        let Some(typed) = self.typed.take() else {
-            return;
+    /// Changes to the chosen player; the line after the last is for a new one.
+    fn choose(&mut self, action: ListAction, cx: &mut Context) -> Next {
+        let Some(list) = &mut self.choosing else {
+            return Next::Ignored;
+        };
+        let outcome = list.act(action, self.players.len() + 1);
+        if let Outcome::Done(at) = outcome {
+            match self.players.get(at) {
+                Some(player) => self.change_to(player.name.clone(), cx),
+                None => self.typed = Some(TextField::new("", LONGEST)),
+            }
+        }
+        Next::after(outcome.is_used())
+    }
+
+    fn change_to(&mut self, name: String, cx: &mut Context) {
+        (self.choosing, self.typed) = (None, None);
+        cx.change_player(name);
+        cx.ask(StoreRequest::Players);
+    }
+
+    /// Uses the typed name, if it is valid. A name that nobody has had so far is confirmed, so that
+    /// a slip of the finger begins no new record.
+    fn take(&mut self, cx: &mut Context) -> Next {
+        let Some(typed) = &self.typed else {
+            return Next::Stay;
         };
         let name = tidy_name(typed.text());
-        if is_player_name(&name) {
-            cx.change_player(name);
-        } else if !typed.text().is_empty() {
-            cx.notify("A name has 1 to 40 visible characters.".into());
+        if !is_player_name(&name) {
+            if !typed.text().is_empty() {
+                cx.notify("A name has 1 to 40 visible characters.".into());
+            }
+            self.typed = None;
+            return Next::Stay;
         }
+        if name == cx.settings.player || self.players.iter().any(|it| it.name == name) {
+            self.change_to(name, cx);
+            return Next::Stay;
+        }
+        let is_like = |it: &&KnownPlayer| it.name.to_lowercase() == name.to_lowercase();
+        let like = match self.players.iter().find(is_like) {
+            Some(it) => format!(" There is already a player called {}.", it.name),
+            None => String::new(),
+        };
+        Next::Confirm(Confirmation::new(
+            format!("Begin a new record for {name}?{like}"),
+            "begin",
+            "go back",
+        ))
     }
 }
 
@@ -83,15 +141,20 @@ impl Screen for SettingsScreen {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<SettingsAction> {
-        use SettingsAction::{Back, Enter, Set, Take};
+        use SettingsAction::{Back, Enter, Players, Set, Take};
         let keys = KeyTable::new("settings");
         if self.typed.is_some() {
             return keys
                 .on(Key::Enter, Take, "use it")
                 .on(Key::Escape, Back, "cancel");
         }
+        if self.choosing.is_some() {
+            return keys
+                .with(ListView::keys("choose"), Players)
+                .on(Key::Escape, Back, "cancel");
+        }
         let enter = match self.is_at_player(cx) {
-            true => "type a name",
+            true => "players",
             false => "next value",
         };
         keys.on(Key::Enter, Enter, enter)
@@ -111,15 +174,24 @@ impl Screen for SettingsScreen {
 
     fn act(&mut self, action: SettingsAction, cx: &mut Context) -> Next {
         match action {
-            // A click elsewhere accepts the typed name.
+            // A click elsewhere ends the choice of a player.
             SettingsAction::Set(action) => {
-                self.take(cx);
+                (self.choosing, self.typed) = (None, None);
                 self.form.act(action, &mut cx.settings);
             }
             SettingsAction::Enter => self.enter(cx),
-            SettingsAction::Take => self.take(cx),
+            SettingsAction::Players(action) => return self.choose(action, cx),
+            SettingsAction::Take => return self.take(cx),
             SettingsAction::Back if self.typed.is_some() => self.typed = None,
+            SettingsAction::Back if self.choosing.is_some() => self.choosing = None,
             SettingsAction::Back => return Next::Back,
+        }
+        Next::Stay
+    }
+
+    fn confirmed(&mut self, _action: SettingsAction, cx: &mut Context) -> Next {
+        if let Some(typed) = &self.typed {
+            self.change_to(tidy_name(typed.text()), cx);
         }
         Next::Stay
     }
@@ -127,12 +199,20 @@ impl Screen for SettingsScreen {
     fn input(&mut self, input: &Input, _cx: &mut Context) -> Next {
         match (input, &mut self.typed) {
             (Input::Paste(text), Some(typed)) => typed.paste(text.trim()),
+            (Input::Kept(answer), _) => {
+                if let StoreReply::Players(Ok(players)) = &answer.done {
+                    self.players.clone_from(players);
+                }
+            }
             _ => return Next::Ignored,
         }
         Next::Stay
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        if self.choosing.is_some() {
+            return self.choose(ListAction::Choose(by.into()), cx);
+        }
         if self.typed.is_none() {
             self.form
                 .act(FormAction::Choose(by.into()), &mut cx.settings);
@@ -151,6 +231,25 @@ fn view<'s>(screen: &SettingsScreen, cx: &Context) -> View<'s, SettingsAction> {
     form.part(SettingsAction::Set, |panel| {
         screen.form.write(&cx.settings, panel);
     });
+    if let Some(list) = &screen.choosing {
+        form.gap();
+        form.heading("Players");
+        let chosen = list.chosen(screen.players.len() + 1);
+        let days = screen.players.iter().map(|it| {
+            let last = it.last.map(long_day).unwrap_or_default();
+            (it.name.as_str(), last)
+        });
+        let lines = days.chain([("someone new", String::new())]);
+        for (at, (name, last)) in lines.enumerate() {
+            let action = SettingsAction::Players(ListAction::Point(at));
+            form.row(
+                (name.to_owned(), Role::Text),
+                (last, Role::Dim),
+                at == chosen,
+                action,
+            );
+        }
+    }
     if let Some(typed) = &screen.typed {
         form.gap();
         form.text_field("name", typed.around_cursor(), true, None);
@@ -158,9 +257,11 @@ fn view<'s>(screen: &SettingsScreen, cx: &Context) -> View<'s, SettingsAction> {
     let mut about = Panel::new("this setting");
     screen.form.write_about(&cx.settings, &mut about);
     about.gap();
+    let choose = SettingsAction::Players(ListAction::Open);
     match (&screen.typed, screen.is_at_player(cx)) {
         (Some(_), _) => about.prompt("use it", SettingsAction::Take),
-        (None, true) => about.prompt("type a name", SettingsAction::Enter),
+        (None, true) if screen.choosing.is_some() => about.prompt("choose", choose),
+        (None, true) => about.prompt("players", SettingsAction::Enter),
         (None, false) => about.prompt("next value", SettingsAction::Enter),
     }
     about.gap();

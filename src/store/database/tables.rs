@@ -15,8 +15,24 @@ const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, ques
 
 const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER BY pack, level";
 
+const PLAYERS: &str = "SELECT player, max(time_s) AS last_s FROM \
+                       (SELECT player, time_s FROM attempt UNION ALL \
+                       SELECT player, NULL FROM star UNION ALL SELECT player, NULL FROM bookmark) \
+                       GROUP BY player ORDER BY last_s DESC, player";
+
 impl Database {
-    /// Stores an answer.
+    /// Everyone who has done something, with the time of the last answer, the latest first.
+    pub(in crate::store) fn players(&mut self) -> Result<Vec<(String, Option<i64>)>, String> {
+        self.look_up(|transaction| {
+            let mut statement = transaction.prepare(PLAYERS)?;
+            let found =
+                statement.query_map([], |row| Ok((row.get("player")?, row.get("last_s")?)))?;
+            let sound = found.filter(|row| !row.as_ref().is_err_and(is_nonsense));
+            sound.collect()
+        })
+    }
+
+    /// Keeps an answer.
     pub(in crate::store) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
         self.change(|transaction| insert_attempt(transaction, attempt))
     }

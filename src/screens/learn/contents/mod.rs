@@ -7,6 +7,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use crate::files::FileError;
 use crate::lessons::{Book, Chapter, Forget};
 use crate::messages::{Input, Key, StoreReply};
+use crate::screens::ahead::Ahead;
 use crate::screens::{Confirmation, Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
@@ -16,7 +17,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 pub(crate) enum ContentsAction {
     /// choose a chapter, or read it
     List(ListAction),
-    /// go to the next chapter that is not done
+    /// take the next step, in a chapter or elsewhere
     Next,
     /// open the glossary
     Glossary,
@@ -28,17 +29,29 @@ pub(crate) enum ContentsAction {
     Leave,
 }
 
-/// The contents. The [`Book`] records which line is chosen.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Contents;
+/// The contents. Which line is chosen belongs to the [`Book`].
+#[derive(Debug, Clone)]
+pub(crate) struct Contents {
+    ahead: Ahead,
+    /// Whether the player has chosen for themselves.
+    moved: bool,
+}
 
 impl Contents {
-    /// The contents, at the first chapter that is not done. The bookmarks are requested, if they
-    /// are not known yet.
+    /// The contents, at the first chapter that is not done until the next step is known.
     pub(crate) fn new(cx: &mut Context) -> Self {
-        cx.ask_for_marks();
         cx.book.at = cx.book.next().unwrap_or(0);
-        Self
+        Self {
+            ahead: Ahead::ask(cx),
+            moved: false,
+        }
+    }
+
+    /// The chapter that comes next, by its place among all: that of the next step, or else the
+    /// first that is not done.
+    fn next_chapter(&self, book: &Book) -> Option<usize> {
+        let step = self.ahead.step().and_then(|it| it.step.chapter());
+        step.or_else(|| book.next())
     }
 }
 
@@ -120,7 +133,8 @@ impl Screen for Contents {
         }
         keys.with(ListView::keys("read"), List)
             .on(Key::Escape, Leave, "back")
-            .on(Key::Char('n'), Next, "next")
+            .on(Key::Char('n'), Next, "next step")
+            .when(self.ahead.step().is_some())
             .on(Key::Char('g'), Glossary, "glossary")
             .on(Key::Char('R'), Forget, "reset")
             .when(chapter_begun(book).is_some())
@@ -135,11 +149,11 @@ impl Screen for Contents {
     fn act(&mut self, action: ContentsAction, cx: &mut Context) -> Next {
         let book = &mut cx.book;
         let (title, of) = match action {
-            ContentsAction::List(action) => return listed(book, action),
-            ContentsAction::Next => {
-                book.at = book.next().unwrap_or(book.at);
-                return Next::Stay;
+            ContentsAction::List(action) => {
+                self.moved = true;
+                return listed(book, action);
             }
+            ContentsAction::Next => return self.ahead.follow(cx),
             ContentsAction::Glossary => return Next::Open(Route::Glossary),
             ContentsAction::Leave => return Next::Back,
             ContentsAction::ForgetAll => ("all chapters".to_owned(), "all chapters"),
@@ -170,21 +184,27 @@ impl Screen for Contents {
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let book = &mut cx.book;
-        match input {
-            Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_)) => {
-                book.at = book.next().unwrap_or(0);
-                Next::Stay
-            }
-            _ => Next::Ignored,
+        let Input::Kept(answer) = input else {
+            return Next::Ignored;
+        };
+        self.ahead.take(answer, cx);
+        if !self.moved && matches!(answer.done, StoreReply::Marks(_) | StoreReply::Recalled(_)) {
+            cx.book.at = self.next_chapter(&cx.book).unwrap_or(0);
         }
+        Next::Stay
+    }
+
+    fn resumed(&mut self, cx: &mut Context) {
+        self.ahead.ask_again(cx);
+        self.moved = true;
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.moved = true;
         listed(&mut cx.book, ListAction::Choose(by.into()))
     }
 
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ContentsAction> {
-        view::view(cx)
+        view::view(self, cx)
     }
 }

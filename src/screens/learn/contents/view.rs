@@ -1,6 +1,6 @@
 //! The view of the contents.
 
-use super::{ContentsAction, ContentsLine, chosen, lines};
+use super::{Contents, ContentsAction, ContentsLine, chosen, lines};
 use crate::lessons::{Book, Bookmark, Chapter, GlossaryEntry};
 use crate::screens::{Context, View};
 use crate::widgets::Role;
@@ -8,16 +8,17 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 
 /// The contents, and the description of the chosen line.
-pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
+pub(super) fn view<'s>(contents: &Contents, cx: &Context) -> View<'s, ContentsAction> {
     let book = &cx.book;
     let mut list = Panel::new("learn");
     if !book.is_known() {
         list.line("Loading …", Role::Dim);
         return View::panels(list, Panel::new(""));
     }
+    let next = contents.next_chapter(book);
     for (i, line) in lines(book).into_iter().enumerate() {
         let (text, side, role) = match line {
-            ContentsLine::Chapter(chapter) => chapter_line(book, chapter),
+            ContentsLine::Chapter(chapter) => chapter_line(book, chapter, next == Some(i)),
             ContentsLine::Summary => ("How far you have come".into(), String::new(), Role::Dim),
             ContentsLine::Glossary => ("Glossary".into(), String::new(), Role::Dim),
             ContentsLine::Problem(fault) => {
@@ -28,9 +29,9 @@ pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
         let action = ContentsAction::List(ListAction::Point(i));
         list.row((text, role), (side, role), i == book.at, action);
     }
-    let about = match chosen(book) {
+    let mut about = match chosen(book) {
         ContentsLine::Chapter(chapter) => about_chapter(book, chapter),
-        ContentsLine::Summary => summary(book),
+        ContentsLine::Summary => summary(contents, book),
         ContentsLine::Glossary => about_glossary(),
         ContentsLine::Problem(fault) => {
             let mut panel = Panel::new("what is wrong");
@@ -38,16 +39,25 @@ pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
             panel
         }
     };
+    about.worth(1, |about| {
+        about.gap();
+        about.heading("What next");
+    });
+    contents.ahead.write(ContentsAction::Next, &mut about);
     View::panels(list, about)
 }
 
-fn chapter_line(book: &Book, chapter: &Chapter) -> (String, String, Role) {
+/// The mark beside the chapter that comes next.
+const NEXT: &str = "next";
+
+fn chapter_line(book: &Book, chapter: &Chapter, is_next: bool) -> (String, String, Role) {
     let mark = book.mark(&chapter.id);
-    (
-        format!("{} {}", chapter.number, chapter.title),
-        mark.map(|mark| standing(mark, chapter)).unwrap_or_default(),
-        Role::Text,
-    )
+    let standing = mark.map(|mark| standing(mark, chapter)).unwrap_or_default();
+    let (side, role) = match is_next {
+        true => (format!("{standing} {NEXT}").trim().to_owned(), Role::Key),
+        false => (standing, Role::Text),
+    };
+    (format!("{} {}", chapter.number, chapter.title), side, role)
 }
 
 /// The progress of a chapter: its page while it is being read, then the number of right answers.
@@ -105,7 +115,7 @@ fn about_glossary() -> Panel<ContentsAction> {
 }
 
 /// The overall progress, and what to try on the board.
-fn summary(book: &Book) -> Panel<ContentsAction> {
+fn summary(contents: &Contents, book: &Book) -> Panel<ContentsAction> {
     let mut panel = Panel::new("so far");
     let chapters = &book.library().chapters;
     let marks = || {
@@ -115,25 +125,10 @@ fn summary(book: &Book) -> Panel<ContentsAction> {
     let asked: usize = chapters.iter().map(Chapter::checkpoints).sum();
     let answered: usize = marks().map(|(mark, of)| mark.answered(of)).sum();
     let right: usize = marks().map(|(mark, of)| mark.right(of)).sum();
-    panel.fact("chapters done", book.done());
+    contents.ahead.write_done(&mut panel);
     panel.fact("answered", format!("{answered} of {asked}"));
     panel.fact("right", right.to_string());
     panel.gap();
-    let weakest = marks()
-        .filter_map(|(mark, chapter)| {
-            let missed = mark.answered(chapter) - mark.right(chapter);
-            (missed > 0).then_some((missed, chapter))
-        })
-        .max_by_key(|(missed, chapter)| (*missed, std::cmp::Reverse(chapter.number)));
-    if let Some((_, chapter)) = weakest {
-        let advice = format!(
-            "Worth another look: chapter {}, {}. In a week it will teach you more than it would \
-             today.",
-            chapter.number, chapter.title
-        );
-        panel.paragraph(advice, Role::Text);
-        panel.gap();
-    }
     panel.heading("On the board, try this:");
     for idea in [
         "Two equal coins, off-centre: look for the right angle.",
@@ -141,10 +136,6 @@ fn summary(book: &Book) -> Panel<ContentsAction> {
         "Levels: use the line of impact to aim.",
     ] {
         panel.item(idea, Role::Text);
-    }
-    if book.next().is_some() {
-        panel.gap();
-        panel.prompt("the next chapter", ContentsAction::List(ListAction::Open));
     }
     panel
 }

@@ -7,10 +7,11 @@ use std::sync::Arc;
 use strum::{EnumMessage, IntoStaticStr};
 
 use crate::lessons::Book;
-use crate::messages::{Input, Key};
+use crate::messages::{History, Input, Key};
+use crate::path::PathSoFar;
 use crate::progress::Due;
 use crate::quiz::concepts::Library;
-use crate::quiz::{ChaptersRead, Code, Course, CourseKind, Family};
+use crate::quiz::{ChaptersRead, Code, Course, CourseKind, Family, Topic};
 use crate::screens::recall::Recall;
 use crate::screens::{Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
@@ -128,13 +129,29 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// The kind of round that a choice begins; `None` if there are no questions, or if the player
-    /// first has to choose a topic or a code.
-    fn kind(&self, choice: &RoundChoice, book: &Book) -> Option<CourseKind> {
+    /// What the player has read or answered before.
+    fn topics_met(&self, cx: &Context) -> Vec<Topic> {
+        let nothing = History::default();
+        let history = self.history.history().unwrap_or(&nothing);
+        let so_far = PathSoFar {
+            attempts: &history.attempts,
+            calendar: &history.calendar,
+            book: &cx.book,
+            shelf: &cx.shelf,
+        };
+        so_far.topics_met()
+    }
+
+    /// The kind of round that a choice begins; `None` if there is nothing to ask, or if the
+    /// player has to choose further.
+    fn kind(&self, choice: &RoundChoice, cx: &Context) -> Option<CourseKind> {
         match choice {
+            RoundChoice::Always(CourseKind::Quick | CourseKind::Even) => {
+                Some(CourseKind::Met(self.topics_met(cx)))
+            }
             RoundChoice::Always(kind) => Some(kind.clone()),
             RoundChoice::Review => self.due().course(),
-            RoundChoice::Read => chapters_read(book).map(CourseKind::Read),
+            RoundChoice::Read => chapters_read(&cx.book).map(CourseKind::Read),
             RoundChoice::Own => {
                 let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
                 own.map(CourseKind::Own)
@@ -147,11 +164,17 @@ impl Choosing {
     fn enter(&mut self, cx: &mut Context) -> Next {
         let kind = match (&self.page, self.choice()) {
             (ChoosingPage::Topics, _) => self.family().map(CourseKind::Topic),
-            (_, choice) => self.kind(choice, &cx.book),
+            (_, choice) => self.kind(choice, cx),
         };
         if let Some(kind) = kind {
+            let course = match (self.choice(), &kind) {
+                (RoundChoice::Always(named), CourseKind::Met(_)) => {
+                    Course::of(kind, named.length())
+                }
+                _ => Course::new(kind),
+            };
             let code = Code {
-                course: Course::new(kind),
+                course,
                 seed: cx.next_seed(),
             };
             return begin(code);
@@ -299,6 +322,6 @@ impl Screen for Choosing {
     }
 
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ChoosingAction> {
-        view::view(self, &cx.book)
+        view::view(self, cx)
     }
 }

@@ -5,7 +5,7 @@ use crate::lessons::Book;
 use crate::numbers::counted;
 use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::{Code, Course, CourseKind, Family};
-use crate::screens::View;
+use crate::screens::{Context, View};
 use crate::widgets::Role;
 use crate::widgets::input::{ListAction, TextField};
 use crate::widgets::panel::Panel;
@@ -18,9 +18,9 @@ const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a 
 const OPEN: ChoosingAction = ChoosingAction::List(ListAction::Open);
 
 /// The list of the page, and a description of the chosen line.
-pub(super) fn view<'s>(choosing: &Choosing, book: &Book) -> View<'s, ChoosingAction> {
+pub(super) fn view<'s>(choosing: &Choosing, cx: &Context) -> View<'s, ChoosingAction> {
     let (list, about) = match &choosing.page {
-        ChoosingPage::Rounds => (rounds(choosing, book), about_round(choosing, book)),
+        ChoosingPage::Rounds => (rounds(choosing, cx), about_round(choosing, cx)),
         ChoosingPage::Topics => (topics(choosing), about_topic(choosing)),
         ChoosingPage::Code { typed, refused } => (code(choosing, typed, *refused), about_codes()),
     };
@@ -53,11 +53,11 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
                 ),
                 CourseKind::Quick => (
                     questions,
-                    "Five questions, each of a different kind, the first ones in their simplest form. Any kind may come up, even one you have not met yet: just right for a short break.",
+                    "Five questions about what you have read or answered before, the first ones in their simplest form: just right for a short break. If you are new, they are about equal masses.",
                 ),
                 CourseKind::Even => (
                     questions,
-                    "Ten questions of all kinds, in any order, to cover every idea. You do not know which kind comes next.",
+                    "Ten questions about what you have read or answered before, in any order. You do not know which kind comes next. If you are new, they are about equal masses.",
                 ),
                 _ => (
                     questions,
@@ -103,17 +103,16 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
 }
 
 /// Whether a choice can be opened.
-fn is_open(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> bool {
-    matches!(choice, RoundChoice::Topic | RoundChoice::Code)
-        || choosing.kind(choice, book).is_some()
+fn is_open(choosing: &Choosing, choice: &RoundChoice, cx: &Context) -> bool {
+    matches!(choice, RoundChoice::Topic | RoundChoice::Code) || choosing.kind(choice, cx).is_some()
 }
 
-fn rounds(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
+fn rounds(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
     let mut panel = Panel::new("choose a round");
     let chosen = choosing.rounds.chosen(choosing.choices().len());
     for (i, (_, choice)) in choosing.choices().iter().enumerate() {
-        let ChoiceWords { name, beside, .. } = words(choosing, choice, book);
-        let role = match is_open(choosing, choice, book) {
+        let ChoiceWords { name, beside, .. } = words(choosing, choice, &cx.book);
+        let role = match is_open(choosing, choice, cx) {
             true => Role::Text,
             false => Role::Dim,
         };
@@ -129,7 +128,8 @@ fn rounds(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
     panel
 }
 
-fn about_round(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
+fn about_round(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
+    let book = &cx.book;
     let mut panel = Panel::new("this round");
     let choice = choosing.choice();
     let about = words(choosing, choice, book).about;
@@ -151,7 +151,7 @@ fn about_round(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
         RoundChoice::Review => about_review(choosing, &mut panel),
         _ => {}
     }
-    if is_open(choosing, choice, book) {
+    if is_open(choosing, choice, cx) {
         panel.gap();
         let next = match choice {
             RoundChoice::Topic => "choose a topic",
@@ -309,7 +309,7 @@ fn about_codes() -> Panel<ChoosingAction> {
     for (code, means) in [
         ("even-7", "ten, mixed"),
         ("even12-7", "twelve"),
-        ("find-out-7", "beliefs"),
+        ("beliefs-7", "beliefs"),
         ("quick-7", "five"),
         ("exam-7", "an exam"),
         ("speeds-7", "one topic"),

@@ -1,0 +1,132 @@
+//! Whether the path leads everybody on: `cargo bench --bench path`.
+//!
+//! Simulated learners follow the next step from the first start, through the program's own bookmarks,
+//! stars and answers, until every chapter is done or known and no misconception is left, and on until
+//! nothing but the table remains. `-- 10` takes 10 learners of each kind instead of 100.
+
+use std::thread;
+
+use carrom::path::Step;
+
+#[path = "students/learner.rs"]
+mod learner;
+mod students;
+
+use learner::{Habit, Learner};
+use students::Belief;
+
+/// No learner should need as many steps.
+const MOST_STEPS: usize = 1_000;
+/// No step should come up as often in a row.
+const IN_A_ROW: usize = 8;
+
+/// How one learner fared.
+struct Journey {
+    /// The steps and days to the end of the chapters; `None` on a plateau.
+    arrived: Option<(usize, i64)>,
+    /// The steps to the table, where nothing else is left.
+    finished: Option<usize>,
+    /// Questions answered, chapters read and pages read against a misconception.
+    answered: usize,
+    chapters: usize,
+    /// What comes next at the end.
+    next: String,
+    looped: bool,
+}
+
+fn follow(belief: Belief, habit: Habit, seed: u64) -> Journey {
+    let mut learner = Learner::new(belief, habit, seed);
+    let (mut arrived, mut finished) = (None, None);
+    while learner.steps.len() < MOST_STEPS && finished.is_none() {
+        learner.take_step();
+        if arrived.is_none() && learner.has_arrived() {
+            arrived = Some((learner.steps.len(), learner.days()));
+        }
+        let at_table = learner.steps.last() == Some(&Step::Table);
+        if at_table && (arrived.is_some() || habit == Habit::OnlyPlays) {
+            finished = Some(learner.steps.len());
+        }
+    }
+    let same = |steps: &[Step]| steps.iter().all(|it| *it == steps[0]);
+    let begins = |it: &&Step| matches!(it, Step::Read { page: None, .. });
+    Journey {
+        arrived,
+        finished,
+        answered: learner.answered(),
+        chapters: learner.steps.iter().filter(begins).count(),
+        next: learner.next().words,
+        looped: learner.steps.windows(IN_A_ROW).any(same),
+    }
+}
+
+fn middle_and_most<T: Copy + Ord>(all: impl Iterator<Item = T>) -> Option<(T, T)> {
+    let mut all: Vec<T> = all.collect();
+    all.sort_unstable();
+    Some((*all.get(all.len() / 2)?, *all.last()?))
+}
+
+fn print(name: &str, journeys: &[Journey]) {
+    let arrived = journeys.iter().filter_map(|it| it.arrived);
+    let steps = middle_and_most(arrived.clone().map(|(steps, _)| steps));
+    let days = middle_and_most(arrived.clone().map(|(_, days)| days));
+    let finished = middle_and_most(journeys.iter().filter_map(|it| it.finished));
+    let answered = middle_and_most(journeys.iter().map(|it| it.answered));
+    let chapters = middle_and_most(journeys.iter().map(|it| it.chapters));
+    let words = |it: Option<(usize, usize)>| {
+        it.map_or("-".into(), |(middle, most)| format!("{middle} / {most}"))
+    };
+    let days = days.map_or("-".into(), |(middle, most)| format!("{middle} / {most}"));
+    println!(
+        "  {name:26}{:4}  {:>11}{days:>10}{:>12}{:>12}{:>11}  {}",
+        arrived.count(),
+        words(steps),
+        words(finished),
+        words(answered),
+        words(chapters),
+        match journeys
+            .iter()
+            .find(|it| it.arrived.is_none() || it.finished.is_none() || it.looped)
+        {
+            None => "no plateau, no loop".to_owned(),
+            Some(it) if it.looped => format!("LOOP, at: {}", it.next),
+            Some(it) => format!("plateau, at: {}", it.next),
+        },
+    );
+}
+
+fn main() {
+    let learners = std::env::args().filter_map(|arg| arg.parse().ok()).next();
+    let learners: u64 = learners.unwrap_or(100);
+    let mut kinds: Vec<(String, Belief, Habit)> = Belief::ALL
+        .iter()
+        .map(|it| (it.name().to_owned(), *it, Habit::Follows))
+        .collect();
+    let pauses = ("45/45, a week away", Belief::HalfAndHalf, Habit::Pauses);
+    let plays = ("plays levels alone", Belief::IgnoresMass, Habit::OnlyPlays);
+    kinds.extend([pauses, plays].map(|(name, belief, habit)| (name.to_owned(), belief, habit)));
+    println!("{learners} learners of each kind; the median / the most of those who arrive:");
+    println!(
+        "  {:26}{:>4}  {:>11}{:>10}{:>12}{:>12}{:>11}",
+        "", "arrive", "steps", "days", "to the table", "answers", "chapters"
+    );
+    let journeys: Vec<Vec<Journey>> = thread::scope(|scope| {
+        let halves = kinds.chunks(kinds.len().div_ceil(2));
+        let of = |kinds: &[(String, Belief, Habit)]| -> Vec<Vec<Journey>> {
+            let each = kinds.iter();
+            each.map(|(_, belief, habit)| {
+                (0..learners)
+                    .map(|seed| follow(*belief, *habit, 1_000 + seed))
+                    .collect()
+            })
+            .collect()
+        };
+        let running: Vec<_> = halves.map(|half| scope.spawn(move || of(half))).collect();
+        running
+            .into_iter()
+            .flat_map(|it| it.join().unwrap_or_default())
+            .collect()
+    });
+    for ((name, ..), journeys) in kinds.iter().zip(&journeys) {
+        print(name, journeys);
+    }
+}

@@ -1,0 +1,409 @@
+//! The path through carrom: one next step for a player, the reason for it, and what is done.
+//!
+//! The order is fixed, and each step rests on something that the next answers change, so that the
+//! path has no loops:
+//!
+//! 1. a misconception that is not settled: the page that treats it, then a check. A failed check
+//!    rests until the next day;
+//! 2. a chapter that was begun;
+//! 3. *Find out*, while almost nothing is known of the player;
+//! 4. the next chapter for what was missed: the first that is neither done nor shown to be known,
+//!    up to the one that teaches it; if most answers are right, that one alone;
+//! 5. a review of what is due, one a day;
+//! 6. the next chapter that is neither done nor shown to be known; if most answers are right,
+//!    questions about it instead, because what is known need not be read;
+//! 7. the next pack of levels;
+//! 8. the table.
+
+use indexmap::{IndexMap, IndexSet};
+
+use crate::lessons::{Book, Chapter};
+use crate::levels::Shelf;
+use crate::numbers::counted;
+use crate::progress::{Attempt, Calendar, Due, LESSON, Tally, UnsettledBelief, unsettled};
+use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, Topic};
+
+/// How many answers *Find out* needs to find something.
+const ENOUGH_ANSWERS: usize = 3;
+/// How many chapters are asked about at once.
+const ASKED_AT_ONCE: usize = 3;
+
+/// How many answers of the quiz make a player no longer new.
+const NEW: usize = 10;
+/// What a new player is asked about: collisions of equal masses, in pictures.
+const FIRST_TOPICS: [&str; 4] = [
+    "equal-masses",
+    "equal-masses-by-offset",
+    "from-the-picture",
+    "corner-without-loss",
+];
+
+/// What is known of a player.
+#[derive(Debug, Clone, Copy)]
+pub struct PathSoFar<'a> {
+    /// All answers, in the order in which they were given.
+    pub attempts: &'a [Attempt],
+    /// The time now, and the player's days.
+    pub calendar: &'a Calendar,
+    /// The chapters, with the player's bookmarks.
+    pub book: &'a Book,
+    /// The levels, with the player's stars.
+    pub shelf: &'a Shelf,
+}
+
+/// Something to do next.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Step {
+    /// Read the page that treats a misconception.
+    ReadPage {
+        /// The chapter's place among all, from 0.
+        chapter: usize,
+        /// The page, from 0.
+        page: usize,
+    },
+    /// Answer questions that could show a misconception again.
+    Check(Misconception),
+    /// Continue a chapter that was begun, or begin one.
+    Read {
+        /// The chapter's place among all, from 0.
+        chapter: usize,
+        /// The page to continue at, from 0; `None` if the chapter was never opened.
+        page: Option<usize>,
+    },
+    /// Find out what the player believes.
+    FindOut,
+    /// Review the topics that are due.
+    Review(Due),
+    /// Play this level, the next of its pack, by its place among all.
+    Level(usize),
+    /// Answer questions about chapters that were not read.
+    Ask(ChaptersRead),
+    /// Play at the table.
+    Table,
+}
+
+/// The next step, and the reason for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NextStep {
+    /// What to do.
+    pub step: Step,
+    /// The step in a few words: "Continue chapter 4, page 3".
+    pub words: String,
+    /// The reason, in a sentence or two.
+    pub why: String,
+}
+
+/// What is done, and how much there is to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PathDone {
+    /// Chapters that were read and answered, or whose topics the player has shown to know.
+    pub chapters: (usize, usize),
+    /// Misconceptions that were named and are settled.
+    pub beliefs: (usize, usize),
+    /// Packs of which every level was won.
+    pub packs: (usize, usize),
+}
+
+/// Whether the last answer about a topic shows that it is known, or that it is not; `None` for a
+/// right guess.
+type TopicsAsked<'a> = IndexMap<&'a str, Option<bool>>;
+
+impl<'a> PathSoFar<'a> {
+    /// The next step.
+    pub fn next_step(&self) -> NextStep {
+        let topics = self.topics_asked();
+        let is_new = { self.attempts.iter() }
+            .filter(|it| it.family != LESSON)
+            .count();
+        self.belief()
+            .or_else(|| self.begun())
+            .or_else(|| (is_new < ENOUGH_ANSWERS).then(find_out))
+            .or_else(|| self.missed(&topics))
+            .or_else(|| self.review())
+            .or_else(|| self.next_chapter(&topics))
+            .or_else(|| self.pack())
+            .unwrap_or_else(|| NextStep {
+                step: Step::Table,
+                words: "Play at the table".into(),
+                why: "Every chapter is done or known, and every level won.".into(),
+            })
+    }
+
+    /// What is done.
+    pub fn done(&self) -> PathDone {
+        let topics = self.topics_asked();
+        let chapters = self.chapters().len();
+        let open = (0..chapters)
+            .filter(|at| self.is_open(*at, &topics))
+            .count();
+        let (held, named) = unsettled(self.attempts);
+        let mut packs: IndexMap<&str, bool> = IndexMap::new();
+        for (number, (pack, _)) in self.shelf.levels().enumerate() {
+            *packs.entry(&pack.name).or_insert(true) &= self.shelf.stars(number) > 0;
+        }
+        PathDone {
+            chapters: (chapters - open, chapters),
+            beliefs: (named - held.len(), named),
+            packs: (packs.values().filter(|won| **won).count(), packs.len()),
+        }
+    }
+
+    /// What a round without a code asks about: equal masses, what the chapters teach that were
+    /// read, and unless the player is new what was answered before.
+    pub fn topics_met(&self) -> Vec<Topic> {
+        let read = self.book.read_through();
+        let taught = read.flat_map(|chapter| Topic::taught_in(&chapter.id));
+        let answered = self.attempts.iter().filter(|it| it.family != LESSON);
+        let answered: Vec<&str> = answered.map(|it| &*it.topic).collect();
+        let answered = match answered.len() {
+            ..NEW => Vec::new(),
+            _ => answered,
+        };
+        let answered = answered.into_iter().map(|id| Topic::with_id(id.to_owned()));
+        let first = FIRST_TOPICS.map(Topic::with_id).into_iter();
+        let all = first.chain(taught).chain(answered);
+        // A teacher's own topics have no questions here.
+        let all: IndexSet<Topic> = all.filter(|it| !it.families().is_empty()).collect();
+        all.into_iter().collect()
+    }
+
+    fn chapters(&self) -> &'a [Chapter] {
+        &self.book.library().chapters
+    }
+
+    fn is_today(&self, attempt: &Attempt) -> bool {
+        let day = attempt.time_s.and_then(|time_s| self.calendar.day(time_s));
+        day == self.calendar.today()
+    }
+
+    fn belief(&self) -> Option<NextStep> {
+        let (unsettled, _) = unsettled(self.attempts);
+        let ready = |it: &&UnsettledBelief| !(it.failed_check() && self.is_today(it.last));
+        let belief = unsettled.iter().find(ready)?;
+        let misconception = belief.misconception;
+        let name = misconception.name();
+        let why = match belief.times {
+            1 => format!("Because one of your answers showed this: {name}."),
+            times => format!("Because {times} of your answers showed this: {name}."),
+        };
+        let topic = Topic::with_id(belief.last.topic.clone());
+        let passage = misconception.settled_in(&topic, &belief.last.question);
+        let (chapter, page) = self.book.find(passage)?;
+        let number = self.chapters()[chapter].number;
+        Some(match self.has_seen(passage) {
+            false => NextStep {
+                step: Step::ReadPage { chapter, page },
+                words: format!("Read chapter {number}, page {}", page + 1),
+                why,
+            },
+            true => NextStep {
+                step: Step::Check(misconception),
+                words: "Check with two questions".into(),
+                why: format!("{why} Chapter {number}, page {}, treats it.", page + 1),
+            },
+        })
+    }
+
+    fn has_seen(&self, passage: Passage) -> bool {
+        let mark = self.book.mark(passage.chapter);
+        mark.is_some_and(|mark| mark.pages.contains_key(passage.page))
+    }
+
+    fn begun(&self) -> Option<NextStep> {
+        let (chapter, page) = self.book.begun()?;
+        let of_it = &self.chapters()[chapter];
+        let seen = self.book.mark(&of_it.id).map_or(0, |mark| mark.seen(of_it));
+        let why = match of_it.pages.len() - seen {
+            0 => "A question there is not answered yet.".into(),
+            _ => format!("You have read {seen} of its {} pages.", of_it.pages.len()),
+        };
+        Some(NextStep {
+            step: Step::Read {
+                chapter,
+                page: Some(page),
+            },
+            words: format!("Continue chapter {}, page {}", of_it.number, page + 1),
+            why,
+        })
+    }
+
+    /// The topics that were asked about, in the quiz or in a chapter, by their ids.
+    fn topics_asked(&self) -> TopicsAsked<'a> {
+        let mut asked = TopicsAsked::new();
+        for attempt in self.attempts {
+            if let Some(topic) = attempt.quiz_topic() {
+                let guessed = attempt.confidence == Some(Confidence::Guess);
+                let known = (!attempt.right || !guessed).then_some(attempt.right);
+                asked.insert(topic, known);
+            }
+        }
+        asked
+    }
+
+    /// Whether a chapter is neither done nor known. It is known if the last answer about each of
+    /// its topics that was asked shows so; without topics, if the chapter before it is known.
+    fn is_open(&self, at: usize, topics: &TopicsAsked) -> bool {
+        !self.book.is_done(&self.chapters()[at]) && !self.is_known(at, topics)
+    }
+
+    fn is_known(&self, at: usize, topics: &TopicsAsked) -> bool {
+        let mut taught = Topic::taught_in(&self.chapters()[at].id).peekable();
+        if taught.peek().is_none() {
+            return at
+                .checked_sub(1)
+                .is_some_and(|before| self.is_known(before, topics));
+        }
+        let mut asked = taught.filter_map(|it| topics.get(it.id())).peekable();
+        asked.peek().is_some() && asked.all(|known| *known == Some(true))
+    }
+
+    /// Whether most answers of the quiz are right: then chapters are read one by one for what was
+    /// missed there, and not from the first one on.
+    fn knows_most(&self) -> bool {
+        let quiz = self.attempts.iter().filter(|it| it.family != LESSON);
+        let all = Tally::of(quiz);
+        5 * all.right >= 4 * all.attempts
+    }
+
+    /// A chapter is missed if more of its topics were last answered wrong than right.
+    fn missed(&self, topics: &TopicsAsked) -> Option<NextStep> {
+        let knows_most = self.knows_most();
+        let missed = |at: usize| {
+            let taught: Vec<Topic> = Topic::taught_in(&self.chapters()[at].id).collect();
+            let last = |right| {
+                let is_it = move |it: &&Topic| topics.get(it.id()) == Some(&Some(right));
+                taught.iter().filter(is_it)
+            };
+            let wrong = last(false).next().cloned()?;
+            let count = last(false).count();
+            // A single slip of a player who knows most is for the review.
+            (count > last(true).count() && (count > 1 || !knows_most)).then_some(wrong)
+        };
+        let mut open = (0..self.chapters().len()).filter(|at| self.is_open(*at, topics));
+        let (teacher, topic) = open.find_map(|at| Some((at, missed(at)?)))?;
+        let chapter = match knows_most {
+            true => teacher,
+            false => (0..=teacher).find(|at| self.is_open(*at, topics))?,
+        };
+        let name = topic.name();
+        let mut why = format!("Because you missed this: {}.", name.trim_end_matches('?'));
+        if chapter != teacher {
+            let [first, last] = [chapter, teacher].map(|at| self.chapters()[at].number);
+            why += &format!(" Chapter {last} teaches it, and builds on chapter {first}.");
+        }
+        Some(self.begin(chapter, why))
+    }
+
+    fn begin(&self, chapter: usize, why: String) -> NextStep {
+        NextStep {
+            step: Step::Read {
+                chapter,
+                page: None,
+            },
+            words: format!("Read chapter {}", self.chapters()[chapter].number),
+            why,
+        }
+    }
+
+    fn review(&self) -> Option<NextStep> {
+        let is_review = |it: &&Attempt| it.is_of_review() && self.is_today(it);
+        if self.attempts.iter().rev().any(|it| is_review(&it)) {
+            return None;
+        }
+        let due = Due::of(self.attempts, self.calendar);
+        let (first, all) = (due.first().len(), due.now.len());
+        (first > 0).then(|| NextStep {
+            words: format!("Review {}", counted(first, "topic")),
+            why: match all - first {
+                0 => "You missed these, or they have rested long enough.".into(),
+                _ => format!("{all} topics are due. Ten a day are enough."),
+            },
+            step: Step::Review(due),
+        })
+    }
+
+    fn next_chapter(&self, topics: &TopicsAsked) -> Option<NextStep> {
+        let all = self.chapters().len();
+        let last = self.chapters().iter().rposition(|it| self.book.is_done(it));
+        let after = last.map_or(0, |last| last + 1);
+        let mut open = (after..all)
+            .chain(0..after)
+            .filter(|at| self.is_open(*at, topics));
+        if self.knows_most() {
+            let mut open: Vec<usize> = open.collect();
+            open.sort_unstable();
+            return self.ask(&open);
+        }
+        let why = format!("You have read {} chapters.", self.book.done());
+        open.next().map(|chapter| self.begin(chapter, why))
+    }
+
+    /// Questions about the first of these chapters; one without questions is to be read.
+    fn ask(&self, open: &[usize]) -> Option<NextStep> {
+        let has_questions = |at: &&usize| {
+            let id = self.chapters()[**at].id.as_str();
+            ChaptersRead::of([id]).is_some()
+        };
+        let asked = open.iter().filter(has_questions).take(ASKED_AT_ONCE);
+        let asked: Vec<&Chapter> = asked.map(|at| &self.chapters()[*at]).collect();
+        let Some(chapters) = ChaptersRead::of(asked.iter().map(|it| it.id.as_str())) else {
+            let why = "You have not read it yet.".to_owned();
+            return open.first().map(|chapter| self.begin(*chapter, why));
+        };
+        let numbers: Vec<String> = asked.iter().map(|it| it.number.to_string()).collect();
+        let named = match numbers.split_last() {
+            Some((last, [])) => format!("chapter {last}"),
+            Some((last, others)) => format!("chapters {} and {last}", others.join(", ")),
+            None => String::new(),
+        };
+        Some(NextStep {
+            step: Step::Ask(chapters),
+            words: format!("Questions on {named}"),
+            why: format!("You have not read {named}. If you know it already, you can skip it."),
+        })
+    }
+
+    fn pack(&self) -> Option<NextStep> {
+        let level = self.shelf.next()?;
+        let (pack, _) = self.shelf.get(level)?;
+        let won = (0..).zip(self.shelf.levels());
+        let won = won.filter(|(at, (of, _))| of.name == pack.name && self.shelf.stars(*at) > 0);
+        let (won, all) = (won.count(), pack.levels.len());
+        Some(NextStep {
+            step: Step::Level(level),
+            words: format!("Levels: {}", pack.title().to_lowercase()),
+            why: format!("You have won {won} of the {all} levels in this pack."),
+        })
+    }
+}
+
+fn find_out() -> NextStep {
+    NextStep {
+        step: Step::FindOut,
+        words: "Find out what you believe".into(),
+        why: "At most twelve questions, and your answers choose the chapters for you. Guessing is \
+              fine."
+            .into(),
+    }
+}
+
+impl Step {
+    /// The round of the quiz that it is, if it is one.
+    pub fn round(&self) -> Option<CourseKind> {
+        match self {
+            Self::Check(misconception) => Some(CourseKind::Check(*misconception)),
+            Self::FindOut => Some(CourseKind::FindOut),
+            Self::Review(due) => due.course(),
+            Self::Ask(chapters) => Some(CourseKind::Read(chapters.clone())),
+            _ => None,
+        }
+    }
+
+    /// The chapter that it leads to, by its place among all.
+    pub fn chapter(&self) -> Option<usize> {
+        match self {
+            Self::ReadPage { chapter, .. } | Self::Read { chapter, .. } => Some(*chapter),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! The player's next step, as several screens show it: what it is, why, and what is done.
+
+use super::recall::Recall;
+use super::{Context, Next, Route};
+use crate::messages::{StoreAnswer, StoreRequest};
+use crate::path::{NextStep, PathDone, PathSoFar, Step};
+use crate::quiz::{Code, Course};
+use crate::widgets::Role;
+use crate::widgets::panel::Panel;
+
+/// The player's record, and the next step once all of it is known.
+#[derive(Debug, Clone)]
+pub(super) struct Ahead {
+    /// Whose it is.
+    player: String,
+    pub(super) history: Recall,
+    /// The same, requested again: until it arrives the earlier one is shown.
+    again: Option<Recall>,
+    found: Option<(NextStep, PathDone)>,
+}
+
+impl Default for Ahead {
+    /// Nothing is requested yet.
+    fn default() -> Self {
+        Self {
+            player: String::new(),
+            history: Recall::Asked(0),
+            again: None,
+            found: None,
+        }
+    }
+}
+
+impl Ahead {
+    /// Requests all that the next step depends on.
+    pub(super) fn ask(cx: &mut Context) -> Self {
+        cx.ask_for_marks();
+        let player = cx.settings.player.clone();
+        cx.ask(StoreRequest::Stars(player.clone()));
+        Self {
+            player,
+            history: Recall::ask(cx),
+            again: None,
+            found: None,
+        }
+    }
+
+    /// Requests it again, after something else was done.
+    pub(super) fn ask_again(&mut self, cx: &mut Context) {
+        let fresh = Self::ask(cx);
+        match fresh.player == self.player {
+            true => self.again = Some(fresh.history),
+            false => *self = fresh,
+        }
+    }
+
+    /// Takes what came of it, if `answer` is part of that.
+    pub(super) fn take(&mut self, answer: &StoreAnswer, cx: &Context) {
+        self.history.take(answer);
+        if let Some(again) = &mut self.again {
+            again.take(answer);
+            if !matches!(again, Recall::Asked(_)) {
+                self.history = again.clone();
+                self.again = None;
+            }
+        }
+        let Recall::Known(history) = &self.history else {
+            return;
+        };
+        if cx.book.is_known() {
+            let so_far = PathSoFar {
+                attempts: &history.attempts,
+                calendar: &history.calendar,
+                book: &cx.book,
+                shelf: &cx.shelf,
+            };
+            self.found = Some((so_far.next_step(), so_far.done()));
+        }
+    }
+
+    /// The next step, once it is known.
+    pub(super) fn step(&self) -> Option<&NextStep> {
+        self.found.as_ref().map(|(step, _)| step)
+    }
+
+    /// Opens the next step over the screen that shows it.
+    pub(super) fn follow(&self, cx: &mut Context) -> Next {
+        let step = self.step().map(|it| it.step.clone());
+        step.map_or(Next::Stay, |step| Next::Open(route(&step, cx)))
+    }
+
+    /// Writes the next step, which `action` opens, and the reason for it.
+    pub(super) fn write<A>(&self, action: A, panel: &mut Panel<A>) {
+        if let Some((next, _)) = &self.found {
+            panel.paragraph(&next.why, Role::Text);
+            panel.prompt(&next.words, action);
+        }
+    }
+
+    /// Writes how much of the path is done.
+    pub(super) fn write_done<A>(&self, panel: &mut Panel<A>) {
+        let Some((_, done)) = self.found else {
+            return;
+        };
+        for (name, (some, all)) in [
+            ("chapters", done.chapters),
+            ("misconceptions settled", done.beliefs),
+            ("level packs", done.packs),
+        ] {
+            if all > 0 {
+                panel.meter(name, some as f64 / all as f64, format!("{some} of {all}"));
+            }
+        }
+    }
+}
+
+/// Where a step leads.
+fn route(step: &Step, cx: &mut Context) -> Route {
+    if let Step::FindOut = step {
+        // It is explained there before it begins.
+        return Route::Quiz { code: None };
+    }
+    if let Some(kind) = step.round() {
+        let code = Code {
+            course: Course::new(kind),
+            seed: cx.next_seed(),
+        };
+        return Route::Quiz { code: Some(code) };
+    }
+    match *step {
+        Step::ReadPage { chapter, page } => Route::Page {
+            number: chapter,
+            page,
+        },
+        Step::Read { chapter, page } => {
+            let left = cx.book.chapter(chapter).map_or(0, |of_it| {
+                cx.book.mark(&of_it.id).map_or(0, |mark| mark.page(of_it))
+            });
+            match page.filter(|page| *page != left) {
+                Some(page) => Route::Page {
+                    number: chapter,
+                    page,
+                },
+                None => Route::Chapter { number: chapter },
+            }
+        }
+        Step::Level(number) => Route::Level { number },
+        _ => Route::Table,
+    }
+}
