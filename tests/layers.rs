@@ -1,7 +1,7 @@
 //! Checks the layers of the crate: higher modules may use lower ones, never the reverse, and
-//! modules of one layer do not use each other. The layers (here called floors, and the modules
-//! rooms) are read from the maps in the documentation: that of the crate in `lib.rs`, and those
-//! inside a module in its `mod.rs`.
+//! modules of one layer do not use each other. The layers (`floors`) and modules (`rooms`) are
+//! read from the maps in the documentation: for the crate in `lib.rs`, and for the inside of a
+//! module in its `mod.rs`.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -34,7 +34,7 @@ pub const GOLD_CHARGE: f64 = 79.0;
 /// scattering of electrons (K. S. Krane, Introductory Nuclear Physics, 1988, section 3.1).
 const NUCLEAR_RADIUS: f64 = 1.2 * FM;
 
-/// Energy of the α-particles of radium C (²¹⁴Po) in joules: 7.69 MeV.
+/// Energy in joules of radium C's α-particles (from ²¹⁴Po): 7.69 MeV.
 pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
 
 /// Atoms in a cubic metre of gold.

@@ -40,7 +40,7 @@ fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     }
 }
 
-/// The counts and, once there are any, the line of the law.
+/// The counts and, once there are any, the law's curve.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();

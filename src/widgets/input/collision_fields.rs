@@ -113,14 +113,14 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "striker radius",
-        about: "sets the target's width, with the coin's radius",
+        about: "added to the coin's radius: the largest offset",
         value: |spec| FieldValue::number(spec.r1_mm, within("r1_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r1_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r1_mm = radius_mm,
     },
     Row {
         name: "coin radius",
-        about: "sets the target's width, with the striker's radius",
+        about: "added to the striker's radius: the largest offset",
         value: |spec| FieldValue::number(spec.r2_mm, within("r2_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r2_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r2_mm = radius_mm,

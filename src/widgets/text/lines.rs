@@ -226,8 +226,7 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// Writes one of several items side by side to choose from, starting at a column of the next
-    /// row.
+    /// Writes one of several choices that are side by side, at this column of the next row.
     pub(crate) fn beside(
         &mut self,
         column: u16,
