@@ -97,7 +97,13 @@ fn answered_alone(teacher: &Teacher, name: &str) -> Chromium {
         let keys = said(&question.form, &question.form.truth());
         press(&mut browser, &keys, "How sure are you?");
         press(&mut browser, "3<End>", "points");
-        press(&mut browser, "<Enter>", "question");
+        // Enter right after the digit only confirms it: see `SETTLING` in the quiz.
+        thread::sleep(Duration::from_secs(1));
+        press(
+            &mut browser,
+            "<Enter>",
+            &format!("question {} of 10", number + 1),
+        );
     }
     // Waits until all answers are saved.
     let start = Instant::now();
