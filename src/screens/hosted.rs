@@ -100,7 +100,7 @@ pub trait AnyScreen {
 }
 
 /// The smallest number of rows in which an inset can show the two discs of a collision as round.
-const INSET_ROWS: u16 = 6;
+const INSET_ROWS: u16 = 5;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
 pub struct Hosted<S: Screen> {
