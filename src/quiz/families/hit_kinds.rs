@@ -151,7 +151,7 @@ fn mirrored(given: ImpactPoint) -> ImpactPoint {
     }
 }
 
-/// Whether two hits differ in nothing but side, speed and direction.
+/// Whether two hits differ only in side, speed and direction.
 fn same_hit(a: &Hit, b: &Hit) -> bool {
     let close = |x: f64, y: f64| (x - y).abs() < 1e-9;
     a.pieces == b.pieces
@@ -202,7 +202,7 @@ mod tests {
         }
     }
 
-    /// Machines may differ in the last bit of a sine. No hit may depend on it.
+    /// Machines may differ in the last bit of a sine, so no hit may depend on it.
     #[test]
     fn no_choice_depends_on_the_last_bit() {
         let near_tie = |angle: f64| {

@@ -119,7 +119,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
             )
             .chooses(HalfAndHalf, BELOW)
             .says(
-                "Did you assume that equal angles are the limit? There the energy is only shared equally.",
+                "Did you assume that equal angles are the limit? They only mean that the energy is \
+                 shared equally.",
             )
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \

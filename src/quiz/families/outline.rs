@@ -30,7 +30,7 @@ impl Outline {
     /// A question that begins with this text beside this picture.
     pub(super) fn new(text: impl Into<String>, picture: Illustration) -> Self {
         let question = Question {
-            // The generator sets both.
+            // The generator sets the family and the difficulty.
             family: Family::WhereTo,
             difficulty: Difficulty::Middle,
             topic: Topic::with_id(""),

@@ -10,7 +10,7 @@ use crate::quiz::question::{Hit, Misconception, Ray, Rays};
 /// equally well, the earlier one is named.
 pub const OF_RAYS: [Misconception; 13] = *Misconception::ALL
     .first_chunk()
-    .expect("there are more of them");
+    .expect("there are more than 13 misconceptions");
 
 /// A prediction that differs from the truth by less than this, in radians, counts as right.
 const SAME: f64 = 1e-9;

@@ -147,7 +147,7 @@ impl Misconception {
         self.into()
     }
 
-    /// The misconception with this `id`; ids of former versions stay valid.
+    /// The misconception with this `id`; ids from earlier versions stay valid.
     pub fn with_id(id: &str) -> Option<Self> {
         match id {
             "linear-offset" => Some(Self::OffsetAsAngle),
