@@ -62,7 +62,8 @@ pub(super) fn plot_over_time(
     picture.ok_or("A line appears here after three answers with the same confidence.")
 }
 
-/// The range in which each line should be, and where it ended.
+/// The latest share of right answers for each confidence, and the ranges in which the lines should
+/// be.
 pub(super) fn panel_over_time(history: &History, panel: &mut Panel<ProgressAction>) {
     let shares = calibration_over_time(&history.attempts, REACH);
     panel.heading("Right, of the last ten");

@@ -92,7 +92,7 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     }
     let Some(today) = history.calendar.today() else {
         panel.paragraph(
-            "What you know rests for a while; what you missed comes back soon. The dates \
+            "What you know comes back after a while; what you missed comes back soon. The dates \
              will appear here.",
             Role::Text,
         );
