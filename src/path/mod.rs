@@ -402,7 +402,7 @@ impl Step {
         }
     }
 
-    /// The index of the chapter that it leads to.
+    /// The index of the chapter that this step leads to.
     pub fn chapter(&self) -> Option<usize> {
         match self {
             Self::ReadPage { chapter, .. } | Self::Read { chapter, .. } => Some(*chapter),

@@ -56,7 +56,7 @@ pub struct Attempt {
     pub credit: f64,
     /// Whether the answer counts as right.
     pub right: bool,
-    /// How sure the player was; `None` if that was not asked.
+    /// How sure the player was; `None` if the player was not asked.
     #[serde(default)]
     pub confidence: Option<Confidence>,
     /// The misconception that the answer fits, by its name in files.
@@ -243,7 +243,7 @@ const MISCONCEPTIONS: &str = "misconceptions";
 /// The key of the chance that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
-/// The chance that a guess fits a number or one ray, as in questions.
+/// The chance that a guess fits a number or one ray, as for quiz questions.
 const ONE_BY_CHANCE: f64 = 0.08;
 
 #[cfg(test)]

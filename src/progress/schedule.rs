@@ -217,7 +217,7 @@ mod tests {
         assert_eq!(topics, ["b", "a"]);
     }
 
-    /// A missed question of a chapter about the topic "a", this many days after the first.
+    /// A missed question about the topic "a" in a chapter, on this day.
     fn missed_in_a_chapter(day: i64) -> Attempt {
         let mut attempt = Attempt {
             family: LESSON.into(),

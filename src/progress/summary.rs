@@ -169,9 +169,11 @@ impl<'a> Summary<'a> {
         vec![
             format!("{found}: {}.", misconception.name()),
             format!(
-                "Your answers to questions {} and {last} show it: {first} that could. Such answers \
-                 are {} as likely from somebody who {somebody} as from somebody who guesses.",
+                "Your answers to questions {} and {last} show it, out of {} that could have. Such \
+                 answers are {} as likely from somebody who {somebody} as from somebody who \
+                 guesses.",
                 others.join(", "),
+                first.asked,
                 times_as(first.weight),
             ),
             misconception.advice().into(),

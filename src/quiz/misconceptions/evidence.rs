@@ -15,11 +15,11 @@ use crate::quiz::question::{Answer, Fit, Misconception, Question, WrongAnswer};
 /// question that could: by a slip, in doubt, or because of another idea.
 pub(crate) const SLIP: f64 = 0.15;
 
-/// How many times as likely the answers must be from somebody who holds a misconception as from
-/// somebody who guesses before it is named.
+/// A misconception is named once the answers are this many times as likely from somebody who holds
+/// it as from somebody who guesses.
 pub(crate) const NAMED_ODDS: f64 = 40.0;
 
-/// The least number of different questions that must show a misconception before it is named.
+/// The minimum number of different questions that must show a misconception before it is named.
 pub(crate) const NAMED_QUESTIONS: usize = 2;
 
 /// The evidence of one answer for and against misconceptions.
@@ -141,7 +141,7 @@ impl Evidence {
         self.weight <= -NAMED_ODDS.ln()
     }
 
-    /// Orders the stronger evidence first, compared to a millionth.
+    /// Orders the stronger evidence first; the weights are compared to a millionth.
     pub(crate) fn stronger_first(&self, other: &Self) -> Ordering {
         let rank = |it: &Self| (1e6 * it.weight).round() as i64;
         rank(other).cmp(&rank(self))
@@ -159,7 +159,7 @@ impl fmt::Display for Evidence {
 }
 
 /// The evidence of these answers for each misconception that they could have shown, the strongest
-/// first; equals are in the order of [`Misconception::ALL`].
+/// first; equally strong ones are in the order of [`Misconception::ALL`].
 pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     let each = Misconception::ALL.iter();
     let mut all: Vec<Evidence> = each.map(|it| Evidence::of(*it, clues)).collect();

@@ -39,7 +39,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// What counts as right, in words: see [`distance`](Self::distance).
+    /// The tolerances in words: see [`distance`](Self::distance).
     pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
                                     never more than 4°, 4 percentage points or 0.04 off; any other \
                                     number within a twentieth";

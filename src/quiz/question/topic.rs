@@ -65,7 +65,7 @@ static CASES: LazyLock<Vec<CaseRow>> = LazyLock::new(|| {
     rows.filter_map(Result::ok).collect()
 });
 
-/// Which case a question is about, by its figures: "lossy", "unequal" for the masses, or "equal".
+/// The case that a question is about, from its figures: "lossy", "unequal" (masses) or "equal".
 pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
     let figure = |name: &str| figures.get(name).and_then(|it| it.as_f64());
     if figure("restitution").is_some_and(|e| e < 1.0) {

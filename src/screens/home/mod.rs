@@ -25,7 +25,7 @@ pub(crate) struct Home {
 const ALPHA_DEG: f64 = -50.0;
 
 impl Default for Home {
-    /// The first line is chosen; the picture shows a collision at its contact.
+    /// The first line is chosen; the picture shows a collision at the moment of contact.
     fn default() -> Self {
         let shot = CollisionSpec {
             point: ImpactPoint::Angle {

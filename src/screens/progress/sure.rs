@@ -12,7 +12,7 @@ use crate::widgets::picture::Picture;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
-/// The number of answers with one confidence in each share.
+/// The number of answers with one confidence from which each share is calculated.
 const REACH: usize = 10;
 /// The number of recent answers that are shown.
 const SHOWN: usize = 200;

@@ -28,8 +28,8 @@ use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
-/// How long Enter does not close a verdict that appears at once: a player who presses a digit for
-/// the confidence and then Enter means to confirm the digit.
+/// For this long, Enter does not close a verdict that appears at once: a player who presses a digit
+/// for the confidence and then Enter means to confirm the digit.
 const SETTLING: Duration = Duration::from_millis(500);
 
 /// Returns to choosing a round.

@@ -238,7 +238,7 @@ mod tests {
         }
     }
 
-    /// Whatever the collision, the blank steps do not show the values that the student has to find.
+    /// The blank steps of any collision do not show the values that the student has to find.
     #[test]
     fn a_blank_step_does_not_show_its_result() {
         let setup = CollisionSpec {
