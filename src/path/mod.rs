@@ -125,7 +125,7 @@ impl<'a> PathSoFar<'a> {
             .unwrap_or_else(|| NextStep {
                 step: Step::Table,
                 words: "Play at the table".into(),
-                why: "Every chapter is done or known, and every level won.".into(),
+                why: "Every chapter is done or known, and every level is won.".into(),
             })
     }
 

@@ -206,7 +206,7 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         ))
         .number(Measure::Angle, deg_from_rad(alpha))
         .wrong(HalfAndHalf, 45.0)
-        .says("Your answer is close to 45°, right only for a very heavy striker.")
+        .says("Your answer is close to 45°, which is right only for a very heavy striker.")
         .wrong(CopiedAngle, theta1_deg)
         .says("That is the deflection itself. The impact angle is the coin's direction.")
         .wrong(DoubleAngleForgotten, 90.0 - theta1_deg)

@@ -128,7 +128,7 @@ impl ShotTask {
             .says("Your offset fits an angle close to 90° between the paths. That is right only for equal masses.")
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
             .says(format!(
-                "You used the line of impact, which is the {name}'s path, as the striker's path."
+                "You used the line of impact, the {name}'s path, as the striker's path."
             ))
             .wrong(
                 OffsetAsAngle,

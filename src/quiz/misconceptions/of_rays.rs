@@ -78,7 +78,7 @@ impl Misconception {
             }
             Self::AlwaysSquare => "Your paths are close to 90° apart, as for equal masses.".into(),
             Self::HalfAndHalf => {
-                "Your angles are close to 45° each: right only at one offset.".into()
+                "Your angles are close to 45° each. That is right at only one offset.".into()
             }
             Self::Swapped => match hit.truth() {
                 Rays {

@@ -197,7 +197,7 @@ pub enum NoCode {
     )]
     Count,
     /// The number of questions in ten hits is fixed.
-    #[error("expected no number of questions in the code of ten hits, as in hits-7")]
+    #[error("expected the code of ten hits without a number of questions, as in hits-7")]
     Hits,
     /// A review, or a round about what a player has met, depends on that player's record.
     #[error(

@@ -66,7 +66,7 @@ pub(super) fn plot_over_time(
 /// be.
 pub(super) fn panel_over_time(history: &History, panel: &mut Panel<ProgressAction>) {
     let shares = calibration_over_time(&history.attempts, REACH);
-    panel.heading("Right, of the last ten");
+    panel.heading("Right among the last ten");
     for (confidence, shares) in Confidence::ALL.into_iter().zip(&shares).rev() {
         let now = shares.last().map(|(_, share)| *share);
         panel.fact(confidence.name(), percent(now));
