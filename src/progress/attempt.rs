@@ -13,7 +13,7 @@ pub const LESSON: &str = "lesson";
 
 /// The largest possible error of an angle, in degrees, with a margin for rounding.
 const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
-/// The most choices in a chapter, with room for later versions.
+/// The largest number of choices in a chapter's question, with room for later versions.
 const MOST_LINES: u64 = 26;
 
 /// Writes figures as a JSON object.
@@ -56,7 +56,7 @@ pub struct Attempt {
     pub credit: f64,
     /// Whether the answer counts as right.
     pub right: bool,
-    /// How sure the player was; `None` if that was not asked.
+    /// How sure the player was; `None` if the player was not asked.
     #[serde(default)]
     pub confidence: Option<Confidence>,
     /// The misconception that the answer fits, by its name in files.
@@ -137,7 +137,7 @@ impl Attempt {
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// The evidence for misconceptions in this answer. Unknown ones are left out. If the
+    /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If the
     /// misconceptions that an answer could have shown were not stored, only the one that it did
     /// show is known.
     pub(super) fn clue(&self) -> Clue {
@@ -175,8 +175,8 @@ impl Attempt {
         self.family != LESSON && self.round().starts_with("review")
     }
 
-    /// The topic of the quiz that it is about; for a checkpoint of a chapter, the one by which it
-    /// is reviewed.
+    /// The quiz topic of the answer; for a checkpoint of a chapter, the topic under which it is
+    /// reviewed.
     pub(crate) fn quiz_topic(&self) -> Option<&str> {
         match self.family.as_str() {
             LESSON => self.question.get(REVIEWED_BY)?.as_str(),
@@ -184,7 +184,7 @@ impl Attempt {
         }
     }
 
-    /// Points by how close it was, 0 to [`Grade::MOST`], without the confidence.
+    /// Points for accuracy, 0 to [`Grade::MOST`], without the confidence.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
@@ -211,8 +211,8 @@ impl Attempt {
     }
 }
 
-/// Whether this can answer a checkpoint of a chapter: two rays, any number, or a choice counted
-/// from 1.
+/// Whether this is a possible answer to a checkpoint of a chapter: two rays, any number, or a
+/// choice counted from 1.
 fn lesson_answer_is_possible(answer: &Figures) -> bool {
     match (answer.get("number"), answer.get("choice")) {
         (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
@@ -234,16 +234,16 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
 /// The key in [`Attempt::question`] of the code of the round.
 pub(crate) const ROUND: &str = "round";
 
-/// Where the question of a chapter has the topic by which it is reviewed.
+/// The key of the topic under which a question of a chapter is reviewed.
 pub(crate) const REVIEWED_BY: &str = "topic";
 
-/// Where it says what an answer could have shown.
+/// The key of the misconceptions that an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
 /// The key of the chance that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
-/// The chance that a guess fits a number or one ray, as in questions.
+/// The chance that a guess fits a number or one ray, as for quiz questions.
 const ONE_BY_CHANCE: f64 = 0.08;
 
 #[cfg(test)]
