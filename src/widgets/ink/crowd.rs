@@ -61,9 +61,9 @@ impl Canvas {
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         let fewest_rows = match self.charset {
             Charset::Ascii => token_rows(self.charset),
-            Charset::Unicode if self.is_mono => 1.4,
             // A little less than the height of a coin on the whole board in a window with 30 rows.
-            Charset::Unicode => 1.05,
+            Charset::Unicode if self.has_shades => 1.05,
+            Charset::Unicode => 1.4,
         };
         2.0 * smallest / self.view().per_row() >= fewest_rows
     }
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn discs_are_all_tokens_or_all_round() {
         let area = Rect::new(0, 0, 61, 31);
-        for (scale, round) in [(0.33, true), (0.5, false)] {
+        for (scale, round) in [(0.33, true), (0.4, false)] {
             let mut canvas = Canvas::new(View::new(area, DVec2::ZERO, scale), Charset::Unicode);
             // On its own, the large disc would be round at both scales.
             let large = Body::new(dvec2(6.0, 0.0), 0.9, Role::Striker, 'S');
