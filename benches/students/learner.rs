@@ -214,7 +214,7 @@ impl Learner {
                     truth => truth,
                 };
                 let tried = (&answer, false);
-                let attempt = learn::attempt("Ada", &of_it, at, &form, tried);
+                let attempt = learn::attempt("Ada", &of_it, at, (&form, None), tried);
                 self.attempts.push(Attempt {
                     right: knows,
                     time_s: Some(self.time_s),

@@ -186,7 +186,7 @@ impl<'a> PathSoFar<'a> {
             1 => format!("Because one of your answers showed this: {name}."),
             times => format!("Because {times} of your answers showed this: {name}."),
         };
-        let topic = Topic::with_id(belief.last.topic.clone());
+        let topic = Topic::with_id(belief.last.quiz_topic().unwrap_or_default().to_owned());
         let passage = misconception.settled_in(&topic, &belief.last.question);
         let (chapter, page) = self.book.find(passage)?;
         let number = self.chapters()[chapter].number;

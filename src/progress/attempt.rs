@@ -74,29 +74,44 @@ impl Attempt {
         answer: &Answer,
     ) -> Self {
         let grade = Grade::new(question, answer);
-        let mut figures = question.figures.clone();
-        figures.insert(ROUND.into(), code.to_string().into());
-        figures.insert("difficulty".into(), question.difficulty.id().into());
-        let clue = Clue::new(question, answer);
-        let beliefs = clue.could_show.iter().map(|it| it.id());
-        figures.insert(MISCONCEPTIONS.into(), beliefs.collect());
-        figures.insert(BY_CHANCE.into(), clue.by_chance.into());
-        Self {
+        let figures = [
+            (ROUND, code.to_string()),
+            ("difficulty", question.difficulty.id().into()),
+        ];
+        let attempt = Self {
             time_s: None,
             player: player.to_owned(),
             family: question.family.id().to_owned(),
             topic: question.topic.id().to_owned(),
             seed: code.seed,
             number,
-            question: figures,
+            question: figures
+                .map(|(name, it)| (name.into(), it.into()))
+                .into_iter()
+                .collect(),
             answer: question.form.kept(&answer.said),
             truth: question.form.kept(&question.form.truth()),
             error_deg: grade.angle_error.map(deg_from_rad),
             credit: grade.credit,
             right: grade.right,
             confidence: Some(answer.confidence),
-            misconception: clue.shows.map(|it| it.id().to_owned()),
-        }
+            misconception: None,
+        };
+        attempt.with_evidence(question, answer)
+    }
+
+    /// This attempt with the figures of a question, and the evidence for misconceptions in the
+    /// answer to it.
+    pub(crate) fn with_evidence(mut self, question: &Question, answer: &Answer) -> Self {
+        let clue = Clue::new(question, answer);
+        let beliefs = clue.could_show.iter().map(|it| it.id());
+        self.question.extend(question.figures.clone());
+        self.question
+            .insert(MISCONCEPTIONS.into(), beliefs.collect());
+        self.question
+            .insert(BY_CHANCE.into(), clue.by_chance.into());
+        self.misconception = clue.shows.map(|it| it.id().to_owned());
+        self
     }
 
     /// The name of the topic as shown: "equal masses, by offset", or the title of the chapter.

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
-use serde::Deserialize;
+use serde::{Deserialize, de::DeserializeOwned};
 
 use super::{Family, Figures, Passage};
 
@@ -29,11 +29,14 @@ struct TopicRow {
     page: String,
 }
 
-static ROWS: LazyLock<Vec<TopicRow>> = LazyLock::new(|| {
-    let text = include_str!("../../../assets/topics.csv");
+static ROWS: LazyLock<Vec<TopicRow>> =
+    LazyLock::new(|| rows(include_str!("../../../assets/topics.csv")));
+
+/// The rows of a table in `assets`.
+fn rows<T: DeserializeOwned>(text: &str) -> Vec<T> {
     let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
     rows.filter_map(Result::ok).collect()
-});
+}
 
 /// Which topic a chapter's question is about: a row of `assets/checkpoints.csv`.
 #[derive(Deserialize)]
@@ -43,11 +46,8 @@ struct CheckpointRow {
     topic: String,
 }
 
-static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> = LazyLock::new(|| {
-    let text = include_str!("../../../assets/checkpoints.csv");
-    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
-    rows.filter_map(Result::ok).collect()
-});
+static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> =
+    LazyLock::new(|| rows(include_str!("../../../assets/checkpoints.csv")));
 
 /// The page for a topic in a case that the topic's own page does not cover: a row of
 /// `assets/topic_pages.csv`.
@@ -59,11 +59,8 @@ struct CaseRow {
     page: String,
 }
 
-static CASES: LazyLock<Vec<CaseRow>> = LazyLock::new(|| {
-    let text = include_str!("../../../assets/topic_pages.csv");
-    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
-    rows.filter_map(Result::ok).collect()
-});
+static CASES: LazyLock<Vec<CaseRow>> =
+    LazyLock::new(|| rows(include_str!("../../../assets/topic_pages.csv")));
 
 /// The case that a question is about, from its figures: "lossy", "unequal" (masses) or "equal".
 pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
