@@ -204,11 +204,11 @@ fn any_text(chance: &mut Pcg64Mcg, most: usize) -> String {
 
 /// News that a host may receive from pupils, whatever it has asked them.
 fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
-    let line = chance.random_range(0..12);
+    let connection = chance.random_range(0..12);
     match chance.random_range(0..8) {
-        0 => HostNews::Gone(line),
+        0 => HostNews::Gone(connection),
         1 | 2 => HostNews::Came {
-            line,
+            connection,
             name: any_text(chance, 30),
             seat: (chance.random_bool(0.3)).then(|| SeatToken::of(chance.random_range(0..12))),
             fresh: SeatToken::of(chance.random_range(0..12)),
@@ -224,7 +224,7 @@ fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
                 "",
             ];
             HostNews::Voted {
-                line,
+                connection,
                 question: chance.random_range(0..3),
                 vote: *Vote::BOTH.choose(chance).expect("two"),
                 said: said.choose(chance).copied().unwrap_or_default().into(),
