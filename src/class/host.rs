@@ -76,8 +76,8 @@ pub enum HostNews {
 
 impl HostNews {
     /// The news in a message from a pupil who has joined; `None` for a second request to join.
-    pub(crate) fn said(connection: ConnectionId, saying: ClientMessage) -> Option<Self> {
-        Some(match saying {
+    pub(crate) fn said(connection: ConnectionId, message: ClientMessage) -> Option<Self> {
+        Some(match message {
             ClientMessage::Vote { q, vote, said, n } => Self::Voted {
                 connection,
                 question: q,

@@ -31,7 +31,7 @@ use super::step::ClassStep;
 pub const VERSION: u32 = 1;
 
 /// The largest message from a device, in bytes.
-pub const LARGEST_SAYING: usize = 1024;
+pub const LARGEST_MESSAGE: usize = 1024;
 
 /// The largest hand-in, in bytes: about two thousand answers.
 pub const LARGEST_HAND_IN: usize = 1 << 20;
@@ -80,15 +80,15 @@ impl ClientMessage {
     ///
     /// # Errors
     /// If it is not a message, has another version, or is too long: only a hand-in may be longer
-    /// than [`LARGEST_SAYING`].
+    /// than [`LARGEST_MESSAGE`].
     pub fn read(text: &str) -> Result<Self, Refusal> {
         if text.len() > LARGEST_HAND_IN {
             return Err(Refusal::Format);
         }
         match serde_json::from_str(text) {
             Ok(Self::Join { v, .. }) if v != VERSION => Err(Refusal::Version),
-            Ok(saying @ Self::HandIn { .. }) => Ok(saying),
-            Ok(saying) if text.len() <= LARGEST_SAYING => Ok(saying),
+            Ok(message @ Self::HandIn { .. }) => Ok(message),
+            Ok(message) if text.len() <= LARGEST_MESSAGE => Ok(message),
             _ => Err(Refusal::Format),
         }
     }
@@ -299,8 +299,8 @@ mod tests {
     #[test]
     fn messages_read_back_as_written() {
         let join = r#"{"t":"join","v":1,"code":"bcdfgh","name":"Ada"}"#;
-        let saying = ClientMessage::read(join).unwrap();
-        assert_eq!(saying.to_text(), join);
+        let message = ClientMessage::read(join).unwrap();
+        assert_eq!(message.to_text(), join);
         let vote = r#"{"t":"vote","q":3,"vote":"first","said":"rays 60 still","n":17}"#;
         assert_eq!(ClientMessage::read(vote).unwrap().to_text(), vote);
         assert_eq!(
@@ -318,9 +318,9 @@ mod tests {
             let filling = "x".repeat(bytes - text.len());
             ClientMessage::read(&text.replace("\"\"}", &format!("\"{filling}\"}}")))
         };
-        assert!(hand_in(LARGEST_SAYING + 1).is_ok() && hand_in(LARGEST_HAND_IN).is_ok());
+        assert!(hand_in(LARGEST_MESSAGE + 1).is_ok() && hand_in(LARGEST_HAND_IN).is_ok());
         assert_eq!(hand_in(LARGEST_HAND_IN + 1), Err(Refusal::Format));
-        let said = "x".repeat(LARGEST_SAYING);
+        let said = "x".repeat(LARGEST_MESSAGE);
         let vote = format!(r#"{{"t":"vote","q":3,"vote":"first","said":"{said}","n":17}}"#);
         assert_eq!(ClientMessage::read(&vote), Err(Refusal::Format));
     }

@@ -180,7 +180,7 @@ impl ClassRound {
             })
         });
         let asked = fields.or("asked", None, |name| fields.any_texts(name).map(Some));
-        let door = fields.or("door", None, |name| {
+        let join_code = fields.or("door", None, |name| {
             let parse = |text: &str| text.parse().map_err(|error| format!("{error}"));
             fields.text_as(name, parse).map(Some)
         });
@@ -194,8 +194,8 @@ impl ClassRound {
             let message = "expected your own questions as they were; their files have changed";
             return fields.refuse("asked", message);
         }
-        let (door, address) = (door?, address?);
-        if let Some(code) = door {
+        let (join_code, address) = (join_code?, address?);
+        if let Some(code) = join_code {
             round.open(code, address);
         }
         Some(round)

@@ -573,7 +573,7 @@ impl Session {
             return;
         }
         let waiting = std::mem::take(&mut self.keeping.waiting);
-        self.tell(&waiting);
+        self.send_states(&waiting);
         if !self.keeping.changes.is_empty() {
             let changes = std::mem::take(&mut self.keeping.changes);
             self.has_file = true;
@@ -584,16 +584,16 @@ impl Session {
     }
 
     /// Sends pupils their states.
-    fn tell(&mut self, connections: &BTreeSet<ConnectionId>) {
+    fn send_states(&mut self, connections: &BTreeSet<ConnectionId>) {
         if connections.is_empty() {
             return;
         }
         for it in &mut self.round_mut().participants {
-            let is_told = it
+            let is_connected = it
                 .device
                 .connection
                 .is_some_and(|connection| connections.contains(&connection));
-            it.device.rev += u64::from(is_told);
+            it.device.rev += u64::from(is_connected);
         }
         let revealed = PupilView::new(&self.round, self.step(), self.with_points());
         let people = self.round.participants().iter().enumerate();

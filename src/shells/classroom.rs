@@ -113,7 +113,7 @@ impl Classroom {
         pupil.reaches = reaches;
         if !reaches && let Some(connection) = pupil.connection.take() {
             pupil.hears(JoinNews::Lost("out of reach".into()));
-            self.tell_host(HostNews::Gone(connection));
+            self.notify_host(HostNews::Gone(connection));
         }
         self.settle();
     }
@@ -158,21 +158,21 @@ impl Classroom {
             HostCall::Open { code, .. } => {
                 let code = code.unwrap_or(JoinCode::of(123_456_789));
                 self.code = Some(code);
-                let door = JoinDetails {
+                let details = JoinDetails {
                     code,
                     addresses: vec![ADDRESS],
                     page: Ok(()),
                 };
-                self.tell_host(HostNews::Opened(Ok(door)));
+                self.notify_host(HostNews::Opened(Ok(details)));
             }
             HostCall::Tell(states) => {
                 for (connection, state) in states {
-                    let saying = HostMessage::State(Box::new(state.clone()));
-                    self.tell(*connection, &saying);
+                    let message = HostMessage::State(Box::new(state.clone()));
+                    self.send(*connection, &message);
                 }
             }
             HostCall::Refuse(connection, why) => {
-                self.tell(*connection, &HostMessage::No { why: *why });
+                self.send(*connection, &HostMessage::No { why: *why });
                 if let Some(pupil) = self.at(*connection) {
                     pupil.connection = None;
                 }
@@ -188,7 +188,7 @@ impl Classroom {
         }
     }
 
-    fn tell_host(&mut self, news: HostNews) {
+    fn notify_host(&mut self, news: HostNews) {
         self.host.input(&Input::Hosted(vec![news]));
     }
 
@@ -207,9 +207,9 @@ impl Classroom {
         Ipv4Addr::from(at.map_or(0, |at| at as u32 + 1) | 10 << 24)
     }
 
-    fn tell(&mut self, connection: ConnectionId, saying: &HostMessage) {
+    fn send(&mut self, connection: ConnectionId, message: &HostMessage) {
         if let Some(pupil) = self.at(connection) {
-            pupil.hears(JoinNews::Heard(saying.to_text()));
+            pupil.hears(JoinNews::Heard(message.to_text()));
         }
     }
 
@@ -233,7 +233,7 @@ impl Classroom {
                 };
                 pupil.hears(news);
                 if let Some(connection) = before {
-                    self.tell_host(HostNews::Gone(connection));
+                    self.notify_host(HostNews::Gone(connection));
                 }
             }
             JoinCall::Say(text) => {
@@ -246,7 +246,7 @@ impl Classroom {
             }
             JoinCall::HangUp => {
                 if let Some(connection) = pupil.connection.take() {
-                    self.tell_host(HostNews::Gone(connection));
+                    self.notify_host(HostNews::Gone(connection));
                 }
             }
         }
@@ -260,7 +260,7 @@ impl Classroom {
                 code, name, seat, ..
             }) => {
                 if code.parse().ok() != self.code {
-                    return self.tell(connection, &no(Refusal::Code));
+                    return self.send(connection, &no(Refusal::Code));
                 }
                 HostNews::Came {
                     connection,
@@ -271,12 +271,12 @@ impl Classroom {
                     at: self.passed,
                 }
             }
-            Ok(saying) => match HostNews::said(connection, saying) {
+            Ok(message) => match HostNews::said(connection, message) {
                 Some(news) => news,
                 None => return,
             },
-            Err(why) => return self.tell(connection, &no(why)),
+            Err(why) => return self.send(connection, &no(why)),
         };
-        self.tell_host(news);
+        self.notify_host(news);
     }
 }

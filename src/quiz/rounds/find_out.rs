@@ -180,9 +180,9 @@ fn ask_from(
             }
             // The information is rounded to a millionth of a bit, so that no choice depends on the
             // last digit of a logarithm.
-            let tells = (1e6 * posterior.information(&question)).round() as i64;
-            if best.as_ref().is_none_or(|(most, _)| tells > *most) {
-                best = Some((tells, question));
+            let information = (1e6 * posterior.information(&question)).round() as i64;
+            if best.as_ref().is_none_or(|(most, _)| information > *most) {
+                best = Some((information, question));
             }
         }
     }

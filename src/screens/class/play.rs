@@ -537,8 +537,8 @@ impl ClassPlay {
             0 => Duration::from_secs(1),
             nanos => Duration::from_nanos(nanos.into()),
         });
-        let door = self.stage.session.wake();
-        shot.into_iter().chain(second).chain(door).min()
+        let session = self.stage.session.wake();
+        shot.into_iter().chain(second).chain(session).min()
     }
 }
 

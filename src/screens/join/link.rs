@@ -182,10 +182,10 @@ impl Link {
             _ if self.said => {}
             Some(ClientMessage::Vote { q, .. })
                 if *q == state.q && state.step == PupilStep::Lobby => {}
-            Some(saying @ ClientMessage::Vote { q, vote, .. })
+            Some(message @ ClientMessage::Vote { q, vote, .. })
                 if *q == state.q && open == Some(*vote) =>
             {
-                cx.join(JoinCall::Say(saying.to_text()));
+                cx.join(JoinCall::Say(message.to_text()));
                 self.said = true;
             }
             _ => self.pending = None,
@@ -197,8 +197,8 @@ impl Link {
         let heard = handed.map_or(0, |it| it.n);
         if heard >= self.handed {
             self.handing_in = None;
-        } else if first && let Some(saying) = &self.handing_in {
-            cx.join(JoinCall::Say(saying.to_text()));
+        } else if first && let Some(message) = &self.handing_in {
+            cx.join(JoinCall::Say(message.to_text()));
         }
         self.handed = self.handed.max(heard);
     }
@@ -206,8 +206,8 @@ impl Link {
     /// Hands in this file; returns whether it is small enough.
     pub(super) fn hand_in(&mut self, file: Value, cx: &mut Context) -> bool {
         let n = self.handed.saturating_add(1);
-        let saying = ClientMessage::HandIn { n, file };
-        let text = saying.to_text();
+        let message = ClientMessage::HandIn { n, file };
+        let text = message.to_text();
         if text.len() > LARGEST_HAND_IN {
             return false;
         }
@@ -215,7 +215,7 @@ impl Link {
             cx.join(JoinCall::Say(text));
         }
         self.handed = n;
-        self.handing_in = Some(saying);
+        self.handing_in = Some(message);
         true
     }
 
@@ -224,12 +224,12 @@ impl Link {
         self.n = self.n.saturating_add(1);
         let said = said.map(Said::to_text).unwrap_or_default();
         let n = self.n;
-        let saying = ClientMessage::Vote { q, vote, said, n };
+        let message = ClientMessage::Vote { q, vote, said, n };
         if self.is_in() {
-            cx.join(JoinCall::Say(saying.to_text()));
+            cx.join(JoinCall::Say(message.to_text()));
         }
         self.said = self.is_in();
-        self.pending = Some(saying);
+        self.pending = Some(message);
     }
 
     /// Leaves permanently.

@@ -48,10 +48,10 @@ fn of_watched<'s>(
     watched: &'s AnsweredQuestion,
     cx: &Context,
 ) -> View<'s, QuizAction> {
-    let telling = watched.reveal.is_explaining();
-    let mut text = Panel::new(if telling { "watch" } else { "and why" });
+    let explaining = watched.reveal.is_explaining();
+    let mut text = Panel::new(if explaining { "watch" } else { "and why" });
     text.subject = quiz.number();
-    match telling {
+    match explaining {
         true => panel::watching(watched, &mut text),
         false => panel::feedback(watched, &cx.book, &mut text),
     }

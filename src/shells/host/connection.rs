@@ -15,7 +15,7 @@ use super::head::{self, HttpRequest};
 use super::switchboard::{Connection, Outgoing, Switchboard};
 use super::{hang_up, random, spawn};
 use crate::class::protocol::{
-    ClientMessage, HostMessage, LARGEST_HAND_IN, LARGEST_SAYING, Refusal,
+    ClientMessage, HostMessage, LARGEST_HAND_IN, LARGEST_MESSAGE, Refusal,
 };
 use crate::class::{Allowance, Bucket, CodeVerdict, SeatToken};
 use crate::messages::HostNews;
@@ -181,11 +181,11 @@ fn write_whole(connection: &Connection, bytes: &[u8]) -> io::Result<()> {
 
 fn talk(board: &Arc<Switchboard>, connection: &Arc<Connection>, rest: Vec<u8>) {
     let config = WebSocketConfig::default()
-        .read_buffer_size(2 * LARGEST_SAYING)
+        .read_buffer_size(2 * LARGEST_MESSAGE)
         .write_buffer_size(0)
-        .max_write_buffer_size(8 * LARGEST_SAYING)
-        .max_message_size(Some(LARGEST_SAYING))
-        .max_frame_size(Some(LARGEST_SAYING));
+        .max_write_buffer_size(8 * LARGEST_MESSAGE)
+        .max_message_size(Some(LARGEST_MESSAGE))
+        .max_frame_size(Some(LARGEST_MESSAGE));
     let wire = ServerStream {
         connection: Arc::clone(connection),
         deadline: Some(Instant::now() + JOIN_TIME),
@@ -282,16 +282,16 @@ fn listen(
 ) -> Option<Refusal> {
     let mut messages = Bucket::full(MESSAGES);
     loop {
-        let saying = match next(socket) {
-            Ok(saying) => saying,
+        let message = match next(socket) {
+            Ok(message) => message,
             Err(why) => return why,
         };
-        let weight = match saying {
+        let weight = match message {
             ClientMessage::HandIn { .. } => HAND_IN,
             _ => 1.0,
         };
         thread::sleep(messages.take(weight, board.now()));
-        match HostNews::said(connection.id, saying) {
+        match HostNews::said(connection.id, message) {
             Some(HostNews::Gone(_)) => return None,
             Some(news) => board.hear(news),
             None => return Some(Refusal::Format),

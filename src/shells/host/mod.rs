@@ -81,7 +81,7 @@ impl Host {
             }
             (HostCall::Tell(states), Some(board)) => {
                 for (connection, state) in states {
-                    board.tell(*connection, state.clone());
+                    board.send(*connection, state.clone());
                 }
             }
             (HostCall::Refuse(connection, why), Some(board)) => board.refuse(*connection, *why),

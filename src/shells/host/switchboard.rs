@@ -157,7 +157,7 @@ impl Switchboard {
     }
 
     /// Sends a pupil the state.
-    pub(super) fn tell(&self, id: ConnectionId, state: PupilState) {
+    pub(super) fn send(&self, id: ConnectionId, state: PupilState) {
         if let Some(connection) = self.connection(id) {
             lock(&self.seats).insert(state.seat);
             lock(&connection.outbox).state = Some(HostMessage::State(Box::new(state)).to_text());

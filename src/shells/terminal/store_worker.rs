@@ -40,7 +40,7 @@ impl StoreWorker {
         let (jobs, asked) = mpsc::channel::<Job>();
         let keep = move || {
             for job in asked {
-                tell(store.answer(&job.request), &sender);
+                send(store.answer(&job.request), &sender);
                 // The caller may have stopped waiting.
                 let _ = job.done.send(());
             }
@@ -66,7 +66,7 @@ impl StoreWorker {
         let asked = self.jobs.as_ref().map(|jobs| jobs.send(job));
         if !matches!(asked, Some(Ok(()))) {
             // The thread has panicked; its report is in crash.log.
-            tell(request.refused("the store has stopped"), sender);
+            send(request.refused("the store has stopped"), sender);
             return false;
         }
         let patience = match request.request {
@@ -105,7 +105,7 @@ impl Drop for StoreWorker {
     }
 }
 
-fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
+fn send(answer: StoreAnswer, sender: &Sender<Message>) {
     let shown = sender.send(Message::Input(Input::Kept(Box::new(answer))));
     // There is no receiver only when carrom is quitting anyway.
     if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = shown
