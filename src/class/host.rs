@@ -28,7 +28,7 @@ pub enum HostCall {
     Close,
 }
 
-/// News for the teacher's carrom from its class.
+/// News from the class for the teacher's carrom.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostNews {
     /// Pupils can join, or the reason why they cannot.

@@ -552,8 +552,8 @@ impl Session {
         self.go_on();
     }
 
-    /// If nothing is being saved: notifies the connections that wait, and sends the changes since
-    /// then.
+    /// Once no request is in progress, notifies the waiting connections and requests that newer
+    /// changes be saved.
     fn go_on(&mut self) {
         if self.keeping.asked > 0 {
             return;

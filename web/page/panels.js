@@ -1,4 +1,4 @@
-// The words of the screen as elements: the program's description becomes headings, tables, choices,
+// The text of the screen as elements: the program's description becomes headings, tables, choices,
 // fields and buttons. A node is reused as long as it represents the same item, and only changed
 // nodes are touched.
 

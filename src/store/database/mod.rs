@@ -235,7 +235,7 @@ impl Database {
         Ok(())
     }
 
-    /// Reads something if nothing can be written because of this `trouble`.
+    /// Reads something while this `trouble` prevents writing.
     fn look_only<T>(
         &mut self,
         look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
