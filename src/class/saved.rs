@@ -235,7 +235,7 @@ impl ClassRound {
         }
     }
 
-    /// Goes to the stored place or, if there is none, to the first question without votes.
+    /// Goes to the stored position or, if there is none, to the first question without votes.
     fn goes_where_it_was(&mut self, fields: &Fields) -> Option<()> {
         let last = self.questions().len().saturating_sub(1);
         let question = fields.or("number", self.begun().min(last), |name| {

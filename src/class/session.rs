@@ -250,7 +250,7 @@ impl Session {
         self.step().vote()
     }
 
-    /// Goes to a place in the round, and notifies everybody.
+    /// Goes to a position in the round, and notifies everybody.
     pub fn go(&mut self, place: ClassPlace) {
         self.over = false;
         self.round_mut().go(place);
