@@ -1,8 +1,8 @@
 //! Measures how often carrom names the right misconception: `cargo bench --bench diagnosis`.
 //!
 //! Simulated students answer rounds of *Find out*, of the mixed course and of the older mixed
-//! course; printed is for how many the misconception that is named first is the one they
-//! hold. `-- 50` takes 50 students of each kind instead of 200.
+//! course; the output is the share of students whose own misconception is named first. `-- 50`
+//! simulates 50 students of each kind instead of 200.
 
 use std::thread;
 
@@ -12,7 +12,7 @@ mod students;
 
 use students::{Belief, Belief::Knows, Student};
 
-/// Answers a round to its end: what the answers say.
+/// Answers a whole round, and returns the evidence of the answers.
 fn play(student: &mut Student, code: Code) -> Vec<Clue> {
     let mut round = Round::of(code);
     let mut answers: Vec<Answer> = Vec::new();
@@ -31,7 +31,7 @@ fn play(student: &mut Student, code: Code) -> Vec<Clue> {
 struct Outcome {
     students: usize,
     /// The number of students whose misconception is named first; for students without one, the
-    /// number for whom any is named.
+    /// number for whom any misconception is named.
     named: usize,
     /// The wrong misconceptions that were named first.
     others: Vec<Misconception>,
@@ -62,7 +62,7 @@ fn outcome(belief: Belief, knows: bool, course: &Course, students: u64) -> Outco
     outcome
 }
 
-/// The misconceptions in a list, each with its count.
+/// The four most frequent misconceptions in a list, each with its count.
 fn counted(misconceptions: &[Misconception]) -> String {
     let count = |it: &Misconception| misconceptions.iter().filter(|other| *other == it).count();
     let mut all: Vec<_> = Misconception::ALL
@@ -84,7 +84,7 @@ fn main() {
     let courses = [
         ("find out, at most 12", Course::new(CourseKind::FindOut)),
         (
-            "find out as before, at most 12",
+            "older find out, at most 12",
             Course::new(CourseKind::FindOutFromAny),
         ),
         ("mixed, 20", Course::of(CourseKind::Even, 20)),
@@ -93,7 +93,7 @@ fn main() {
         ("older mixed, 10", Course::of(CourseKind::Mixed, 10)),
     ];
     println!("{students} students of each kind; the share whose own misconception is named first");
-    println!("(for students who know or guess: the share for whom any is named)\n");
+    println!("(for students who know or guess: the share for whom any misconception is named)\n");
     let only = std::env::args().find_map(|arg| arg.strip_prefix("only=").map(str::to_owned));
     for (name, course) in &courses {
         if only

@@ -1,8 +1,9 @@
-//! Whether the path leads everybody on: `cargo bench --bench path`.
+//! Checks that the path leads every learner to its end: `cargo bench --bench path`.
 //!
-//! Simulated learners follow the next step from the first start, through the program's own bookmarks,
-//! stars and answers, until every chapter is done or known and no misconception is left, and on until
-//! nothing but the table remains. `-- 10` takes 10 learners of each kind instead of 100.
+//! Simulated learners start with an empty record and take one suggested step after another, until
+//! every chapter is done or known and no misconception is left, and then until only the table
+//! remains. Their bookmarks, stars and answers are kept in the program's own types. `-- 10`
+//! simulates 10 learners of each kind instead of 100.
 
 use std::thread;
 
@@ -15,21 +16,22 @@ mod students;
 use learner::{Habit, Learner};
 use students::Belief;
 
-/// No learner should need as many steps.
+/// More steps than any learner should need.
 const MOST_STEPS: usize = 1_000;
-/// No step should come up as often in a row.
+/// How often the same step must be suggested in a row to count as a loop.
 const IN_A_ROW: usize = 8;
 
-/// How one learner fared.
+/// The progress of one learner.
 struct Journey {
-    /// The steps and days to the end of the chapters; `None` on a plateau.
+    /// The number of steps and days to the end of the chapters; `None` if it was not reached.
     arrived: Option<(usize, i64)>,
-    /// The steps to the table, where nothing else is left.
+    /// The number of steps until only the table was left; `None` if that was not reached.
     finished: Option<usize>,
-    /// Questions answered, chapters read and pages read against a misconception.
+    /// The number of questions answered.
     answered: usize,
+    /// The number of chapters begun.
     chapters: usize,
-    /// What comes next at the end.
+    /// The next step at the end of the run.
     next: String,
     looped: bool,
 }
@@ -102,9 +104,9 @@ fn main() {
         .map(|it| (it.name().to_owned(), *it, Habit::Follows))
         .collect();
     let pauses = ("45/45, a week away", Belief::HalfAndHalf, Habit::Pauses);
-    let plays = ("plays levels alone", Belief::IgnoresMass, Habit::OnlyPlays);
+    let plays = ("plays only levels", Belief::IgnoresMass, Habit::OnlyPlays);
     kinds.extend([pauses, plays].map(|(name, belief, habit)| (name.to_owned(), belief, habit)));
-    println!("{learners} learners of each kind; the median / the most of those who arrive:");
+    println!("{learners} learners of each kind; median / maximum of those who arrive:");
     println!(
         "  {:26}{:>4}  {:>11}{:>10}{:>12}{:>12}{:>11}",
         "", "arrive", "steps", "days", "to the table", "answers", "chapters"

@@ -1,5 +1,5 @@
-//! Learners who follow the path from the first start: what they read and explanations teach them,
-//! and what they answer and win is kept in the program's own types.
+//! Learners who follow the path from an empty record. Pages and explanations teach them; their
+//! answers and stars are kept in the program's own types.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,28 +14,31 @@ use rand::RngExt;
 use crate::students::{Belief, Student};
 
 const DAY_S: i64 = 86_400;
-/// When learners begin, in seconds since 1970 began, and how long a step takes.
+/// The time at which learners begin, in seconds since the start of 1970.
 const START_S: i64 = 1_800_000_000;
+/// The duration of a step, in seconds.
 const STEP_S: i64 = 900;
-/// How many steps they take in a day.
+/// How many steps learners take per day.
 const STEPS_A_DAY: usize = 6;
-/// How likely the page against it ends a belief, an explanation teaches a topic, and a learner
-/// knows what nobody has taught, answers a question of a chapter and reads a chapter to its end at
-/// once.
+/// The probability that the page about a misconception corrects it.
 const CONVINCED: f64 = 0.7;
+/// The probability that an explanation teaches its topic.
 const EXPLAINED: f64 = 0.5;
+/// The probability that a learner knows something that was not taught.
 const KNOWN: f64 = 0.4;
+/// The probability that a learner answers a question of a chapter correctly.
 const ANSWERED: f64 = 0.8;
+/// The probability that a learner reads a chapter to its end without a break.
 const READ_AT_ONCE: f64 = 0.7;
 
-/// How somebody learns.
+/// How a learner uses the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Habit {
     /// Follows every step.
     Follows,
-    /// The same, but stops for a week after ten steps.
+    /// Follows every step, but pauses for a week after ten steps.
     Pauses,
-    /// Plays levels, whatever the step.
+    /// Plays levels, whatever the next step is.
     OnlyPlays,
 }
 
@@ -45,10 +48,10 @@ pub(crate) struct Learner {
     attempts: Vec<Attempt>,
     book: Book,
     shelf: Shelf,
-    /// Topics that were explained, and chapters that were read.
+    /// The topics that were explained, and the chapters that were read.
     taught: BTreeSet<String>,
     time_s: i64,
-    /// Every step so far.
+    /// All steps so far.
     pub(crate) steps: Vec<Step>,
 }
 
@@ -84,12 +87,12 @@ impl Learner {
         self.so_far(|it| it.done())
     }
 
-    /// How many questions were answered, in the quiz and in chapters.
+    /// The number of questions answered, in the quiz and in chapters.
     pub(crate) fn answered(&self) -> usize {
         self.attempts.len()
     }
 
-    /// How many days have passed.
+    /// The number of days that have passed.
     pub(crate) fn days(&self) -> i64 {
         (self.time_s - START_S) / DAY_S
     }
@@ -106,7 +109,7 @@ impl Learner {
         self.student.dice.random::<f64>() < p
     }
 
-    /// Does what comes next.
+    /// Takes the next step.
     pub(crate) fn take_step(&mut self) {
         let step = match self.habit {
             Habit::OnlyPlays => self.shelf.next().map_or(Step::Table, Step::Level),
@@ -129,7 +132,7 @@ impl Learner {
                 let seed = self.steps.len() as u64;
                 if let Some(course) = course {
                     let is_right = self.play(Code { course, seed });
-                    // The end of a failed check names the page once more.
+                    // The summary of a failed check names the page again.
                     if matches!(step, Step::Check(_)) && !is_right {
                         self.is_convinced();
                     }
@@ -147,18 +150,18 @@ impl Learner {
 
     fn is_convinced(&mut self) {
         if self.student.belief.right().is_some() && self.chance(CONVINCED) {
-            // From now on only what was taught is known.
+            // From now on, the learner knows only what was taught.
             self.student.belief = Belief::Knows;
             self.taught.insert("convinced".into());
         }
     }
 
-    /// Whether the learner knows all, having held no belief from the start.
+    /// Whether the learner has known everything from the start.
     fn knows_all(&self) -> bool {
         self.student.belief == Belief::Knows && !self.taught.contains("convinced")
     }
 
-    /// Plays a round, and returns whether all of it was right.
+    /// Plays a round, and returns whether all answers were right.
     fn play(&mut self, code: Code) -> bool {
         let mut is_right = true;
         let mut round = Round::of(code);
@@ -191,7 +194,7 @@ impl Learner {
         is_right
     }
 
-    /// Reads pages of a chapter, and answers what they ask.
+    /// Reads pages of a chapter, and answers their questions.
     fn read(&mut self, chapter: usize, pages: std::ops::Range<usize>, in_order: bool) {
         let of_it = self.book.library().chapters[chapter].clone();
         let end = match self.chance(READ_AT_ONCE) {
@@ -211,7 +214,7 @@ impl Learner {
                     truth => truth,
                 };
                 let tried = (&answer, false);
-                let attempt = learn::attempt("Ada", &of_it, at, &form, tried);
+                let attempt = learn::attempt("Ada", &of_it, at, (&form, None), tried);
                 self.attempts.push(Attempt {
                     right: knows,
                     time_s: Some(self.time_s),

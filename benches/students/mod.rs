@@ -1,7 +1,7 @@
-//! Simulated students: they work out rays and numbers by physics of their own, none of which is the
-//! grader's. Of choices they take the one that says what they believe. Where their belief says
-//! nothing they either guess or know the answer. Their hand is unsteady: 2° (one standard
-//! deviation) on every angle, 2 % on every other number.
+//! Simulated students. Their rays and numbers are calculated here, without the grader's code. Among
+//! choices they take the one that agrees with their belief. If their belief gives no answer, they
+//! either guess or know the right one. Every angle has a random error with a standard deviation of
+//! 2°, every other number one of 2 %.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,7 +11,7 @@ use carrom::quiz::{
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// Standard deviation of an angle, in degrees, and of any other number, as a share of it.
+/// The standard deviation of an angle, in degrees, and the relative one of any other number.
 const NOISE: (f64, f64) = (2.0, 0.02);
 
 /// What a student believes.
@@ -21,22 +21,22 @@ pub(crate) enum Belief {
     CopiesTheAngle,
     /// Both leave at 45°.
     HalfAndHalf,
-    /// The two part at 90°, whatever they weigh and lose.
+    /// The angle between the paths is always 90°, whatever the masses and the loss.
     AlwaysSquare,
-    /// Right for equal masses, which all are taken to be.
+    /// All masses are treated as equal.
     IgnoresMass,
-    /// Both angles right, each given to the other.
+    /// Both angles are right, but swapped.
     Swapped,
-    /// A heavier striker goes straight on; a heavier target throws the striker back as a wall.
+    /// A heavier striker goes straight on; a heavier target reflects it like a wall.
     HeavyUnmoved,
-    /// The head-on formula for the whole velocity, at any angle.
+    /// The head-on formula is used with the whole velocity, at any angle.
     HeadOnFormula,
-    /// The right angle is seen from the centre of mass, and every angle of that frame and of
-    /// the board is taken for that of the other.
+    /// The right angle is expected in the centre-of-mass frame, and the angles of that frame and of
+    /// the laboratory frame are confused.
     SquareInTheCentreFrame,
-    /// Nothing; every answer is right.
+    /// No misconception; every answer is right.
     Knows,
-    /// Nothing; every answer is a guess.
+    /// No misconception; every answer is a guess.
     Guesses,
 }
 
@@ -65,13 +65,13 @@ impl Belief {
             Swapped => "swapped",
             HeavyUnmoved => "heavier unmoved",
             HeadOnFormula => "head-on formula",
-            SquareInTheCentreFrame => "90° in the centre's frame",
+            SquareInTheCentreFrame => "90° in the CM frame",
             Knows => "knows",
             Guesses => "guesses",
         }
     }
 
-    /// The misconception that is to be named.
+    /// The misconception that should be named.
     pub(crate) fn right(self) -> Option<Misconception> {
         Some(match self {
             CopiesTheAngle => Misconception::CopiedAngle,
@@ -86,10 +86,10 @@ impl Belief {
     }
 }
 
-/// A student at work.
+/// A simulated student.
 pub(crate) struct Student {
     pub(crate) belief: Belief,
-    /// Whether they know the answer where their belief says nothing; else they guess.
+    /// Whether they know the answer if their belief gives none; otherwise they guess.
     pub(crate) knows_elsewhere: bool,
     pub(crate) dice: Pcg64,
 }
@@ -123,12 +123,13 @@ impl HitFigures {
         })
     }
 
-    /// The striker's and the target's angle in degrees off the old path, each to its own side,
-    /// by the impulse along the line of centres; `None` for one that stays.
+    /// The angles of the striker and the target to the original direction, in degrees, each
+    /// positive on its own side, calculated from the impulse along the line of impact; `None` for a
+    /// disc that stays at rest.
     fn angles(&self) -> (Option<f64>, Option<f64>) {
         let (sin, cos) = self.alpha.to_radians().sin_cos();
         let given_up = (1.0 + self.e) * self.m2 / (self.m1 + self.m2) * cos;
-        // What is left of the velocity: ahead, and to the side away from the target.
+        // The components of the final velocity: straight ahead, and away from the target.
         let (ahead, aside) = (1.0 - given_up * cos, given_up * sin);
         let moves = ahead.hypot(aside) > 1e-9;
         (
@@ -137,7 +138,7 @@ impl HitFigures {
         )
     }
 
-    /// The same with both masses equal.
+    /// The same hit with equal masses.
     fn as_equals(&self) -> Self {
         Self {
             m1: self.m1,
@@ -146,7 +147,7 @@ impl HitFigures {
         }
     }
 
-    /// Both speeds after a hit in which no angle matters.
+    /// Both final speeds by the head-on formula, which ignores the angle.
     fn head_on_speeds(&self) -> (f64, f64) {
         let all = self.m1 + self.m2;
         (
@@ -156,7 +157,8 @@ impl HitFigures {
     }
 }
 
-/// The rays a student means, in degrees, each to its own side; `None` for a disc that stays.
+/// The rays that a student predicts, in degrees, each positive on its own side; `None` for a disc
+/// that stays at rest.
 type Angles = (Option<f64>, Option<f64>);
 
 impl Student {
@@ -172,13 +174,13 @@ impl Student {
         from + (to - from) * self.dice.random::<f64>()
     }
 
-    /// From a normal distribution about 0 (Box and Muller).
+    /// A random number from the standard normal distribution (Box and Muller).
     fn normal(&mut self) -> f64 {
         let radius = (-2.0 * (1.0 - self.dice.random::<f64>()).ln()).sqrt();
         radius * (TAU * self.dice.random::<f64>()).cos()
     }
 
-    /// What they say to a question.
+    /// Their answer to a question.
     pub(crate) fn answer(&mut self, question: &Question) -> Answer {
         let said = match self.believed(question) {
             Some(said) => self.with_noise(question, said),
@@ -190,7 +192,7 @@ impl Student {
         Answer::new(said, Confidence::ThinkSo)
     }
 
-    /// What their belief says, if it says anything.
+    /// The answer that follows from their belief, if there is one.
     fn believed(&self, question: &Question) -> Option<Response> {
         match &question.form {
             Form::Rays { side, .. } => {
@@ -222,7 +224,7 @@ impl Student {
         }
     }
 
-    /// Where they send the two.
+    /// The angles that they predict.
     fn angles(&self, hit: &HitFigures) -> Option<Angles> {
         let both = |striker: f64, target: f64| Some((Some(striker), Some(target)));
         match self.belief {
@@ -240,7 +242,7 @@ impl Student {
         }
     }
 
-    /// The number they reckon, by what is asked for.
+    /// The number that follows from their belief; it depends on what is asked for.
     fn number(&self, question: &Question) -> Option<f64> {
         let asked = question.figures.get("asked").and_then(|it| it.as_str());
         let asked = asked.unwrap_or_default();
@@ -249,7 +251,7 @@ impl Student {
         if family == "both-moving" {
             let [u1, u2] = ["speed", "target_speed"].map(figure);
             return match (self.belief, asked) {
-                // Equal discs exchange their velocities, whole.
+                // Equal discs exchange their whole velocities.
                 (HeadOnFormula, "striker-speed") => u2,
                 (HeadOnFormula, "target-speed") => u1,
                 (HalfAndHalf | AlwaysSquare | IgnoresMass, "separation") => Some(90.0),
@@ -298,7 +300,7 @@ impl Student {
         }
     }
 
-    /// The same said with an unsteady hand.
+    /// The answer with a random error.
     fn with_noise(&mut self, question: &Question, said: Response) -> Response {
         let (angle, share) = NOISE;
         match said {
@@ -322,9 +324,8 @@ impl Student {
         }
     }
 
-    /// A guess: rays anywhere in the quarter on their own side, or now and then on the other;
-    /// angles within a quarter or a half turn, shares and e anywhere, other numbers within a
-    /// factor of two.
+    /// A guess: each ray anywhere in the quadrant on its own side, or sometimes on the other; an
+    /// angle up to 90° or 180°; any share or e; any other number within a factor of two.
     fn guess(&mut self, question: &Question) -> Response {
         match &question.form {
             Form::Rays { side, .. } => {

@@ -12,7 +12,7 @@ pub type ConnectionId = u64;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Device {
     /// The device's connection; `None` while the device is disconnected.
-    pub(super) line: Option<ConnectionId>,
+    pub(super) connection: Option<ConnectionId>,
     /// The address of its current or last connection.
     pub(super) address: Option<IpAddr>,
     /// The number of the last vote that was handled.
@@ -31,7 +31,7 @@ pub(super) struct Device {
 impl Device {
     /// This device if it is connected, otherwise the earlier one.
     pub(super) fn or_earlier(self, earlier: &Self) -> Self {
-        match self.line {
+        match self.connection {
             None => *earlier,
             Some(_) => Self {
                 handed: self.handed.or(earlier.handed),

@@ -36,7 +36,7 @@ pub enum HostNews {
     /// A pupil with the right code asks to join.
     Came {
         /// The connection.
-        line: ConnectionId,
+        connection: ConnectionId,
         /// The name as it was typed.
         name: String,
         /// Their seat token, if they joined before.
@@ -51,7 +51,7 @@ pub enum HostNews {
     /// A pupil votes.
     Voted {
         /// The connection.
-        line: ConnectionId,
+        connection: ConnectionId,
         /// The question, counted from 0.
         question: usize,
         /// The first or the second vote.
@@ -64,7 +64,7 @@ pub enum HostNews {
     /// A pupil hands in the answers that they gave on their own.
     HandedIn {
         /// The connection.
-        line: ConnectionId,
+        connection: ConnectionId,
         /// The number of the hand-in.
         n: u64,
         /// The file, as it was sent.
@@ -76,17 +76,21 @@ pub enum HostNews {
 
 impl HostNews {
     /// The news in a message from a pupil who has joined; `None` for a second request to join.
-    pub(crate) fn said(line: ConnectionId, saying: ClientMessage) -> Option<Self> {
+    pub(crate) fn said(connection: ConnectionId, saying: ClientMessage) -> Option<Self> {
         Some(match saying {
             ClientMessage::Vote { q, vote, said, n } => Self::Voted {
-                line,
+                connection,
                 question: q,
                 vote,
                 said,
                 n,
             },
-            ClientMessage::HandIn { n, file } => Self::HandedIn { line, n, file },
-            ClientMessage::Leave => Self::Gone(line),
+            ClientMessage::HandIn { n, file } => Self::HandedIn {
+                connection,
+                n,
+                file,
+            },
+            ClientMessage::Leave => Self::Gone(connection),
             ClientMessage::Join { .. } => return None,
         })
     }

@@ -32,7 +32,7 @@ impl Participant {
 
     /// Whether the device is connected.
     pub fn is_present(&self) -> bool {
-        self.device.line.is_some()
+        self.device.connection.is_some()
     }
 
     /// Whether a hand-in from them is stored.

@@ -94,7 +94,7 @@ pub enum SessionEffect {
 /// A hand-in that is being saved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HandInOnItsWay {
-    line: ConnectionId,
+    connection: ConnectionId,
     n: u64,
     answers: usize,
 }
@@ -146,9 +146,9 @@ impl Session {
         self.effects.push(SessionEffect::Host(call));
     }
 
-    fn refuse(&mut self, line: Option<ConnectionId>, why: Refusal) {
-        if let Some(line) = line {
-            self.host(HostCall::Refuse(line, why));
+    fn refuse(&mut self, connection: Option<ConnectionId>, why: Refusal) {
+        if let Some(connection) = connection {
+            self.host(HostCall::Refuse(connection, why));
         }
     }
 
@@ -300,27 +300,31 @@ impl Session {
                     self.hosting = HostingState::Failed(reason.clone());
                 }
                 HostNews::Came {
-                    line,
+                    connection,
                     name,
                     seat,
                     fresh,
                     address,
                     at,
                 } => match self.place_for(*seat, name, *fresh, (*address, *at)) {
-                    Ok((person, is_new)) => self.seat(person, *line, *address, is_new),
-                    Err(why) => self.refuse(Some(*line), why),
+                    Ok((person, is_new)) => self.seat(person, *connection, *address, is_new),
+                    Err(why) => self.refuse(Some(*connection), why),
                 },
                 HostNews::Voted {
-                    line,
+                    connection,
                     question,
                     vote,
                     said,
                     n,
-                } => self.voted(*line, (*question, *vote), said, *n),
-                HostNews::HandedIn { line, n, file } => self.hand_in(*line, *n, file),
-                HostNews::Gone(line) => {
-                    if let Some(person) = self.person(*line) {
-                        self.participant(person).device.line = None;
+                } => self.voted(*connection, (*question, *vote), said, *n),
+                HostNews::HandedIn {
+                    connection,
+                    n,
+                    file,
+                } => self.hand_in(*connection, *n, file),
+                HostNews::Gone(connection) => {
+                    if let Some(person) = self.person(*connection) {
+                        self.participant(person).device.connection = None;
                     }
                 }
             }
@@ -343,9 +347,9 @@ impl Session {
     }
 
     /// The participant of a connection.
-    fn person(&self, line: ConnectionId) -> Option<usize> {
+    fn person(&self, connection: ConnectionId) -> Option<usize> {
         let mut all = self.round.participants().iter();
-        all.position(|it| it.device.line == Some(line))
+        all.position(|it| it.device.connection == Some(connection))
     }
 
     fn participant(&mut self, person: usize) -> &mut Participant {
@@ -385,15 +389,15 @@ impl Session {
     }
 
     /// Connects a device to a seat and disconnects the previous one.
-    fn seat(&mut self, person: usize, line: ConnectionId, address: IpAddr, is_new: bool) {
+    fn seat(&mut self, person: usize, connection: ConnectionId, address: IpAddr, is_new: bool) {
         let device = &mut self.participant(person).device;
         device.rev = 0;
         device.address = Some(address);
-        let before = device.line.replace(line);
+        let before = device.connection.replace(connection);
         self.refuse(before, Refusal::Elsewhere);
         match is_new {
-            true => self.keeping.wait_for_changes(line),
-            false => self.keeping.wait(line),
+            true => self.keeping.wait_for_changes(connection),
+            false => self.keeping.wait(connection),
         }
     }
 
@@ -418,8 +422,14 @@ impl Session {
     }
 
     /// Handles a vote. A vote that does not fit the question changes nothing and is not saved.
-    fn voted(&mut self, line: ConnectionId, (question, vote): (usize, Vote), text: &str, n: u64) {
-        let Some(person) = self.person(line) else {
+    fn voted(
+        &mut self,
+        connection: ConnectionId,
+        (question, vote): (usize, Vote),
+        text: &str,
+        n: u64,
+    ) {
+        let Some(person) = self.person(connection) else {
             return;
         };
         let is_open = self.open_vote() == Some(vote) && question == self.round.place().question;
@@ -427,7 +437,7 @@ impl Session {
         let is_new = n > device.n;
         device.n = device.n.max(n);
         if !is_open || !is_new {
-            return self.keeping.wait(line);
+            return self.keeping.wait(connection);
         }
         let said = Said::parse(text);
         let change = ClassChange::Vote {
@@ -439,14 +449,14 @@ impl Session {
         let fits = (text.is_empty() || said.is_some()) && self.change(change).is_ok();
         self.participant(person).device.misfit = (!fits).then_some((question, vote));
         match fits {
-            true => self.keeping.wait_for_changes(line),
-            false => self.keeping.wait(line),
+            true => self.keeping.wait_for_changes(connection),
+            false => self.keeping.wait(connection),
         }
     }
 
     /// Handles a hand-in: reads it as untrusted input, and saves it before it is confirmed.
-    fn hand_in(&mut self, line: ConnectionId, n: u64, file: &Value) {
-        let Some(person) = self.person(line) else {
+    fn hand_in(&mut self, connection: ConnectionId, n: u64, file: &Value) {
+        let Some(person) = self.person(connection) else {
             return;
         };
         let device = &mut self.participant(person).device;
@@ -461,7 +471,11 @@ impl Session {
                         self.round.class().clone_into(&mut hand_in.class);
                     }
                     let answers = hand_in.attempts.len();
-                    let on_its_way = HandInOnItsWay { line, n, answers };
+                    let on_its_way = HandInOnItsWay {
+                        connection,
+                        n,
+                        answers,
+                    };
                     let keep = SessionEffect::KeepHandIn(on_its_way, Box::new(hand_in));
                     return self.effects.push(keep);
                 }
@@ -471,7 +485,7 @@ impl Session {
                 }
             }
         }
-        self.keeping.wait(line);
+        self.keeping.wait(connection);
     }
 
     /// The contents of an untrusted file, unless there have been too many hand-ins.
@@ -503,11 +517,11 @@ impl Session {
             }
         };
         // A pupil who has lost the connection in the meantime will hand in again.
-        if let Some(person) = self.person(it.line) {
+        if let Some(person) = self.person(it.connection) {
             let device = &mut self.participant(person).device;
             device.handed = Some(HandedIn { n: it.n, kept });
             device.has_handed_in |= kept.is_ok();
-            self.keeping.wait(it.line);
+            self.keeping.wait(it.connection);
             self.go_on();
         }
     }
@@ -543,12 +557,12 @@ impl Session {
 
     /// Notifies everybody of a new step once everything is saved.
     fn moved(&mut self) {
-        let lines = self
+        let connections = self
             .round
             .participants()
             .iter()
-            .filter_map(|it| it.device.line);
-        lines.for_each(|line| self.keeping.wait(line));
+            .filter_map(|it| it.device.connection);
+        connections.for_each(|connection| self.keeping.wait(connection));
         self.go_on();
     }
 
@@ -570,19 +584,25 @@ impl Session {
     }
 
     /// Sends pupils their states.
-    fn tell(&mut self, lines: &BTreeSet<ConnectionId>) {
-        if lines.is_empty() {
+    fn tell(&mut self, connections: &BTreeSet<ConnectionId>) {
+        if connections.is_empty() {
             return;
         }
         for it in &mut self.round_mut().participants {
-            let is_told = it.device.line.is_some_and(|line| lines.contains(&line));
+            let is_told = it
+                .device
+                .connection
+                .is_some_and(|connection| connections.contains(&connection));
             it.device.rev += u64::from(is_told);
         }
         let revealed = PupilView::new(&self.round, self.step(), self.with_points());
         let people = self.round.participants().iter().enumerate();
         let states = people.filter_map(|(person, it)| {
-            let line = it.device.line.filter(|line| lines.contains(line))?;
-            Some((line, revealed.state(person, it)?))
+            let connection = it
+                .device
+                .connection
+                .filter(|connection| connections.contains(connection))?;
+            Some((connection, revealed.state(person, it)?))
         });
         let states = states.collect();
         self.host(HostCall::Tell(states));
@@ -590,25 +610,27 @@ impl Session {
 
     /// Applies a change to the list of people; a pupil who loses the seat receives the reason.
     pub fn change_people(&mut self, change: &ClassChange) {
-        let line = |person: usize| self.round.participants().get(person)?.device.line;
+        let connection = |person: usize| self.round.participants().get(person)?.device.connection;
         let (lost, renewed) = match change {
-            ClassChange::Vacate { person } => (line(*person).zip(Some(Refusal::Full)), None),
-            ClassChange::Remove { person } => (line(*person).zip(Some(Refusal::Kicked)), None),
-            ClassChange::Merge { from, into } => {
-                let before = line(*into).filter(|_| line(*from).is_some());
-                (before.zip(Some(Refusal::Elsewhere)), line(*from))
+            ClassChange::Vacate { person } => (connection(*person).zip(Some(Refusal::Full)), None),
+            ClassChange::Remove { person } => {
+                (connection(*person).zip(Some(Refusal::Kicked)), None)
             }
-            ClassChange::Rename { person, .. } => (None, line(*person)),
+            ClassChange::Merge { from, into } => {
+                let before = connection(*into).filter(|_| connection(*from).is_some());
+                (before.zip(Some(Refusal::Elsewhere)), connection(*from))
+            }
+            ClassChange::Rename { person, .. } => (None, connection(*person)),
             _ => (None, None),
         };
         if self.change(change.clone()).is_err() {
             return;
         }
-        if let Some((line, why)) = lost {
-            self.refuse(Some(line), why);
+        if let Some((connection, why)) = lost {
+            self.refuse(Some(connection), why);
         }
-        if let Some(line) = renewed {
-            self.keeping.wait(line);
+        if let Some(connection) = renewed {
+            self.keeping.wait(connection);
         }
     }
 
@@ -654,16 +676,16 @@ impl Session {
 
 impl Keeping {
     /// Adds a connection to notify once everything requested so far is saved.
-    fn wait(&mut self, line: ConnectionId) {
-        if !self.later.contains(&line) {
-            self.waiting.insert(line);
+    fn wait(&mut self, connection: ConnectionId) {
+        if !self.later.contains(&connection) {
+            self.waiting.insert(connection);
         }
     }
 
     /// Adds a connection to notify once the latest change is saved.
-    fn wait_for_changes(&mut self, line: ConnectionId) {
-        self.waiting.remove(&line);
-        self.later.insert(line);
+    fn wait_for_changes(&mut self, connection: ConnectionId) {
+        self.waiting.remove(&connection);
+        self.later.insert(connection);
     }
 
     /// Records that one more request, with all changes, is in progress.

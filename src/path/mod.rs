@@ -1,17 +1,17 @@
-//! The path through carrom: one next step for a player, the reason for it, and what is done.
+//! The path through carrom: the player's next step, the reason for it, and the progress so far.
 //!
-//! The order is fixed, and each step rests on something that the next answers change, so that the
-//! path has no loops:
+//! The order is fixed, and each step depends on something that the next answers change, so the path
+//! has no loops:
 //!
-//! 1. a misconception that is not settled: the page that treats it, then a check. A failed check
-//!    rests until the next day;
-//! 2. a chapter that was begun;
-//! 3. *Find out*, while almost nothing is known of the player;
-//! 4. the next chapter for what was missed: the first that is neither done nor shown to be known,
-//!    up to the one that teaches it; if most answers are right, that one alone;
-//! 5. a review of what is due, one a day;
-//! 6. the next chapter that is neither done nor shown to be known; if most answers are right,
-//!    questions about it instead, because what is known need not be read;
+//! 1. a misconception that is not settled: the page about it, then a check. A failed check is
+//!    repeated on the next day at the earliest;
+//! 2. a chapter that has been begun;
+//! 3. *Find out*, while almost nothing is known about the player;
+//! 4. a chapter for a missed topic: the first that is neither done nor known, up to the one that
+//!    teaches the topic; if most answers are right, only the one that teaches it;
+//! 5. a review of the topics that are due, once a day;
+//! 6. the next chapter that is neither done nor known; if most answers are right, questions about
+//!    it instead, because the player may know it already;
 //! 7. the next pack of levels;
 //! 8. the table.
 
@@ -23,14 +23,14 @@ use crate::numbers::counted;
 use crate::progress::{Attempt, Calendar, Due, LESSON, Tally, UnsettledBelief, unsettled};
 use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, Topic};
 
-/// How many answers *Find out* needs to find something.
+/// With fewer quiz answers than this, the path suggests *Find out*.
 const ENOUGH_ANSWERS: usize = 3;
-/// How many chapters are asked about at once.
+/// The largest number of chapters that one round asks about.
 const ASKED_AT_ONCE: usize = 3;
 
-/// How many answers of the quiz make a player no longer new.
+/// A player with fewer quiz answers than this is new.
 const NEW: usize = 10;
-/// What a new player is asked about: collisions of equal masses, in pictures.
+/// The topics for a new player: collisions of equal masses, in pictures.
 const FIRST_TOPICS: [&str; 4] = [
     "equal-masses",
     "equal-masses-by-offset",
@@ -38,12 +38,12 @@ const FIRST_TOPICS: [&str; 4] = [
     "corner-without-loss",
 ];
 
-/// What is known of a player.
+/// What is known about a player.
 #[derive(Debug, Clone, Copy)]
 pub struct PathSoFar<'a> {
     /// All answers, in the order in which they were given.
     pub attempts: &'a [Attempt],
-    /// The time now, and the player's days.
+    /// The current time, and the player's calendar.
     pub calendar: &'a Calendar,
     /// The chapters, with the player's bookmarks.
     pub book: &'a Book,
@@ -54,29 +54,29 @@ pub struct PathSoFar<'a> {
 /// Something to do next.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Step {
-    /// Read the page that treats a misconception.
+    /// Read the page about a misconception.
     ReadPage {
-        /// The chapter's place among all, from 0.
+        /// The index of the chapter.
         chapter: usize,
-        /// The page, from 0.
+        /// The index of the page.
         page: usize,
     },
     /// Answer questions that could show a misconception again.
     Check(Misconception),
-    /// Continue a chapter that was begun, or begin one.
+    /// Continue a chapter, or begin one.
     Read {
-        /// The chapter's place among all, from 0.
+        /// The index of the chapter.
         chapter: usize,
-        /// The page to continue at, from 0; `None` if the chapter was never opened.
+        /// The index of the page to continue at; `None` if the chapter was never opened.
         page: Option<usize>,
     },
     /// Find out what the player believes.
     FindOut,
     /// Review the topics that are due.
     Review(Due),
-    /// Play this level, the next of its pack, by its place among all.
+    /// Play the level with this index, which is the next in its pack.
     Level(usize),
-    /// Answer questions about chapters that were not read.
+    /// Answer questions about chapters that have not been read.
     Ask(ChaptersRead),
     /// Play at the table.
     Table,
@@ -93,19 +93,19 @@ pub struct NextStep {
     pub why: String,
 }
 
-/// What is done, and how much there is to do.
+/// How much is done, and how much there is in total.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PathDone {
-    /// Chapters that were read and answered, or whose topics the player has shown to know.
+    /// The number of chapters that are finished or known, and of all chapters.
     pub chapters: (usize, usize),
-    /// Misconceptions that were named and are settled.
+    /// The number of named misconceptions that are settled, and of all named ones.
     pub beliefs: (usize, usize),
-    /// Packs of which every level was won.
+    /// The number of packs in which every level has been won, and of all packs.
     pub packs: (usize, usize),
 }
 
-/// Whether the last answer about a topic shows that it is known, or that it is not; `None` for a
-/// right guess.
+/// For each topic, whether the last answer shows that the player knows it; `None` for a right
+/// guess.
 type TopicsAsked<'a> = IndexMap<&'a str, Option<bool>>;
 
 impl<'a> PathSoFar<'a> {
@@ -125,11 +125,11 @@ impl<'a> PathSoFar<'a> {
             .unwrap_or_else(|| NextStep {
                 step: Step::Table,
                 words: "Play at the table".into(),
-                why: "Every chapter is done or known, and every level won.".into(),
+                why: "Every chapter is done or known, and every level is won.".into(),
             })
     }
 
-    /// What is done.
+    /// How much is done.
     pub fn done(&self) -> PathDone {
         let topics = self.topics_asked();
         let chapters = self.chapters().len();
@@ -148,8 +148,8 @@ impl<'a> PathSoFar<'a> {
         }
     }
 
-    /// What a round without a code asks about: equal masses, what the chapters teach that were
-    /// read, and unless the player is new what was answered before.
+    /// The topics of a round without a code: equal masses, the topics of the chapters that were
+    /// read, and, unless the player is new, the topics that were answered before.
     pub fn topics_met(&self) -> Vec<Topic> {
         let read = self.book.read_through();
         let taught = read.flat_map(|chapter| Topic::taught_in(&chapter.id));
@@ -186,7 +186,7 @@ impl<'a> PathSoFar<'a> {
             1 => format!("Because one of your answers showed this: {name}."),
             times => format!("Because {times} of your answers showed this: {name}."),
         };
-        let topic = Topic::with_id(belief.last.topic.clone());
+        let topic = Topic::with_id(belief.last.quiz_topic().unwrap_or_default().to_owned());
         let passage = misconception.settled_in(&topic, &belief.last.question);
         let (chapter, page) = self.book.find(passage)?;
         let number = self.chapters()[chapter].number;
@@ -199,7 +199,7 @@ impl<'a> PathSoFar<'a> {
             true => NextStep {
                 step: Step::Check(misconception),
                 words: "Check with two questions".into(),
-                why: format!("{why} Chapter {number}, page {}, treats it.", page + 1),
+                why: format!("{why} Chapter {number}, page {}, covers it.", page + 1),
             },
         })
     }
@@ -214,7 +214,7 @@ impl<'a> PathSoFar<'a> {
         let of_it = &self.chapters()[chapter];
         let seen = self.book.mark(&of_it.id).map_or(0, |mark| mark.seen(of_it));
         let why = match of_it.pages.len() - seen {
-            0 => "A question there is not answered yet.".into(),
+            0 => "One of its questions is not answered yet.".into(),
             _ => format!("You have read {seen} of its {} pages.", of_it.pages.len()),
         };
         Some(NextStep {
@@ -240,8 +240,9 @@ impl<'a> PathSoFar<'a> {
         asked
     }
 
-    /// Whether a chapter is neither done nor known. It is known if the last answer about each of
-    /// its topics that was asked shows so; without topics, if the chapter before it is known.
+    /// Whether a chapter is neither done nor known. It is known if the last answers about its
+    /// topics, as far as they were asked about, show it; if it has no topics, it is known if the
+    /// chapter before it is.
     fn is_open(&self, at: usize, topics: &TopicsAsked) -> bool {
         !self.book.is_done(&self.chapters()[at]) && !self.is_known(at, topics)
     }
@@ -257,15 +258,16 @@ impl<'a> PathSoFar<'a> {
         asked.peek().is_some() && asked.all(|known| *known == Some(true))
     }
 
-    /// Whether most answers of the quiz are right: then chapters are read one by one for what was
-    /// missed there, and not from the first one on.
+    /// Whether most quiz answers are right. If so, the player reads only the chapters that teach
+    /// missed topics, and not all chapters from the first.
     fn knows_most(&self) -> bool {
         let quiz = self.attempts.iter().filter(|it| it.family != LESSON);
         let all = Tally::of(quiz);
         5 * all.right >= 4 * all.attempts
     }
 
-    /// A chapter is missed if more of its topics were last answered wrong than right.
+    /// The chapter to read for a missed topic. A chapter counts as missed if more of its topics
+    /// were last answered wrong than right.
     fn missed(&self, topics: &TopicsAsked) -> Option<NextStep> {
         let knows_most = self.knows_most();
         let missed = |at: usize| {
@@ -276,7 +278,7 @@ impl<'a> PathSoFar<'a> {
             };
             let wrong = last(false).next().cloned()?;
             let count = last(false).count();
-            // A single slip of a player who knows most is for the review.
+            // If a player knows most topics, a single slip is left to the review.
             (count > last(true).count() && (count > 1 || !knows_most)).then_some(wrong)
         };
         let mut open = (0..self.chapters().len()).filter(|at| self.is_open(*at, topics));
@@ -315,8 +317,8 @@ impl<'a> PathSoFar<'a> {
         (first > 0).then(|| NextStep {
             words: format!("Review {}", counted(first, "topic")),
             why: match all - first {
-                0 => "You missed these, or they have rested long enough.".into(),
-                _ => format!("{all} topics are due. Ten a day are enough."),
+                0 => "You missed these, or it is time to repeat them.".into(),
+                _ => format!("{all} topics are due. Ten a day is enough."),
             },
             step: Step::Review(due),
         })
@@ -338,7 +340,8 @@ impl<'a> PathSoFar<'a> {
         open.next().map(|chapter| self.begin(chapter, why))
     }
 
-    /// Questions about the first of these chapters; one without questions is to be read.
+    /// Questions about the first of these chapters. If none has questions, the first one is to be
+    /// read.
     fn ask(&self, open: &[usize]) -> Option<NextStep> {
         let has_questions = |at: &&usize| {
             let id = self.chapters()[**at].id.as_str();
@@ -388,7 +391,7 @@ fn find_out() -> NextStep {
 }
 
 impl Step {
-    /// The round of the quiz that it is, if it is one.
+    /// The quiz round of this step, if it has one.
     pub fn round(&self) -> Option<CourseKind> {
         match self {
             Self::Check(misconception) => Some(CourseKind::Check(*misconception)),
@@ -399,7 +402,7 @@ impl Step {
         }
     }
 
-    /// The chapter that it leads to, by its place among all.
+    /// The index of the chapter that this step leads to.
     pub fn chapter(&self) -> Option<usize> {
         match self {
             Self::ReadPage { chapter, .. } | Self::Read { chapter, .. } => Some(*chapter),

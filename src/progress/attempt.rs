@@ -13,7 +13,7 @@ pub const LESSON: &str = "lesson";
 
 /// The largest possible error of an angle, in degrees, with a margin for rounding.
 const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
-/// The most choices in a chapter, with room for later versions.
+/// The largest number of choices in a chapter's question, with room for later versions.
 const MOST_LINES: u64 = 26;
 
 /// Writes figures as a JSON object.
@@ -56,7 +56,7 @@ pub struct Attempt {
     pub credit: f64,
     /// Whether the answer counts as right.
     pub right: bool,
-    /// How sure the player was; `None` if that was not asked.
+    /// How sure the player was; `None` if the player was not asked.
     #[serde(default)]
     pub confidence: Option<Confidence>,
     /// The misconception that the answer fits, by its name in files.
@@ -74,29 +74,44 @@ impl Attempt {
         answer: &Answer,
     ) -> Self {
         let grade = Grade::new(question, answer);
-        let mut figures = question.figures.clone();
-        figures.insert(ROUND.into(), code.to_string().into());
-        figures.insert("difficulty".into(), question.difficulty.id().into());
-        let clue = Clue::new(question, answer);
-        let beliefs = clue.could_show.iter().map(|it| it.id());
-        figures.insert(MISCONCEPTIONS.into(), beliefs.collect());
-        figures.insert(BY_CHANCE.into(), clue.by_chance.into());
-        Self {
+        let figures = [
+            (ROUND, code.to_string()),
+            ("difficulty", question.difficulty.id().into()),
+        ];
+        let attempt = Self {
             time_s: None,
             player: player.to_owned(),
             family: question.family.id().to_owned(),
             topic: question.topic.id().to_owned(),
             seed: code.seed,
             number,
-            question: figures,
+            question: figures
+                .map(|(name, it)| (name.into(), it.into()))
+                .into_iter()
+                .collect(),
             answer: question.form.kept(&answer.said),
             truth: question.form.kept(&question.form.truth()),
             error_deg: grade.angle_error.map(deg_from_rad),
             credit: grade.credit,
             right: grade.right,
             confidence: Some(answer.confidence),
-            misconception: clue.shows.map(|it| it.id().to_owned()),
-        }
+            misconception: None,
+        };
+        attempt.with_evidence(question, answer)
+    }
+
+    /// This attempt with the figures of a question, and the evidence for misconceptions in the
+    /// answer to it.
+    pub(crate) fn with_evidence(mut self, question: &Question, answer: &Answer) -> Self {
+        let clue = Clue::new(question, answer);
+        let beliefs = clue.could_show.iter().map(|it| it.id());
+        self.question.extend(question.figures.clone());
+        self.question
+            .insert(MISCONCEPTIONS.into(), beliefs.collect());
+        self.question
+            .insert(BY_CHANCE.into(), clue.by_chance.into());
+        self.misconception = clue.shows.map(|it| it.id().to_owned());
+        self
     }
 
     /// The name of the topic as shown: "equal masses, by offset", or the title of the chapter.
@@ -137,7 +152,7 @@ impl Attempt {
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// The evidence for misconceptions in this answer. Unknown ones are left out. If the
+    /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If the
     /// misconceptions that an answer could have shown were not stored, only the one that it did
     /// show is known.
     pub(super) fn clue(&self) -> Clue {
@@ -175,8 +190,8 @@ impl Attempt {
         self.family != LESSON && self.round().starts_with("review")
     }
 
-    /// The topic of the quiz that it is about; for a checkpoint of a chapter, the one by which it
-    /// is reviewed.
+    /// The quiz topic of the answer; for a checkpoint of a chapter, the topic under which it is
+    /// reviewed.
     pub(crate) fn quiz_topic(&self) -> Option<&str> {
         match self.family.as_str() {
             LESSON => self.question.get(REVIEWED_BY)?.as_str(),
@@ -184,7 +199,7 @@ impl Attempt {
         }
     }
 
-    /// Points by how close it was, 0 to [`Grade::MOST`], without the confidence.
+    /// Points for accuracy, 0 to [`Grade::MOST`], without the confidence.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
@@ -211,8 +226,8 @@ impl Attempt {
     }
 }
 
-/// Whether this can answer a checkpoint of a chapter: two rays, any number, or a choice counted
-/// from 1.
+/// Whether this is a possible answer to a checkpoint of a chapter: two rays, any number, or a
+/// choice counted from 1.
 fn lesson_answer_is_possible(answer: &Figures) -> bool {
     match (answer.get("number"), answer.get("choice")) {
         (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
@@ -234,16 +249,16 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
 /// The key in [`Attempt::question`] of the code of the round.
 pub(crate) const ROUND: &str = "round";
 
-/// Where the question of a chapter has the topic by which it is reviewed.
+/// The key of the topic under which a question of a chapter is reviewed.
 pub(crate) const REVIEWED_BY: &str = "topic";
 
-/// Where it says what an answer could have shown.
+/// The key of the misconceptions that an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
 /// The key of the chance that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
-/// The chance that a guess fits a number or one ray, as in questions.
+/// The chance that a guess fits a number or one ray, as for quiz questions.
 const ONE_BY_CHANCE: f64 = 0.08;
 
 #[cfg(test)]

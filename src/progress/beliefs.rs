@@ -7,7 +7,7 @@ use crate::quiz::{Clue, CourseKind, Evidence, Misconception};
 const SETTLED: usize = 2;
 
 /// A misconception that the answers show, with the evidence from the first half of all attempts and
-/// from the second half, which has one more attempt if their number is odd.
+/// from the second half. If the number of attempts is odd, the second half has one more.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
     /// The misconception.
@@ -70,19 +70,19 @@ impl HeldBelief {
     }
 }
 
-/// A misconception that the answers name, until enough answers after the last that showed it could
-/// have shown it again and did not.
+/// A named misconception that is not settled. It is settled once enough later answers could have
+/// shown it and did not.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct UnsettledBelief<'a> {
     pub(crate) misconception: Misconception,
     /// How many answers showed it.
     pub(crate) times: usize,
-    /// The last of them.
+    /// The last answer that showed it.
     pub(crate) last: &'a Attempt,
 }
 
 impl UnsettledBelief<'_> {
-    /// Whether the last answer that showed it was given in a check of it.
+    /// Whether the last answer that showed it was given in a check for it.
     pub(crate) fn failed_check(&self) -> bool {
         let check = CourseKind::Check(self.misconception);
         let round = self.last.round();
@@ -96,7 +96,7 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
     let named = beliefs(attempts);
     let unsettled = named.iter().filter_map(|held| {
         let misconception = held.misconception;
-        // A question drawn for a misconception that was split later shows a part of it.
+        // A question drawn before a misconception was split can show one of its parts.
         let is_it =
             |it: &Misconception| *it == misconception || it.in_codes() == Some(misconception);
         let shows = |clue: &&Clue| clue.shows.as_ref().is_some_and(is_it);
@@ -111,8 +111,8 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
     (unsettled.collect(), named.len())
 }
 
-/// The misconceptions that all answers name, or one half of them: those with the most evidence in
-/// the second half first. Unknown ones are left out.
+/// The misconceptions that all answers, or those of one half, name, sorted by their evidence in the
+/// second half. Unknown misconceptions are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
     let (before, since) = clues.split_at(clues.len() / 2);
@@ -144,8 +144,8 @@ mod tests {
     use serde_json::json;
 
     /// The misconceptions found from answers about two rays. Each answer could show these
-    /// misconceptions, and shows the first if it is marked `true`. The numbers are times shown and
-    /// times possible in each half.
+    /// misconceptions, and shows the first if it is marked `true`. The numbers are how often it was
+    /// shown and how often it could have been shown, in each half.
     fn trend(answers: &[(&[&str], bool)]) -> Vec<(&'static str, [usize; 4], Trend)> {
         let attempts: Vec<_> = (0..)
             .zip(answers)

@@ -3,7 +3,7 @@
 use super::{Attempt, Tally};
 use crate::quiz::Confidence;
 
-/// The fewest answers with one confidence for a comment.
+/// The minimum number of answers with one confidence before carrom comments on it.
 const ENOUGH: usize = 3;
 
 /// The results of the answers with one confidence.

@@ -7,7 +7,7 @@ use crate::quiz::{Course, CourseKind, Topic};
 /// chapter shows which of its questions to repeat.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Due {
-    /// The topics that are due, the longest due first.
+    /// The topics that are due, those due longest first.
     pub now: Vec<Topic>,
     /// The topic that is due next, and when: "in 2 days".
     pub next: Option<(Topic, String)>,

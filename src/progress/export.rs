@@ -82,8 +82,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     csv_table(&heads, &rows)
 }
 
-/// The answer, with its numbers as they were typed: a 30 is stored in radians and would be read as
-/// 29.999999999999996.
+/// The answer, with its numbers as they were typed: a 30 is stored in radians and would otherwise
+/// be printed as 29.999999999999996.
 fn tidied(said: &Figures) -> Figures {
     let mut said = said.clone();
     for value in said.values_mut() {
@@ -104,11 +104,10 @@ pub fn utc(time_s: i64) -> Option<String> {
     (time_s >= 0).then(|| time.to_string())
 }
 
-/// The attempts as the text of one JSON object, with what follows from them, and what the player
-/// should do next.
+/// The attempts as the text of one JSON object, with a summary and the player's next step.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should something not be writable.
+/// The reason if a value cannot be written, which does not happen in practice.
 pub fn json(attempts: &[Attempt], next: Option<&str>) -> Result<String, String> {
     let all = All {
         summary: summary(attempts, next),
@@ -140,7 +139,7 @@ impl Serialize for AttemptRow<'_> {
     }
 }
 
-/// What follows from the attempts.
+/// The summary of the attempts.
 fn summary(attempts: &[Attempt], next: Option<&str>) -> Value {
     let tally = |tally: &Tally| {
         json!({

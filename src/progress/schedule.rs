@@ -16,12 +16,12 @@
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
 //!   than one.
 //!
-//! A question of a chapter that is missed brings back its topic in the same way, but on the next
-//! day, and asked differently. A topic that only chapters have brought up is off the list once it
-//! has been answered twice when due.
+//! A missed question of a chapter makes its topic due as well, but on the next day, and with a
+//! different question. A topic that was missed only in chapters leaves the list once it has been
+//! answered correctly twice when due.
 //!
 //! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
-//! rest, and an answer that takes some effort has the greatest effect.
+//! rest, and an answer that requires some effort has the greatest effect.
 
 use indexmap::IndexMap;
 use jiff::ToSpan;
@@ -48,15 +48,15 @@ pub struct Review {
     pub due: Date,
     /// The time at which the topic reached its step, in seconds since the start of 1970.
     since_s: i64,
-    /// Whether only questions of chapters have brought it up.
+    /// Whether it was missed only in chapters.
     of_chapter: bool,
 }
 
-/// The step at which a topic that only chapters have brought up is off the list.
+/// The step at which a topic that was missed only in chapters leaves the list.
 const DONE: u32 = 1;
 
 impl Review {
-    /// When it is due relative to `today`, in few letters: "now", "in 2 days".
+    /// When it is due relative to `today`, in short: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // The difference between two dates in days always fits.
         match usize::try_from((self.due - today).get_days()) {
@@ -217,7 +217,7 @@ mod tests {
         assert_eq!(topics, ["b", "a"]);
     }
 
-    /// A missed question of a chapter about the topic "a", so many days after the first.
+    /// A missed question about the topic "a" in a chapter, on this day.
     fn missed_in_a_chapter(day: i64) -> Attempt {
         let mut attempt = Attempt {
             family: LESSON.into(),
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_chapter_missed_comes_back_later_and_leaves_once_answered_twice() {
+    fn a_topic_missed_in_a_chapter_is_due_the_next_day_and_leaves_once_answered_twice() {
         let calendar = Calendar::utc(Some(START_S));
         let mut attempts = vec![missed_in_a_chapter(0)];
         let due = |attempts: &[Attempt]| {
@@ -238,7 +238,7 @@ mod tests {
             found.map(|it| (it.due - calendar.today().unwrap()).get_days())
         };
         assert_eq!(due(&attempts), Some(1));
-        // Too early.
+        // This answer is too early to change anything.
         attempts.push(on_day(0, true));
         assert_eq!(due(&attempts), Some(1));
         attempts.push(on_day(1, true));
@@ -246,7 +246,7 @@ mod tests {
         let mut missed = attempts.clone();
         attempts.push(on_day(2, true));
         assert_eq!(due(&attempts), None);
-        // What the quiz has asked and found missing stays on the ladder.
+        // A topic that was also missed in the quiz stays on the ladder.
         missed.extend([on_day(2, false), on_day(2, true), on_day(3, true)]);
         assert_eq!(due(&missed), Some(5));
         missed.push(missed_in_a_chapter(4));

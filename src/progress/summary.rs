@@ -8,7 +8,7 @@ use crate::quiz::{
     RaysGrade, Topic, evidence, named,
 };
 
-/// The fewest answers for a comment on calibration.
+/// The minimum number of answers for a comment on calibration.
 const ENOUGH_ANSWERS: usize = 5;
 
 /// The answered part of a round.
@@ -169,9 +169,11 @@ impl<'a> Summary<'a> {
         vec![
             format!("{found}: {}.", misconception.name()),
             format!(
-                "Your answers to questions {} and {last} show it: {first} that could. Such answers \
-                 are {} as likely from somebody who {somebody} as from somebody who guesses.",
+                "Your answers to questions {} and {last} show it, out of {} that could have. Such \
+                 answers are {} as likely from somebody who {somebody} as from somebody who \
+                 guesses.",
                 others.join(", "),
+                first.asked,
                 times_as(first.weight),
             ),
             misconception.advice().into(),
@@ -231,9 +233,9 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next: the one that explains the strongest misconception, or else teaches
-    /// what was missed first in the order of the chapters, with what was missed with "sure" first;
-    /// `None` if nothing was missed.
+    /// The page to read next: the one that explains the misconception with the most evidence, or
+    /// else the first page, in the order of the chapters, that teaches a missed topic; topics
+    /// missed with "sure" come first. `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
             let mut shown = self.attempts.iter().rev();

@@ -5,7 +5,7 @@ use crate::numbers::correlation;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::Grade;
 
-/// The fewest angles for a mean error.
+/// The minimum number of angles for a mean error.
 pub(crate) const ENOUGH_ANGLES: usize = 3;
 
 /// Counts of answers: those of a player, of a class to one question, or of a round.
@@ -28,7 +28,7 @@ impl Tally {
         tally
     }
 
-    /// Counts answers with only a grade, such as the votes of a class.
+    /// Counts answers of which only the grade is known, such as the votes of a class.
     pub(crate) fn of_grades(grades: impl IntoIterator<Item = Grade>) -> Self {
         let mut tally = Self::default();
         for grade in grades {
@@ -96,7 +96,7 @@ impl Tally {
     }
 }
 
-/// The fewest answers for the discrimination of a question.
+/// The minimum number of answers for the discrimination of a question.
 const ENOUGH_TO_TELL_APART: usize = 10;
 
 /// The discrimination of a question: the correlation between the points for it and the points for

@@ -1,4 +1,4 @@
-//! The player's next step, as several screens show it: what it is, why, and what is done.
+//! The player's next step, as several screens show it, with the reason and the progress so far.
 
 use super::recall::Recall;
 use super::{Context, Next, Route};
@@ -8,13 +8,13 @@ use crate::quiz::{Code, Course};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
-/// The player's record, and the next step once all of it is known.
+/// The player's record, and the next step once the whole record is known.
 #[derive(Debug, Clone)]
 pub(super) struct Ahead {
-    /// Whose it is.
+    /// The player whose record it is.
     player: String,
     pub(super) history: Recall,
-    /// The same, requested again: until it arrives the earlier one is shown.
+    /// The record, requested again; until it arrives, the earlier one is shown.
     again: Option<Recall>,
     found: Option<(NextStep, PathDone)>,
 }
@@ -32,7 +32,7 @@ impl Default for Ahead {
 }
 
 impl Ahead {
-    /// Requests all that the next step depends on.
+    /// Requests everything that the next step depends on.
     pub(super) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         let player = cx.settings.player.clone();
@@ -45,7 +45,7 @@ impl Ahead {
         }
     }
 
-    /// Requests it again, after something else was done.
+    /// Requests it again after the player has done something.
     pub(super) fn ask_again(&mut self, cx: &mut Context) {
         let fresh = Self::ask(cx);
         match fresh.player == self.player {
@@ -54,7 +54,7 @@ impl Ahead {
         }
     }
 
-    /// Takes what came of it, if `answer` is part of that.
+    /// Takes `answer`, if it belongs to one of the requests.
     pub(super) fn take(&mut self, answer: &StoreAnswer, cx: &Context) {
         self.history.take(answer);
         if let Some(again) = &mut self.again {
@@ -83,7 +83,7 @@ impl Ahead {
         self.found.as_ref().map(|(step, _)| step)
     }
 
-    /// Opens the next step over the screen that shows it.
+    /// Opens the next step on top of the screen that shows it.
     pub(super) fn follow(&self, cx: &mut Context) -> Next {
         let step = self.step().map(|it| it.step.clone());
         step.map_or(Next::Stay, |step| Next::Open(route(&step, cx)))
@@ -114,10 +114,10 @@ impl Ahead {
     }
 }
 
-/// Where a step leads.
+/// The route that a step opens.
 fn route(step: &Step, cx: &mut Context) -> Route {
     if let Step::FindOut = step {
-        // It is explained there before it begins.
+        // The screen for choosing a round explains it before it begins.
         return Route::Quiz { code: None };
     }
     if let Some(kind) = step.round() {

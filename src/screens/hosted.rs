@@ -16,7 +16,7 @@ use crate::widgets::{
     Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, scroll_keys, sheet, text,
 };
 
-/// The key actions on every screen that does not use these keys otherwise.
+/// The key actions on every screen, unless the screen uses the key for something else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SharedAction {
@@ -79,7 +79,7 @@ pub trait AnyScreen {
     fn about(&self, cx: &Context) -> Vec<&'static str>;
     /// Handles a key press.
     fn press(&mut self, key: Key, cx: &mut Context) -> Next;
-    /// Handles a confirmation to which the player has said yes.
+    /// Handles a confirmation that the player has accepted.
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
@@ -99,15 +99,15 @@ pub trait AnyScreen {
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
-/// The smallest number of rows in which an inset can show the two discs of a collision as round.
-const INSET_ROWS: u16 = 6;
+/// The smallest number of rows in which an inset can draw the two discs of a collision round.
+const INSET_ROWS: u16 = 5;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
 pub struct Hosted<S: Screen> {
     screen: S,
     asked: Option<S::Action>,
-    /// Whether the mouse button is still down after it chose something: until it is released, the
-    /// picture ignores the mouse.
+    /// Whether the mouse button is still down after a click chose something: until it is released,
+    /// the picture ignores the mouse.
     has_chosen: bool,
     scrolled: Vec<Scrolled>,
 }

@@ -168,7 +168,8 @@ impl<'s, A> View<'s, A> {
     {
         let under = |small: bool| self.placed_under(small, room, writing, key);
         let large = under(false);
-        // An instruction is worth one row; the name of a step is not worth much more.
+        // A small heading leaves more rows for the pages. The large one is used only if the pages
+        // look as good with it.
         if !matches!(self.layout, Layout::ForTheBackRow(_)) || self.heading.is_none() {
             return large;
         }

@@ -19,7 +19,7 @@ pub struct Classroom {
     pupils: Vec<PupilDevice>,
     code: Option<JoinCode>,
     /// The number of connections so far.
-    lines: ConnectionId,
+    connections: ConnectionId,
     /// The simulated time since the start.
     passed: Duration,
 }
@@ -28,7 +28,7 @@ struct PupilDevice {
     name: String,
     game: Headless,
     /// The current connection; `None` if there is none.
-    line: Option<ConnectionId>,
+    connection: Option<ConnectionId>,
     /// Whether the host can be reached.
     reaches: bool,
     /// The pupil's seat token and name.
@@ -57,7 +57,7 @@ impl Classroom {
             host,
             pupils: Vec::new(),
             code: None,
-            lines: 0,
+            connections: 0,
             passed: Duration::ZERO,
         };
         class.settle();
@@ -69,7 +69,7 @@ impl Classroom {
         self.pupils.push(PupilDevice {
             name: name.to_owned(),
             game: Headless::new(app, columns, rows),
-            line: None,
+            connection: None,
             reaches: true,
             seat: None,
         });
@@ -111,9 +111,9 @@ impl Classroom {
             return;
         };
         pupil.reaches = reaches;
-        if !reaches && let Some(line) = pupil.line.take() {
+        if !reaches && let Some(connection) = pupil.connection.take() {
             pupil.hears(JoinNews::Lost("out of reach".into()));
-            self.tell_host(HostNews::Gone(line));
+            self.tell_host(HostNews::Gone(connection));
         }
         self.settle();
     }
@@ -166,21 +166,21 @@ impl Classroom {
                 self.tell_host(HostNews::Opened(Ok(door)));
             }
             HostCall::Tell(states) => {
-                for (line, state) in states {
+                for (connection, state) in states {
                     let saying = HostMessage::State(Box::new(state.clone()));
-                    self.tell(*line, &saying);
+                    self.tell(*connection, &saying);
                 }
             }
-            HostCall::Refuse(line, why) => {
-                self.tell(*line, &HostMessage::No { why: *why });
-                if let Some(pupil) = self.at(*line) {
-                    pupil.line = None;
+            HostCall::Refuse(connection, why) => {
+                self.tell(*connection, &HostMessage::No { why: *why });
+                if let Some(pupil) = self.at(*connection) {
+                    pupil.connection = None;
                 }
             }
             HostCall::Close => {
                 self.code = None;
                 for pupil in &mut self.pupils {
-                    if pupil.line.take().is_some() {
+                    if pupil.connection.take().is_some() {
                         pupil.hears(JoinNews::Lost("the class is over".into()));
                     }
                 }
@@ -192,18 +192,23 @@ impl Classroom {
         self.host.input(&Input::Hosted(vec![news]));
     }
 
-    fn at(&mut self, line: ConnectionId) -> Option<&mut PupilDevice> {
-        self.pupils.iter_mut().find(|it| it.line == Some(line))
+    fn at(&mut self, connection: ConnectionId) -> Option<&mut PupilDevice> {
+        self.pupils
+            .iter_mut()
+            .find(|it| it.connection == Some(connection))
     }
 
     /// The address of a pupil's device, different for each connection.
-    fn address_of(&self, line: ConnectionId) -> Ipv4Addr {
-        let at = self.pupils.iter().position(|it| it.line == Some(line));
+    fn address_of(&self, connection: ConnectionId) -> Ipv4Addr {
+        let at = self
+            .pupils
+            .iter()
+            .position(|it| it.connection == Some(connection));
         Ipv4Addr::from(at.map_or(0, |at| at as u32 + 1) | 10 << 24)
     }
 
-    fn tell(&mut self, line: ConnectionId, saying: &HostMessage) {
-        if let Some(pupil) = self.at(line) {
+    fn tell(&mut self, connection: ConnectionId, saying: &HostMessage) {
+        if let Some(pupil) = self.at(connection) {
             pupil.hears(JoinNews::Heard(saying.to_text()));
         }
     }
@@ -213,64 +218,64 @@ impl Classroom {
         let pupil = &mut self.pupils[at];
         match call {
             JoinCall::Dial(_) => {
-                let before = pupil.line.take();
+                let before = pupil.connection.take();
                 if let Some((seat, name)) = pupil.seat.clone() {
                     pupil.hears(JoinNews::Remembered(seat, name));
                 }
                 let reached = pupil.reaches && code.is_some();
                 let news = match reached {
                     true => {
-                        self.lines += 1;
-                        pupil.line = Some(self.lines);
+                        self.connections += 1;
+                        pupil.connection = Some(self.connections);
                         JoinNews::Reached
                     }
                     false => JoinNews::Lost("out of reach".into()),
                 };
                 pupil.hears(news);
-                if let Some(line) = before {
-                    self.tell_host(HostNews::Gone(line));
+                if let Some(connection) = before {
+                    self.tell_host(HostNews::Gone(connection));
                 }
             }
             JoinCall::Say(text) => {
-                if let Some(line) = pupil.line {
-                    self.hear(line, text);
+                if let Some(connection) = pupil.connection {
+                    self.hear(connection, text);
                 }
             }
             JoinCall::Remember { seat, name, .. } => {
                 pupil.seat = Some((seat.clone(), name.clone()));
             }
             JoinCall::HangUp => {
-                if let Some(line) = pupil.line.take() {
-                    self.tell_host(HostNews::Gone(line));
+                if let Some(connection) = pupil.connection.take() {
+                    self.tell_host(HostNews::Gone(connection));
                 }
             }
         }
     }
 
     /// Passes a message to the host, as its server would.
-    fn hear(&mut self, line: ConnectionId, text: &str) {
+    fn hear(&mut self, connection: ConnectionId, text: &str) {
         let no = |why| HostMessage::No { why };
         let news = match ClientMessage::read(text) {
             Ok(ClientMessage::Join {
                 code, name, seat, ..
             }) => {
                 if code.parse().ok() != self.code {
-                    return self.tell(line, &no(Refusal::Code));
+                    return self.tell(connection, &no(Refusal::Code));
                 }
                 HostNews::Came {
-                    line,
+                    connection,
                     name,
                     seat,
-                    fresh: SeatToken::of(u128::from(line)),
-                    address: self.address_of(line).into(),
+                    fresh: SeatToken::of(u128::from(connection)),
+                    address: self.address_of(connection).into(),
                     at: self.passed,
                 }
             }
-            Ok(saying) => match HostNews::said(line, saying) {
+            Ok(saying) => match HostNews::said(connection, saying) {
                 Some(news) => news,
                 None => return,
             },
-            Err(why) => return self.tell(line, &no(why)),
+            Err(why) => return self.tell(connection, &no(why)),
         };
         self.tell_host(news);
     }

@@ -55,7 +55,7 @@ impl Disk {
     }
 
     /// Waits for the lock on the folder.
-    fn turn(&self) -> io::Result<FolderLock> {
+    fn guard(&self) -> io::Result<FolderLock> {
         FolderLock::alone(&self.folder, LOCK)
     }
 
@@ -127,8 +127,8 @@ impl TextStore for Disk {
 
     fn add(&mut self, kind: &str, text: &str) -> Result<String, String> {
         self.reported(|| {
-            let turn = self.turn()?;
-            if turn.is_certain() {
+            let guard = self.guard()?;
+            if guard.is_certain() {
                 self.clear_up();
             }
             let draft = self.draft(text)?;
@@ -147,7 +147,7 @@ impl TextStore for Disk {
 
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String> {
         self.reported(|| {
-            let _turn = self.turn()?;
+            let _guard = self.guard()?;
             let path = self.path(name);
             if !holds(&path, old)? {
                 return Ok(false);
@@ -160,7 +160,7 @@ impl TextStore for Disk {
 
     fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String> {
         self.reported(|| {
-            let _turn = self.turn()?;
+            let _guard = self.guard()?;
             let path = self.path(name);
             if !holds(&path, old)? {
                 return Ok(false);
@@ -180,7 +180,7 @@ impl TextStore for Disk {
 
     fn remove(&mut self, name: &str) -> Result<(), String> {
         self.reported(|| {
-            let _turn = self.turn()?;
+            let _guard = self.guard()?;
             match fs::remove_file(self.path(name)) {
                 Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
                 removed => removed.and_then(|()| fsync_dir(&self.folder)),

@@ -288,7 +288,7 @@ fn messages_name_the_expected_input() {
         (&["quiz", "--code", "review-7"], "a review has no code"),
         (
             &["quiz", "--code", "hits12-7"],
-            "expected no number of questions in the code of ten hits",
+            "expected the code of ten hits without a number of questions",
         ),
         (
             &["quiz", "--code", "7", "--seed", "5"],

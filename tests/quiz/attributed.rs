@@ -1,5 +1,5 @@
-//! Feedback attributes to students only the numbers that they said or were given. The numbers of a
-//! misconception are named as such: "close to 45.0° each".
+//! Feedback attributes to students only numbers that they entered or were given. Other numbers of a
+//! misconception follow "close to": "close to 45.0° each".
 
 use std::collections::BTreeMap;
 
@@ -25,7 +25,7 @@ fn numbers(text: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// The sentences of a text; a point within a number ends none.
+/// The sentences of a text. A point within a number does not end a sentence.
 fn sentences(text: &str) -> impl Iterator<Item = &str> {
     text.split(". ").flat_map(|part| part.split_inclusive("? "))
 }
@@ -86,7 +86,7 @@ fn feedback(question: &Question, said: Response) -> String {
         .to_owned()
 }
 
-/// What the question gives: its text, and the numbers in its picture.
+/// The text of the question, with its choices.
 fn given(question: &Question) -> String {
     let mut given = question.text.clone();
     if let Form::Choice { options, .. } = &question.form {
@@ -139,7 +139,7 @@ fn feedback_attributes_to_the_student_only_what_was_said_or_given() {
 }
 
 #[test]
-fn a_number_that_was_not_said_is_found() {
+fn a_number_that_the_student_did_not_enter_is_found() {
     let invented =
         |sentence| invented(sentence, "striker 48.2° left, coin 41.8° right", "e = 1.00");
     assert_eq!(invented("You gave each of them 45.0°"), Some("45.0"));

@@ -1,4 +1,4 @@
-//! The next step: its order, and that learners who follow it arrive.
+//! The next step: the order of the steps, and that learners who follow them reach the end.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ use learner::{Habit, Learner};
 const DAY_S: i64 = 86_400;
 const NOW_S: i64 = 1_800_000_000;
 
-/// Somebody's record.
+/// The record of a player.
 #[derive(Default)]
 struct Somebody {
     attempts: Vec<Attempt>,
@@ -30,7 +30,8 @@ struct Somebody {
 }
 
 impl Somebody {
-    /// Answers a round of a code: as somebody who holds a misconception, or rightly or wrongly.
+    /// Answers the round of a code: like somebody who holds a misconception, or otherwise all right
+    /// or all wrong.
     fn answers(&mut self, code: &str, holding: Option<Misconception>, right: bool) {
         let round = Round::of(Code::parse(code).unwrap());
         for (number, question) in (1..).zip(round.questions()) {
@@ -97,7 +98,7 @@ impl Somebody {
 const COPIED: Misconception = Misconception::CopiedAngle;
 
 #[test]
-fn a_new_player_finds_out_first_and_after_one_answer_still_does() {
+fn a_new_player_is_sent_to_find_out_until_three_questions_are_answered() {
     let mut ada = Somebody::default();
     assert_eq!(ada.next(), Step::FindOut);
     ada.answers("from-angle1-7", None, true);
@@ -107,7 +108,7 @@ fn a_new_player_finds_out_first_and_after_one_answer_still_does() {
 }
 
 #[test]
-fn a_misconception_leads_to_its_page_then_to_a_check_and_rests_after_a_failed_one() {
+fn a_misconception_leads_to_its_page_then_to_a_check_that_waits_a_day_if_it_fails() {
     let mut ada = Somebody::default();
     ada.answers("from-angle3-7", Some(COPIED), true);
     let Step::ReadPage { chapter, page } = ada.next() else {
@@ -119,7 +120,11 @@ fn a_misconception_leads_to_its_page_then_to_a_check_and_rests_after_a_failed_on
     ada.sees(chapter, page);
     assert_eq!(ada.next(), Step::Check(COPIED));
     ada.answers("copied-angle-1", Some(COPIED), true);
-    assert_ne!(ada.next(), Step::Check(COPIED), "it rests until tomorrow");
+    assert_ne!(
+        ada.next(),
+        Step::Check(COPIED),
+        "the check waits until tomorrow"
+    );
     ada.days = 1;
     assert_eq!(ada.next(), Step::Check(COPIED));
     ada.answers("copied-angle-2", None, true);
@@ -128,7 +133,7 @@ fn a_misconception_leads_to_its_page_then_to_a_check_and_rests_after_a_failed_on
 }
 
 #[test]
-fn a_chapter_begun_comes_before_what_was_missed_and_that_before_reviews() {
+fn a_begun_chapter_comes_before_missed_topics_and_those_come_before_reviews() {
     let mut ada = Somebody::default();
     ada.answers("speeds6-7", None, false);
     let read = |chapter, page| Step::Read { chapter, page };
@@ -140,7 +145,7 @@ fn a_chapter_begun_comes_before_what_was_missed_and_that_before_reviews() {
 }
 
 #[test]
-fn what_was_missed_once_by_somebody_who_knows_most_is_reviewed_once_a_day() {
+fn a_single_slip_of_a_player_who_knows_most_topics_is_reviewed_once_a_day() {
     let mut ada = Somebody::default();
     ada.answers("from-angle6-7", None, true);
     ada.answers("weigh1-7", None, false);
@@ -157,14 +162,14 @@ fn what_was_missed_once_by_somebody_who_knows_most_is_reviewed_once_a_day() {
         time_s: Some(NOW_S),
         ..again
     });
-    // Guessed, it is due at once, but not today.
+    // After a right guess it is due at once, but there is only one review a day.
     assert!(!matches!(ada.next(), Step::Review(_)));
     ada.days = 1;
     assert!(matches!(ada.next(), Step::Review(_)));
 }
 
 #[test]
-fn what_is_known_need_not_be_read_and_levels_come_before_the_table() {
+fn known_chapters_are_not_suggested_and_levels_come_before_the_table() {
     let mut ada = Somebody::default();
     let mut asked = 0;
     ada.answers("from-angle3-7", None, true);
@@ -202,7 +207,7 @@ fn a_new_player_is_asked_about_equal_masses_in_pictures() {
 }
 
 #[test]
-fn rounds_draw_on_what_was_read_or_answered_and_on_nothing_else() {
+fn rounds_ask_only_about_topics_that_were_read_or_answered() {
     let mut ada = Somebody::default();
     let new = ada.so_far(|it| it.topics_met());
     let marbles = ada.book.library().chapters[5].clone();
@@ -213,7 +218,7 @@ fn rounds_draw_on_what_was_read_or_answered_and_on_nothing_else() {
     let added = read.iter().filter(|it| !new.contains(it));
     let chapters: Vec<_> = added.map(|it| it.taught_on().unwrap().chapter).collect();
     assert!(!chapters.is_empty() && chapters.iter().all(|it| *it == "marbles"));
-    // Ten answers later what was answered is no longer unknown.
+    // After ten answers the player is no longer new, and the answered topics are included.
     let rutherford = "counts-at-two-angles";
     let has = |ada: &Somebody| {
         let met = ada.so_far(|it| it.topics_met());
@@ -248,7 +253,7 @@ fn finding_out_begins_with_equal_masses() {
 }
 
 #[test]
-fn every_learner_arrives_without_a_loop_and_whoever_knows_reads_nothing() {
+fn every_learner_arrives_without_a_loop_and_one_who_knows_everything_reads_nothing() {
     const MOST_STEPS: usize = 60;
     for belief in Belief::ALL {
         let mut learner = Learner::new(belief, Habit::Follows, 1_000);
@@ -272,7 +277,7 @@ fn every_learner_arrives_without_a_loop_and_whoever_knows_reads_nothing() {
 }
 
 #[test]
-fn a_week_away_leads_back_and_whoever_plays_levels_alone_is_still_asked_to_find_out() {
+fn a_learner_returns_after_a_week_and_one_who_plays_only_levels_is_still_asked_to_find_out() {
     let mut away = Learner::new(Belief::HalfAndHalf, Habit::Pauses, 1_000);
     while !(away.has_arrived() && matches!(away.steps.last(), Some(Step::Review(_)))) {
         away.take_step();

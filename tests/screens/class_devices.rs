@@ -650,7 +650,7 @@ fn the_teacher_is_warned_if_a_round_has_a_new_address() {
 /// A host at the first vote of its round, which thousands of devices try to join.
 struct Crowd {
     host: Headless,
-    lines: ConnectionId,
+    connections: ConnectionId,
     /// The time in seconds.
     now_s: u64,
 }
@@ -670,29 +670,33 @@ impl Crowd {
         };
         host.input(&Input::Hosted(vec![HostNews::Opened(Ok(door))]));
         host.press("<Enter><Enter>");
-        let (lines, now_s) = (0, 0);
-        Self { host, lines, now_s }
+        let (connections, now_s) = (0, 0);
+        Self {
+            host,
+            connections,
+            now_s,
+        }
     }
 
     /// A newcomer joins from an address. Returns their connection, and the connections that are
     /// refused.
     fn come(&mut self, address: u32) -> (ConnectionId, Vec<(ConnectionId, Refusal)>) {
-        self.lines += 1;
-        let line = self.lines;
+        self.connections += 1;
+        let connection = self.connections;
         self.hear(HostNews::Came {
-            line,
-            name: format!("Pupil {line}"),
+            connection,
+            name: format!("Pupil {connection}"),
             seat: None,
-            fresh: SeatToken::of(line.into()),
+            fresh: SeatToken::of(connection.into()),
             address: Ipv4Addr::from(address).into(),
             at: Duration::from_secs(self.now_s),
         });
         let calls = self.host.take_host_calls();
         let sent_away = calls.iter().filter_map(|call| match call {
-            HostCall::Refuse(line, why) => Some((*line, *why)),
+            HostCall::Refuse(connection, why) => Some((*connection, *why)),
             _ => None,
         });
-        (line, sent_away.collect())
+        (connection, sent_away.collect())
     }
 
     /// This many newcomers, each with a different address, join.
@@ -706,9 +710,9 @@ impl Crowd {
         self.host.input(&Input::Hosted(vec![news]));
     }
 
-    fn vote(&mut self, line: ConnectionId) {
+    fn vote(&mut self, connection: ConnectionId) {
         self.hear(HostNews::Voted {
-            line,
+            connection,
             question: 0,
             vote: Vote::First,
             said: "rays 60 30".into(),
@@ -730,8 +734,8 @@ fn new_seats_for_one_address_become_available_with_time() {
     for _ in 0..60 {
         assert_eq!(crowd.come(1).1, []);
     }
-    let (line, sent_away) = crowd.come(1);
-    assert_eq!(sent_away, [(line, Refusal::Later)]);
+    let (connection, sent_away) = crowd.come(1);
+    assert_eq!(sent_away, [(connection, Refusal::Later)]);
     assert_eq!(crowd.come(2).1, [], "another address can still join");
     for _ in 0..30 {
         crowd.now_s += 2;
@@ -747,16 +751,20 @@ fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() 
     let mut crowd = Crowd::new();
     crowd.fill(250);
     crowd.vote(2);
-    let (line, sent_away) = crowd.come(9);
-    assert_eq!(sent_away, [(line, Refusal::Full)], "everybody is connected");
+    let (connection, sent_away) = crowd.come(9);
+    assert_eq!(
+        sent_away,
+        [(connection, Refusal::Full)],
+        "everybody is connected"
+    );
     for away in [1, 2, 3] {
         crowd.hear(HostNews::Gone(away));
     }
     crowd.shows("1 of 248 have voted");
     assert_eq!(crowd.come(9).1, []);
     assert_eq!(crowd.come(9).1, []);
-    let (line, sent_away) = crowd.come(9);
-    assert_eq!(sent_away, [(line, Refusal::Full)]);
+    let (connection, sent_away) = crowd.come(9);
+    assert_eq!(sent_away, [(connection, Refusal::Full)]);
     // A pupil who has voted keeps the seat and the vote.
     crowd.shows("1 of 250 have voted");
 }
@@ -766,22 +774,22 @@ fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() 
 fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
     let mut crowd = Crowd::new();
     crowd.fill(20);
-    while crowd.lines < 250 {
+    while crowd.connections < 250 {
         crowd.now_s += 2;
         assert_eq!(crowd.come(1).1, []);
     }
     crowd.vote(250);
     // The device does not get one of its own seats.
     crowd.now_s += 2;
-    let (line, sent_away) = crowd.come(1);
-    assert_eq!(sent_away, [(line, Refusal::Full)]);
+    let (connection, sent_away) = crowd.come(1);
+    assert_eq!(sent_away, [(connection, Refusal::Full)]);
     // It loses seats until it has half of them.
     for newcomer in 0..105 {
         let displaced = 249 - ConnectionId::from(newcomer);
         assert_eq!(crowd.come(2000 + newcomer).1, [(displaced, Refusal::Full)]);
     }
-    let (line, sent_away) = crowd.come(3000);
-    assert_eq!(sent_away, [(line, Refusal::Full)]);
+    let (connection, sent_away) = crowd.come(3000);
+    assert_eq!(sent_away, [(connection, Refusal::Full)]);
     crowd.shows("1 of 250 have voted");
 }
 

@@ -1,4 +1,4 @@
-//! The next step on the screens that show it, and whose it is.
+//! The next step on the screens that show it, and the player to whom it belongs.
 
 use carrom::app::App;
 use carrom::messages::{StoreCall, StoreRequest};
@@ -81,7 +81,7 @@ fn learn_progress_and_the_end_of_a_round_show_the_same_step_as_home() {
 }
 
 #[test]
-fn the_players_are_listed_with_their_last_day_and_a_new_one_is_confirmed() {
+fn the_players_are_listed_with_their_last_day_and_a_new_one_needs_confirmation() {
     let mut game = game(Route::Settings, &["Mia", "Ada"]);
     game.press("<End><Enter>");
     let screen = game.screen();
@@ -94,7 +94,7 @@ fn the_players_are_listed_with_their_last_day_and_a_new_one_is_confirmed() {
     assert!(screen.contains("a player called Mia"), "{screen}");
     game.press("n");
     assert!(!game.screen().contains("Begin a new record"));
-    // Whoever is known needs no confirmation.
+    // A known player needs no confirmation.
     game.press("<Escape><Home><Enter><Escape>");
     let screen = game.screen();
     assert!(screen.lines().next().unwrap().contains("Ada"), "{screen}");

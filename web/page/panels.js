@@ -546,7 +546,7 @@ const panels = (() => {
     const items = sections.flatMap((it) => it.items).filter((it) => it.is === "text" && it.chosen === null);
     const sentences = items.map((it) => it.runs.map(({ text }) => text).join("").trim()).filter((text) => text.length > 2);
     const shape = (text) => text.replace(/[\d.,]+/g, "0");
-    if (title !== called) fresh = [`${capital(title)}.`];
+    if (title !== called) fresh = [capital(title) + (/[.!?]$/.test(title) ? "" : ".")];
     called = title;
     fresh.push(...sentences.filter((text) => !known.has(shape(text))));
     known = new Set(sentences.map(shape));

@@ -192,7 +192,7 @@ fn frames(
         _ => (
             draft
                 .named("from-the-centre", TOPIC)
-                .ask(angle_for("with their centre of mass"))
+                .ask(angle_for("with the centre of mass"))
                 .options(ANGLES, 1)
                 .chooses(FramesMixed, 0)
                 .says(
@@ -245,7 +245,7 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
         .chooses(None, 2)
         .says(
             "Did you assume that a fast collision makes the angle large? Whether it exceeds 90° \
-             depends only on the angle before.",
+             depends only on the angle before the collision.",
         )
         .why(format!(
             "For equal masses, with momentum and energy conserved, v₁·v₂ = u₁·u₂. {came} {}.",

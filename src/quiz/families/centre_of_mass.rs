@@ -203,7 +203,7 @@ fn theta1_deg(hit: &Hit, turn_deg: f64) -> Option<f64> {
     lab_scattering_angle(rad_from_deg(turn_deg), m1, m2).map(deg_from_rad)
 }
 
-/// From Θ to the striker's angle.
+/// The striker's angle from Θ.
 fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     let text = "By what angle is the striker deflected in the laboratory frame?";
     let theta = rad_from_deg(turn_deg);
@@ -225,7 +225,7 @@ fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
         ))
 }
 
-/// From Θ to the target's angle.
+/// The target's angle from Θ.
 fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     let name = hit.pieces.target_name();
     let text = format!(

@@ -35,7 +35,7 @@ impl HitDraws<'_> {
         Some(Hit {
             pieces,
             given: ImpactPoint::Angle {
-                // 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
+                // This is 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
                 alpha_deg: if left { 0.0 - alpha_deg } else { alpha_deg },
             },
             restitution,

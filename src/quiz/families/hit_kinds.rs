@@ -35,7 +35,7 @@ pub(super) enum HitKind {
     LossyMarbles,
 }
 
-/// The kinds that a round of hits asks at each difficulty, each as often as it is listed.
+/// The kinds of hit in a round at each difficulty. Each kind occurs as often as it is listed.
 pub(super) const KINDS: [&[HitKind]; 3] = {
     use HitKind::*;
     [
@@ -98,7 +98,7 @@ impl HitKind {
     }
 }
 
-/// A hit with the target on the right, at 1 m/s to the right.
+/// A hit with the target on the right and the striker moving to the right at 1 m/s.
 fn plain(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
     Hit {
         pieces,
@@ -141,7 +141,7 @@ fn every(pieces: &[Pieces], places: &[ImpactPoint], restitutions: &[f64]) -> Vec
 
 fn mirrored(given: ImpactPoint) -> ImpactPoint {
     match given {
-        // 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
+        // This is 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
         ImpactPoint::Angle { alpha_deg } => ImpactPoint::Angle {
             alpha_deg: 0.0 - alpha_deg,
         },
@@ -151,7 +151,7 @@ fn mirrored(given: ImpactPoint) -> ImpactPoint {
     }
 }
 
-/// Whether two hits differ in nothing but side, speed and direction.
+/// Whether two hits differ only in side, speed and direction.
 fn same_hit(a: &Hit, b: &Hit) -> bool {
     let close = |x: f64, y: f64| (x - y).abs() < 1e-9;
     a.pieces == b.pieces
@@ -202,7 +202,7 @@ mod tests {
         }
     }
 
-    /// Machines may differ in the last bit of a sine. No hit may depend on it.
+    /// Machines may differ in the last bit of a sine, so no hit may depend on it.
     #[test]
     fn no_choice_depends_on_the_last_bit() {
         let near_tie = |angle: f64| {

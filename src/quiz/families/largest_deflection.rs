@@ -119,7 +119,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
             )
             .chooses(HalfAndHalf, BELOW)
             .says(
-                "Did you assume that equal angles are the limit? There the energy is only shared equally.",
+                "Did you assume that equal angles are the limit? They only mean that the energy is \
+                 shared equally.",
             )
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \
@@ -205,7 +206,7 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         ))
         .number(Measure::Angle, deg_from_rad(alpha))
         .wrong(HalfAndHalf, 45.0)
-        .says("Your answer is close to 45°, right only for a very heavy striker.")
+        .says("Your answer is close to 45°, which is right only for a very heavy striker.")
         .wrong(CopiedAngle, theta1_deg)
         .says("That is the deflection itself. The impact angle is the coin's direction.")
         .wrong(DoubleAngleForgotten, 90.0 - theta1_deg)

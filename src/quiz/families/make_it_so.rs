@@ -56,7 +56,7 @@ struct ShotTask {
 }
 
 impl ShotTask {
-    /// The question that sends the coin, which leaves along the line of impact.
+    /// The question about the coin, which leaves along the line of impact.
     fn target(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
@@ -84,7 +84,7 @@ impl ShotTask {
             .why(self.why(&why, wanted))
     }
 
-    /// The question that deflects the striker, which is not heavier than its target, without loss.
+    /// The question about the striker, which is not heavier than its target; no energy is lost.
     fn striker(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
@@ -128,7 +128,7 @@ impl ShotTask {
             .says("Your offset fits an angle close to 90° between the paths. That is right only for equal masses.")
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
             .says(format!(
-                "You used the line of impact, the {name}'s path, as the striker's."
+                "You used the line of impact, the {name}'s path, as the striker's path."
             ))
             .wrong(
                 OffsetAsAngle,

@@ -10,7 +10,7 @@ use crate::quiz::question::{
 
 /// A wrong answer as it is declared, even if it cannot be given.
 struct OutlinedAnswer {
-    /// The misconception behind it; `None` for a wrong choice without a known one.
+    /// The misconception behind it; `None` for a wrong choice that no known misconception leads to.
     misconception: Option<Misconception>,
     /// `None` if the misconception leads to no answer here.
     response: Option<Response>,
@@ -30,7 +30,7 @@ impl Outline {
     /// A question that begins with this text beside this picture.
     pub(super) fn new(text: impl Into<String>, picture: Illustration) -> Self {
         let question = Question {
-            // The generator sets both.
+            // The generator sets the family and the difficulty.
             family: Family::WhereTo,
             difficulty: Difficulty::Middle,
             topic: Topic::with_id(""),

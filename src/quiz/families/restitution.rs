@@ -1,4 +1,4 @@
-//! What the coefficient of restitution e does: the speed of separation, the angle between the
+//! The effects of the coefficient of restitution e: the speed of separation, the angle between the
 //! paths, and which masses give a right angle in spite of a loss.
 
 use super::prelude::*;

@@ -86,8 +86,8 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         )
         .chooses(SpeedOpensAngle, square.then_some(MORE))
         .says(
-            "Did you assume that a hard collision makes the angle larger? Speed alone changes \
-               no angle.",
+            "Did you assume that a hard collision makes the angle larger? Speed alone does not \
+             change the angle.",
         )
         .chooses(PushedAhead, square.then_some(LESS))
         .says(
@@ -118,8 +118,8 @@ const CLOSES: &str = "You assumed that the loss makes the angle larger. But the 
                       slowly, so the striker follows the coin.";
 
 /// Feedback if a heavier striker rebounds in the answer, or a lighter one follows.
-pub(super) const FOLLOWS_OR_BOUNCES: &str = "You exchanged the two cases: a heavier striker \
-                                             follows the coin, a lighter one rebounds.";
+pub(super) const FOLLOWS_OR_BOUNCES: &str = "You swapped the two cases: a heavier striker follows \
+                                             the coin, a lighter one rebounds.";
 
 const fn lossless_corner(right: usize) -> &'static str {
     match right {

@@ -78,7 +78,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 /// A choice of how the two discs move on, with equal masses.
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
-    /// The first three in the order of [`Rims`].
+    /// The choices, the first three in the order of [`Rims`].
     const WAYS: [&str; 4] = [
         "They move apart at exactly 90°",
         "They move apart at less than 90°",

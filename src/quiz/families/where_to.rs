@@ -75,7 +75,7 @@ pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         ),
         Difficulty::Middle | Difficulty::Hard => (
             false,
-            "Find the line of impact in the picture, where the two will touch:",
+            "In the picture, find where the two will touch, and the line of impact:",
         ),
     };
     let shown = Markings {

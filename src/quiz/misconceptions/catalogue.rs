@@ -19,8 +19,8 @@ struct Description {
     elsewhere: Vec<Elsewhere>,
 }
 
-/// The page that settles a misconception in questions about these topics; "centre-of-mass/turn" is
-/// one of which the turn is asked, "target-speed/unequal" one with unequal masses.
+/// The page that settles a misconception in questions about these topics. "centre-of-mass/turn"
+/// means questions that ask for the turn, "target-speed/unequal" questions with unequal masses.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Elsewhere {
@@ -36,7 +36,7 @@ pub enum Origin {
     Study(&'static str),
     /// A slip in algebra or reading, which nobody believes.
     Slip,
-    /// The answer of a plausible wrong step; we know of no study that describes it.
+    /// The result of a plausible wrong step; we know of no study that describes it.
     Ours,
 }
 
@@ -80,8 +80,8 @@ impl Misconception {
         )
     }
 
-    /// What `elsewhere` may call a question, the most particular first: by what is asked, by its
-    /// masses and loss, and by its topic.
+    /// The names that `elsewhere` may use for a question, the most specific first: by what it asks
+    /// for, by its masses and loss, and by its topic.
     pub(crate) fn names_of_case(topic: &Topic, figures: &Figures) -> [String; 3] {
         let asked = figures.get("asked").and_then(|it| it.as_str());
         let id = topic.id();
@@ -93,7 +93,7 @@ impl Misconception {
         ]
     }
 
-    /// The topics, or `topic/asked`, for which another page is named.
+    /// The topics, or `topic/asked`, for which another page is given.
     #[cfg(test)]
     pub(crate) fn settled_elsewhere(self) -> impl Iterator<Item = &'static str> {
         let elsewhere = self.description().elsewhere.iter();

@@ -1,4 +1,4 @@
-//! How strongly answers indicate a misconception; docs/judging.md derives it.
+//! How strongly answers indicate a misconception; docs/judging.md derives the formula.
 //!
 //! For every answer to a question that could show a misconception, the likelihood ratio compares
 //! somebody who holds it with somebody who guesses. The logarithms of these ratios add up, whatever
@@ -11,15 +11,15 @@ use std::fmt;
 
 use crate::quiz::question::{Answer, Fit, Misconception, Question, WrongAnswer};
 
-/// The chance that somebody who holds a misconception answers a question that could show it in
-/// another way: by a slip, in doubt, or because of another idea.
+/// The chance that somebody who holds a misconception gives an answer that does not show it, to a
+/// question that could: by a slip, in doubt, or because of another idea.
 pub(crate) const SLIP: f64 = 0.15;
 
-/// How many times as likely the answers must be from somebody who holds a misconception as from
-/// somebody who guesses before it is named.
+/// A misconception is named once the answers are this many times as likely from somebody who holds
+/// it as from somebody who guesses.
 pub(crate) const NAMED_ODDS: f64 = 40.0;
 
-/// The least number of different questions that must show a misconception before it is named.
+/// The minimum number of different questions that must show a misconception before it is named.
 pub(crate) const NAMED_QUESTIONS: usize = 2;
 
 /// The evidence of one answer for and against misconceptions.
@@ -31,8 +31,8 @@ pub struct Clue {
     pub could_show: Vec<Misconception>,
     /// The misconception that it shows, if any.
     pub shows: Option<Misconception>,
-    /// The chance that a guess fits one of them as this answer does, or as an answer that shows it
-    /// would: above 0 and below 1.
+    /// The chance that a guess fits one of them as fully as this answer does or, if this answer
+    /// fits none, completely; above 0 and below 1.
     pub(crate) by_chance: f64,
 }
 
@@ -130,18 +130,18 @@ impl Evidence {
         evidence
     }
 
-    /// Whether it is enough to name the misconception.
+    /// Whether the evidence is enough to name the misconception.
     pub(crate) fn names(&self) -> bool {
         self.weight >= NAMED_ODDS.ln() && self.questions >= NAMED_QUESTIONS
     }
 
-    /// Whether it is enough to conclude that the misconception is not held: as strong as the
-    /// evidence that names it, but against it.
+    /// Whether the evidence is enough to conclude that the misconception is not held: as strong as
+    /// the evidence that names it, but against it.
     pub(crate) fn denies(&self) -> bool {
         self.weight <= -NAMED_ODDS.ln()
     }
 
-    /// Orders the stronger evidence first, compared to a millionth.
+    /// Orders the stronger evidence first; the weights are compared to a millionth.
     pub(crate) fn stronger_first(&self, other: &Self) -> Ordering {
         let rank = |it: &Self| (1e6 * it.weight).round() as i64;
         rank(other).cmp(&rank(self))
@@ -159,7 +159,7 @@ impl fmt::Display for Evidence {
 }
 
 /// The evidence of these answers for each misconception that they could have shown, the strongest
-/// first; equals are in the order of [`Misconception::ALL`].
+/// first; equally strong ones are in the order of [`Misconception::ALL`].
 pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     let each = Misconception::ALL.iter();
     let mut all: Vec<Evidence> = each.map(|it| Evidence::of(*it, clues)).collect();

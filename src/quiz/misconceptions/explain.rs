@@ -6,7 +6,7 @@ use crate::quiz::question::{
     Answer, Diagnosis, Form, Passage, Question, Ray, Rays, RaysGrade, Response,
 };
 
-/// An explanation, to be shown as a title over a text.
+/// An explanation, shown as a title above a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explanation {
     /// The name of the misconception, or a verdict on the answer: "right", "one is off".

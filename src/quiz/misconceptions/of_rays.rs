@@ -10,7 +10,7 @@ use crate::quiz::question::{Hit, Misconception, Ray, Rays};
 /// equally well, the earlier one is named.
 pub const OF_RAYS: [Misconception; 13] = *Misconception::ALL
     .first_chunk()
-    .expect("there are more of them");
+    .expect("there are more than 13 misconceptions");
 
 /// A prediction that differs from the truth by less than this, in radians, counts as right.
 const SAME: f64 = 1e-9;
@@ -78,7 +78,7 @@ impl Misconception {
             }
             Self::AlwaysSquare => "Your paths are close to 90° apart, as for equal masses.".into(),
             Self::HalfAndHalf => {
-                "Your angles are close to 45° each: right only at one offset.".into()
+                "Your angles are close to 45° each. That is right at only one offset.".into()
             }
             Self::Swapped => match hit.truth() {
                 Rays {

@@ -19,7 +19,8 @@ impl Dice {
         Self(Pcg32::new(seed, STREAM))
     }
 
-    /// A random whole number below `n`; all are practically equally likely. Returns 0 if `n` is 0.
+    /// A random whole number below `n`; all numbers are practically equally likely. Returns 0 if
+    /// `n` is 0.
     pub fn below(&mut self, n: u32) -> u32 {
         ((u64::from(self.0.next_u32()) * u64::from(n)) >> 32) as u32
     }

@@ -10,7 +10,7 @@ use crate::numbers::millimetres;
 /// How a question is answered, with the true answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Form {
-    /// By two rays, turned or typed.
+    /// By two rays, which the player turns or types.
     Rays {
         /// Where the two discs go.
         truth: Rays,
@@ -21,7 +21,7 @@ pub enum Form {
     },
     /// By a number.
     Number {
-        /// What it measures.
+        /// The quantity that it measures.
         quantity: Measure,
         /// The true number, in the quantity's unit.
         truth: f64,

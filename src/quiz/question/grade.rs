@@ -9,14 +9,14 @@ use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
 /// Up to this fraction of the tolerance an answer earns full credit: 2° for an angle, which is
-/// about as accurately as the picture can be read.
+/// about the accuracy with which the picture can be read.
 const FULL_CREDIT: f64 = 0.5;
 
 /// At this many times the tolerance or more, an answer earns no credit: 30° for an angle.
 const NO_CREDIT: f64 = 7.5;
 
 /// Credit from 0 to 1 for an answer whose error is `distance`, in units of the tolerance: 1 up to a
-/// half, then cos² down to 0 at seven and a half, which is smooth at both ends. An infinite error
+/// half, then decreasing as cos² to 0 at seven and a half, smoothly at both ends. An infinite error
 /// earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);

@@ -8,8 +8,8 @@ use crate::physics::units::mm_from_m;
 /// The field for the text of a choice, because its position depends on the round.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
-/// The most letters a choice may have. Current questions have at most 90; this leaves room for
-/// later ones.
+/// The largest number of characters in a choice. Current questions have at most 90; this leaves
+/// room for later ones.
 const LONGEST_CHOICE: usize = 400;
 
 impl Form {

@@ -39,7 +39,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// What counts as right, in words: see [`distance`](Self::distance).
+    /// The tolerances in words: see [`distance`](Self::distance).
     pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
                                     never more than 4°, 4 percentage points or 0.04 off; any other \
                                     number within a twentieth";
@@ -101,7 +101,7 @@ impl Measure {
     /// The distance of `said` from `truth` in units of the tolerance.
     ///
     /// The tolerance of an angle, a share or e is a tenth of the true value, but at most 4°, 4
-    /// percentage points or 0.04, because a large value can be read or calculated better than that,
+    /// percentage points or 0.04, because a large value can be read or calculated more accurately,
     /// and at least 1°, a fifth of a point or 0.01. All other numbers may differ by a twentieth
     /// either way, as a ratio; the distance is infinite if a ratio is meaningless.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {

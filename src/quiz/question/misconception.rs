@@ -2,9 +2,9 @@
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
-/// A misconception that students may have. First those about the directions of both discs; then
-/// those that show up in something else (a speed, a share, a ratio, a choice of words), in the
-/// order in which their subjects are taught.
+/// A misconception that students may have. The first ones are about the directions of both discs.
+/// The others show up in something else (a speed, a share, a ratio, a choice of words) and are in
+/// the order in which their subjects are taught.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Misconception {
@@ -147,7 +147,7 @@ impl Misconception {
         self.into()
     }
 
-    /// The misconception with this `id`; ids of former versions stay valid.
+    /// The misconception with this `id`; ids from earlier versions stay valid.
     pub fn with_id(id: &str) -> Option<Self> {
         match id {
             "linear-offset" => Some(Self::OffsetAsAngle),

@@ -14,14 +14,14 @@ use crate::numbers;
 /// One of the two rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Ray {
-    /// The striker's.
+    /// The striker's ray.
     Striker,
-    /// The target's.
+    /// The target's ray.
     Target,
 }
 
 impl Ray {
-    /// Both.
+    /// Both rays.
     pub const BOTH: [Self; 2] = [Self::Striker, Self::Target];
 
     /// A direction of this ray in words: "60.0° left", "straight ahead", "stays
@@ -99,8 +99,8 @@ impl Rays {
         })
     }
 
-    /// Both as seen along the striker's path, with this name for the target: "striker 60.0° left,
-    /// coin 30.0° right".
+    /// Both directions as seen along the striker's path, with this name for the target: "striker
+    /// 60.0° left, coin 30.0° right".
     pub fn words(&self, target: &str) -> String {
         let [striker, other] = Ray::BOTH.map(|ray| ray.words(self.get(ray)));
         format!("striker {striker}, {target} {other}")

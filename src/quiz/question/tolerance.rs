@@ -3,10 +3,10 @@
 /// The largest error in degrees with which an angle counts as right.
 pub const RIGHT_DEG: f64 = 4.0;
 
-/// The chance that two guessed rays fit two given ones: about 8° in 90°, twice.
+/// The chance that two guessed rays fit two given ones: about 8° out of 90°, twice.
 pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
-/// The chance that a guessed number, or one guessed ray, fits a given one: about 8° in 90°, or a
-/// tenth of a scale on which people guess within a factor of two.
+/// The chance that a guessed number, or one guessed ray, fits a given one: about 8° out of 90°, or
+/// a tenth of the range within which people guess, which is a factor of two.
 pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
 
 /// The relative error from converting between two units.

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
-use serde::Deserialize;
+use serde::{Deserialize, de::DeserializeOwned};
 
 use super::{Family, Figures, Passage};
 
@@ -29,11 +29,14 @@ struct TopicRow {
     page: String,
 }
 
-static ROWS: LazyLock<Vec<TopicRow>> = LazyLock::new(|| {
-    let text = include_str!("../../../assets/topics.csv");
+static ROWS: LazyLock<Vec<TopicRow>> =
+    LazyLock::new(|| rows(include_str!("../../../assets/topics.csv")));
+
+/// The rows of a table in `assets`.
+fn rows<T: DeserializeOwned>(text: &str) -> Vec<T> {
     let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
     rows.filter_map(Result::ok).collect()
-});
+}
 
 /// Which topic a chapter's question is about: a row of `assets/checkpoints.csv`.
 #[derive(Deserialize)]
@@ -43,13 +46,10 @@ struct CheckpointRow {
     topic: String,
 }
 
-static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> = LazyLock::new(|| {
-    let text = include_str!("../../../assets/checkpoints.csv");
-    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
-    rows.filter_map(Result::ok).collect()
-});
+static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> =
+    LazyLock::new(|| rows(include_str!("../../../assets/checkpoints.csv")));
 
-/// The page that treats a topic in a case that its own page does not: a row of
+/// The page for a topic in a case that the topic's own page does not cover: a row of
 /// `assets/topic_pages.csv`.
 #[derive(Deserialize)]
 struct CaseRow {
@@ -59,13 +59,10 @@ struct CaseRow {
     page: String,
 }
 
-static CASES: LazyLock<Vec<CaseRow>> = LazyLock::new(|| {
-    let text = include_str!("../../../assets/topic_pages.csv");
-    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
-    rows.filter_map(Result::ok).collect()
-});
+static CASES: LazyLock<Vec<CaseRow>> =
+    LazyLock::new(|| rows(include_str!("../../../assets/topic_pages.csv")));
 
-/// Which case a question is about, by its figures: "lossy", "unequal" for the masses, or "equal".
+/// The case that a question is about, from its figures: "lossy", "unequal" (masses) or "equal".
 pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
     let figure = |name: &str| figures.get(name).and_then(|it| it.as_f64());
     if figure("restitution").is_some_and(|e| e < 1.0) {
@@ -78,7 +75,7 @@ pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
 }
 
 impl Topic {
-    /// The topic by which the question on a page of a chapter is reviewed; `None` in a teacher's
+    /// The topic under which the question on a page of a chapter is reviewed; `None` in a teacher's
     /// own chapters.
     pub(crate) fn of_checkpoint(chapter: &str, page: &str) -> Option<Self> {
         let mut rows = CHECKPOINTS.iter();
@@ -86,7 +83,8 @@ impl Topic {
         Some(Self::with_id(row.topic.as_str()))
     }
 
-    /// The topic of an id. An unknown id belongs to a question in words and is its own name.
+    /// The topic with this id. An unknown id belongs to a question in words; its words are the
+    /// name.
     pub fn with_id(id: impl Into<Cow<'static, str>>) -> Self {
         Self(id.into())
     }
@@ -127,7 +125,7 @@ impl Topic {
         families.split(' ').filter_map(Family::with_id).collect()
     }
 
-    /// The topics that the chapter of an id teaches.
+    /// The topics that the chapter with this id teaches.
     pub(crate) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
         let taught = ROWS.iter().filter(move |row| row.chapter == chapter);
         taught.map(|row| Self::with_id(row.id.as_str()))
@@ -141,7 +139,7 @@ impl Topic {
 }
 
 impl Topic {
-    /// The page that teaches what a question with these figures asks about it.
+    /// The page that teaches what a question with these figures asks about this topic.
     pub(crate) fn taught_for(&self, figures: &Figures) -> Option<Passage> {
         let case = case(figures);
         let mut rows = CASES.iter();

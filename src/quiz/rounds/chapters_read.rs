@@ -38,13 +38,14 @@ impl ChaptersRead {
         Self::of_letters(ids.into_iter().filter_map(letter))
     }
 
-    /// The place of a chapter among those of the program, for sorting; others come last.
+    /// The position of a chapter among the built-in ones, for sorting; other chapters come last.
     pub(crate) fn order_of(id: &str) -> usize {
         let found = LETTERS.iter().position(|(_, known)| *known == id);
         found.unwrap_or(LETTERS.len())
     }
 
-    /// The chapters of the letters in a code; `None` if they are none, or not in order.
+    /// The chapters for the letters in a code; `None` if there are none or the letters are not in
+    /// order.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;
         (chapters.to_string() == letters).then_some(chapters)

@@ -10,7 +10,7 @@ use crate::quiz::concepts::Library;
 use crate::quiz::families;
 use crate::quiz::question::{Family, Misconception, Topic};
 
-/// The names of personal rounds, which look like codes where answers are stored.
+/// The names of personal rounds, which are stored with answers in the form of codes.
 const PERSONAL: [&str; 2] = ["review", "met"];
 
 /// The prefix of the letters of chapters in codes.
@@ -39,20 +39,20 @@ pub enum CourseKind {
     /// Finding out what a student believes: each question is chosen by the answers before it. It
     /// begins with equal masses.
     FindOut,
-    /// The same with any first question, for existing codes.
+    /// Finding out, but with any first question; for existing codes.
     FindOutFromAny,
     /// Questions that can show a misconception.
     Check(Misconception),
     /// All kinds, with no feedback until the end.
     Exam,
-    /// One family.
+    /// Questions of one family.
     Topic(Family),
     /// The topics that these chapters teach.
     Read(ChaptersRead),
-    /// What this player has read or answered before: these topics.
+    /// These topics, which the player has read about or answered before.
     Met(Vec<Topic>),
-    /// A question about each of these topics, which are due, the longest due first; if there are
-    /// many, about the first of them.
+    /// A question about each of these topics, which are due, those due longest first; if there are
+    /// many, only about the first ones.
     Review(Vec<Topic>),
     /// A teacher's own questions in words. A code that has just been read has none yet:
     /// [`Code::with_own`] adds them.
@@ -90,15 +90,15 @@ impl CourseKind {
         match self {
             Self::Hits => ("hits", "ten hits", families::where_to::LENGTH),
             Self::Quick => ("quick", "quick five", 5),
-            Self::Mixed => ("mixed", "mixed ten, as before", 10),
+            Self::Mixed => ("mixed", "older mixed ten", 10),
             Self::Even => ("even", "mixed ten", 10),
             Self::FindOut => ("beliefs", "find out what you believe", 12),
-            Self::FindOutFromAny => ("find-out", "find out, as before", 12),
+            Self::FindOutFromAny => ("find-out", "older find out", 12),
             Self::Check(misconception) => (misconception.id(), misconception.name(), 2),
             Self::Exam => ("exam", "exam", 15),
             Self::Topic(family) => (family.id(), family.name(), 6),
             Self::Read(_) => (READ, "what you have read", 10),
-            Self::Met(_) => ("met", "what you have met", 10),
+            Self::Met(_) => ("met", "topics you have met", 10),
             Self::Review(due) => ("review", "review", due.len().min(Course::REVIEWED)),
             Self::Own(_) => ("own", "your own questions", 10),
         }
@@ -109,7 +109,7 @@ impl CourseKind {
         matches!(self, Self::Met(_) | Self::Review(_))
     }
 
-    /// The kind of an `id`; none for those that belong to one player.
+    /// The kind with this `id`; `None` for a kind that depends on one player's record.
     pub fn with_id(id: &str) -> Option<Self> {
         let topics = Self::topics().map(Self::Topic);
         let checks = Misconception::ALL.iter().copied().map(Self::Check);
@@ -132,9 +132,10 @@ impl CourseKind {
 }
 
 impl Course {
-    /// The most questions a round may have.
+    /// The largest number of questions in a round.
     pub const MOST: usize = 60;
-    /// The most questions a review may have; the remaining topics are left for the next review.
+    /// The largest number of questions in a review; the remaining topics are left for the next
+    /// review.
     pub const REVIEWED: usize = 10;
 
     /// A round of the usual length.
@@ -195,8 +196,8 @@ pub enum NoCode {
         Course::MOST
     )]
     Count,
-    /// The number of ten hits is fixed.
-    #[error("expected no number of questions in the code of ten hits, as in hits-7")]
+    /// The number of questions in ten hits is fixed.
+    #[error("expected the code of ten hits without a number of questions, as in hits-7")]
     Hits,
     /// A review, or a round about what a player has met, depends on that player's record.
     #[error(
@@ -251,8 +252,8 @@ impl Code {
         Ok(Self { course, seed })
     }
 
-    /// The round stored with an answer, as codes are written: the code, or that of a personal round,
-    /// which cannot be opened again.
+    /// Reads the round stored with an answer: a code, in its usual spelling, or the name of a
+    /// personal round, which cannot be opened again.
     ///
     /// # Errors
     /// Returns the reason if the text is neither.

@@ -13,13 +13,13 @@ const CANDIDATES: usize = 32;
 /// in the units of [`shown`].
 const ENOUGH: [u32; 2] = [16, 3];
 
-/// How many times as much a missing test counts for a common misconception as for another one.
+/// The weight of a missing test for a common misconception, relative to another one.
 const PREFERRED: u32 = 8;
 
-/// What a question can show, and how strongly: roughly the logarithm to base 3 of how many times as
-/// likely a fit is as it would be by guessing. Whole numbers are used, so that no choice depends on
-/// the last digit. An answer that has to be calculated to less than half of the largest tolerance
-/// is given too rarely to be included.
+/// What a question can show, and how strongly: roughly the base-3 logarithm of how many times more
+/// likely a fit is than by guessing. Whole numbers are used, so that no choice depends on the last
+/// digit. An answer that has to be calculated to less than half of the largest tolerance is given
+/// too rarely to be included.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {
         Form::Rays { .. } => 4,

@@ -11,7 +11,7 @@ use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Questi
 
 /// The probability of holding none of the misconceptions, before the first answer.
 const NONE_BEFORE: f64 = 0.25;
-/// How many times as likely a common misconception is as any other.
+/// How many times more likely a common misconception is than any other.
 const COMMON: f64 = 5.0;
 /// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
@@ -146,13 +146,13 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The most informative first question, of those about collisions of equal masses.
+/// The most informative first question about collisions of equal masses.
 pub(super) fn ask_first(dice: &mut Dice) -> Option<Question> {
     ask_from(&FIRST_CANDIDATES, &[], &[], dice)
 }
 
-/// The most informative question after these answers, with misconceptions as codes count them, of
-/// those drawn with the dice; none of `asked` again.
+/// The most informative question after these answers, with misconceptions as codes count them,
+/// among those drawn with the dice. No question in `asked` is asked again.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     ask_from(&CANDIDATES, asked, in_codes, dice)
 }
@@ -178,7 +178,8 @@ fn ask_from(
             if asked.iter().any(|old| old.text == question.text) {
                 continue;
             }
-            // To a millionth of a bit, so that no choice depends on the last digit of a logarithm.
+            // The information is rounded to a millionth of a bit, so that no choice depends on the
+            // last digit of a logarithm.
             let tells = (1e6 * posterior.information(&question)).round() as i64;
             if best.as_ref().is_none_or(|(most, _)| tells > *most) {
                 best = Some((tells, question));

@@ -24,9 +24,10 @@ pub(super) fn in_turn(
     questions(&order, families, dice)
 }
 
-/// A question about each of these topics, from these families of theirs, shuffled, easy ones first
-/// as far as possible. If it can be avoided no family comes twice in a row, because returning to an
-/// idea works best after something else. A topic without questions is left out.
+/// A question about each of these topics, from the families that the function returns for it,
+/// shuffled, easy ones first as far as possible. No family comes twice in a row if this can be
+/// avoided, because returning to an idea works best after something else. A topic without questions
+/// is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,

@@ -105,7 +105,7 @@ impl Round {
             clues.collect::<Vec<_>>()
         });
         if !find_out::is_settled(&clues, &in_codes) {
-            // The seed does not depend on how many numbers earlier questions drew.
+            // The seed does not depend on how many random numbers the earlier questions used.
             let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
             let dice = &mut Dice::new(seed);
             let next = match course.kind {
@@ -182,7 +182,7 @@ impl Round {
         &self.code
     }
 
-    /// What it is made of.
+    /// The course of the round.
     pub fn course(&self) -> &Course {
         &self.code.course
     }

@@ -20,12 +20,12 @@ pub(crate) struct Home {
     ahead: Ahead,
 }
 
-/// The impact angle of the picture, in degrees: not that of the lab's first shot, whose result the
-/// player is to predict.
+/// The impact angle of the picture, in degrees. It differs from that of the lab's first shot,
+/// because the player should predict the result of that shot.
 const ALPHA_DEG: f64 = -50.0;
 
 impl Default for Home {
-    /// The first line is chosen; the picture shows a collision at its contact.
+    /// The first line is chosen; the picture shows a collision at the moment of contact.
     fn default() -> Self {
         let shot = CollisionSpec {
             point: ImpactPoint::Angle {
@@ -43,14 +43,14 @@ impl Default for Home {
 }
 
 impl Home {
-    /// Requests the player's answers.
+    /// The home screen; requests the player's record.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         let mut home = Self::default();
         home.resumed(cx);
         home
     }
 
-    /// The lines: what comes next, then the menu.
+    /// The lines: the next step, then the menu.
     fn lines(&self, cx: &Context) -> Vec<HomeLine> {
         let class = cx.class.iter().map(|_| HomeLine::Class);
         let step = self.ahead.step().map(|_| HomeLine::Next);

@@ -1,4 +1,4 @@
-//! Whether a chapter fits the smallest usual screen, page by page.
+//! Checks page by page whether a chapter fits the smallest usual screen.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -12,7 +12,7 @@ use crate::widgets::{Charset, SplitLayout, formula, text};
 /// The body of a screen of 80×24, below the title and above the keys.
 const BODY: Rect = Rect::new(0, 1, 80, 22);
 
-/// Pages that would be truncated or have to be scrolled at 80×24, in either charset; `[]` if the
+/// Pages that would be truncated or have to be scrolled at 80×24, in either charset; empty if the
 /// chapter fits.
 pub fn check(chapter: &Chapter) -> Vec<FileError> {
     let mut faults = Vec::new();

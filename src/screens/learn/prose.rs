@@ -6,7 +6,7 @@ use crate::widgets::flow::Run;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role, formula};
 
-/// The style of text.
+/// The settings for writing the text of a page.
 #[derive(Clone, Copy)]
 pub(super) struct Prose<'a> {
     /// The collision from which the live numbers are computed.
@@ -78,7 +78,7 @@ impl Prose<'_> {
                 };
                 Run::new(text.as_str(), role)
             }
-            // Kept together, because a formula broken over two rows is hard to read.
+            // A formula is kept together, because one that is broken over two rows is hard to read.
             Inline::Formula(formula) => Run::formula(formula, plain),
             Inline::Live(quantity) => {
                 let value = self.figure.map(|collision| quantity.shown(collision));

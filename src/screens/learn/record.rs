@@ -1,19 +1,21 @@
 //! The record of an answer at a checkpoint.
 
+use glam::DVec2;
 use serde_json::json;
 
 use crate::lessons::{AFTER_HINT, Chapter, answer_json};
 use crate::physics::units::deg_from_rad;
+use crate::physics::{Collision, Meeting};
 use crate::progress::{Attempt, LESSON, REVIEWED_BY};
-use crate::quiz::{Form, Response, Topic, figures};
+use crate::quiz::{Answer, Confidence, Form, Hit, Question, Response, Topic, figures};
 
-/// The marked answer to the checkpoint of page `at` (counted from 0), a question of this `form`.
-/// After a hint, an answer earns half the credit.
+/// The marked answer to the checkpoint of page `at` (counted from 0), a question of this `form`
+/// about the collision in the page's `figure`. After a hint, an answer earns half the credit.
 pub fn attempt(
     player: &str,
     chapter: &Chapter,
     at: usize,
-    form: &Form,
+    (form, figure): (&Form, Option<&Collision>),
     (answer, after_hint): (&Response, bool),
 ) -> Attempt {
     let mut truth = answer_json(&form.truth());
@@ -35,7 +37,7 @@ pub fn attempt(
         question[REVIEWED_BY] = topic.id().into();
     }
     let share = if after_hint { AFTER_HINT } else { 1.0 };
-    Attempt {
+    let attempt = Attempt {
         time_s: None,
         player: player.to_owned(),
         family: LESSON.to_owned(),
@@ -50,5 +52,76 @@ pub fn attempt(
         right: form.is_right(answer),
         confidence: None,
         misconception: None,
+    };
+    let question = figure.filter(|_| !after_hint).and_then(of_quiz);
+    match (question, answer) {
+        (Some(question), Response::Rays(_)) => {
+            let answer = Answer::new(*answer, Confidence::ThinkSo);
+            attempt.with_evidence(&question, &answer)
+        }
+        _ => attempt,
+    }
+}
+
+/// The question of the quiz about both rays of a collision, if it could be asked there: the target
+/// is at rest, and each misconception predicts rays of its own.
+fn of_quiz(collision: &Collision) -> Option<Question> {
+    let is_hit = collision.u2 == DVec2::ZERO && collision.outcome().meeting == Meeting::Hit;
+    let question = is_hit.then(|| Question::from(&Hit::from(collision)))?;
+    question.is_clear().then_some(question)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lessons::ChapterLibrary;
+    use crate::physics::Disc;
+    use crate::physics::units::rad_from_deg;
+    use crate::progress::beliefs;
+    use crate::quiz::{Misconception, Rays};
+
+    /// The answer of 45° and 45° to a question of chapter 6 about unequal masses.
+    fn half_and_half(u2: DVec2, after_hint: bool) -> Attempt {
+        let (striker, target) = (Disc::from_g_mm(15.0, 20.65), Disc::from_g_mm(5.5, 15.9));
+        let collision = Collision {
+            u2,
+            ..Collision::at_offset(striker, target, DVec2::X, 0.018)
+        };
+        let form = Form::Rays {
+            truth: Rays::from(&collision.outcome()),
+            side: collision.side(),
+            target: "coin",
+        };
+        let side = collision.side() * rad_from_deg(45.0);
+        let answer = Response::Rays(Rays::new(side, side));
+        let library = ChapterLibrary::embedded_once();
+        let chapter = library
+            .chapters
+            .iter()
+            .find(|it| it.id == "marbles")
+            .unwrap();
+        let at = (&form, Some(&collision));
+        attempt("Ada", chapter, 0, at, (&answer, after_hint))
+    }
+
+    #[test]
+    fn two_wrong_rays_in_chapters_are_evidence_for_a_misconception() {
+        let first = half_and_half(DVec2::ZERO, false);
+        assert_eq!(first.shows(), Some(Misconception::HalfAndHalf));
+        let second = Attempt {
+            number: 2,
+            ..first.clone()
+        };
+        let named: Vec<_> = beliefs(&[first, second])
+            .iter()
+            .map(|it| it.misconception)
+            .collect();
+        assert_eq!(named, [Misconception::HalfAndHalf]);
+    }
+
+    #[test]
+    fn rays_after_a_hint_or_for_two_moving_discs_are_no_evidence() {
+        assert_eq!(half_and_half(DVec2::ZERO, true).shows(), None);
+        assert_eq!(half_and_half(0.1 * DVec2::Y, false).shows(), None);
     }
 }

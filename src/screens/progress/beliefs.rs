@@ -65,13 +65,14 @@ fn held(history: &History) -> Option<HeldBelief> {
 const fn how_it_fades(origin: Origin) -> &'static str {
     match origin {
         Origin::Study(_) => {
-            "Many people believe this at first. Predicting, and seeing that the collision disagrees, is how it fades."
+            "Many people believe this at first. It fades when you predict and then see that the \
+             collision disagrees."
         }
         Origin::Slip => {
-            "This is a slip, not a belief. Checking the result in an extreme case shows it."
+            "This is a slip, not a belief. Checking the result in an extreme case reveals it."
         }
         Origin::Ours => {
-            "Predicting, and seeing that the collision disagrees, is how such an idea fades."
+            "Such an idea fades when you predict and then see that the collision disagrees."
         }
     }
 }

@@ -38,7 +38,7 @@ pub enum ProgressAction {
     Back,
 }
 
-/// Fewest columns for a panel of the usual width.
+/// The minimum number of columns for a panel of the usual width.
 const NARROW: u16 = 80;
 /// The width of the panel on a narrow screen, where the tables need the room.
 const NARROW_PANEL: u16 = 26;
@@ -67,7 +67,7 @@ impl ProgressPage {
         Self::ALL[at as usize]
     }
 
-    /// Titles of the picture and of the panel.
+    /// The titles of the picture and of the panel.
     const fn titles(self) -> (&'static str, &'static str) {
         match self {
             Self::OverTime => ("1 how far off, over time", "summary"),
@@ -79,7 +79,7 @@ impl ProgressPage {
     }
 }
 
-/// The screen.
+/// The progress screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Progress {
     ahead: Ahead,

@@ -50,9 +50,10 @@ fn compared(first: f64, last: f64) -> &'static str {
     if last <= RIGHT_DEG {
         "That is as accurate as the eye can judge. Well aimed."
     } else if last < 0.8 * first {
-        "You are closer than before: that is what practice looks like."
+        "You are closer than before: your practice shows."
     } else if last > 1.25 * first {
-        "Lately your errors were larger. New kinds of collision do that; the line will come down again."
+        "Your recent errors were larger. That is normal with new kinds of collision; the line will \
+         come down again."
     } else {
         "Steady. You learn most from the ones you miss: read their explanations."
     }

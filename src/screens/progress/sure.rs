@@ -12,7 +12,7 @@ use crate::widgets::picture::Picture;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
-/// The number of answers with one confidence in each share.
+/// The number of answers with one confidence from which each share is calculated.
 const REACH: usize = 10;
 /// The number of recent answers that are shown.
 const SHOWN: usize = 200;
@@ -62,10 +62,11 @@ pub(super) fn plot_over_time(
     picture.ok_or("A line appears here after three answers with the same confidence.")
 }
 
-/// The range in which each line should be, and where it ended.
+/// The latest share of right answers for each confidence, and the ranges in which the lines should
+/// be.
 pub(super) fn panel_over_time(history: &History, panel: &mut Panel<ProgressAction>) {
     let shares = calibration_over_time(&history.attempts, REACH);
-    panel.heading("Right, of the last ten");
+    panel.heading("Right among the last ten");
     for (confidence, shares) in Confidence::ALL.into_iter().zip(&shares).rev() {
         let now = shares.last().map(|(_, share)| *share);
         panel.fact(confidence.name(), percent(now));

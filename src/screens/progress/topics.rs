@@ -13,7 +13,7 @@ use crate::widgets::{Look, Role, text};
 /// The width of a topic's name, in columns.
 const NAME: u16 = 26;
 const BAR: u16 = 20;
-/// The largest number of names listed.
+/// The largest number of names in a list.
 const LISTED: usize = 6;
 
 /// One row per topic, with the last answers as a bar if there is room.
@@ -57,7 +57,7 @@ pub(super) fn table(
     chapters(book, panel);
 }
 
-/// The topics of the quiz only; chapters have their own measure.
+/// The topics of the quiz only; the state of chapters is shown separately.
 fn topics_of_the_quiz(history: &History) -> Vec<TopicStanding> {
     topics(history.attempts.iter().filter(|it| it.family != LESSON))
 }
@@ -92,7 +92,7 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     }
     let Some(today) = history.calendar.today() else {
         panel.paragraph(
-            "What you know rests for a while; what you missed comes back soon. The dates \
+            "What you know comes back after a while; what you missed comes back soon. The dates \
              will appear here.",
             Role::Text,
         );

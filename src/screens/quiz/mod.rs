@@ -28,8 +28,8 @@ use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
-/// How long Enter does not leave a verdict that was shown at once: a player who presses a digit for
-/// the confidence and then Enter means to confirm the digit.
+/// For this long, Enter does not close a verdict that appears at once: a player who presses a digit
+/// for the confidence and then Enter means to confirm the digit.
 const SETTLING: Duration = Duration::from_millis(500);
 
 /// Returns to choosing a round.
@@ -114,7 +114,7 @@ struct AnsweredQuestion {
     remedy: Option<Watch>,
     /// The question's index, if it was opened from the summary.
     opened: Option<usize>,
-    /// How long Enter does nothing yet: see [`SETTLING`].
+    /// The time until Enter works again: see [`SETTLING`].
     settling: Duration,
 }
 
@@ -271,7 +271,7 @@ impl Quiz {
         }
     }
 
-    /// Number of the present question, from 1.
+    /// The number of the current question, from 1.
     fn number(&self) -> usize {
         match &self.phase {
             QuizPhase::Asked(_) => self.answers.len() + 1,
@@ -538,7 +538,7 @@ impl Screen for Quiz {
             (QuizAction::Next, _) => {
                 let ahead = self.ahead.as_ref();
                 return match ahead.map_or(Next::Stay, |ahead| ahead.follow(cx)) {
-                    // Another round takes the place of this one.
+                    // Another round replaces this one.
                     Next::Open(round @ Route::Quiz { .. }) => Next::Replace(round),
                     other => other,
                 };

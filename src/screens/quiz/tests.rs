@@ -21,7 +21,7 @@ const SIZES: [(u16, u16); 7] = [
     (300, 98),
 ];
 
-/// A round whose current question is made by the test.
+/// A round whose current question is set by the test.
 struct TestRound {
     quiz: Hosted<Quiz>,
     cx: Context,
@@ -32,7 +32,7 @@ impl TestRound {
         let mut quiz = Quiz::new(Code::hits(7));
         let question = Question {
             text: "What happens? Assume smooth discs.".into(),
-            why: "So it is.".into(),
+            why: "This is the explanation.".into(),
             beliefs: vec![],
             picture,
             form,
@@ -94,9 +94,14 @@ fn aim() -> AimTask {
 
 fn choice() -> Form {
     Form::Choice {
-        options: ["more than 90°", "exactly 90°", "less than 90°, whatever the masses are and however it is hit, as long as it is not head-on at all"]
-            .map(String::from)
-            .into(),
+        options: [
+            "more than 90°",
+            "exactly 90°",
+            "less than 90°, whatever the masses and the offset are, as long as the collision is \
+             not head-on",
+        ]
+        .map(String::from)
+        .into(),
         right: 1,
     }
 }

@@ -11,8 +11,8 @@
 //! device gets fewer states and does not delay the others.
 
 mod addresses;
+mod connection;
 mod head;
-mod line;
 mod page;
 mod switchboard;
 
@@ -80,11 +80,11 @@ impl Host {
                 (self.wake)();
             }
             (HostCall::Tell(states), Some(board)) => {
-                for (line, state) in states {
-                    board.tell(*line, state.clone());
+                for (connection, state) in states {
+                    board.tell(*connection, state.clone());
                 }
             }
-            (HostCall::Refuse(line, why), Some(board)) => board.refuse(*line, *why),
+            (HostCall::Refuse(connection, why), Some(board)) => board.refuse(*connection, *why),
             (HostCall::Close, _) => self.close(),
             (_, None) => {}
         }
@@ -198,7 +198,7 @@ fn accept(listener: &TcpListener, board: &Arc<Switchboard>) {
             continue;
         };
         let (id, at) = (entry.id, Arc::clone(board));
-        if spawn("line", move || line::serve(&at, &entry)).is_err() {
+        if spawn("connection", move || connection::serve(&at, &entry)).is_err() {
             board.remove(id);
         }
     }

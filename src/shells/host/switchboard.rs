@@ -14,7 +14,7 @@ use crate::shells::lock;
 
 /// The most connections at once. If there are more, the address with the most connections loses the
 /// oldest one that has not joined, so that a client that opens many affects only itself.
-const MOST_LINES: usize = 600;
+const MOST_CONNECTIONS: usize = 600;
 
 /// All connections of a class.
 pub(super) struct Switchboard {
@@ -28,14 +28,14 @@ pub(super) struct Switchboard {
     /// The page, if there is one.
     pub(super) page: Option<Arc<ServedPage>>,
     wake: Arc<dyn Fn() + Send + Sync>,
-    lines: Mutex<BTreeMap<ConnectionId, Arc<Line>>>,
+    connections: Mutex<BTreeMap<ConnectionId, Arc<Connection>>>,
     news: Mutex<VecDeque<HostNews>>,
     next: AtomicU64,
     closed: AtomicBool,
 }
 
 /// One connection.
-pub(super) struct Line {
+pub(super) struct Connection {
     /// A number that no other connection has.
     pub(super) id: ConnectionId,
     /// The address of the device.
@@ -81,7 +81,7 @@ impl Switchboard {
             port,
             page,
             wake,
-            lines: Mutex::default(),
+            connections: Mutex::default(),
             news: Mutex::default(),
             next: AtomicU64::new(1),
             closed: AtomicBool::new(false),
@@ -89,16 +89,16 @@ impl Switchboard {
     }
 
     /// Adds a connection; `None` if there is no room for it.
-    pub(super) fn admit(&self, stream: TcpStream, address: IpAddr) -> Option<Arc<Line>> {
-        let mut lines = lock(&self.lines);
-        if lines.len() >= MOST_LINES {
-            let id = Self::superfluous(&lines)?;
-            if let Some(line) = lines.remove(&id) {
-                hang_up(&line.stream);
+    pub(super) fn admit(&self, stream: TcpStream, address: IpAddr) -> Option<Arc<Connection>> {
+        let mut connections = lock(&self.connections);
+        if connections.len() >= MOST_CONNECTIONS {
+            let id = Self::superfluous(&connections)?;
+            if let Some(connection) = connections.remove(&id) {
+                hang_up(&connection.stream);
             }
         }
         let id = self.next.fetch_add(1, Ordering::Relaxed);
-        let line = Arc::new(Line {
+        let connection = Arc::new(Connection {
             id,
             address,
             stream,
@@ -107,15 +107,18 @@ impl Switchboard {
             outbox: Mutex::default(),
             filled: Condvar::new(),
         });
-        lines.insert(id, Arc::clone(&line));
-        Some(line)
+        connections.insert(id, Arc::clone(&connection));
+        Some(connection)
     }
 
     /// The connection to close when there are too many.
-    fn superfluous(lines: &BTreeMap<ConnectionId, Arc<Line>>) -> Option<ConnectionId> {
+    fn superfluous(connections: &BTreeMap<ConnectionId, Arc<Connection>>) -> Option<ConnectionId> {
         let mut held: BTreeMap<IpAddr, (usize, ConnectionId)> = BTreeMap::new();
-        for (id, line) in lines.iter().filter(|(_, line)| !line.has_joined()) {
-            held.entry(line.address).or_insert((0, *id)).0 += 1;
+        for (id, connection) in connections
+            .iter()
+            .filter(|(_, connection)| !connection.has_joined())
+        {
+            held.entry(connection.address).or_insert((0, *id)).0 += 1;
         }
         let most = held.values().max_by_key(|(count, _)| *count)?;
         Some(most.1)
@@ -123,13 +126,13 @@ impl Switchboard {
 
     /// Removes a lost connection.
     pub(super) fn remove(&self, id: ConnectionId) {
-        if let Some(line) = lock(&self.lines).remove(&id) {
-            line.close();
+        if let Some(connection) = lock(&self.connections).remove(&id) {
+            connection.close();
         }
     }
 
-    fn line(&self, id: ConnectionId) -> Option<Arc<Line>> {
-        lock(&self.lines).get(&id).cloned()
+    fn connection(&self, id: ConnectionId) -> Option<Arc<Connection>> {
+        lock(&self.connections).get(&id).cloned()
     }
 
     /// The time since the server was opened.
@@ -139,29 +142,34 @@ impl Switchboard {
 
     /// Checks a typed code. A device that has joined before can always return, however many wrong
     /// codes others try.
-    pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> CodeVerdict {
+    pub(super) fn judge(
+        &self,
+        connection: &Connection,
+        typed: &str,
+        seat: Option<SeatToken>,
+    ) -> CodeVerdict {
         let was_in = seat.is_some_and(|seat| lock(&self.seats).contains(&seat));
         let mut code = lock(&self.code);
         if was_in && code.is(typed) {
             return CodeVerdict::Right;
         }
-        code.judge(typed, line.address, self.now())
+        code.judge(typed, connection.address, self.now())
     }
 
     /// Sends a pupil the state.
     pub(super) fn tell(&self, id: ConnectionId, state: PupilState) {
-        if let Some(line) = self.line(id) {
+        if let Some(connection) = self.connection(id) {
             lock(&self.seats).insert(state.seat);
-            lock(&line.outbox).state = Some(HostMessage::State(Box::new(state)).to_text());
-            line.filled.notify_all();
+            lock(&connection.outbox).state = Some(HostMessage::State(Box::new(state)).to_text());
+            connection.filled.notify_all();
         }
     }
 
     /// Tells a pupil why the connection ends.
     pub(super) fn refuse(&self, id: ConnectionId, why: Refusal) {
-        if let Some(line) = self.line(id) {
-            lock(&line.outbox).last = Some(HostMessage::No { why }.to_text());
-            line.filled.notify_all();
+        if let Some(connection) = self.connection(id) {
+            lock(&connection.outbox).last = Some(HostMessage::No { why }.to_text());
+            connection.filled.notify_all();
         }
     }
 
@@ -188,10 +196,10 @@ impl Switchboard {
     /// Closes all connections.
     pub(super) fn close(&self) {
         self.closed.store(true, Ordering::SeqCst);
-        let lines = std::mem::take(&mut *lock(&self.lines));
-        for line in lines.values() {
-            line.close();
-            hang_up(&line.stream);
+        let connections = std::mem::take(&mut *lock(&self.connections));
+        for connection in connections.values() {
+            connection.close();
+            hang_up(&connection.stream);
         }
         // A connection wakes the accepting thread, so that the thread notices the end.
         let own = (std::net::Ipv4Addr::LOCALHOST, self.port);
@@ -199,7 +207,7 @@ impl Switchboard {
     }
 }
 
-impl Line {
+impl Connection {
     fn has_joined(&self) -> bool {
         self.joined.load(Ordering::SeqCst)
     }

@@ -8,7 +8,7 @@ const LEADS: [&str; 4] = [
     "Drag the point: ",
     "Now turn the rays: ",
     "Look at the picture: ",
-    "Find the line of impact in the picture, where the two will touch: ",
+    "In the picture, find where the two will touch, and the line of impact: ",
 ];
 
 /// A text without the sentences that name a key or a mouse action.

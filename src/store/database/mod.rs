@@ -212,7 +212,7 @@ impl Database {
 
     /// Checks a database, repairs it if it is damaged, and makes the copy of the day.
     fn look_after(&mut self, folder: &Path) -> Result<(), DatabaseError> {
-        let turn = FolderLock::alone(folder, LOCK)?;
+        let guard = FolderLock::alone(folder, LOCK)?;
         let was_there = fs::exists(path(folder))?;
         let look = |wait| {
             let connection = open(folder, wait)?;
@@ -227,7 +227,7 @@ impl Database {
         };
         if let Some(today) = self.today
             && was_there
-            && turn.is_certain()
+            && guard.is_certain()
         {
             // A full disk must not prevent reading; the next write will report it.
             let _ = backup::keep(&connection, folder, today);

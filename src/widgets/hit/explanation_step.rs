@@ -236,8 +236,8 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// The fraction of the striker's initial component along n that a final component is, with the
-    /// digits that the printed speeds need.
+    /// The fraction of the striker's initial component along n that a final component is, with as
+    /// many digits as the printed speeds require.
     fn fraction(&self, after: f64) -> String {
         let before = self.parts(self.collision.u1).n;
         let read = (100.0 * before).round() / 100.0;

@@ -18,15 +18,6 @@ const OUTLINED: f64 = 2.0;
 /// The radius of the ring around a marked disc, in radii of the disc.
 const RING: f64 = 1.25;
 
-/// The smallest height, in rows, at which discs among others are drawn round. In block elements, a
-/// disc of one and a half rows can still be distinguished from its neighbours at its true position.
-const fn fewest_rows(charset: Charset) -> f64 {
-    match charset {
-        Charset::Ascii => token_rows(charset),
-        Charset::Unicode => 1.4,
-    }
-}
-
 impl Canvas {
     /// Draws discs of one scale: all round if even the smallest is large enough, otherwise all as
     /// [tokens](token).
@@ -36,9 +27,7 @@ impl Canvas {
     /// farther from the cell's middle moves to the nearest free cell; the queen never moves. No
     /// stroke or arrow hides a token, whatever the drawing order.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
-        let smallest = bodies.iter().map(|body| body.radius);
-        let smallest = smallest.fold(f64::INFINITY, f64::min);
-        if 2.0 * smallest / self.view().per_row() >= fewest_rows(self.charset) {
+        if self.are_round(bodies) {
             let real = bodies.iter().filter(|body| body.radius > 0.0);
             // Without colours adjacent blocks merge, so small discs are outlines with their token.
             let is_outline =
@@ -54,16 +43,35 @@ impl Canvas {
                 self.circle(body.at, RING * body.radius, Role::Good);
             }
         } else {
-            let charset = self.charset;
-            let width = |body: &Body| token(body.role, charset).chars().count() as i32;
-            for (place, body) in self.places(bodies, width) {
-                self.stamp(middle(place), token(body.role, charset), body.role, false);
+            for (place, body) in self.token_places(bodies) {
+                let token = token(body.role, self.charset);
+                self.stamp(middle(place), token, body.role, false);
                 let glyph = self.cell_mut(place).and_then(|cell| cell.glyph.as_mut());
                 if let Some(glyph) = glyph.filter(|_| body.pointed_out) {
                     glyph.reversed = true;
                 }
             }
         }
+    }
+
+    /// Whether discs of one scale are drawn round: if the smallest is high enough to be
+    /// distinguished from its neighbours.
+    pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
+        let smallest = bodies.iter().map(|body| body.radius);
+        let smallest = smallest.fold(f64::INFINITY, f64::min);
+        let fewest_rows = match self.charset {
+            Charset::Ascii => token_rows(self.charset),
+            // A little less than the height of a coin on the whole board in a window with 30 rows.
+            Charset::Unicode if self.has_shades => 1.05,
+            Charset::Unicode => 1.4,
+        };
+        2.0 * smallest / self.view().per_row() >= fewest_rows
+    }
+
+    /// The cells of the tokens of these discs.
+    pub(super) fn token_places<'a>(&self, bodies: &'a [Body]) -> Vec<(CellPlace, &'a Body)> {
+        let width = |body: &Body| token(body.role, self.charset).chars().count() as i32;
+        self.places(bodies, width)
     }
 
     /// Separate cells for bodies of this many columns, one row high.

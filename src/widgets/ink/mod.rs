@@ -8,6 +8,8 @@
 mod arrow;
 mod canvas;
 mod cell;
+#[cfg(test)]
+pub(crate) mod centres;
 mod crowd;
 mod disc;
 pub(crate) mod gallery;

@@ -11,7 +11,7 @@ use crate::screens::ahead::Ahead;
 use crate::screens::{Confirmation, Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
-/// What keys do in the contents.
+/// Actions of the contents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ContentsAction {
@@ -29,16 +29,16 @@ pub(crate) enum ContentsAction {
     Leave,
 }
 
-/// The contents. Which line is chosen belongs to the [`Book`].
+/// The contents. The chosen line is stored in the [`Book`].
 #[derive(Debug, Clone)]
 pub(crate) struct Contents {
     ahead: Ahead,
-    /// Whether the player has chosen for themselves.
+    /// Whether the player has moved the mark.
     moved: bool,
 }
 
 impl Contents {
-    /// The contents, at the first chapter that is not done until the next step is known.
+    /// The contents. Until the next step is known, the first chapter that is not done is chosen.
     pub(crate) fn new(cx: &mut Context) -> Self {
         cx.book.at = cx.book.next().unwrap_or(0);
         Self {
@@ -47,8 +47,7 @@ impl Contents {
         }
     }
 
-    /// The chapter that comes next, by its place among all: that of the next step, or else the
-    /// first that is not done.
+    /// The index of the next chapter: that of the next step, or else the first that is not done.
     fn next_chapter(&self, book: &Book) -> Option<usize> {
         let step = self.ahead.step().and_then(|it| it.step.chapter());
         step.or_else(|| book.next())

@@ -62,7 +62,7 @@ pub(super) struct LiveFigure {
     state: FigureState,
 }
 
-/// The state of a kind of figure.
+/// The state of a figure, which depends on its kind.
 #[derive(Debug, Clone)]
 enum FigureState {
     /// The collision that is replayed, in one frame or in two.
@@ -273,7 +273,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // Each of two collisions is shown in a fixed frame.
+                // If two collisions are shown, the frame of each is fixed.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha.with(watched, FigureAction::Watch)
@@ -445,10 +445,10 @@ fn split_layers(lines: bool) -> Overlays {
 #[error("{0}")]
 pub struct FigureError(String);
 
-/// The figure that a description such as `curves alpha_deg=30` stands for, as an SVG picture.
+/// Draws a figure from a description such as `curves alpha_deg=30`, as an SVG picture.
 ///
 /// # Errors
-/// What was expected in the description.
+/// Returns what was expected in the description.
 pub fn draw_figure(words: &str, look: &Look) -> Result<String, FigureError> {
     let figure = Figure::from_words(words).map_err(FigureError)?;
     Ok(svg_of(&LiveFigure::new(figure, None, false), look))

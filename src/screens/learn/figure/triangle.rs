@@ -35,7 +35,7 @@ pub(super) fn title(collision: &Collision) -> &'static str {
     }
 }
 
-/// The rows for the picture and those for its text.
+/// The areas for the picture and for its text.
 fn rooms(area: Rect) -> [Rect; 2] {
     areas::upper(area, area.height.saturating_sub(2))
 }
@@ -162,7 +162,7 @@ fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> String {
     }
 }
 
-/// The difference between the square of u and those of the short sides.
+/// The difference between the square of u and the squares of the other two sides.
 fn spare(both: f64) -> String {
     if both.abs() < 0.005 {
         String::new()

@@ -104,7 +104,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
             let kept = share(collision.striker, outcome.v1);
             let taken = share(collision.target, outcome.v2);
             format!(
-                "At α = {alpha_deg}° the striker keeps {kept} % of the energy, the other disc \
+                "At α = {alpha_deg}° the striker keeps {kept} % of the energy, and the other disc \
                  receives {taken} %."
             )
         }),

@@ -17,11 +17,11 @@ pub(super) struct WorkedFigure {
     step: usize,
     /// The first step, from 1, whose results are blank until they are shown.
     blank: Option<usize>,
-    /// The student's numbers, in a solution of their own.
+    /// The settings, if the student sets the numbers.
     form: Option<SettingsForm>,
 }
 
-/// The numbers that the student can set in a solution of their own.
+/// The numbers that the student can set.
 const FIELDS: [CollisionField; 5] = [
     CollisionField::StrikerMass,
     CollisionField::CoinMass,
@@ -30,7 +30,7 @@ const FIELDS: [CollisionField; 5] = [
     CollisionField::Restitution,
 ];
 
-/// The numbers of a student's own solution.
+/// The numbers that the student has set.
 struct OwnNumbers(CollisionSpec);
 
 impl FormFields for OwnNumbers {
@@ -59,8 +59,8 @@ fn last(collision: &Collision) -> usize {
 }
 
 impl WorkedFigure {
-    /// A solution to read, open at the step `blank`, if there is one, whose results are left out
-    /// while `hidden`.
+    /// A solution to read. With a step `blank`, it opens at that step and leaves the results out
+    /// from there on while `hidden`.
     pub(super) fn given(blank: Option<usize>, hidden: bool) -> Self {
         Self {
             step: blank.map_or(0, |step| step - 1),
@@ -238,7 +238,7 @@ mod tests {
         }
     }
 
-    /// Whatever the collision, the blank steps do not show the values that the student has to find.
+    /// The blank steps of any collision do not show the values that the student has to find.
     #[test]
     fn a_blank_step_does_not_show_its_result() {
         let setup = CollisionSpec {

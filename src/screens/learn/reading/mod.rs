@@ -191,7 +191,7 @@ impl Reading {
             player,
             &self.chapter,
             self.at,
-            &form,
+            (&form, figure),
             tried,
         ));
         if first.is_none() && question.checkpoint.offers_second_try(&form, &answer) {

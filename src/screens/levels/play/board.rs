@@ -252,9 +252,14 @@ fn said(picture: &mut Picture, level: &Level, made: &MadeShot) {
 
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
+
     use super::*;
     use crate::files::FileLibrary;
     use crate::levels::LevelLibrary;
+    use crate::physics::Board;
+    use crate::widgets::ink::centres::{Drawn, centre_errors};
     use crate::widgets::svg::Svg;
     use crate::widgets::{Charset, Look, Theme};
 
@@ -273,6 +278,96 @@ mod tests {
             let circles = read.descendants().filter(|it| it.has_tag_name("circle"));
             assert!(circles.count() >= level.scene.pieces.len(), "{}", level.id);
             assert!(!file.contains("NaN"), "{}", level.id);
+        }
+    }
+
+    /// The areas of a board in windows of 80 × 24, 100 × 30, 120 × 40 and 200 × 60.
+    const AREAS: [Rect; 4] = [
+        Rect::new(1, 2, 39, 20),
+        Rect::new(1, 2, 51, 26),
+        Rect::new(1, 2, 71, 36),
+        Rect::new(1, 2, 111, 56),
+    ];
+
+    /// A board with all its discs at random places, none over another.
+    fn scattered(area: Rect, seed: u64) -> Picture {
+        let mut places: Vec<DVec2> = Vec::new();
+        let mut rng = Pcg64::seed_from_u64(seed);
+        while places.len() < 20 {
+            let [x, y] = [(); 2].map(|()| rng.random_range(-0.34..0.34));
+            let at = DVec2::new(x, y);
+            if places.iter().all(|other| other.distance(at) > 0.042) {
+                places.push(at);
+            }
+        }
+        let mut picture = Picture::new(board::view(board::square(area), &Board::default()));
+        picture.discs(places.into_iter().enumerate().map(|(number, at)| {
+            let (radius, face) = match number {
+                0 => (0.020_65, (Role::Striker, 'S')),
+                1 => (0.0159, (Role::Queen, 'Q')),
+                _ => (0.0159, (Role::Coin, 'W')),
+            };
+            Body::new(at, radius, face.0, face.1)
+        }));
+        picture
+    }
+
+    #[test]
+    fn discs_are_drawn_at_their_true_places() {
+        let library = LevelLibrary::embedded();
+        let levels: Vec<&Level> = library.packs.iter().flat_map(|pack| &pack.levels).collect();
+        println!("charset, area, discs: number, mean and worst error in columns and in rows");
+        for charset in [Charset::Unicode, Charset::Ascii] {
+            for area in AREAS {
+                let of_levels = levels
+                    .iter()
+                    .map(|level| of_aim(level, &level.scene, None, area));
+                let boards = (0..200).map(|seed| scattered(area, seed));
+                let pictures = of_levels.chain(boards);
+                let errors: Vec<_> = pictures
+                    .flat_map(|picture| centre_errors(&picture, charset))
+                    .collect();
+                for (drawn, most) in [(Drawn::Round, 0.25), (Drawn::Token, 0.5)] {
+                    let errors = errors.iter().filter(|it| it.1 == drawn);
+                    let errors: Vec<DVec2> = errors.map(|it| it.2.abs()).collect();
+                    let worst = errors.iter().copied().reduce(DVec2::max);
+                    let Some(worst) = worst else { continue };
+                    let count = errors.len();
+                    let mean = errors.iter().sum::<DVec2>() / count as f64;
+                    println!("{charset:?} {area} {drawn:?}: {count}, {mean:.3}, {worst:.3}");
+                    assert!(worst.max_element() <= most);
+                }
+            }
+        }
+    }
+
+    /// A striker that is aimed at the drawn centre of a round disc hits it nearly head-on.
+    #[test]
+    fn an_aim_read_off_the_picture_hits_as_drawn() {
+        let library = LevelLibrary::embedded();
+        let levels = library.packs.iter().flat_map(|pack| &pack.levels);
+        for (number, level) in (1..).zip(levels) {
+            for area in [AREAS[1], AREAS[2], AREAS[3]] {
+                let picture = of_aim(level, &level.scene, None, area);
+                let discs = centre_errors(&picture, Charset::Unicode);
+                let per_cell =
+                    DVec2::new(view(level, area).per_column(), -view(level, area).per_row());
+                let drawn = |disc: usize| discs[disc].0.at + discs[disc].2 * per_cell;
+                let aimed = level.scene.stroke.disc;
+                for (target, (body, kind, _)) in discs.iter().enumerate() {
+                    assert_eq!(*kind, Drawn::Round, "level {number}");
+                    let from = discs[aimed].0;
+                    let Some(way) = (drawn(target) - drawn(aimed)).try_normalize() else {
+                        continue;
+                    };
+                    let offset = way.perp_dot(body.at - from.at) / (body.radius + from.radius);
+                    let angle = offset.asin().to_degrees().abs();
+                    assert!(angle < 6.0, "level {number}, {area}: {angle}");
+                    if number == 49 {
+                        println!("level {number}, {area}: {angle:.1}°");
+                    }
+                }
+            }
         }
     }
 

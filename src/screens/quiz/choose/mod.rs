@@ -32,7 +32,7 @@ pub(crate) enum ChoosingAction {
     Back,
 }
 
-/// The screen.
+/// The screen for choosing a round.
 #[derive(Debug, Clone)]
 pub(crate) struct Choosing {
     history: Recall,
@@ -78,7 +78,7 @@ enum RoundChoice {
     Own,
 }
 
-/// The kinds of round, each with its letter; the number of its row works too.
+/// The kinds of round, each with its letter; the number of its row is also a key.
 static CHOICES: [(char, RoundChoice); 10] = [
     ('f', RoundChoice::Always(CourseKind::FindOut)),
     ('q', RoundChoice::Always(CourseKind::Quick)),
@@ -129,7 +129,7 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// What the player has read or answered before.
+    /// The topics that the player has read about or answered before.
     fn topics_met(&self, cx: &Context) -> Vec<Topic> {
         let nothing = History::default();
         let history = self.history.history().unwrap_or(&nothing);
@@ -142,8 +142,8 @@ impl Choosing {
         so_far.topics_met()
     }
 
-    /// The kind of round that a choice begins; `None` if there is nothing to ask, or if the
-    /// player has to choose further.
+    /// The kind of round that a choice begins; `None` if there is nothing to ask, or if the player
+    /// has to make another choice first.
     fn kind(&self, choice: &RoundChoice, cx: &Context) -> Option<CourseKind> {
         match choice {
             RoundChoice::Always(CourseKind::Quick | CourseKind::Even) => {

@@ -82,7 +82,7 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
         RoundChoice::Code => of(
             "a round by its code",
             String::new(),
-            "If a friend or a teacher gave you a code, it gives you exactly the same questions.",
+            "With a code from a friend or a teacher, you get exactly the same questions.",
         ),
         RoundChoice::Own => {
             let own = &choosing.own;

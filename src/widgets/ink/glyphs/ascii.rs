@@ -114,6 +114,20 @@ fn blurred(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
     })
 }
 
+/// The middles of the samples of a glyph, in cells from its upper left corner, each with its ink.
+#[cfg(test)]
+pub(in super::super) fn samples(glyph: &str) -> impl Iterator<Item = (glam::DVec2, f64)> {
+    let known = INK.iter().find(|(sign, _)| glyph.as_bytes() == [*sign]);
+    let ink = known.map(|(_, ink)| ink.iter().enumerate());
+    ink.into_iter().flatten().map(|(sample, ink)| {
+        let [x, y] = [sample % GRID.0, sample / GRID.0].map(|it| it as f64 + 0.5);
+        (
+            glam::dvec2(x / GRID.0 as f64, y / GRID.1 as f64),
+            f64::from(*ink),
+        )
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

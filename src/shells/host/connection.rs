@@ -12,7 +12,7 @@ use tungstenite::protocol::{Role, WebSocketConfig};
 use tungstenite::{Error, Message, WebSocket};
 
 use super::head::{self, HttpRequest};
-use super::switchboard::{Line, Outgoing, Switchboard};
+use super::switchboard::{Connection, Outgoing, Switchboard};
 use super::{hang_up, random, spawn};
 use crate::class::protocol::{
     ClientMessage, HostMessage, LARGEST_HAND_IN, LARGEST_SAYING, Refusal,
@@ -42,17 +42,17 @@ const MESSAGES: Allowance = Allowance {
 const HAND_IN: f64 = 20.0;
 
 /// Serves a connection until it ends.
-pub(super) fn serve(board: &Arc<Switchboard>, line: &Arc<Line>) {
+pub(super) fn serve(board: &Arc<Switchboard>, connection: &Arc<Connection>) {
     // An error here means that the connection is lost, so it needs no reply.
-    let _ = answer(board, line);
-    hang_up(&line.stream);
-    board.remove(line.id);
+    let _ = answer(board, connection);
+    hang_up(&connection.stream);
+    board.remove(connection.id);
 }
 
-fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
-    line.stream.set_nodelay(true)?;
-    line.stream.set_write_timeout(Some(WRITE_TIME))?;
-    let (request, rest) = read_head(line, board.port)?;
+fn answer(board: &Arc<Switchboard>, connection: &Arc<Connection>) -> io::Result<()> {
+    connection.stream.set_nodelay(true)?;
+    connection.stream.set_write_timeout(Some(WRITE_TIME))?;
+    let (request, rest) = read_head(connection, board.port)?;
     match request {
         HttpRequest::Page {
             gzip,
@@ -62,12 +62,12 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
             Some(page) => {
                 let (head, body) = page.answer(gzip, known.as_deref());
                 let body = if head_only { &[] } else { body };
-                send(line, head.as_bytes(), body)
+                send(connection, head.as_bytes(), body)
             }
             None => {
                 let words = "This host has no page for browsers. On a computer with carrom, run \
                              carrom join with this address.";
-                refuse(line, 200, words)
+                refuse(connection, 200, words)
             }
         },
         HttpRequest::Talk(key) => {
@@ -76,16 +76,16 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
                 "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n\
                  Connection: Upgrade\r\nSec-WebSocket-Accept: {accept}\r\n\r\n"
             );
-            (&line.stream).write_all(head.as_bytes())?;
-            talk(board, line, rest);
+            (&connection.stream).write_all(head.as_bytes())?;
+            talk(board, connection, rest);
             Ok(())
         }
-        HttpRequest::No(status, words) => refuse(line, status, words),
+        HttpRequest::No(status, words) => refuse(connection, status, words),
     }
 }
 
 /// Reads the head of a request; also returns the bytes after it.
-fn read_head(line: &Line, port: u16) -> io::Result<(HttpRequest, Vec<u8>)> {
+fn read_head(connection: &Connection, port: u16) -> io::Result<(HttpRequest, Vec<u8>)> {
     let end = Instant::now() + HEAD_TIME;
     let mut bytes = Vec::new();
     let mut piece = [0; 1024];
@@ -93,9 +93,9 @@ fn read_head(line: &Line, port: u16) -> io::Result<(HttpRequest, Vec<u8>)> {
         if let Some((length, request)) = head::read(&bytes, port) {
             return Ok((request, bytes.split_off(length)));
         }
-        line.stream.set_read_timeout(Some(left(end)?))?;
+        connection.stream.set_read_timeout(Some(left(end)?))?;
         let room = head::LONGEST - bytes.len();
-        match (&line.stream).read(&mut piece[..room.min(1024)])? {
+        match (&connection.stream).read(&mut piece[..room.min(1024)])? {
             0 => return Err(ErrorKind::UnexpectedEof.into()),
             count => bytes.extend(&piece[..count]),
         }
@@ -111,36 +111,36 @@ fn left(end: Instant) -> io::Result<Duration> {
     Ok(left)
 }
 
-fn refuse(line: &Line, status: u16, words: &str) -> io::Result<()> {
+fn refuse(connection: &Connection, status: u16, words: &str) -> io::Result<()> {
     let head = format!(
         "HTTP/1.1 {status} -\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: {}\r\n\
          X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n",
         words.len() + 1
     );
-    send(line, head.as_bytes(), format!("{words}\n").as_bytes())
+    send(connection, head.as_bytes(), format!("{words}\n").as_bytes())
 }
 
 /// Sends a whole response, as long as the transfer makes progress.
-fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
+fn send(connection: &Connection, head: &[u8], body: &[u8]) -> io::Result<()> {
     let end = Instant::now() + PAGE_TIME;
-    (&line.stream).write_all(head)?;
+    (&connection.stream).write_all(head)?;
     for piece in body.chunks(1 << 16) {
         left(end)?;
-        (&line.stream).write_all(piece)?;
+        (&connection.stream).write_all(piece)?;
     }
     // Without this, the device might lose bytes that it has not read.
-    line.stream.shutdown(std::net::Shutdown::Write)?;
-    drain(line, Duration::from_secs(2));
+    connection.stream.shutdown(std::net::Shutdown::Write)?;
+    drain(connection, Duration::from_secs(2));
     Ok(())
 }
 
 /// Waits until the device has closed the connection.
-fn drain(line: &Line, patience: Duration) {
+fn drain(connection: &Connection, patience: Duration) {
     let end = Instant::now() + patience;
     let mut piece = [0; 512];
     while let Ok(left) = left(end) {
-        let waits = line.stream.set_read_timeout(Some(left));
-        if waits.is_err() || !matches!((&line.stream).read(&mut piece), Ok(1..)) {
+        let waits = connection.stream.set_read_timeout(Some(left));
+        if waits.is_err() || !matches!((&connection.stream).read(&mut piece), Ok(1..)) {
             return;
         }
     }
@@ -148,7 +148,7 @@ fn drain(line: &Line, patience: Duration) {
 
 /// A connection for a WebSocket. Reads end at a deadline, and messages are written whole.
 struct ServerStream {
-    line: Arc<Line>,
+    connection: Arc<Connection>,
     deadline: Option<Instant>,
 }
 
@@ -158,14 +158,14 @@ impl Read for ServerStream {
             Some(deadline) => left(deadline)?,
             None => GONE,
         };
-        self.line.stream.set_read_timeout(Some(patience))?;
-        (&self.line.stream).read(bytes)
+        self.connection.stream.set_read_timeout(Some(patience))?;
+        (&self.connection.stream).read(bytes)
     }
 }
 
 impl Write for ServerStream {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        write_whole(&self.line, bytes)?;
+        write_whole(&self.connection, bytes)?;
         Ok(bytes.len())
     }
 
@@ -174,12 +174,12 @@ impl Write for ServerStream {
     }
 }
 
-fn write_whole(line: &Line, bytes: &[u8]) -> io::Result<()> {
-    let _alone = lock(&line.writing);
-    (&line.stream).write_all(bytes)
+fn write_whole(connection: &Connection, bytes: &[u8]) -> io::Result<()> {
+    let _alone = lock(&connection.writing);
+    (&connection.stream).write_all(bytes)
 }
 
-fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
+fn talk(board: &Arc<Switchboard>, connection: &Arc<Connection>, rest: Vec<u8>) {
     let config = WebSocketConfig::default()
         .read_buffer_size(2 * LARGEST_SAYING)
         .write_buffer_size(0)
@@ -187,14 +187,14 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
         .max_message_size(Some(LARGEST_SAYING))
         .max_frame_size(Some(LARGEST_SAYING));
     let wire = ServerStream {
-        line: Arc::clone(line),
+        connection: Arc::clone(connection),
         deadline: Some(Instant::now() + JOIN_TIME),
     };
     let mut socket = WebSocket::from_partially_read(wire, rest, Role::Server, Some(config));
-    let why = match join(board, line, &mut socket) {
+    let why = match join(board, connection, &mut socket) {
         Ok(()) => {
-            let why = listen(board, line, &mut socket);
-            board.hear(HostNews::Gone(line.id));
+            let why = listen(board, connection, &mut socket);
+            board.hear(HostNews::Gone(connection.id));
             why
         }
         Err(why) => why,
@@ -204,8 +204,8 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
         // If it fails, the connection is lost.
         let _ = socket.send(Message::text(text));
         let _ = socket.close(None);
-        let _ = line.stream.shutdown(std::net::Shutdown::Write);
-        drain(line, Duration::from_secs(1));
+        let _ = connection.stream.shutdown(std::net::Shutdown::Write);
+        drain(connection, Duration::from_secs(1));
     }
 }
 
@@ -233,7 +233,7 @@ fn is_late(error: &io::Error) -> bool {
 /// Waits for a request to join.
 fn join(
     board: &Arc<Switchboard>,
-    line: &Arc<Line>,
+    connection: &Arc<Connection>,
     socket: &mut WebSocket<ServerStream>,
 ) -> Result<(), Option<Refusal>> {
     let ClientMessage::Join {
@@ -242,7 +242,7 @@ fn join(
     else {
         return Err(Some(Refusal::Join));
     };
-    match board.judge(line, &code, seat) {
+    match board.judge(connection, &code, seat) {
         CodeVerdict::Right => {}
         CodeVerdict::Wrong(delay) => {
             thread::sleep(delay);
@@ -255,20 +255,20 @@ fn join(
     }
     let fresh = SeatToken::of(random().map_err(|_| None)?);
     socket.get_mut().deadline = None;
-    line.join();
+    connection.join();
     // A pupil who has joined may send a hand-in, which is larger.
     socket.set_config(|config| {
         config.max_message_size = Some(LARGEST_HAND_IN);
         config.max_frame_size = Some(LARGEST_HAND_IN);
     });
-    let writer = Arc::clone(line);
+    let writer = Arc::clone(connection);
     spawn("outbox", move || write_out(&writer)).map_err(|_| Some(Refusal::Full))?;
     board.hear(HostNews::Came {
-        line: line.id,
+        connection: connection.id,
         name,
         seat,
         fresh,
-        address: line.address,
+        address: connection.address,
         at: board.now(),
     });
     Ok(())
@@ -277,7 +277,7 @@ fn join(
 /// Receives the messages of a pupil who has joined; returns why the connection ends.
 fn listen(
     board: &Arc<Switchboard>,
-    line: &Arc<Line>,
+    connection: &Arc<Connection>,
     socket: &mut WebSocket<ServerStream>,
 ) -> Option<Refusal> {
     let mut messages = Bucket::full(MESSAGES);
@@ -291,7 +291,7 @@ fn listen(
             _ => 1.0,
         };
         thread::sleep(messages.take(weight, board.now()));
-        match HostNews::said(line.id, saying) {
+        match HostNews::said(connection.id, saying) {
             Some(HostNews::Gone(_)) => return None,
             Some(news) => board.hear(news),
             None => return Some(Refusal::Format),
@@ -300,10 +300,10 @@ fn listen(
 }
 
 /// Sends the contents of the outbox, and pings the device now and then.
-fn write_out(line: &Line) {
+fn write_out(connection: &Connection) {
     let text = |text: String| Frame::message(text, OpCode::Data(Data::Text), true);
     loop {
-        let (frames, goes_on) = match line.take(PING) {
+        let (frames, goes_on) = match connection.take(PING) {
             Outgoing::State(state) => (vec![text(state)], true),
             Outgoing::Nothing => (vec![Frame::ping("")], true),
             Outgoing::Last(last) => (vec![text(last), Frame::close(None)], false),
@@ -311,12 +311,12 @@ fn write_out(line: &Line) {
         };
         let mut bytes = Vec::new();
         let made = frames.into_iter().try_for_each(|it| it.format(&mut bytes));
-        if made.is_err() || write_whole(line, &bytes).is_err() {
+        if made.is_err() || write_whole(connection, &bytes).is_err() {
             // A device that does not read for this long is lost; the reading thread notices it.
-            return hang_up(&line.stream);
+            return hang_up(&connection.stream);
         }
         if !goes_on {
-            let _ = line.stream.shutdown(std::net::Shutdown::Write);
+            let _ = connection.stream.shutdown(std::net::Shutdown::Write);
             return;
         }
     }
