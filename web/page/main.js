@@ -305,7 +305,7 @@ const page = (() => {
       field.select();
       const isCopied = document.execCommand("copy");
       field.remove();
-      if (!isCopied) return tell(`It could not be copied. The link is ${text}`);
+      if (!isCopied) return tell(`The link could not be copied. It is ${text}`);
     }
     tell("The link is copied.");
   }
