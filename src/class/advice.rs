@@ -11,7 +11,7 @@ use crate::progress::Tally;
 pub enum Advice {
     /// Fewer than three in ten are right: too few to convince the others.
     ExplainAgain,
-    /// Between these: discussion helps most.
+    /// Between three and eight in ten are right: discussion helps most.
     Talk,
     /// More than eight in ten are right.
     GoOn,

@@ -37,7 +37,7 @@ enum AskedForm {
     Number { measure: String },
     /// By choosing an option.
     Choice { options: Vec<String> },
-    /// By a shot that sends the striker, or else its target, in this direction, in radians.
+    /// By a shot that sends the striker, or else the target, in this direction (in radians).
     Shot {
         hit: AskedHit,
         striker: bool,
@@ -257,7 +257,7 @@ pub struct RevealedTruth {
     truth: String,
     /// The explanation, and the feedback on the pupil's answer.
     pub why: String,
-    /// Points of this pupil for the question, if they have voted.
+    /// This pupil's points for the question, if they have voted.
     pub points: Option<f64>,
     /// The real collision, if there is one to watch.
     hit: Option<TrueHit>,

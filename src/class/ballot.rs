@@ -5,7 +5,7 @@ use strum::{EnumString, IntoStaticStr};
 
 use crate::quiz::{Answer, Confidence, Response};
 
-/// Which of the two votes on a question; in files, "first" or "second".
+/// One of the two votes on a question; in files, "first" or "second".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumString, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -19,8 +19,7 @@ pub(super) struct Device {
     pub(super) n: u64,
     /// The number of the last state sent on this connection.
     pub(super) rev: u64,
-    /// The question that the last vote was for, and which vote it was, if it did not fit that
-    /// question.
+    /// If the last vote did not fit its question: that question, and which of its two votes it was.
     pub(super) misfit: Option<(usize, Vote)>,
     /// The result of the last hand-in.
     pub(super) handed: Option<HandedIn>,

@@ -10,7 +10,7 @@ use super::device::ConnectionId;
 use super::join_code::{JoinCode, SeatToken};
 use super::protocol::{ClientMessage, PupilState, Refusal};
 
-/// A request of the teacher's carrom to the server of its class.
+/// A request from the teacher's carrom to the server of its class.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostCall {
     /// Let pupils join.
@@ -28,7 +28,7 @@ pub enum HostCall {
     Close,
 }
 
-/// News for the teacher's carrom from its class.
+/// News from the class for the teacher's carrom.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostNews {
     /// Pupils can join, or the reason why they cannot.

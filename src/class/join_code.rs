@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// The letters of a [`JoinCode`]: consonants that look and sound different, so that codes do not
-/// spell words.
+/// The letters of a [`JoinCode`]: consonants, so that codes do not spell words, and only those that
+/// are easy to tell apart.
 const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
 
 /// The code for joining a class: six consonants, new for each round.

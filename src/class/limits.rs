@@ -45,7 +45,7 @@ pub struct Allowance {
     pub per_s: f64,
 }
 
-/// What is left of an allowance.
+/// The unused part of an allowance.
 #[derive(Debug, Clone, Copy)]
 pub struct Bucket {
     allowance: Allowance,
@@ -64,7 +64,7 @@ impl Bucket {
         }
     }
 
-    /// What is left at time `now`.
+    /// The unused part at time `now`.
     fn left(&self, now: Duration) -> f64 {
         let back = self.allowance.per_s * now.saturating_sub(self.since).as_secs_f64();
         (self.left + back).min(self.allowance.at_once)
@@ -102,7 +102,7 @@ impl Addresses {
         }
     }
 
-    /// What is left for an address.
+    /// The unused allowance of an address.
     fn of(&mut self, address: IpAddr, now: Duration) -> &mut Bucket {
         if self.known.len() >= self.most {
             let at_once = self.allowance.at_once;

@@ -330,12 +330,12 @@ impl ClassRound {
         self.participants.get(person).map_or("", Participant::name)
     }
 
-    /// The current place in the round.
+    /// The current position in the round.
     pub fn place(&self) -> ClassPlace {
         self.place
     }
 
-    /// Goes to a place in the round, unless it is after the last question.
+    /// Goes to a position in the round, unless it is after the last question.
     pub fn go(&mut self, place: ClassPlace) {
         if place.question < self.questions().len() {
             self.place = place;

@@ -135,9 +135,9 @@ impl ClassRound {
     /// teacher's own questions.
     ///
     /// # Errors
-    /// All faults: it is not the file of a round, or its format is newer; its code or its teams are
-    /// invalid; it uses a teacher's questions that are missing or have changed. A vote that does
-    /// not fit its question is not a fault: it is dropped, and
+    /// All errors found: it is not the file of a round, or its format is newer; its code or its
+    /// teams are invalid; it uses a teacher's questions that are missing or have changed. A vote
+    /// that does not fit its question is not an error: it is dropped, and
     /// [`dropped_votes`](Self::dropped_votes) counts it.
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, whole(bytes), LARGEST)?;
@@ -235,7 +235,7 @@ impl ClassRound {
         }
     }
 
-    /// Goes to the stored place or, if there is none, to the first question without votes.
+    /// Goes to the stored position or, if there is none, to the first question without votes.
     fn goes_where_it_was(&mut self, fields: &Fields) -> Option<()> {
         let last = self.questions().len().saturating_sub(1);
         let question = fields.or("number", self.begun().min(last), |name| {

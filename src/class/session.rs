@@ -250,7 +250,7 @@ impl Session {
         self.step().vote()
     }
 
-    /// Goes to a place in the round, and notifies everybody.
+    /// Goes to a position in the round, and notifies everybody.
     pub fn go(&mut self, place: ClassPlace) {
         self.over = false;
         self.round_mut().go(place);
@@ -566,8 +566,8 @@ impl Session {
         self.go_on();
     }
 
-    /// If nothing is being saved: notifies the connections that wait, and sends the changes since
-    /// then.
+    /// Once no request is in progress, notifies the waiting connections and requests that newer
+    /// changes be saved.
     fn go_on(&mut self) {
         if self.keeping.asked > 0 {
             return;

@@ -61,7 +61,7 @@ impl ClassStep {
     }
 }
 
-/// A place in a round.
+/// A position in a round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ClassPlace {
     /// The question, counted from 0.

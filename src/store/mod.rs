@@ -2,7 +2,7 @@
 //! won and bookmarks are in a database.
 //!
 //! Several copies of carrom may keep their games in one folder, any of them may be killed at any
-//! moment, and any file may be damaged or not be carrom's. So:
+//! moment, and any file may be damaged or belong to another program. So:
 //!
 //! - a file is written under a temporary name, synced to the disk and then renamed, so that
 //!   there is always either the old file or the new one;
@@ -400,8 +400,7 @@ impl Store {
         Ok(known.collect())
     }
 
-    /// The calendar for the ages of files; `None` where they mean nothing beside what its clock
-    /// says.
+    /// The calendar for the ages of files; `None` if the store's clock does not show the real time.
     fn ages(&self) -> Option<Calendar> {
         (self.clock == Clock::Computer).then(|| self.calendar())
     }

@@ -84,7 +84,7 @@ impl<T> OpenFiles<T> {
         let place = self.texts.place(&name);
         if let Some(before) = self.open.insert(ticket, OpenFile { name, text }) {
             self.notice = Some(format!(
-                "{} is no longer as it was saved here; another copy of carrom may have it \
+                "{} has changed since it was saved here; another copy of carrom may have it \
                  open. From now on this is saved in {place}.",
                 self.texts.place(&before.name),
             ));

@@ -15,7 +15,7 @@ pub(crate) struct Chromium {
 }
 
 impl Chromium {
-    /// Opens a window of this size in CSS pixels; if `finger` is set, it is that of a phone.
+    /// Opens a window of this size in CSS pixels; if `finger` is set, it is a phone's window.
     pub(crate) fn start(size: (u32, u32), finger: bool) -> Self {
         Self::start_as(size, finger, &json!({}))
     }

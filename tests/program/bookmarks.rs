@@ -226,7 +226,7 @@ fn a_chapter_that_has_changed_still_opens() {
                 game.press(key);
             }
         }
-        // Perhaps as far as the first screen, which asks before it is left.
+        // This may lead to the first screen, which asks for confirmation before carrom ends.
         game.press("<Escape><Escape>");
         if game.screen().contains("Leave carrom?") {
             game.press("n");

@@ -430,7 +430,7 @@ fn pupils_can_join_alongside_a_thousand_connections() {
 }
 
 #[test]
-fn removed_pupils_and_refused_newcomers_are_told_why() {
+fn removed_pupils_and_refused_newcomers_see_the_reason() {
     let folder = Folder::new("hosted-door");
     let teacher = start(&folder);
     let mut ada = teacher.join("Ada");

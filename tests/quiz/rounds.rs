@@ -218,7 +218,7 @@ fn a_round_has_ten_different_questions() {
             left += usize::from(side(question) < 0.0);
         }
     }
-    // Nine questions in ten have a side. The range is five standard deviations around a half of
+    // Nine questions in ten have a side. The range is five standard deviations around half of
     // these.
     assert!((8_660..9_340).contains(&left), "{left}");
 }

@@ -651,7 +651,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
             (&row[6], &row[7], &row[10], &row[11]),
             ("32", "0.500", "32", "0.875")
         );
-        // The gain is three quarters of the possible one; the changed votes are unknown.
+        // The gain is three quarters of the possible gain; it is unknown which votes changed.
         assert_eq!((&row[17], &row[18], &row[19]), ("0.750", "", ""));
         assert!(
             row[20].contains(": 16") && row[21].contains(": 28"),

@@ -795,7 +795,7 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
 
 /// The pupil does not have to do anything: the device joins as soon as it is allowed.
 #[test]
-fn a_device_that_has_to_wait_says_so_and_tries_again() {
+fn a_device_that_has_to_wait_shows_this_and_tries_again() {
     let place = Route::Join {
         address: Some("192.168.43.117:8090".into()),
         code: Some(JoinCode::of(7)),

@@ -16,7 +16,7 @@ const page = (() => {
   const LIGHT = matchMedia("(prefers-color-scheme: light)");
   const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
-  // For tests: the time of the first frame, the number of frames, and how often the page woke.
+  // For tests: the time of the first frame, the number of frames, and how many times the page woke.
   const seen = { first: 0, frames: 0, wakes: 0 };
 
   async function start() {
@@ -109,7 +109,7 @@ const page = (() => {
     fit();
   }
 
-  // A keyboard on the screen leaves less room than the window's size.
+  // An on-screen keyboard leaves less room than the window's size suggests.
   function measure() {
     const height = self.visualViewport && Math.round(visualViewport.height * visualViewport.scale);
     game.style.height = height && height < innerHeight - 1 ? `${height}px` : "";
@@ -305,7 +305,7 @@ const page = (() => {
       field.select();
       const isCopied = document.execCommand("copy");
       field.remove();
-      if (!isCopied) return tell(`It could not be copied. The link is ${text}`);
+      if (!isCopied) return tell(`The link could not be copied. It is ${text}`);
     }
     tell("The link is copied.");
   }

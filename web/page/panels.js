@@ -1,4 +1,4 @@
-// The words of the screen as elements: the program's description becomes headings, tables, choices,
+// The text of the screen as elements: the program's description becomes headings, tables, choices,
 // fields and buttons. A node is reused as long as it represents the same item, and only changed
 // nodes are touched.
 
@@ -491,7 +491,7 @@ const panels = (() => {
       drawItems(body, told.items);
       for (const canvas of body.querySelectorAll("canvas")) {
         // A picture without a description of its own is described by the words beside it.
-        const words = canvas.carromShows || `Picture: ${title.textContent}. The words beside it say what it shows.`;
+        const words = canvas.carromShows || `Picture: ${title.textContent}. The text beside it describes it.`;
         canvas.setAttribute("aria-label", words);
       }
     };

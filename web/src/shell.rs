@@ -28,7 +28,7 @@ use crate::{message, opening, own};
 /// The bit of a cell that a picture replaces.
 const VECTOR: u32 = 1 << 16;
 
-/// A carrom in a page.
+/// An instance of carrom in a page.
 pub struct Shell {
     app: App,
     screen: Terminal<TestBackend>,

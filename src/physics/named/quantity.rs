@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_unique_and_noise_has_no_sign() {
+    fn names_are_unique_and_zero_has_no_sign() {
         for (i, one) in Quantity::ALL.iter().enumerate() {
             assert!(
                 Quantity::ALL[i + 1..].iter().all(|other| other != one),

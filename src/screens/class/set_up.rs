@@ -357,14 +357,14 @@ impl SetUp {
     }
 }
 
-/// The faults in the files of the teacher's own questions that were left out.
+/// The errors in the files of the teacher's own questions that were left out.
 fn left_out(own: &Library) -> Option<String> {
     let first = own.problems.first()?;
     Some(match own.problems.len() {
         1 => format!("Left out of your own questions: {first}"),
         all => format!(
-            "Files with faults in your own questions are left out. carrom concept check lists all \
-             {all} faults. The first: {first}"
+            "Files with errors in your own questions are left out. carrom concept check lists all \
+             {all} errors. The first: {first}"
         ),
     })
 }

@@ -73,7 +73,7 @@ fn notice(saved: &str, kept: &str, trouble: &DatabaseError) -> String {
 fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseError> {
     let draft = Draft::beside(damaged, DRAFT)?;
     copy_damaged(damaged, draft.path())?;
-    // If only an index is damaged, the answers themselves are not.
+    // If only an index is damaged, the answers themselves are intact.
     let saved = match reindexed(draft.path()) {
         Ok(()) => "Everything in it could be saved.".into(),
         Err(error) if error.is_full() => return Err(error),

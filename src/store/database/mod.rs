@@ -235,7 +235,7 @@ impl Database {
         Ok(())
     }
 
-    /// Reads something if nothing can be written because of this `trouble`.
+    /// Reads something while this `trouble` prevents writing.
     fn look_only<T>(
         &mut self,
         look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
@@ -294,8 +294,8 @@ fn is_look_up(behavior: TransactionBehavior) -> bool {
 }
 
 /// Fails if the path has something that cannot be a database for this version of carrom. It is read
-/// as an ordinary file, because SQLite would wait for a pipe, and create files beside foreign
-/// files.
+/// as an ordinary file, because SQLite would wait for a pipe, and would create files beside a file
+/// that is not a database.
 fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
     match fs::metadata(path) {
         Ok(about) if !about.is_file() => {

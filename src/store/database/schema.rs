@@ -38,7 +38,7 @@ struct SchemaItem {
     text: Vec<u8>,
 }
 
-/// The most wrong letters in a schema that counts as carrom's but damaged.
+/// The largest number of wrong letters in a schema that is still recognised as carrom's.
 const WRONG_LETTERS: usize = 4;
 
 /// Upgrades a database to the current version, unless it is newer.

@@ -32,7 +32,7 @@ impl Database {
         })
     }
 
-    /// Keeps an answer.
+    /// Stores an answer.
     pub(in crate::store) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
         self.change(|transaction| insert_attempt(transaction, attempt))
     }

@@ -289,7 +289,7 @@ mod tests {
         Rect::new(1, 2, 111, 56),
     ];
 
-    /// A board with all its discs at random places, none over another.
+    /// A board with all its discs at random places, none overlapping another.
     fn scattered(area: Rect, seed: u64) -> Picture {
         let mut places: Vec<DVec2> = Vec::new();
         let mut rng = Pcg64::seed_from_u64(seed);

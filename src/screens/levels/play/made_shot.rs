@@ -29,7 +29,7 @@ pub(super) fn asked(said: &RayInput) -> impl Iterator<Item = Ray> + '_ {
 }
 
 /// The speed in m/s below which nobody sees a disc move: on the board it stops within half a
-/// millimetre. Predicting such a disc to stay still is right; its direction is right, too.
+/// millimetre. Predicting that such a disc stays still is right; its true direction is also right.
 const UNSEEN: f64 = 0.03;
 
 /// Whether all predicted rays are right.
@@ -158,7 +158,7 @@ mod tests {
         let said = RayInput::new(1.0).saying(&still);
         assert!(is_right(&said, &collision(0.2)));
         assert!(!is_right(&said, &collision(2.0)));
-        // Its true direction is right as well, and a wrong one is not.
+        // The disc's true direction is also right; a wrong direction is not.
         let turned = |deg: f64| RayInput::new(1.0).saying(&Rays::new(deg.to_radians(), 0.0));
         assert!(is_right(&turned(89.8), &collision(0.2)));
         assert!(!is_right(&turned(0.0), &collision(0.2)));

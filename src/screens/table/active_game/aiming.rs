@@ -212,7 +212,7 @@ impl ActiveGame {
         undone
     }
 
-    /// Makes the stroke, or asks for the call before it.
+    /// Makes the stroke, or first lets the player call it.
     pub(super) fn strike(&mut self, cx: &Context) -> Option<GamePhase> {
         let lines = self.game().base_lines();
         if !self.is_practice() && lines.nearest(DVec2::ZERO).is_none() {

@@ -155,7 +155,7 @@ impl Arrange {
         }
     }
 
-    /// Adds a piece of this kind at the hand, if the set has one left.
+    /// Adds a piece of this kind under the hand, if the set has one left.
     fn add(&self, piece: Piece, game: &mut ActiveGame) {
         let most = if piece == Piece::Queen { 1 } else { COINS_EACH };
         if count(game.game().coins(), piece) >= most {

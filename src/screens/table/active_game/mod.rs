@@ -106,7 +106,7 @@ enum After {
     Screen(Next),
 }
 
-/// Another phase, or the same one for `None`.
+/// Another phase; `None` stays in the current one.
 impl From<Option<GamePhase>> for After {
     fn from(phase: Option<GamePhase>) -> Self {
         phase.map_or(Self::Same, Self::Phase)
