@@ -7,6 +7,7 @@
 use std::thread;
 
 use carrom::quiz::{Answer, Clue, Code, Course, CourseKind, Misconception, Round, named};
+use strum::VariantArray;
 
 mod students;
 
@@ -103,8 +104,9 @@ fn main() {
             continue;
         }
         println!("{name}");
-        let kinds: Vec<(Belief, bool)> = Belief::ALL
-            .into_iter()
+        let kinds: Vec<(Belief, bool)> = Belief::VARIANTS
+            .iter()
+            .copied()
             .flat_map(|belief| match belief.right() {
                 Some(_) => vec![(belief, false), (belief, true)],
                 None => vec![(belief, belief == Knows)],

@@ -31,12 +31,7 @@ const ASKED_AT_ONCE: usize = 3;
 /// A player with fewer quiz answers than this is new.
 const NEW: usize = 10;
 /// The topics for a new player: collisions of equal masses, in pictures.
-const FIRST_TOPICS: [&str; 4] = [
-    "equal-masses",
-    "equal-masses-by-offset",
-    "from-the-picture",
-    "corner-without-loss",
-];
+const FIRST_TOPICS: [&str; 3] = ["equal-masses", "equal-masses-by-offset", "from-the-picture"];
 
 /// What is known about a player.
 #[derive(Debug, Clone, Copy)]
@@ -112,12 +107,11 @@ impl<'a> PathSoFar<'a> {
     /// The next step.
     pub fn next_step(&self) -> NextStep {
         let topics = self.topics_asked();
-        let is_new = { self.attempts.iter() }
-            .filter(|it| it.family != LESSON)
-            .count();
+        let of_quiz = self.attempts.iter().filter(|it| it.family != LESSON);
+        let answers = of_quiz.count();
         self.belief()
             .or_else(|| self.begun())
-            .or_else(|| (is_new < ENOUGH_ANSWERS).then(find_out))
+            .or_else(|| (answers < ENOUGH_ANSWERS).then(find_out))
             .or_else(|| self.missed(&topics))
             .or_else(|| self.review())
             .or_else(|| self.next_chapter(&topics))

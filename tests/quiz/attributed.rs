@@ -3,9 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use carrom::quiz::{
-    Answer, Confidence, Dice, Difficulty, Family, Form, Question, Rays, Response, explain,
-};
+use carrom::quiz::{Answer, Confidence, Family, Form, Question, Rays, Response, explain};
+
+use crate::questions;
 
 const SEEDS: u64 = 200;
 
@@ -99,33 +99,27 @@ fn given(question: &Question) -> String {
 fn feedback_attributes_to_the_student_only_what_was_said_or_given() {
     let mut checked: BTreeMap<&str, usize> = BTreeMap::new();
     let mut wrong = Vec::new();
-    for (family, difficulty) in Family::ALL
-        .iter()
-        .flat_map(|family| Difficulty::ALL.map(|it| (*family, it)))
-    {
-        for seed in 0..SEEDS {
-            let (question, _) = family.ask(difficulty, &mut Dice::new(seed)).unwrap();
-            let given = given(&question);
-            let mut answers: Vec<Response> = question
-                .beliefs
-                .iter()
-                .flat_map(|it| near(&question.form, &it.said))
-                .collect();
-            answers.extend(question.replies.keys().map(|it| Response::Choice(*it)));
-            // Answers that fit no misconception get feedback, too.
-            answers.extend(near(&question.form, &question.form.truth()));
-            for said in answers.into_iter().filter(|it| question.form.accepts(it)) {
-                let text = feedback(&question, said);
-                let words = question.form.words(&said);
-                for sentence in sentences(&text).filter(|it| is_about_the_student(it)) {
-                    *checked.entry(family.id()).or_default() += 1;
-                    if let Some(number) = invented(sentence, &words, &given) {
-                        wrong.push(format!("{} {number} ({words}): {sentence}", family.id()));
-                    }
+    for (family, _, question) in questions(SEEDS) {
+        let given = given(&question);
+        let mut answers: Vec<Response> = question
+            .beliefs
+            .iter()
+            .flat_map(|it| near(&question.form, &it.said))
+            .collect();
+        answers.extend(question.replies.keys().map(|it| Response::Choice(*it)));
+        // Answers that fit no misconception get feedback, too.
+        answers.extend(near(&question.form, &question.form.truth()));
+        for said in answers.into_iter().filter(|it| question.form.accepts(it)) {
+            let text = feedback(&question, said);
+            let words = question.form.words(&said);
+            for sentence in sentences(&text).filter(|it| is_about_the_student(it)) {
+                *checked.entry(family.id()).or_default() += 1;
+                if let Some(number) = invented(sentence, &words, &given) {
+                    wrong.push(format!("{} {number} ({words}): {sentence}", family.id()));
                 }
-                // The explanation of the right answer is not about the student.
-                assert!(!is_about_the_student(&question.why), "{}", question.why);
             }
+            // The explanation of the right answer is not about the student.
+            assert!(!is_about_the_student(&question.why), "{}", question.why);
         }
     }
     wrong.sort();

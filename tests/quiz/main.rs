@@ -17,3 +17,15 @@ mod rounds;
 #[path = "../../benches/students/mod.rs"]
 mod students;
 mod working;
+
+use carrom::quiz::{Dice, Difficulty, Family, Question};
+
+/// The questions of every family and difficulty with seeds below `seeds`.
+fn questions(seeds: u64) -> impl Iterator<Item = (Family, u64, Question)> {
+    let families = Family::ALL.iter();
+    let kinds = families.flat_map(|family| Difficulty::ALL.map(|it| (*family, it)));
+    kinds.flat_map(move |(family, difficulty)| {
+        let ask = move |seed| family.ask(difficulty, &mut Dice::new(seed)).unwrap();
+        (0..seeds).map(move |seed| (family, seed, ask(seed).0))
+    })
+}

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use carrom::quiz::{Dice, Difficulty, Family};
+use carrom::quiz::Family;
+
+use crate::questions;
 
 /// How many seeds are tried at each difficulty.
 const SEEDS: u64 = 400;
@@ -314,32 +316,26 @@ fn readings(text: &str) -> [Option<f64>; 2] {
 fn printed_steps_give_the_printed_result() {
     let mut checked: BTreeMap<&str, usize> = BTreeMap::new();
     let mut wrong = Vec::new();
-    for (family, difficulty) in Family::ALL
-        .iter()
-        .flat_map(|family| Difficulty::ALL.map(|it| (*family, it)))
-    {
-        for seed in 0..SEEDS {
-            let (question, _) = family.ask(difficulty, &mut Dice::new(seed)).unwrap();
-            let readings = readings(&question.text);
-            let mut texts = vec![question.why.as_str()];
-            texts.extend(question.beliefs.iter().map(|it| it.says.as_str()));
-            texts.extend(question.replies.values().map(String::as_str));
-            for text in texts {
-                assert!(!text.contains(" - "), "{text}");
-                for function in ["sin ", "cos ", "tan "] {
-                    for (at, _) in text.match_indices(function) {
-                        let number = text[at + function.len()..]
-                            .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
-                        let is_number = number.len() < text.len() - at - function.len();
-                        assert!(!is_number || number.starts_with('°'), "{text}");
-                    }
+    for (family, seed, question) in questions(SEEDS) {
+        let readings = readings(&question.text);
+        let mut texts = vec![question.why.as_str()];
+        texts.extend(question.beliefs.iter().map(|it| it.says.as_str()));
+        texts.extend(question.replies.values().map(String::as_str));
+        for text in texts {
+            assert!(!text.contains(" - "), "{text}");
+            for function in ["sin ", "cos ", "tan "] {
+                for (at, _) in text.match_indices(function) {
+                    let number = text[at + function.len()..]
+                        .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+                    let is_number = number.len() < text.len() - at - function.len();
+                    assert!(!is_number || number.starts_with('°'), "{text}");
                 }
-                let found = check_equations(text, readings)
-                    .and_then(|found| Ok(found + check_inverses(text)?));
-                match found {
-                    Ok(found) => *checked.entry(family.id()).or_default() += found,
-                    Err(message) => wrong.push(format!("{} {seed}: {message}", family.id())),
-                }
+            }
+            let found =
+                check_equations(text, readings).and_then(|found| Ok(found + check_inverses(text)?));
+            match found {
+                Ok(found) => *checked.entry(family.id()).or_default() += found,
+                Err(message) => wrong.push(format!("{} {seed}: {message}", family.id())),
             }
         }
     }

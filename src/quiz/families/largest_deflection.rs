@@ -206,7 +206,7 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         ))
         .number(Measure::Angle, deg_from_rad(alpha))
         .wrong(HalfAndHalf, 45.0)
-        .says("Your answer is close to 45°, which is right only for a very heavy striker.")
+        .says("Your answer is close to 45°. That is right only for a very heavy striker.")
         .wrong(CopiedAngle, theta1_deg)
         .says("That is the deflection itself. The impact angle is the coin's direction.")
         .wrong(DoubleAngleForgotten, 90.0 - theta1_deg)
@@ -217,7 +217,7 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "The tip of the final velocity vector lies on a circle, at an angle of 2α. At the \
+            "The tip of the final velocity lies on a circle, at an angle of 2α. At the \
              greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = (90° − {}°) / 2 \
              = {}.",
             Intermediate::angle(theta1, |theta1| degrees((FRAC_PI_2 - theta1) / 2.0)),

@@ -224,7 +224,7 @@ impl AnswerInput {
     pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning() == Ray::Striker => {
-                format!("then the {target}")
+                format!("next, the {target}")
             }
             _ => last.to_owned(),
         };

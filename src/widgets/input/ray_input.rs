@@ -233,7 +233,7 @@ impl RayInput {
         };
         match self.is_done() {
             true => panel.prompt(last, self.go_on()),
-            false => panel.prompt(format!("then the {other}"), self.go_on()),
+            false => panel.prompt(format!("next, the {other}"), self.go_on()),
         }
     }
 
