@@ -2,8 +2,8 @@
 
 use super::cell::Cell;
 use super::glyphs::block;
-use crate::widgets::Role;
 use crate::widgets::theme::{Rgb, Theme};
+use crate::widgets::{Blocks, Role};
 
 /// The true colours of a cell: of the discs, and of the background beside them.
 #[derive(Debug, Clone, Copy)]
@@ -57,12 +57,14 @@ impl Shades {
         self.parts.iter().map(off).sum()
     }
 
-    /// The block element with the smallest error, and its foreground and background colours.
-    pub(super) fn fitted(&self) -> (char, [Rgb; 2]) {
+    /// The block element of a set with the smallest error, and its foreground and background
+    /// colours.
+    pub(super) fn fitted(&self, set: Blocks) -> (char, [Rgb; 2]) {
         let off = |bits: u64| self.error(bits) + self.error(!bits);
-        let (symbol, bits) = block::shapes()
-            .min_by(|a, b| off(a.1).total_cmp(&off(b.1)))
-            .unwrap_or((' ', 0));
+        let (_, symbol, bits) = block::shapes(set, self.parts.map(|(part, _)| part))
+            .map(|(symbol, bits)| (off(bits), symbol, bits))
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .unwrap_or_default();
         (symbol, [bits, !bits].map(|bits| self.mean(bits)))
     }
 }
@@ -88,9 +90,12 @@ mod tests {
 
     #[test]
     fn the_shape_of_a_block_element_has_no_error() {
-        for (_, bits) in block::shapes() {
-            let (symbol, [ink, paper]) = shades(bits, 0).fitted();
-            let shown = block::shapes().find(|shape| shape.0 == symbol).unwrap().1;
+        for (_, bits) in block::shapes(Blocks::Quadrants, [0; 3]) {
+            let (symbol, [ink, paper]) = shades(bits, 0).fitted(Blocks::Quadrants);
+            let shown = block::shapes(Blocks::Quadrants, [0; 3])
+                .find(|shape| shape.0 == symbol)
+                .unwrap()
+                .1;
             let of = |bit: u32| if shown >> bit & 1 == 1 { ink } else { paper };
             for bit in 0..64 {
                 let true_one = if bits >> bit & 1 == 1 { DISC } else { PAPER };
@@ -102,7 +107,7 @@ mod tests {
     #[test]
     fn where_two_discs_touch_both_colours_are_kept() {
         let left = 0x0f0f_0f0f_0f0f_0f0f;
-        let (symbol, colours) = shades(left, !left).fitted();
+        let (symbol, colours) = shades(left, !left).fitted(Blocks::Quadrants);
         assert_eq!((symbol, colours), ('▌', [DISC, OTHER]));
     }
 
@@ -111,7 +116,7 @@ mod tests {
         // No block element has the shape of a staircase of eighths.
         let slope = (0..8).fold(0, |bits, row| bits | ((1_u64 << row) - 1) << (8 * row));
         let one = shades(slope, 0);
-        let (symbol, [ink, paper]) = one.fitted();
+        let (symbol, [ink, paper]) = one.fitted(Blocks::Quadrants);
         assert_ne!(ink, paper, "{symbol}");
         let sliver = shades(1, 0);
         let Rgb(red, ..) = sliver.mean(u64::MAX);

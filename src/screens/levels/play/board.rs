@@ -255,16 +255,13 @@ mod tests {
     use super::*;
     use crate::files::FileLibrary;
     use crate::levels::LevelLibrary;
+    use crate::widgets::Look;
     use crate::widgets::svg::Svg;
-    use crate::widgets::{Charset, Look, Theme};
 
     /// Every piece is a circle, and no number is NaN.
     #[test]
     fn the_board_of_every_level_can_be_drawn_as_svg() {
-        let look = Look {
-            charset: Charset::Unicode,
-            theme: Theme::default(),
-        };
+        let look = Look::default();
         let library = LevelLibrary::embedded();
         for level in library.packs.iter().flat_map(|pack| &pack.levels) {
             let picture = of_aim(level, &level.scene, None, Rect::new(0, 0, 80, 36));
