@@ -36,15 +36,12 @@ pub(super) static SETTINGS: [Setting; 9] = [
         words: &["automatic", "quadrants", "sextants", "octants"],
         shown: (
             "blocks",
-            "The characters for discs in Unicode. Quadrants divide each character into 2×2 parts, sextants into 2×3, octants into 2×4, which makes discs roundest. Automatic: the finest that the terminal is known to draw. Choose quadrants if you see boxes or question marks.",
+            "The characters for the edges of discs in Unicode. Octants make discs roundest, then sextants; quadrants work with every font. Automatic: the finest that the terminal is known to draw. If you see boxes or question marks, choose quadrants.",
         ),
         at: |settings| settings.blocks.map_or(0, |blocks| blocks as usize + 1),
         choose: |settings, at| {
             use Blocks::{Octants, Quadrants, Sextants};
-            let blocks = at
-                .checked_sub(1)
-                .and_then(|at| [Quadrants, Sextants, Octants].get(at).copied());
-            settings.blocks = blocks;
+            settings.blocks = [None, Some(Quadrants), Some(Sextants), Some(Octants)][at.min(3)];
         },
     },
     Setting {

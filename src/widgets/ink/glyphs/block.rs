@@ -95,31 +95,39 @@ impl Finer {
         Self { parts, blocks }
     }
 
-    /// The block of the parts that lie in `cover` by more than `eighths`.
-    fn above(&self, eighths: u32, cover: u64) -> Option<BlockGlyph> {
-        let lies = |part: &u64| 8 * (part & cover).count_ones() > eighths * part.count_ones();
+    /// The block of the parts of which at least as much lies in `cover` as of the part `least`.
+    fn split(&self, least: u64, cover: u64) -> Option<BlockGlyph> {
+        let inside = |part: u64| (part & cover).count_ones();
+        let lies =
+            |part: u64| inside(part) * least.count_ones() >= inside(least) * part.count_ones();
         let bits = (self.parts.iter().enumerate())
-            .filter(|(_, part)| lies(part))
+            .filter(|(_, part)| lies(**part))
             .fold(0, |bits, (bit, _)| bits | 1 << bit);
         *self.blocks.get(bits)?
     }
 }
 
-/// The blocks to try in a cell with colours in these places: each with the part that its character
+/// The blocks to try in a cell with colours in these places, each with the part that its character
 /// covers.
 ///
-/// The two groups of parts that are best shown by their mean colours differ by a threshold if the
-/// cell has two colours; for three colours this is nearly true. So few of the finer blocks need to
-/// be tried.
+/// If the cell has two colours, the best of the finer blocks separates the parts with more of a
+/// colour from those with less; for three colours this is nearly true. So few need to be tried.
 pub(in super::super) fn shapes(
     set: Blocks,
     colours: [u64; 3],
 ) -> impl Iterator<Item = (char, u64)> {
     let upright = BLOCKS.iter().filter(|block| !block.inverse).copied();
+    // Each of two colours that fill the cell separates the same parts.
+    let is_needed = move |at: &usize| {
+        let mut before = colours.iter().take(*at);
+        colours[*at] != 0 && before.all(|it| *it != !colours[*at])
+    };
     let finer = Finer::of(set).flat_map(move |finer| {
-        let thresholds =
-            move |colour| (0..8).filter_map(move |eighths| finer.above(eighths, colour));
-        colours.into_iter().flat_map(thresholds)
+        let splits = move |at| {
+            let parts = finer.parts.iter();
+            parts.filter_map(move |part| finer.split(*part, colours[at]))
+        };
+        (0..colours.len()).filter(is_needed).flat_map(splits)
     });
     upright.chain(finer).map(|block| match block.inverse {
         true => (block.symbol, !block.cover),
