@@ -7,7 +7,6 @@
 use std::thread;
 
 use carrom::quiz::{Answer, Clue, Code, Course, CourseKind, Misconception, Round, named};
-use strum::VariantArray;
 
 mod students;
 
@@ -104,9 +103,8 @@ fn main() {
             continue;
         }
         println!("{name}");
-        let kinds: Vec<(Belief, bool)> = Belief::VARIANTS
-            .iter()
-            .copied()
+        let kinds: Vec<(Belief, bool)> = Belief::ALL
+            .into_iter()
             .flat_map(|belief| match belief.right() {
                 Some(_) => vec![(belief, false), (belief, true)],
                 None => vec![(belief, belief == Knows)],

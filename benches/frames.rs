@@ -30,11 +30,16 @@ fn main() {
         ("foil", "foil", "\t\re\r", "<Tab><Enter>e<Enter>", 2.0),
         ("scroll", "levels", "", "<Down>", 0.0),
     ];
+    let sets = [
+        ("unicode", "--charset unicode --blocks quadrants"),
+        ("octants", "--charset unicode --blocks octants"),
+        ("ascii", "--charset ascii"),
+    ];
     println!("scene   size     charset   pictures  bytes a picture (mean, most)  drawn in");
     for (name, place, keys, named, seconds) in scenes {
         for (columns, rows) in [(120, 40), (80, 24)] {
-            for charset in ["unicode", "ascii"] {
-                let arguments = format!("{place} --charset {charset} --color truecolor");
+            for (charset, options) in sets {
+                let arguments = format!("{place} {options} --color truecolor");
                 let words: Vec<_> = arguments.split(' ').collect();
                 let mut pty = Pty::start(carrom(&words));
                 pty.wait_for("? help");

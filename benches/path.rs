@@ -8,7 +8,6 @@
 use std::thread;
 
 use carrom::path::Step;
-use strum::VariantArray;
 
 #[path = "students/learner.rs"]
 mod learner;
@@ -100,7 +99,7 @@ fn print(name: &str, journeys: &[Journey]) {
 fn main() {
     let learners = std::env::args().filter_map(|arg| arg.parse().ok()).next();
     let learners: u64 = learners.unwrap_or(100);
-    let mut kinds: Vec<(String, Belief, Habit)> = Belief::VARIANTS
+    let mut kinds: Vec<(String, Belief, Habit)> = Belief::ALL
         .iter()
         .map(|it| (it.name().to_owned(), *it, Habit::Follows))
         .collect();

@@ -10,13 +10,12 @@ use carrom::quiz::{
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
-use strum::VariantArray;
 
 /// The standard deviation of an angle, in degrees, and the relative one of any other number.
 const NOISE: (f64, f64) = (2.0, 0.02);
 
 /// What a student believes.
-#[derive(Clone, Copy, PartialEq, VariantArray)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Belief {
     /// Both leave at the impact angle.
     CopiesTheAngle,
@@ -44,6 +43,19 @@ pub(crate) enum Belief {
 use Belief::*;
 
 impl Belief {
+    pub(crate) const ALL: [Self; 10] = [
+        CopiesTheAngle,
+        HalfAndHalf,
+        AlwaysSquare,
+        IgnoresMass,
+        Swapped,
+        HeavyUnmoved,
+        HeadOnFormula,
+        SquareInTheCentreFrame,
+        Knows,
+        Guesses,
+    ];
+
     pub(crate) fn name(self) -> &'static str {
         match self {
             CopiesTheAngle => "copies the angle",

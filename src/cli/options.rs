@@ -19,7 +19,7 @@ use crate::quiz::concepts::Library;
 use crate::screens::{KeptSettings, Settings};
 use crate::shells::terminal;
 use crate::store::Store;
-use crate::widgets::{Charset, Depth, Palette};
+use crate::widgets::{Blocks, Charset, Depth, Palette};
 
 /// Options that every command takes.
 #[derive(Debug, Clone, Default, Args)]
@@ -29,6 +29,10 @@ pub(crate) struct GlobalOptions {
     #[arg(long, global = true, value_name = "SET", default_value = "auto",
           value_parser = choice::<Charset>())]
     charset: Choice<Charset>,
+    /// Block elements for discs in Unicode; auto: the finest that the terminal is known to draw
+    #[arg(long, global = true, value_name = "SET", default_value = "auto",
+          value_parser = choice::<Blocks>())]
+    blocks: Choice<Blocks>,
     /// Colours to draw with; auto: what the terminal supports, and none with NO_COLOR
     #[arg(long, global = true, value_name = "DEPTH", default_value = "auto",
           value_parser = choice::<Depth>())]
@@ -98,6 +102,7 @@ impl GlobalOptions {
         let any = |own: Vec<PathBuf>, outer| if own.is_empty() { outer } else { own };
         Self {
             charset: self.charset.or(other.charset),
+            blocks: self.blocks.or(other.blocks),
             color: self.color.or(other.color),
             palette: self.palette.or(other.palette),
             seed: self.seed.or(other.seed),
@@ -152,6 +157,7 @@ impl GlobalOptions {
         });
         Settings {
             charset: self.charset(found.charset),
+            blocks: self.blocks.or(found.blocks),
             depth: self.color.unwrap_or(found.depth),
             palette: self.palette.unwrap_or(found.palette),
             player: self.player.clone().unwrap_or(found.player),

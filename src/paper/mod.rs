@@ -37,11 +37,12 @@ pub use page::{Paper, html_page};
 
 use crate::widgets::picture::Picture;
 use crate::widgets::svg::Svg;
-use crate::widgets::{Charset, Depth, Look, Palette, Theme};
+use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Theme};
 
 /// The look of pictures on paper.
 const LOOK: Look = Look {
     charset: Charset::Unicode,
+    blocks: Blocks::Quadrants,
     theme: Theme::new(Palette::Light, Depth::True),
 };
 /// The scale of pictures: letters are 10.5 CSS pixels (8 points) high.

@@ -55,8 +55,8 @@ pub use panels::SplitLayout;
 pub use svg::painted::{PaintedCell, PaintedPicture, glyph_shape, inks, painted};
 pub use text::bar;
 pub use text::{
-    Charset, Item, Look, PictureSizes, Section, Sheet, SheetKind, Words, cells, formula, keys,
-    recorded,
+    Blocks, Charset, Item, Look, PictureSizes, Section, Sheet, SheetKind, Words, cells, formula,
+    keys, recorded,
 };
 pub(crate) use text::{Lines, PAGE_ROWS, Room, areas, big, flow, scroll_keys, sheet, signs};
 pub use theme::{Depth, Palette, Role, Theme};

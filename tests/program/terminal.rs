@@ -257,6 +257,42 @@ fn without_colour_bold_and_reverse_survive() {
 }
 
 #[test]
+fn the_version_that_the_terminal_reports_decides_the_blocks() {
+    let with = |blocks| {
+        let mut pty = started(carrom(&[
+            "lab",
+            "--charset",
+            "unicode",
+            "--color",
+            "truecolor",
+            "--blocks",
+            blocks,
+        ]));
+        assert_eq!(count(&pty, "\x1b[>q"), 1);
+        pty.press("\x1bP>|kitty(0.40.0)\x1b\\");
+        pty
+    };
+    let has_octants =
+        |screen: &str| screen.contains(|it| ('\u{1cd00}'..='\u{1cde5}').contains(&it));
+    let mut pty = with("auto");
+    pty.wait_until("octants", has_octants);
+    pty.press("\x1bP>|tmux 3.5a\x1b\\");
+    pty.wait_until("quadrants", |screen| !has_octants(screen));
+    // A chosen set stays, and no part of a reply is a key.
+    let mut chosen = with("quadrants");
+    chosen.press("?");
+    chosen.wait_for("help: lab");
+    chosen.press("\x1b");
+    chosen.wait_until("the help to close", |screen| !screen.contains("help: lab"));
+    assert!(!has_octants(&chosen.screen()));
+    for pty in [&mut pty, &mut chosen] {
+        pty.press("\x03");
+        assert_eq!(pty.wait(), 0);
+        pty.assert_restored();
+    }
+}
+
+#[test]
 fn a_terminal_that_cannot_position_text_is_refused() {
     let mut command = carrom(&[]);
     command.env("TERM", "dumb");

@@ -113,6 +113,7 @@ fn drawn(question: &Question) -> Buffer {
     let look = Look {
         charset: Charset::Unicode,
         theme: Theme::new(Palette::Dark, Depth::True),
+        ..Look::default()
     };
     draw_question(area, &mut buf, &look, question, None);
     buf

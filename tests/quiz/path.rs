@@ -10,7 +10,6 @@ use carrom::quiz::{
     Answer, Code, Confidence, Course, CourseKind, Form, Illustration, Misconception, Response,
     Round,
 };
-use strum::VariantArray;
 
 #[path = "../../benches/students/learner.rs"]
 mod learner;
@@ -254,7 +253,7 @@ fn finding_out_begins_with_equal_masses() {
 #[test]
 fn every_learner_arrives_without_a_loop_and_one_who_knows_everything_reads_nothing() {
     const MOST_STEPS: usize = 60;
-    for &belief in Belief::VARIANTS {
+    for belief in Belief::ALL {
         let mut learner = Learner::new(belief, Habit::Follows, 1_000);
         while !learner.has_arrived() {
             learner.take_step();

@@ -3,7 +3,7 @@
 use super::values::Settings;
 use crate::widgets::input::{Field, FieldValue, FormFields};
 use crate::widgets::replay::WatchRate;
-use crate::widgets::{Charset, Depth, Palette};
+use crate::widgets::{Blocks, Charset, Depth, Palette};
 
 /// A setting with a fixed list of values.
 pub(super) struct Setting {
@@ -20,7 +20,7 @@ pub(super) struct Setting {
 }
 
 /// All settings; those shown on the screen come first.
-pub(super) static SETTINGS: [Setting; 8] = [
+pub(super) static SETTINGS: [Setting; 9] = [
     Setting {
         id: "charset",
         words: &["ascii", "unicode"],
@@ -30,6 +30,19 @@ pub(super) static SETTINGS: [Setting; 8] = [
         ),
         at: |settings| settings.charset as usize,
         choose: |settings, at| settings.charset = [Charset::Ascii, Charset::Unicode][at.min(1)],
+    },
+    Setting {
+        id: "blocks",
+        words: &["automatic", "quadrants", "sextants", "octants"],
+        shown: (
+            "blocks",
+            "The characters for the edges of discs in Unicode. Octants make discs roundest, then sextants; quadrants work with every font. Automatic: the finest that the terminal is known to draw. If you see boxes or question marks, choose quadrants.",
+        ),
+        at: |settings| settings.blocks.map_or(0, |blocks| blocks as usize + 1),
+        choose: |settings, at| {
+            use Blocks::{Octants, Quadrants, Sextants};
+            settings.blocks = [None, Some(Quadrants), Some(Sextants), Some(Octants)][at.min(3)];
+        },
     },
     Setting {
         id: "palette",

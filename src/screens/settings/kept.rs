@@ -111,7 +111,7 @@ impl KeptSettings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::widgets::{Charset, Palette};
+    use crate::widgets::{Blocks, Charset, Palette};
 
     #[test]
     fn only_changed_settings_are_saved_and_read_back() {
@@ -119,6 +119,7 @@ mod tests {
         let mut kept = KeptSettings::default();
         assert!(!kept.note(&before, &before));
         let now = Settings {
+            blocks: Some(Blocks::Sextants),
             palette: Palette::Mono,
             reduced_motion: true,
             player: "Ada \"the\" Lovelace".into(),
@@ -138,6 +139,21 @@ mod tests {
             (Charset::Unicode, Palette::Mono)
         );
         assert!(over.reduced_motion && over.player == now.player);
+        assert_eq!(over.look().blocks, Blocks::Sextants);
+    }
+
+    #[test]
+    fn automatic_blocks_are_those_that_the_terminal_draws() {
+        for (file, blocks) in [
+            ("format = 1\n", Blocks::Octants),
+            ("format = 1\nblocks = \"automatic\"\n", Blocks::Octants),
+            ("format = 1\nblocks = \"quadrants\"\n", Blocks::Quadrants),
+        ] {
+            let kept = KeptSettings::read("settings.toml", file.as_bytes()).unwrap();
+            let mut over = kept.over(Settings::default());
+            over.known_blocks = Blocks::Octants;
+            assert_eq!(over.look().blocks, blocks, "{file}");
+        }
     }
 
     #[test]
@@ -186,6 +202,10 @@ mod tests {
             ("", "format"),
             ("format = 2\n", "newer"),
             ("format = 1\ncharset = \"runes\"\n", "ascii, unicode"),
+            (
+                "format = 1\nblocks = \"dots\"\n",
+                "settings.toml:2: blocks: expected one of automatic, quadrants, sextants, octants",
+            ),
             ("format = 1\nplayer = \"\"\n", "player"),
             ("format = 1\ncolour = \"16\"\n", "colour"),
         ] {

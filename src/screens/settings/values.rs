@@ -3,13 +3,17 @@
 use crate::widgets::hit::HitPace;
 use crate::widgets::input::Rebound;
 use crate::widgets::replay::WatchRate;
-use crate::widgets::{Charset, Depth, Look, Palette, Theme};
+use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Theme};
 
 /// The appearance and behaviour of the app for this player.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// The characters used to draw pictures.
     pub charset: Charset,
+    /// The block elements that discs are drawn with, if the player has chosen them.
+    pub blocks: Option<Blocks>,
+    /// The block elements that the terminal is known to draw.
+    pub known_blocks: Blocks,
     /// The colours for each purpose: dark, light or none.
     pub palette: Palette,
     /// The number of colours that the screen supports.
@@ -35,6 +39,8 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             charset: Charset::Ascii,
+            blocks: None,
+            known_blocks: Blocks::default(),
             palette: Palette::Dark,
             depth: Depth::None,
             reduced_motion: false,
@@ -69,6 +75,7 @@ impl Settings {
     pub fn look(&self) -> Look {
         Look {
             charset: self.charset,
+            blocks: self.blocks.unwrap_or(self.known_blocks),
             theme: self.theme(),
         }
     }

@@ -25,6 +25,11 @@ const LONGEST_SEQUENCE: usize = 64;
 const AFTER_ESCAPE: Duration = Duration::from_millis(10);
 /// The pause in a paste after which the paste counts as ended.
 const WITHIN_PASTE: Duration = Duration::from_secs(1);
+/// The pause in a control string after which it counts as cut off. A terminal sends it at once, but
+/// a slow connection may split it.
+const WITHIN_STRING: Duration = Duration::from_millis(100);
+/// The start of the control string with the terminal's name and version, after its introducer.
+const VERSION: &[u8] = b">|";
 
 const ESCAPE: u8 = 0x1b;
 const CTRL_C: u8 = 0x03;
@@ -35,6 +40,9 @@ pub(super) struct Decoder {
     /// The bytes of a character or of a control sequence.
     pending: Vec<u8>,
     paste: Option<Paste>,
+    string: Option<ControlString>,
+    /// The name and version that the terminal has reported.
+    version: Option<String>,
 }
 
 /// A paste that has not ended yet.
@@ -47,13 +55,27 @@ struct Paste {
     ending: usize,
 }
 
+/// A device control string that has not ended yet.
+#[derive(Debug, Default)]
+struct ControlString {
+    /// Its first bytes.
+    text: Vec<u8>,
+    /// Whether the last byte was Escape, which begins the end marker.
+    is_ending: bool,
+}
+
 impl Decoder {
+    /// The name and version that the terminal has reported since the last call.
+    pub(super) fn take_version(&mut self) -> Option<String> {
+        self.version.take()
+    }
+
     /// How long to wait for more bytes before calling [`Self::pause`]; `None` means for ever.
     pub(super) fn patience(&self) -> Option<Duration> {
-        match (&self.paste, self.pending.is_empty()) {
+        match (&self.paste, &self.string) {
             (Some(_), _) => Some(WITHIN_PASTE),
-            (None, false) => Some(AFTER_ESCAPE),
-            (None, true) => None,
+            (_, Some(_)) => Some(WITHIN_STRING),
+            _ => (!self.pending.is_empty()).then_some(AFTER_ESCAPE),
         }
     }
 
@@ -64,6 +86,7 @@ impl Decoder {
         } else if *self.pending == [ESCAPE] {
             events.push_back(pressed(KeyCode::Esc, KeyModifiers::NONE));
         }
+        self.string = None;
         self.pending.clear();
     }
 
@@ -76,7 +99,38 @@ impl Decoder {
                         self.paste = None;
                     }
                 }
+                None if self.string.is_some() => self.take_in_string(*byte, events),
                 None => self.take(*byte, events),
+            }
+        }
+    }
+
+    fn take_in_string(&mut self, byte: u8, events: &mut VecDeque<Event>) {
+        let Some(string) = &mut self.string else {
+            return;
+        };
+        match byte {
+            b'\\' if string.is_ending => {
+                // A longer string is not a version.
+                if string.text.len() < LONGEST_SEQUENCE
+                    && let Some(version) = string.text.strip_prefix(VERSION)
+                {
+                    self.version = String::from_utf8(version.to_vec()).ok();
+                }
+                self.string = None;
+            }
+            ESCAPE if !string.is_ending => string.is_ending = true,
+            0x20.. if !string.is_ending => {
+                if string.text.len() < LONGEST_SEQUENCE {
+                    string.text.push(byte);
+                }
+            }
+            // The string was cut off. After Escape, another sequence begins; otherwise a key follows.
+            _ => {
+                let is_sequence = string.is_ending && byte >= 0x20;
+                self.pending.extend(is_sequence.then_some(ESCAPE));
+                self.string = None;
+                self.take(byte, events);
             }
         }
     }
@@ -87,6 +141,11 @@ impl Decoder {
             [ESCAPE] if byte == ESCAPE => {
                 // The first Escape was a key of its own.
                 events.push_back(pressed(KeyCode::Esc, KeyModifiers::NONE));
+                return;
+            }
+            [ESCAPE] if byte == b'P' => {
+                self.pending.clear();
+                self.string = Some(ControlString::default());
                 return;
             }
             [ESCAPE] => byte < 0x80 && byte != b'[' && byte != b'O',
@@ -462,6 +521,59 @@ mod tests {
             decoded(&[b"\x1b\x1b[A"]),
             [key(KeyCode::Esc), key(KeyCode::Up)]
         );
+    }
+
+    /// The events and the version of these chunks; time passes only after the last.
+    fn answered(chunks: &[&[u8]]) -> (Vec<Event>, Option<String>) {
+        let (mut decoder, mut events) = (Decoder::default(), VecDeque::new());
+        for chunk in chunks {
+            decoder.feed(chunk, &mut events);
+        }
+        decoder.pause(&mut events);
+        (events.into(), decoder.take_version())
+    }
+
+    #[test]
+    fn the_terminals_version_is_read_and_no_part_of_it_becomes_a_key() {
+        let version = Some("kitty(0.40.0)".to_owned());
+        let reply = b"\x1bP>|kitty(0.40.0)\x1b\\";
+        assert_eq!(answered(&[reply]), (vec![], version.clone()));
+        let single: Vec<&[u8]> = reply.chunks(1).collect();
+        assert_eq!(answered(&single), (vec![], version.clone()));
+        let q = vec![key(KeyCode::Char('q'))];
+        assert_eq!(answered(&[reply, b"q"]), (q, version));
+    }
+
+    #[test]
+    fn a_hostile_version_is_dropped_and_the_next_key_is_decoded() {
+        let long = [&b"\x1bP>|"[..], &b"kitty ".repeat(100_000), b"\x1b\\"].concat();
+        for reply in [
+            &long[..],
+            b"\x1bP\x1b\\",
+            b"\x1bPkitty(0.40.0)\x1b\\",
+            b"\x1bP>|kitty\xff(0.40.0)\x1b\\",
+            b"\x1bP1$r0m\x1b\\",
+            // It never ends.
+            b"\x1bP>|kitty(0.40.0)",
+            b"\x1bP>|kitty(0.40.0)\x1b",
+            &long[..long.len() - 2],
+            // Another sequence or a control character is in it.
+            b"\x1bP>|kitty\x1b[I",
+            b"\x1bP>|kitty\x00",
+            b"\x1bP>|kitty\x1bP>|\xff\x1b\\",
+        ] {
+            let (events, version) = answered(&[reply, b"\x03"]);
+            let ctrl_c = pressed(KeyCode::Char('c'), KeyModifiers::CONTROL);
+            assert_eq!(events.last(), Some(&ctrl_c), "{reply:?}");
+            assert_eq!(version, None, "{reply:?}");
+            let mut decoder = Decoder::default();
+            let mut events = VecDeque::new();
+            decoder.feed(reply, &mut events);
+            decoder.pause(&mut events);
+            events.clear();
+            decoder.feed(b"q", &mut events);
+            assert_eq!(events, [key(KeyCode::Char('q'))], "{reply:?}");
+        }
     }
 
     #[test]

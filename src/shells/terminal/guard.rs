@@ -8,12 +8,17 @@ use crossterm::cursor::{Hide, Show};
 use crossterm::event::{
     DisableBracketedPaste, DisableMouseCapture, EnableBracketedPaste, EnableMouseCapture,
 };
+#[cfg(unix)]
+use crossterm::style::Print;
 use crossterm::style::ResetColor;
 use crossterm::terminal::{
     EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
     enable_raw_mode,
 };
 use crossterm::{execute, queue};
+
+#[cfg(unix)]
+use super::version;
 
 /// Whether carrom has set up the terminal. This is global because a process has one terminal, and
 /// because the panic hook and the watchdog use it.
@@ -58,7 +63,13 @@ impl Guard {
             EnableMouseCapture,
             EnableBracketedPaste,
             Hide
-        )
+        )?;
+        // Nobody waits for the reply. It arrives before any key of a player who has seen the first
+        // frame. That frame clears the screen, so a terminal that does not know the request and
+        // prints part of it does no harm.
+        #[cfg(unix)]
+        execute!(io::stdout(), Print(version::REQUEST))?;
+        Ok(())
     }
 }
 

@@ -6,6 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
 
 use crate::messages::{Input, Key};
+#[cfg(unix)]
+use crate::widgets::Blocks;
 
 /// The most keys that may wait. Nobody types that many between two frames.
 const MOST_WAITING: usize = 1000;
@@ -68,6 +70,9 @@ pub(super) enum Message {
     Hosted,
     /// The terminal can no longer be read.
     Lost(io::Error),
+    /// The block elements that the terminal is known to draw.
+    #[cfg(unix)]
+    Blocks(Blocks),
     /// The signal with this number requests that carrom end.
     #[cfg(unix)]
     Leave(i32),

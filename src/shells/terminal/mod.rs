@@ -19,6 +19,8 @@ mod store_worker;
 mod surroundings;
 #[cfg(unix)]
 mod tty;
+#[cfg(unix)]
+mod version;
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::mem::ManuallyDrop;
@@ -223,6 +225,12 @@ impl TerminalRun {
                 self.carry_out(&effects)
             }
             Message::Lost(error) => return Err(TerminalError::Read(error)),
+            #[cfg(unix)]
+            Message::Blocks(blocks) => {
+                self.app.settings_mut().known_blocks = blocks;
+                self.pace.outdated();
+                Flow::Continue(())
+            }
             #[cfg(unix)]
             Message::Leave(signal) => Flow::Break(Ending::Signal(signal)),
             #[cfg(unix)]

@@ -9,7 +9,9 @@ use crossterm::event::{
 use super::message::{Inbox, Message};
 use super::spawn;
 #[cfg(unix)]
-use super::tty::EventSource;
+use super::tty::{EventSource, Received};
+#[cfg(unix)]
+use super::version;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 
 /// Starts the reading thread. It ends when the process ends or the terminal is closed.
@@ -17,15 +19,17 @@ pub(super) fn start(inbox: Inbox) -> io::Result<()> {
     #[cfg(unix)]
     let mut source = EventSource::open()?;
     #[cfg(unix)]
-    let mut next = move || source.next();
+    let mut next = move || {
+        source.next().map(|received| match received {
+            Received::Event(event) => message(&event),
+            Received::Version(version) => Some(Message::Blocks(version::blocks(&version))),
+        })
+    };
     #[cfg(not(unix))]
-    let next = crossterm::event::read;
+    let next = || crossterm::event::read().map(|event| message(&event));
     let read = move || {
         loop {
-            let message = match next() {
-                Ok(event) => message(&event),
-                Err(error) => Some(Message::Lost(error)),
-            };
+            let message = next().unwrap_or_else(|error| Some(Message::Lost(error)));
             let is_last = matches!(message, Some(Message::Lost(_)));
             // There is no receiver only when carrom is quitting anyway.
             if message.is_some_and(|it| !inbox.send(it)) || is_last {

@@ -16,6 +16,13 @@ use super::spawn;
 /// The most blocks of input that are read ahead of the decoder.
 const READ_AHEAD: usize = 16;
 
+/// Something that the terminal has sent.
+pub(super) enum Received {
+    Event(Event),
+    /// Its name and version.
+    Version(String),
+}
+
 /// The terminal's input as events.
 pub(super) struct EventSource {
     bytes: Receiver<io::Result<Vec<u8>>>,
@@ -39,12 +46,15 @@ impl EventSource {
         })
     }
 
-    /// Waits for the next event.
-    pub(super) fn next(&mut self) -> io::Result<Event> {
+    /// Waits for the next event or reply.
+    pub(super) fn next(&mut self) -> io::Result<Received> {
         let gone = || io::Error::from(ErrorKind::BrokenPipe);
         loop {
+            if let Some(version) = self.decoder.take_version() {
+                return Ok(Received::Version(version));
+            }
             if let Some(event) = self.events.pop_front() {
-                return Ok(event);
+                return Ok(Received::Event(event));
             }
             let bytes = match self.decoder.patience() {
                 None => self.bytes.recv().map_err(|_| gone())?,

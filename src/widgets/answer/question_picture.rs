@@ -104,6 +104,7 @@ mod tests {
         let look = Look {
             charset: Charset::Ascii,
             theme: Theme::new(Palette::Dark, Depth::None),
+            ..Look::default()
         };
         let mut buf = Buffer::empty(AREA);
         draw_question(AREA, &mut buf, &look, &question, None);

@@ -55,10 +55,7 @@ fn collisions() -> Vec<Collision> {
 
 /// A printed picture, as an SVG file.
 fn file(picture: &Picture) -> String {
-    let look = Look {
-        charset: Charset::Unicode,
-        theme: Theme::default(),
-    };
+    let look = Look::default();
     Svg::new("a hit", picture, &look, 0.75).file()
 }
 
@@ -281,7 +278,11 @@ fn each_arrow_is_visible_from_end_to_end_in_the_colour_of_its_label() {
             .flat_map(|(charset, theme)| areas.map(|area| (charset, theme, area)))
         {
             let theme = Theme::new(palette, depth);
-            let look = Look { charset, theme };
+            let look = Look {
+                charset,
+                theme,
+                ..Look::default()
+            };
             for (step, picture) in steps(&hit, frame, area) {
                 let buffer = cells(&picture, &look);
                 let canvas = Canvas::of(&picture, &look);
@@ -365,10 +366,7 @@ fn no_name_is_beside_the_other_disc() {
     ];
     for (collision, frame, names) in seen {
         for area in [(36, 22), (48, 20), (74, 36)].map(|(w, h)| Rect::new(0, 0, w, h)) {
-            let look = Look {
-                charset: Charset::Unicode,
-                theme: Theme::default(),
-            };
+            let look = Look::default();
             for (step, picture) in steps(&collision, frame, area).take(3) {
                 let canvas = Canvas::of(&picture, &look);
                 let (c1, c2) = collision.placed_at_contact();

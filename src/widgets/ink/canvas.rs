@@ -19,7 +19,7 @@ use super::{
     stroke::StrokeSamples,
 };
 use crate::widgets::picture::{Dash, DrawLayer, Mark, Pen, Picture, View};
-use crate::widgets::{Charset, Look, Role, Theme};
+use crate::widgets::{Blocks, Charset, Look, Role, Theme};
 
 /// A cell of the canvas: column and row.
 pub(super) type CellPlace = (i32, i32);
@@ -35,6 +35,8 @@ pub(super) fn cell_of(paper: DVec2) -> CellPlace {
 pub(in crate::widgets) struct Canvas {
     view: View,
     pub(super) charset: Charset,
+    /// The block elements for discs.
+    pub(super) blocks: Blocks,
     /// Whether there are colours between that of a disc and the background.
     pub(super) has_shades: bool,
     /// Whether there are no colours at all.
@@ -54,6 +56,7 @@ impl Canvas {
         Self {
             view,
             charset,
+            blocks: Blocks::default(),
             has_shades: false,
             is_mono: false,
             cells: vec![Cell::EMPTY; size.0 * size.1],
@@ -67,6 +70,7 @@ impl Canvas {
     pub(in crate::widgets) fn of(picture: &Picture, look: &Look) -> Self {
         let mut canvas = Self::new(*picture.view(), look.charset);
         let is_hidden = look.charset == Charset::Unicode && gallery::hides_cells();
+        canvas.blocks = look.blocks;
         canvas.has_shades = look.theme.has_shades() && !is_hidden;
         canvas.is_mono = look.theme.is_mono();
         for mark in &picture.marks {
@@ -238,11 +242,11 @@ impl Canvas {
             return (if hollow { ' ' } else { '█' }, theme.fill(disc.role));
         }
         if self.has_shades {
-            let (symbol, [ink, paper]) = Shades::of(cell, theme).fitted();
+            let (symbol, [ink, paper]) = Shades::of(cell, theme).fitted(self.blocks);
             let style = Style::new().fg(theme.shade(ink)).bg(theme.shade(paper));
             return (symbol, style);
         }
-        let block = block::nearest(disc.bits, !mono);
+        let block = block::nearest(self.blocks, disc.bits, !mono);
         if mono {
             return (block.symbol, theme.style(disc.role));
         }

@@ -7,7 +7,7 @@ use super::Canvas;
 use super::glyphs::{ascii, block};
 use crate::widgets::picture::{Body, Mark, Picture};
 use crate::widgets::theme::Rgb;
-use crate::widgets::{Charset, Look, Role, Theme};
+use crate::widgets::{Blocks, Charset, Look, Role, Theme};
 
 /// How discs are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub(crate) enum Drawn {
 pub(crate) fn centre_errors(picture: &Picture, charset: Charset) -> Vec<(Body, Drawn, DVec2)> {
     let look = Look {
         charset,
-        theme: Theme::default(),
+        ..Look::default()
     };
     let canvas = Canvas::of(picture, &look);
     let discs = picture.marks.iter().filter_map(|mark| match mark {
@@ -114,7 +114,8 @@ pub(super) fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
     let (mut sum, mut weight) = (DVec2::ZERO, 0.0);
     for at in buffer.area.positions() {
         let cell = &buffer[at];
-        let shape = block::shapes().find(|(sign, _)| cell.symbol() == sign.to_string());
+        let mut shapes = block::shapes(Blocks::Quadrants, [0; 3]);
+        let shape = shapes.find(|(sign, _)| cell.symbol() == sign.to_string());
         let bits = match (cell.symbol(), shape) {
             ("█", _) => u64::MAX,
             (_, shape) => shape.map_or(0, |(_, bits)| bits),

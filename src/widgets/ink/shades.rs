@@ -2,8 +2,8 @@
 
 use super::cell::Cell;
 use super::glyphs::block;
-use crate::widgets::Role;
 use crate::widgets::theme::{Rgb, Theme};
+use crate::widgets::{Blocks, Role};
 
 /// The true colours of a cell: of the discs, and of the background beside them.
 #[derive(Debug, Clone, Copy)]
@@ -28,13 +28,14 @@ impl Shades {
 
     /// The mean colour of a part of the cell, in a grid of 8 × 8.
     pub(super) fn mean(&self, bits: u64) -> Rgb {
-        let [red, green, blue] = self.means(bits).map(|it| it.round() as u8);
+        let all = f64::from(bits.count_ones().max(1));
+        let [red, green, blue] = self.sum(bits).map(|sum| (sum / all).round() as u8);
         Rgb(red, green, blue)
     }
 
-    fn means(&self, bits: u64) -> [f64; 3] {
-        let all = f64::from(bits.count_ones().max(1));
-        let sum = self.parts.iter().fold([0.0; 3], |sum, (part, colour)| {
+    /// The sum of each channel over a part of the cell.
+    fn sum(&self, bits: u64) -> [f64; 3] {
+        self.parts.iter().fold([0.0; 3], |sum, (part, colour)| {
             let count = f64::from((part & bits).count_ones());
             let [red, green, blue] = channels(*colour);
             [
@@ -42,28 +43,32 @@ impl Shades {
                 sum[1] + count * green,
                 sum[2] + count * blue,
             ]
-        });
-        sum.map(|channel| channel / all)
+        })
     }
 
-    /// The sum of squared errors if a part of the cell is drawn in its mean colour.
+    /// The sum of squared errors, except for a constant, if a part of the cell and the rest are drawn
+    /// in their mean colours.
     fn error(&self, bits: u64) -> f64 {
-        let mean = self.means(bits);
-        let off = |(part, colour): &(u64, Rgb)| {
-            let square = |(a, b): (f64, f64)| (a - b) * (a - b);
-            let apart: f64 = channels(*colour).into_iter().zip(mean).map(square).sum();
-            f64::from((part & bits).count_ones()) * apart
+        let square_of_mean = |bits: u64| {
+            let squares: f64 = self.sum(bits).iter().map(|sum| sum * sum).sum();
+            squares / f64::from(bits.count_ones().max(1))
         };
-        self.parts.iter().map(off).sum()
+        -square_of_mean(bits) - square_of_mean(!bits)
     }
 
-    /// The block element with the smallest error, and its foreground and background colours.
-    pub(super) fn fitted(&self) -> (char, [Rgb; 2]) {
-        let off = |bits: u64| self.error(bits) + self.error(!bits);
-        let (symbol, bits) = block::shapes()
-            .min_by(|a, b| off(a.1).total_cmp(&off(b.1)))
-            .unwrap_or((' ', 0));
+    /// The block element of a set with the smallest error, and its foreground and background
+    /// colours.
+    pub(super) fn fitted(&self, set: Blocks) -> (char, [Rgb; 2]) {
+        let (_, symbol, bits) = self.best(set);
         (symbol, [bits, !bits].map(|bits| self.mean(bits)))
+    }
+
+    /// The error of the best block element, with its character and the part that this covers.
+    fn best(&self, set: Blocks) -> (f64, char, u64) {
+        block::shapes(set, self.parts.map(|(part, _)| part))
+            .map(|(symbol, bits)| (self.error(bits), symbol, bits))
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .unwrap_or_default()
     }
 }
 
@@ -88,9 +93,12 @@ mod tests {
 
     #[test]
     fn the_shape_of_a_block_element_has_no_error() {
-        for (_, bits) in block::shapes() {
-            let (symbol, [ink, paper]) = shades(bits, 0).fitted();
-            let shown = block::shapes().find(|shape| shape.0 == symbol).unwrap().1;
+        for (_, bits) in block::shapes(Blocks::Quadrants, [0; 3]) {
+            let (symbol, [ink, paper]) = shades(bits, 0).fitted(Blocks::Quadrants);
+            let shown = block::shapes(Blocks::Quadrants, [0; 3])
+                .find(|shape| shape.0 == symbol)
+                .unwrap()
+                .1;
             let of = |bit: u32| if shown >> bit & 1 == 1 { ink } else { paper };
             for bit in 0..64 {
                 let true_one = if bits >> bit & 1 == 1 { DISC } else { PAPER };
@@ -102,7 +110,7 @@ mod tests {
     #[test]
     fn where_two_discs_touch_both_colours_are_kept() {
         let left = 0x0f0f_0f0f_0f0f_0f0f;
-        let (symbol, colours) = shades(left, !left).fitted();
+        let (symbol, colours) = shades(left, !left).fitted(Blocks::Quadrants);
         assert_eq!((symbol, colours), ('▌', [DISC, OTHER]));
     }
 
@@ -111,10 +119,48 @@ mod tests {
         // No block element has the shape of a staircase of eighths.
         let slope = (0..8).fold(0, |bits, row| bits | ((1_u64 << row) - 1) << (8 * row));
         let one = shades(slope, 0);
-        let (symbol, [ink, paper]) = one.fitted();
+        let (symbol, [ink, paper]) = one.fitted(Blocks::Quadrants);
         assert_ne!(ink, paper, "{symbol}");
         let sliver = shades(1, 0);
         let Rgb(red, ..) = sliver.mean(u64::MAX);
         assert!(red > PAPER.0 && red < 20, "{red}");
+    }
+
+    #[test]
+    fn for_two_colours_no_finer_block_is_better_than_those_tried() {
+        // The edges of discs, and patterns without any order.
+        let edge = |at: u32| {
+            let (x, y) = (
+                f64::from(at) * 0.618 % 1.0 * 20.0 - 10.0,
+                f64::from(at) * 0.755 % 20.0,
+            );
+            let inside = |bit: &u32| {
+                let point = (f64::from(bit % 8) - x, f64::from(bit / 8) - y);
+                point.0.hypot(point.1) < 12.0
+            };
+            (0..64)
+                .filter(inside)
+                .fold(0, |bits, bit| bits | 1_u64 << bit)
+        };
+        let random = |at: u32| u64::from(at + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        for cover in (0..100).flat_map(|at| [edge(at), random(at)]) {
+            let shades = shades(cover, 0);
+            for (set, rows) in [
+                (Blocks::Sextants, &[0, 3, 5, 8][..]),
+                (Blocks::Octants, &[0, 2, 4, 6, 8]),
+            ] {
+                let of_part = |bit: u32| {
+                    let row = rows.iter().rposition(|row| *row <= bit / 8).unwrap();
+                    2 * row as u32 + bit % 8 / 4
+                };
+                let best = (0..1_u32 << (2 * (rows.len() - 1))).map(|parts| {
+                    let covered = (0..64).filter(|bit| parts >> of_part(*bit) & 1 == 1);
+                    let bits = covered.fold(0, |bits, bit| bits | 1_u64 << bit);
+                    shades.error(bits)
+                });
+                let best = best.fold(f64::INFINITY, f64::min);
+                assert!(shades.best(set).0 <= best + 1e-6, "{set:?} {cover:x}");
+            }
+        }
     }
 }

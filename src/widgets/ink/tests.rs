@@ -3,12 +3,14 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec2, dvec2};
-use ratatui::{buffer::Buffer, layout::Rect};
+use ratatui::{buffer::Buffer, layout::Rect, style::Color};
 
 use super::Canvas;
 use super::centres::seen_at;
 use crate::widgets::picture::{Body, LabelSide, Pen, Picture, View};
-use crate::widgets::{Charset, Look, Role, Theme};
+use crate::widgets::text::blocks::{LEFT, LOWER, QUARTERS, octants, sextants};
+use crate::widgets::theme::Rgb;
+use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Role, Theme};
 
 const CHARSETS: [Charset; 2] = [Charset::Ascii, Charset::Unicode];
 const AREA: Rect = Rect::new(2, 1, 60, 30);
@@ -303,7 +305,7 @@ fn everything(view: View, charset: Charset, size: f64) -> Canvas {
     it.square_corner(DVec2::ZERO, ways, size / 8.0, Role::SquareCorner);
     let look = Look {
         charset,
-        theme: Theme::default(),
+        ..Look::default()
     };
     it.draw(&mut Buffer::empty(Rect::new(0, 0, 64, 32)), &look);
     Canvas::of(&it, &look)
@@ -313,7 +315,7 @@ fn everything(view: View, charset: Charset, size: f64) -> Canvas {
 fn in_ascii_every_cell_is_printable_ascii() {
     for theme in [
         Theme::default(),
-        Theme::new(Default::default(), crate::widgets::Depth::None),
+        Theme::new(Default::default(), Depth::None),
     ] {
         let view = View::fit(AREA, dvec2(-1.0, -1.0), dvec2(1.0, 1.0));
         let mut buffer = Buffer::empty(Rect::new(0, 0, 64, 32));
@@ -378,4 +380,97 @@ fn a_round_disc_appears_at_its_true_position() {
     }
     println!("worst: {worst} cells");
     assert!(worst.max_element() <= 0.25, "{worst}");
+}
+
+/// Whether a block element covers a point of its cell, given from 0 to 1.
+fn covers(symbol: char, at: DVec2) -> bool {
+    let of = |symbols: &[char]| symbols.iter().position(|it| *it == symbol);
+    let has_part = |bits: u32, rows: f64| {
+        let part = 2 * (at.y * rows) as u32 + (at.x * 2.0) as u32;
+        bits >> part & 1 == 1
+    };
+    if let Some(bits) = of(&QUARTERS) {
+        has_part(bits as u32, 2.0)
+    } else if let Some(eighths) = of(&LOWER) {
+        at.y > 1.0 - (eighths as f64 + 1.0) / 8.0
+    } else if let Some(eighths) = of(&LEFT) {
+        at.x < (eighths as f64 + 1.0) / 8.0
+    } else if let Some((_, bits)) = sextants().find(|it| it.0 == symbol) {
+        has_part(bits.into(), 3.0)
+    } else {
+        let octant = octants().find(|it| it.0 == symbol);
+        octant.is_some_and(|(_, bits)| has_part(bits.into(), 4.0))
+    }
+}
+
+/// The mean and the greatest distance of the rim of a drawn disc from the true circle, in columns.
+/// A point is inside if its colour is nearer to that of the disc than to the background; the rim
+/// separates inside from outside.
+fn rim(blocks: Blocks, depth: Depth, at: DVec2, radius: f64) -> (f64, f64) {
+    // Pixels in a cell: every edge of a block element is between pixels.
+    const ACROSS: usize = 8;
+    const DOWN: usize = 24;
+    let pixel = dvec2(1.0 / ACROSS as f64, 2.0 / DOWN as f64);
+    let theme = Theme::new(Palette::Dark, depth);
+    let area = Rect::new(0, 0, 9, 5);
+    let mut canvas = Canvas::new(View::new(area, DVec2::ZERO, 1.0), Charset::Unicode);
+    canvas.blocks = blocks;
+    canvas.has_shades = theme.has_shades();
+    canvas.round(&Body::new(at, radius, Role::Coin, ' '));
+    let mut buffer = Buffer::empty(area);
+    canvas.draw(&mut buffer, &theme);
+    let sum = |Rgb(red, green, blue)| [red, green, blue].map(f64::from).iter().sum::<f64>();
+    let [disc, paper] = [Role::Coin, Role::Background].map(|role| sum(theme.rgb(role)));
+    let is_disc = |colour| match colour {
+        Color::Rgb(red, green, blue) => (sum(Rgb(red, green, blue)) - paper) / (disc - paper) > 0.5,
+        colour => colour == theme.colour(Role::Coin),
+    };
+    let middle_of = |x: usize, y: usize| (dvec2(x as f64, y as f64) + 0.5) * pixel;
+    let (columns, rows) = (9 * ACROSS, 5 * DOWN);
+    let inside: Vec<bool> = (0..columns * rows)
+        .map(|i| {
+            let (x, y) = (i % columns, i / columns);
+            let cell = &buffer[((x / ACROSS) as u16, (y / DOWN) as u16)];
+            let in_cell = middle_of(x % ACROSS, y % DOWN) / dvec2(1.0, 2.0);
+            let is_ink = covers(cell.symbol().chars().next().unwrap(), in_cell);
+            is_disc(if is_ink { cell.fg } else { cell.bg })
+        })
+        .collect();
+    let middle = canvas.paper(at);
+    let (mut sum, mut worst, mut length) = (0.0, 0.0_f64, 0.0);
+    for (x, y) in (1..columns).flat_map(|x| (1..rows).map(move |y| (x, y))) {
+        let left = (inside[y * columns + x - 1], dvec2(pixel.x, 0.0), pixel.y);
+        let above = (inside[(y - 1) * columns + x], dvec2(0.0, pixel.y), pixel.x);
+        for (there, way, edge) in [left, above] {
+            if there != inside[y * columns + x] {
+                let place = middle_of(x, y) - way / 2.0;
+                let off = (place.distance(middle) - radius).abs();
+                sum += off * edge;
+                worst = worst.max(off);
+                length += edge;
+            }
+        }
+    }
+    (sum / length, worst)
+}
+
+#[test]
+fn finer_blocks_make_discs_rounder() {
+    let sets = [Blocks::Quadrants, Blocks::Sextants, Blocks::Octants];
+    println!("distance of the rim from the circle in columns, of {sets:?}: mean, worst");
+    for depth in [Depth::Ansi16, Depth::True] {
+        // A coin on the whole board has 1.4 columns at 120 × 40, 2.2 columns at 200 × 60.
+        for radius in [1.2, 1.4, 1.7, 2.0, 2.2, 2.5] {
+            let places = (0..40).map(f64::from);
+            let places = places.map(|it| dvec2((it * 0.755).fract(), 2.0 * (it * 0.57).fract()));
+            let rims = sets.map(|set| {
+                let rims = places.clone().map(|at| rim(set, depth, at, radius));
+                rims.fold((0.0, 0.0), |all, it| (all.0 + it.0 / 40.0, it.1.max(all.1)))
+            });
+            let means @ [quadrants, sextants, octants] = rims.map(|(mean, _)| mean);
+            let worst = rims.map(|(_, worst)| worst);
+            println!("{depth:?}, radius {radius:.1}: {means:.3?} {worst:.2?}");
+            assert!(octants <= sextants && sextants <= quadrants, "{rims:?}");
+        }
+    }
 }

@@ -3,10 +3,11 @@ use ratatui::layout::Rect;
 
 use super::{Panel, Writing};
 use crate::widgets::cells::text;
-use crate::widgets::{Charset, Depth, Look, Palette, Role, Theme};
+use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Role, Theme};
 
 const LOOK: Look = Look {
     charset: Charset::Ascii,
+    blocks: Blocks::Quadrants,
     theme: Theme::new(Palette::Dark, Depth::None),
 };
 

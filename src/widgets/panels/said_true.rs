@@ -53,7 +53,7 @@ mod tests {
     use crate::physics::Disc;
     use crate::widgets::cells::text;
     use crate::widgets::panel::Writing;
-    use crate::widgets::{Charset, Look, Theme};
+    use crate::widgets::{Charset, Look};
 
     /// The table for a coin to the left (−1) or to the right (+1) of the striker's path.
     fn table(side: f64, said: Rays, names: [Option<&str>; 2], errors: bool) -> String {
@@ -67,7 +67,7 @@ mod tests {
         let mut buf = Buffer::empty(area);
         let look = Look {
             charset: Charset::Ascii,
-            theme: Theme::default(),
+            ..Look::default()
         };
         let mut panel = Panel::<()>::new("");
         said_and_true(&collision, &said, names, errors, &mut panel);

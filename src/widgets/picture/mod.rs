@@ -17,7 +17,7 @@
 //! let (tail, tip) = (dvec2(0.0, 0.0), dvec2(0.02, 0.018));
 //! picture.arrow(tail, tip, Role::StrikerOut);
 //! picture.label("v₁ = 2.00 m/s", tip, &LabelSide::towards(tip - tail), Role::StrikerOut);
-//! let look = Look { charset: Charset::Unicode, theme: Theme::default() };
+//! let look = Look::default();
 //! picture.draw(&mut buffer, &look);
 //! ```
 

@@ -166,6 +166,7 @@ mod tests {
         Look {
             charset,
             theme: Theme::new(Palette::Dark, Depth::None),
+            ..Look::default()
         }
     }
 
@@ -248,6 +249,7 @@ mod tests {
         let coloured = Look {
             charset: Charset::Unicode,
             theme: Theme::new(Palette::Dark, Depth::True),
+            ..Look::default()
         };
         let mut plot = Plot::new(
             buf.area,

@@ -132,9 +132,9 @@ mod tests {
     use ratatui::style::Style;
 
     use super::*;
+    use crate::widgets::Look;
     use crate::widgets::ink::gallery::gather;
     use crate::widgets::picture::{Picture, View};
-    use crate::widgets::{Look, Theme};
 
     const AREA: Rect = Rect::new(0, 0, 20, 10);
 
@@ -142,7 +142,7 @@ mod tests {
         let mut screen = Buffer::empty(AREA);
         let look = Look {
             charset,
-            theme: Theme::default(),
+            ..Look::default()
         };
         let mut picture = Picture::new(View::new(Rect::new(2, 1, 16, 8), DVec2::ZERO, 1.0));
         picture.disc(DVec2::ZERO, 5.0, Role::Coin, 'C');

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::CELL;
-use crate::widgets::text::blocks::{BRAILLE, QUARTERS};
+use crate::widgets::text::blocks::{BRAILLE, QUARTERS, octants, sextants};
 
 /// Adds the outline of a glyph in the cell with its corner at `corner`; returns whether the glyph
 /// is drawn as a shape.
@@ -27,13 +27,23 @@ pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> b
         '░'..='▓' => pen.block(0.0, 0.0, 1.0, 1.0),
         '▔' => pen.block(0.0, 0.0, 1.0, 0.125),
         '▕' => pen.block(0.875, 0.0, 1.0, 1.0),
-        '▖'..='▟' => pen.quadrants(glyph),
+        '▖'..='▟' => {
+            let bits = QUARTERS.iter().position(|it| *it == glyph).unwrap_or(0);
+            pen.parts(2, bits as u8);
+        }
+        '\u{1fb00}'..='\u{1fb3b}' => pen.parts(3, bits(glyph, sextants())),
+        '\u{1cd00}'..='\u{1cde5}' => pen.parts(4, bits(glyph, octants())),
         _ => match arms(glyph) {
             Some((arms, thick)) => pen.lines(arms, thick),
             None => return false,
         },
     }
     true
+}
+
+/// The bits of the parts of a glyph.
+fn bits(glyph: char, mut glyphs: impl Iterator<Item = (char, u8)>) -> u8 {
+    glyphs.find(|it| it.0 == glyph).map_or(0, |it| it.1)
 }
 
 /// Whether a glyph consists of round dots.
@@ -122,13 +132,12 @@ impl CellPen<'_> {
         }
     }
 
-    fn quadrants(&mut self, glyph: char) {
-        let quarters = QUARTERS.iter().position(|it| *it == glyph).unwrap_or(0);
-        let corners = [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)];
-        for (bit, (x, y)) in corners.into_iter().enumerate() {
-            if quarters >> bit & 1 == 1 {
-                self.block(x, y, x + 0.5, y + 0.5);
-            }
+    /// Adds the parts of a block element with two columns and this many rows, one bit each.
+    fn parts(&mut self, rows: u8, bits: u8) {
+        for part in (0..2 * rows).filter(|part| bits >> part & 1 == 1) {
+            let x = f64::from(part % 2) / 2.0;
+            let [top, bottom] = [0, 1].map(|edge| f64::from(part / 2 + edge) / f64::from(rows));
+            self.block(x, top, x + 0.5, bottom);
         }
     }
 

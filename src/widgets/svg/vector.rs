@@ -435,17 +435,13 @@ mod tests {
 
     use super::*;
     use crate::widgets::picture::LabelSide;
-    use crate::widgets::{Charset, Theme};
 
     fn drawn(make: impl Fn(&mut Picture)) -> String {
         // One metre is one column, or nine units; the origin is in the middle of cell (5, 2).
         let view = View::new(Rect::new(0, 0, 11, 5), DVec2::ZERO, 1.0);
         let mut picture = Picture::new(view);
         make(&mut picture);
-        let look = Look {
-            charset: Charset::Unicode,
-            theme: Theme::default(),
-        };
+        let look = Look::default();
         draw(&picture, &look)
     }
 

@@ -1,12 +1,14 @@
 //! The player's choice of glyphs and colours.
 
-use crate::widgets::{Charset, Theme};
+use crate::widgets::{Blocks, Charset, Theme};
 
-/// The charset and the theme, which every widget needs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The charset, the block elements and the theme, which every widget needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Look {
     /// The glyphs.
     pub charset: Charset,
+    /// The block elements among them.
+    pub blocks: Blocks,
     /// The colours.
     pub theme: Theme,
 }

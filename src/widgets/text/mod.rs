@@ -20,6 +20,7 @@ mod wrap;
 
 pub use areas::PictureSizes;
 pub(crate) use areas::Room;
+pub use blocks::Blocks;
 pub use charset::Charset;
 pub(crate) use lines::Lines;
 pub use look::Look;

@@ -85,6 +85,7 @@ mod tests {
         let look = Look {
             charset: Charset::Unicode,
             theme: Theme::new(Palette::Dark, Depth::True),
+            ..Look::default()
         };
         let text = "http://192.168.43.117:8090/#code=BCDFGH";
         for scale in [1, 2] {

@@ -261,15 +261,12 @@ mod tests {
     use crate::physics::Board;
     use crate::widgets::ink::centres::{Drawn, centre_errors};
     use crate::widgets::svg::Svg;
-    use crate::widgets::{Charset, Look, Theme};
+    use crate::widgets::{Charset, Look};
 
     /// Every piece is a circle, and no number is NaN.
     #[test]
     fn the_board_of_every_level_can_be_drawn_as_svg() {
-        let look = Look {
-            charset: Charset::Unicode,
-            theme: Theme::default(),
-        };
+        let look = Look::default();
         let library = LevelLibrary::embedded();
         for level in library.packs.iter().flat_map(|pack| &pack.levels) {
             let picture = of_aim(level, &level.scene, None, Rect::new(0, 0, 80, 36));

@@ -306,6 +306,7 @@ mod tests {
         let look = Look {
             charset,
             theme: Theme::new(Palette::Dark, Depth::None),
+            ..Look::default()
         };
         big.draw(buf.area, &mut buf, &look, Role::Title, Align::Left);
         Some(text(&buf))
@@ -354,6 +355,7 @@ mod tests {
         let look = Look {
             charset: Charset::Unicode,
             theme: Theme::new(Palette::Dark, Depth::None),
+            ..Look::default()
         };
         let shown = |rows: u16, page| {
             let mut buf = Buffer::empty(Rect::new(0, 0, 30, rows));
