@@ -119,7 +119,8 @@ impl Intermediate {
         value: impl Fn(f64) -> f64,
         result: impl Fn(f64) -> T,
     ) -> Self {
-        /// The most additional figures: with more, the result depends on rounding noise.
+        /// The maximum number of additional figures: with more, the result depends on rounding
+        /// noise.
         const MOST: usize = 6;
         const EDGE: f64 = 1e-9;
         let printed = |more| {

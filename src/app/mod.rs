@@ -219,7 +219,7 @@ impl App {
                 return self.context.take_asked();
             }
             Input::Key(Key::Ctrl('c')) => return self.leave(),
-            // The screen that made the request waits for the result, even under a layer.
+            // The screen that made the request waits for the result, even if a layer covers it.
             Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
                 return self.pass_down(input);
             }
@@ -368,7 +368,7 @@ impl App {
     }
 
     /// The time until the screen's next motion, for shells that can skip the wait by advancing the
-    /// time at once. It is also `None` during a countdown that other people see.
+    /// time at once; also `None` during a countdown that other people see.
     pub(crate) fn motion(&self) -> Option<Duration> {
         let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
         let wake = self.screen_wake();

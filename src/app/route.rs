@@ -94,7 +94,8 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         value => format!("{name}={value}"),
     };
     let round = |name: &str, code: &Code| match code.course.kind.is_personal() {
-        // It has no code that another player, or the same one later, could use.
+        // Its questions depend on the player, so its code would be of no use to anyone else, or
+        // later.
         true => name.to_owned(),
         false => named(name, &code.to_string()),
     };

@@ -94,7 +94,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
         if angles.last().is_some_and(|last| last.angle <= next.angle) {
             return fault(
                 line,
-                "angle_deg: expected less than on the previous line".into(),
+                "angle_deg: expected a smaller angle than on the previous line".into(),
             );
         }
         angles.push(next);
@@ -108,7 +108,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
 /// The counts of one metal compared with the law, which determines their ratios but not the scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Mean of the counts times sin⁴(φ/2): the scale that fits them best.
+    /// Mean of the counts times sin⁴(φ/2): the scale that fits the counts best.
     pub scale: f64,
     /// Angle φ in radians, 1/sin⁴(φ/2), and the count.
     pub points: Vec<(f64, f64, f64)>,
@@ -133,7 +133,7 @@ impl Series {
         count / (law * self.scale) - 1.0
     }
 
-    /// The least and the greatest excess.
+    /// The smallest and the largest excess.
     pub fn band(&self) -> (f64, f64) {
         let excess = self.points.iter().map(|point| self.excess(*point));
         excess.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), excess| {

@@ -68,8 +68,8 @@ fn chi_squared(counts: &Counts, beyond: Beyond) -> f64 {
         .sum()
 }
 
-/// The chance that χ² of 35 degrees of freedom is greater than `x`: one minus the
-/// integral of x^(k/2−1) e^(−x/2) / (2^(k/2) Γ(k/2)), by Simpson's rule.
+/// The probability that χ² with 35 degrees of freedom exceeds `x`: one minus the integral of
+/// x^(k/2−1) e^(−x/2) / (2^(k/2) Γ(k/2)), by Simpson's rule.
 fn chance_beyond(x: f64) -> f64 {
     let half = 35.0 / 2.0;
     // Γ(35/2) = 33!! √π / 2¹⁷.
@@ -235,7 +235,7 @@ fn a_foil_scatters_few_particles_backwards() {
     // d = 29.6 fm gives 1 in 117,000.
     assert!((1.0 / back / 117_000.0 - 1.0).abs() < 0.01, "{back}");
     assert!((foil(4.2e-7).share_beyond(PI / 2.0) / back - 2.0).abs() < 1e-12);
-    // Half the energy doubles the distance d and gives four times the count.
+    // Halving the energy doubles the distance d and quadruples the count.
     let slow = ScatteringLaw {
         target: Foil {
             metal: METALS[0],
@@ -304,7 +304,7 @@ fn a_bad_table_is_refused_with_the_line_number() {
         ),
         (
             &format!("{head}10,1,1\n20,1,1\n"),
-            "3: angle_deg: expected less than on the previous line",
+            "3: angle_deg: expected a smaller angle than on the previous line",
         ),
     ] {
         let fault = read(table).unwrap_err();

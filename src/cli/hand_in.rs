@@ -92,7 +92,7 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
     let left_out = answered - hand_in.attempts.len();
     if left_out > 0 {
         let answers = counted(left_out, "answer");
-        eprintln!("carrom: left out {answers} that fit no question of this version");
+        eprintln!("carrom: left out {answers} that match no question in this version");
     }
     if hand_in.attempts.is_empty() {
         let of = if args.code.is_empty() {

@@ -5,11 +5,11 @@ use std::fmt::Write;
 use super::{Failure, GlobalOptions, print_text};
 use crate::quiz::{Misconception, Origin};
 
-/// Print all misconceptions, with a remedy and the source of each
+/// Print all misconceptions, with a remedy and a source for each
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 The first word is the misconception's name in your own question files and in the code of a round:
-carrom quiz --code copied-angle-7 asks questions that can show that one.")]
+carrom quiz --code copied-angle-7 asks questions that can reveal that misconception.")]
 pub(super) struct Args {}
 
 pub(super) fn run(_args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
@@ -20,7 +20,7 @@ pub(super) fn run(_args: &Args, options: &GlobalOptions) -> Result<(), Failure> 
         writeln!(text, "    {}", misconception.advice())?;
         match misconception.origin() {
             Origin::Study(study) => writeln!(text, "    Study: {study}.")?,
-            Origin::Slip => writeln!(text, "    A slip of algebra or reading, not a belief.")?,
+            Origin::Slip => writeln!(text, "    A slip in algebra or reading, not a belief.")?,
             Origin::Ours => writeln!(
                 text,
                 "    We know of no study: a plausible wrong step leads to it."

@@ -177,7 +177,7 @@ enum OpenCommand {
         #[arg(long, value_name = "A,B,C", conflicts_with = "host")]
         #[arg(value_parser = |names: &str| team_names(names.split(',')))]
         teams: Option<Teams>,
-        /// The name of the class, for the tables and the pupils' hand-ins
+        /// The name of the class, for the exported tables and the pupils' hand-ins
         #[arg(long, value_name = "NAME")]
         class: Option<String>,
     },
@@ -288,7 +288,7 @@ fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Co
     code.cloned().map(|code| code.with_own(own)).transpose()
 }
 
-/// The route with this name that shows `value`, or its start if there is no value.
+/// The route with this name that shows `value`, or the route's start if there is no value.
 ///
 /// # Errors
 /// If no page of that route shows the value.

@@ -89,7 +89,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     )?)
 }
 
-/// The most characters in a name; a chapter's title has no room for more.
+/// The maximum length of a name in characters; a chapter's title has no room for more.
 const LONGEST: usize = 32;
 
 fn name(text: &str) -> Result<String, String> {

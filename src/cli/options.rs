@@ -166,7 +166,7 @@ impl GlobalOptions {
     }
 
     /// The built-in levels and those in the given folders. Files with errors are left out and
-    /// listed on the screen of the levels.
+    /// listed on the levels screen.
     pub(super) fn shelf(&self) -> Shelf {
         match self.levels.as_slice() {
             [] => Shelf::default(),
@@ -183,8 +183,8 @@ impl GlobalOptions {
         }
     }
 
-    /// The written questions in the given folders. Files with errors are left out and listed
-    /// where a round of them is chosen.
+    /// The written questions in the given folders. Files with errors are left out and listed where
+    /// rounds are chosen.
     pub(super) fn own(&self) -> Arc<Library> {
         Arc::new(Library::default().with(&self.concepts))
     }

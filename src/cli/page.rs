@@ -15,13 +15,13 @@ const EMBEDDED: Option<&str> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 const NAME: &str = "carrom.html";
 /// The element of a page that holds added files.
 const OWN: [&str; 2] = ["<script type=\"application/json\" id=\"own\">", "</script>"];
-/// The most files that are read from one folder.
+/// The maximum number of files that are read from one folder.
 const MOST_FILES: usize = 500;
 
 /// Write carrom as one HTML file for any browser
 ///
-/// It contains the levels, chapters and questions in words from --levels, --lessons and
-/// --concepts, so a class has them by opening the file.
+/// It contains the levels, chapters and questions in words from --levels, --lessons and --concepts,
+/// so a class gets them by opening the file.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The file to write

@@ -7,16 +7,16 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::is_invisible;
 use super::letters::{hides, is_picture};
 
-/// The most errors that are reported for one file. A file of another kind could cause any number of
-/// them.
+/// The maximum number of errors that are reported for one file. A file of another kind could cause
+/// any number of errors.
 const MOST_TOLD: usize = 20;
 
-/// The most characters in one message.
+/// The maximum length of one message in characters.
 const LONGEST_MESSAGE: usize = 400;
 /// The words before the quoted part of a message.
 const FOUND: &str = ", found ";
 
-/// The most characters that a message quotes from outside text.
+/// The maximum number of characters that a message quotes from outside text.
 pub const LONGEST_QUOTE: usize = 200;
 
 /// An error in a file.

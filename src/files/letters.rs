@@ -3,7 +3,7 @@
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;
 
-/// The largest number of zero-width marks, such as accents, on one letter of a name.
+/// The maximum number of zero-width marks, such as accents, on one letter of a name.
 const MOST_UPON: usize = 2;
 
 /// Whether a character is invisible: control characters, marks that change the direction of the

@@ -8,7 +8,7 @@ use super::{FileError, LARGEST, List, list, read};
 pub trait FileLibrary: Default {
     /// The extension of the collection's files.
     const ENDING: &'static str;
-    /// The most files that are read from one folder.
+    /// The maximum number of files that are read from one folder.
     const MOST_FILES: usize;
 
     /// The built-in collection.

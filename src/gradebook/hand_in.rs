@@ -13,10 +13,10 @@ use crate::quiz::{Code, Course, CourseKind, Family, Topic};
 const FORMAT: u32 = 1;
 /// The value that identifies such a file.
 const KIND: &str = "hand-in";
-/// The most letters in a name.
+/// The maximum number of letters in a name.
 const LONGEST: usize = 60;
 
-/// The most letters in a topic, which may be the title of a chapter.
+/// The maximum number of letters in a topic, which may be the title of a chapter.
 const LONGEST_TOPIC: usize = 200;
 
 /// All answers of a pupil, with name and class.

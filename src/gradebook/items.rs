@@ -19,7 +19,7 @@ pub struct ItemStatistics {
     pub tally: Tally,
     /// How well the question distinguishes strong from weak pupils, −1 to 1.
     pub discrimination: Option<f64>,
-    /// The misconception that the most answers fit, and the number of those answers.
+    /// The misconception that fits the most answers, and the number of those answers.
     pub commonest: Option<(Misconception, usize)>,
 }
 
@@ -65,7 +65,7 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     each.collect()
 }
 
-/// The misconception that the most of these answers fit; the first in order if there are several.
+/// The misconception that fits the most of these answers; the first in order if there are several.
 fn commonest<'a>(answers: impl Iterator<Item = &'a Attempt>) -> Option<(Misconception, usize)> {
     let shown = answers.filter_map(Attempt::shows);
     let shown: Vec<Misconception> = shown.collect();

@@ -95,7 +95,7 @@ impl Book {
         self.marks.as_ref()?.get(id)
     }
 
-    /// Adds to the bookmark in a chapter what was done there.
+    /// Adds what was done in a chapter to its bookmark.
     pub fn merge(&mut self, id: &str, later: Bookmark) {
         let marks = self.marks.get_or_insert_default();
         marks.entry(id.to_owned()).or_default().merge(later);
@@ -119,8 +119,9 @@ impl Book {
         }
     }
 
-    /// The last chapter that was opened and is not done, and its page to continue at: the one
-    /// where it was left, or once all are read the first whose question is not answered.
+    /// The last chapter that was opened and is not done, and the page at which to continue: the
+    /// page where the chapter was left or, once all pages are read, the first with an unanswered
+    /// question.
     pub(crate) fn begun(&self) -> Option<(usize, usize)> {
         let chapters = self.library().chapters.iter().enumerate();
         let begun = chapters.rev().find_map(|(at, chapter)| {

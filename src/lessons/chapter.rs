@@ -4,7 +4,7 @@ use super::header::{self, Shots};
 use super::{ChapterPage, SourceLine};
 use crate::files::{self, FileError, FileErrors, Source, all};
 
-/// The largest number of pages in a chapter.
+/// The maximum number of pages in a chapter.
 const MOST_PAGES: usize = 60;
 
 /// A chapter of Learn.

@@ -9,7 +9,7 @@ use crate::quiz::{Form, Measure, Rays, Response};
 
 /// The allowed numbers of options in a choice.
 const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
-/// The largest number of letters in a unit.
+/// The maximum number of letters in a unit.
 const UNIT: usize = 8;
 
 /// A question on a page, and the text after the answer.

@@ -10,9 +10,9 @@ use crate::quiz::concepts::read_hit;
 const FORMAT: u32 = 1;
 /// The line before and after a header.
 const FENCE: &str = "+++";
-/// The largest length of a title, in characters.
+/// The maximum length of a title, in characters.
 const TITLE: usize = 32;
-/// The largest length of a description, in characters.
+/// The maximum length of a description, in characters.
 const ABOUT: usize = 100;
 
 /// The header of a chapter; invalid parts are `None`.

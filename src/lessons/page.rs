@@ -4,7 +4,7 @@ use super::{Checkpoint, Figure, SourceLine, TextBlock, block};
 use super::{header::Shots, inline::Meaning};
 use crate::files::Source;
 
-/// The largest length of a title, in characters.
+/// The maximum length of a title, in characters.
 const TITLE: usize = 40;
 
 /// A page: a figure, text, and a checkpoint at its end.

@@ -137,8 +137,8 @@ const OF_TOPICS: &str = "
     momentum, impulse | momentum
 ";
 
-/// What may be missed in which question: a misconception, or none that is known, a topic, and the
-/// figures of one such question.
+/// A kind of wrong answer: the misconception, if a known one leads to it, the topic, and the names
+/// of the case.
 type Case = (Option<&'static str>, Topic, [String; 3]);
 
 fn cases() -> BTreeMap<Case, Figures> {
@@ -160,15 +160,15 @@ fn cases() -> BTreeMap<Case, Figures> {
     cases
 }
 
-/// Chapters about equal masses without loss alone, and those about unequal masses alone.
+/// The chapters only about equal masses without loss, and those only about unequal masses.
 const OF_EQUAL_MASSES: [&str; 2] = ["the-right-angle", "speeds-and-angles"];
 const OF_UNEQUAL_MASSES: [&str; 2] = ["marbles", "weighing-by-angle"];
 
-/// Pages there that speak of any masses.
+/// The pages in those chapters that apply to all masses.
 const OF_ANY_MASSES: [&str; 2] = ["A share of the energy", "The split of energy"];
 
-/// Wherever an answer is wrong, the page that it leads to treats that case: it speaks of the
-/// misconception, if one shows, and of what the question asks for, in a chapter about such masses.
+/// Every wrong answer leads to a page about that case: the page mentions the misconception, if one
+/// shows, and what the question asks for, in a chapter about the same kind of masses.
 #[test]
 fn the_page_after_a_wrong_answer_treats_what_was_asked() {
     let chapters = chapters();
@@ -224,7 +224,7 @@ fn the_page_after_a_wrong_answer_treats_what_was_asked() {
     }
 }
 
-/// Every question of a chapter comes back as another question about the same.
+/// Every question in a chapter has a topic on which the quiz has further questions.
 #[test]
 fn every_checkpoint_has_a_topic_with_questions() {
     let mut asked = 0;

@@ -36,7 +36,7 @@ pub enum Goal {
         disc: usize,
         /// The other disc, which hits this disc.
         by: usize,
-        /// The least number of cushions that `by` hits first.
+        /// The minimum number of cushions that `by` hits first.
         least: usize,
     },
     /// A disc comes to rest with its centre in a circle.
@@ -59,14 +59,14 @@ pub enum Goal {
         disc: usize,
         /// The disc that it then hits.
         target: usize,
-        /// The least number of cushions.
+        /// The minimum number of cushions.
         least: usize,
     },
     /// A disc hits cushions, in any order with other collisions.
     Cushions {
         /// The disc.
         disc: usize,
-        /// The least number of hits.
+        /// The minimum number of hits.
         least: usize,
     },
     /// A quantity of the first collision is within a range.
@@ -129,7 +129,7 @@ pub struct GoalCircle {
     pub radius: f64,
 }
 
-/// The largest number of cushions that a goal may require.
+/// The maximum number of cushions that a goal may require.
 const MOST_CUSHIONS: usize = 20;
 
 /// The kinds of goals by their names in a file, each with its fields.

@@ -11,7 +11,7 @@ use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 /// The format that this program reads and writes.
 pub(crate) const FORMAT: u32 = 1;
 
-/// The largest number of goals in a level.
+/// The maximum number of goals in a level.
 const MOST_GOALS: usize = 8;
 
 /// The tables and fields of a level file.

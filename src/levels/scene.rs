@@ -10,7 +10,7 @@ use crate::physics::direction::direction;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
-/// The largest number of discs in a scene.
+/// The maximum number of discs in a scene.
 pub(crate) const MOST_DISCS: usize = 256;
 
 /// How far discs may overlap each other or the frame, in metres. As in the engine, this allows for

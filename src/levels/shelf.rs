@@ -90,7 +90,7 @@ impl Shelf {
         self.best.clear();
     }
 
-    /// Notes stars that were won before; returns whether they are more than known.
+    /// Notes stars that were won before; returns whether there are more than were known.
     pub fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();

@@ -1,9 +1,9 @@
 //! How well a level was won.
 
-/// The largest number of stars in a level.
+/// The maximum number of stars in a level.
 pub(crate) const MOST_STARS: u8 = 3;
 
-/// The largest number of shots, without a hint, that earns the second star.
+/// The maximum number of shots, without a hint, that earns the second star.
 pub(crate) const FEW_SHOTS: u32 = 3;
 
 /// How a level was won.

@@ -58,9 +58,9 @@ pub(crate) struct FieldRange {
     pub name: &'static str,
     /// What the number is, and its unit: "a mass in g".
     pub what: &'static str,
-    /// The least allowed value.
+    /// The minimum allowed value.
     pub least: f64,
-    /// The greatest allowed value.
+    /// The maximum allowed value.
     pub most: f64,
 }
 

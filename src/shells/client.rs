@@ -19,9 +19,10 @@ use crate::messages::{JoinCall, JoinNews};
 
 /// How long the host may take to accept a connection.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// The length of silence after which the host counts as lost; it sends something every 20 seconds.
+/// The length of silence after which the host counts as lost; the host sends something every 20
+/// seconds.
 const GONE: Duration = Duration::from_secs(65);
-/// The most bytes in one message from the host.
+/// The maximum size of one message from the host, in bytes.
 const LARGEST_STATE: usize = 1 << 20;
 
 /// The connection to a host.
@@ -138,7 +139,7 @@ impl Client {
         if let Some(mut wire) = wire
             && frame.format(&mut bytes).is_ok()
         {
-            // The reading thread notices that it is closed.
+            // The reading thread notices that the connection is closed.
             let _ = wire.write(&bytes);
         }
     }

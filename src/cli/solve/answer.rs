@@ -9,8 +9,8 @@ use super::problem::Solvable;
 use crate::physics::Bond;
 use crate::physics::units::deg_from_rad;
 
-/// Undefined values are `null`. Numbers have enough digits to read the same number back.
-/// `docs/solve.md` describes every field; scripts rely on the names and the signs.
+/// Undefined values are `null`. Numbers have enough digits to be read back exactly. `docs/solve.md`
+/// describes every field; scripts rely on the names and the signs.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct SolveAnswer {
     hit: bool,

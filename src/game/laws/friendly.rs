@@ -2,8 +2,8 @@
 //!
 //! - Pocket one of your coins, or the queen, and you play on.
 //! - An opponent's coin stays down and helps the opponent.
-//! - Pocket the striker and one of your coins goes back, if you have one to
-//!   give; the turn passes. Nothing stays owed.
+//! - Pocket the striker and one of your coins goes back, if you have one to give; the turn passes.
+//!   No debt remains.
 //! - The queen may be taken at any time and must be covered: with one of your coins in the same
 //!   stroke or the next. Otherwise she goes back to the centre.
 //! - The first player to clear their coins wins the game: a point for each coin the other has left,

@@ -36,8 +36,8 @@ impl<'a> Sight<'a> {
         self.set.striker_radius()
     }
 
-    /// The speed that `piece` gives to a coin, as a multiple of its own speed along the line of
-    /// impact.
+    /// The speed that `piece` gives to a coin, as a multiple of the piece's own speed along the
+    /// line of impact.
     pub(super) fn passed_on(&self, piece: Piece) -> f64 {
         let pair = RestingTarget {
             m1: self.set.disc(piece).mass,

@@ -49,7 +49,7 @@ pub(super) struct Skill {
     pub(super) cushions: bool,
     /// The number of aims that are tried, those most likely to succeed first.
     pub(super) aims: usize,
-    /// Speeds at which each is tried, as multiples of the least speed.
+    /// Speeds at which each aim is tried, as multiples of the minimum speed.
     pub(super) speeds: &'static [f64],
     /// The number of strokes that are tried without aiming for a pocket.
     pub(super) knocks: usize,
@@ -81,7 +81,7 @@ impl Strength {
         self.skill().hand
     }
 
-    /// The largest number of shots that the opponent simulates before one stroke.
+    /// The maximum number of shots that the opponent simulates before one stroke.
     pub fn most_rehearsals(self) -> usize {
         self.skill().most_rehearsals()
     }

@@ -275,7 +275,7 @@ fn decisions_do_not_change_by_a_single_bit() {
     }
 }
 
-/// The whole contest is `cargo bench --bench strength`.
+/// `cargo bench --bench strength` runs the whole contest.
 #[test]
 fn an_expert_beats_a_player_that_shoots_at_random() {
     for seed in 0..4 {

@@ -16,7 +16,8 @@ const BOARD: f64 = 20.0;
 const QUEEN: f64 = 2.5;
 /// A sure coin for the side that strikes next: it falls, and the turn continues.
 const TO_STRIKE: f64 = 1.6;
-/// A sure coin for the side that has to wait: it may still be there at its next stroke.
+/// A sure coin for the side that has to wait: the coin may still be there at that side's next
+/// stroke.
 const TO_WAIT: f64 = 0.5;
 /// The number of striker positions from which the board is evaluated.
 const PLACES: u16 = 7;
@@ -48,7 +49,7 @@ impl Judge {
         counted(self.team) + counted(self.team.other()) + self.prospects(game)
     }
 
-    /// 1 for the team that the value is for, −1 for the other team.
+    /// 1 for the team whose value is computed, −1 for the other team.
     fn sign(&self, team: Team) -> f64 {
         if team == self.team { 1.0 } else { -1.0 }
     }

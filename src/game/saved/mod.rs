@@ -13,7 +13,7 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 
-/// The format of new files. In the first one `setup` had no `restitution`.
+/// The format of new files. In format 1, `setup` had no `restitution`.
 const FORMAT: u32 = 2;
 
 /// A saved game.

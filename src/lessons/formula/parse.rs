@@ -2,7 +2,7 @@
 
 use super::{Formula, Node, Term, letter};
 
-/// The largest length of a formula, in characters.
+/// The maximum length of a formula, in characters.
 const LONGEST: usize = 300;
 /// The deepest nesting of brackets.
 const DEEPEST: usize = 12;

@@ -39,7 +39,7 @@ impl FrameSide {
         (time, Self { axis, beyond })
     }
 
-    /// 1 for the side of greater coordinates, −1 for the other.
+    /// 1 for the side with the larger coordinates, −1 for the other.
     #[inline]
     pub(super) fn sign(self) -> f64 {
         if self.beyond { 1.0 } else { -1.0 }

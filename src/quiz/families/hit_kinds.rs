@@ -167,9 +167,9 @@ fn within_reason(hit: &Hit) -> bool {
     hit.head_on() || drawable
 }
 
-/// The smallest distance between any two of the truth and the predictions for a hit, in radians:
-/// like [`Question::clearance`](crate::quiz::Question::clearance), but without the text of a
-/// question, because thousands of hits are searched.
+/// The smallest distance in radians between two outcomes of a hit, true or predicted: like
+/// [`Question::clearance`](crate::quiz::Question::clearance), but without the text of a question,
+/// because thousands of hits are searched.
 fn clearance(hit: &Hit) -> f64 {
     let held = OF_RAYS
         .into_iter()

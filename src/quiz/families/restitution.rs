@@ -236,7 +236,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
-        .says("An e close to 1 means no loss. Then the angles would differ.")
+        .says("An e close to 1 means almost no loss. The angles would be different.")
         .why(format!(
             "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",

@@ -86,7 +86,7 @@ fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
 fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
     let (near_deg, far_deg) = (f64::from(near), f64::from(far));
-    // The question compares the small angle with the large one, or the reverse.
+    // The question compares the small angle with the large one, or vice versa.
     let more_here = dice.coin();
     let many = |n: u32| format!("{n} times as many");
     let few = |n: u32| format!("1/{n} as many");
@@ -175,7 +175,7 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         ))
         .figure("to_energy_mev", to_energy_mev);
     wrong_ratios(draft, here_deg, there_deg, energy_ratio)
-        .says("You inverted the ratio. Counts fall with the angle, and with the energy.")
+        .says("You inverted the ratio. Counts decrease as the angle or the energy increases.")
         .wrong(EveryAngleAlike, energy_ratio)
         .says("You considered the energy alone. But larger angles are rarer.")
         .why(format!(
@@ -198,7 +198,7 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let at = |sine: f64| 2.0 * deg_from_rad(sine.asin());
     let root = fewer.sqrt().sqrt();
     let truth = at(half_sine * root);
-    // Close to 180° the sine of half the angle hardly grows any more.
+    // Close to 180° the sine of half the angle hardly increases.
     if truth.is_nan() || truth > 165.0 {
         return None;
     }

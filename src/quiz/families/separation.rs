@@ -91,7 +91,7 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         )
         .chooses(PushedAhead, square.then_some(LESS))
         .says(
-            "Did you assume that the striker pushes the coin along its own path? Smooth rims \
+            "Did you assume that the striker pushes the coin along the striker's path? Smooth rims \
              exert a force only along the line of impact.",
         )
         .chooses(

@@ -201,7 +201,7 @@ fn talk(board: &Arc<Switchboard>, connection: &Arc<Connection>, rest: Vec<u8>) {
     };
     if let Some(why) = why {
         let text = HostMessage::No { why }.to_text();
-        // If it fails, the connection is lost.
+        // If this fails, the connection is lost.
         let _ = socket.send(Message::text(text));
         let _ = socket.close(None);
         let _ = connection.stream.shutdown(std::net::Shutdown::Write);

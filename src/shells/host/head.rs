@@ -6,9 +6,9 @@
 
 use std::net::IpAddr;
 
-/// The most bytes in a head.
+/// The maximum size of a head, in bytes.
 pub(super) const LONGEST: usize = 8 * 1024;
-/// The most lines in a head.
+/// The maximum number of lines in a head.
 const MOST_LINES: usize = 64;
 pub(crate) const TALK: &str = "/class";
 

@@ -69,7 +69,7 @@ impl Host {
         }
     }
 
-    /// Carries out a request of a screen.
+    /// Carries out a request from a screen.
     pub fn call(&mut self, call: &HostCall) {
         match (call, &self.board) {
             (HostCall::Open { code, address }, _) => {

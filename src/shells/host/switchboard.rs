@@ -12,8 +12,9 @@ use crate::class::{CodeVerdict, GuardedCode, JoinCode, SeatToken};
 use crate::messages::{ConnectionId, HostNews};
 use crate::shells::lock;
 
-/// The most connections at once. If there are more, the address with the most connections loses the
-/// oldest one that has not joined, so that a client that opens many affects only itself.
+/// The maximum number of simultaneous connections. If there are more, the address with the most
+/// connections loses the oldest one that has not joined, so that a client that opens many affects
+/// only itself.
 const MOST_CONNECTIONS: usize = 600;
 
 /// All connections of a class.

@@ -142,7 +142,7 @@ impl PlainPage {
             names.push(option.words.clone());
             is_new
         });
-        // On that row's screen a line may already answer the next question, so nothing gets a
+        // On a screen with that row, a line may already answer the next question, so nothing gets a
         // label.
         if !rows.iter().any(|row| row.id == ON) {
             let are_set = options
@@ -290,7 +290,7 @@ fn is_by_other_means(row: &KeyRow<()>) -> bool {
 }
 
 /// Labels for items without a label: numbers, or letters if numbers can be typed. If the answers
-/// have letters, or the choices are the numbers of the confidence, the actions get no labels.
+/// have letters, or the choices are numbered confidence levels, the actions get no labels.
 fn label(options: &mut [PlainOption], types: bool) {
     let own: Vec<_> = options.iter().map(|it| it.label.clone()).collect();
     let last: usize = own

@@ -39,14 +39,14 @@ const RECENT: usize = 60;
 /// The length from which a line is not repeated while it is remembered.
 const LONG: usize = 60;
 
-/// The most steps from one value of a field to another.
+/// The maximum number of steps from one value of a field to another.
 const MOST_STEPS: usize = 60;
 
 /// The range of numbers that can be typed in [`SIGNS`] characters.
 const LEAST: f64 = -99_999_999.0;
 const MOST: f64 = 999_999_999.0;
 
-/// The most characters in a typed number.
+/// The maximum length of a typed number in characters.
 const SIGNS: usize = 9;
 
 /// The key for a disc that stays still.

@@ -13,9 +13,9 @@ use super::{Instruction, ScreenSetting, Tape};
 use crate::files::{LONGEST_QUOTE, escape_control};
 use crate::messages::{Key, MouseKind};
 
-/// The most presses or notches in one instruction.
+/// The maximum number of presses or notches in one instruction.
 const MOST: u32 = 10_000;
-/// The most columns or rows.
+/// The maximum number of columns or rows.
 const WIDEST: u16 = 1000;
 /// The longest sleep, in seconds.
 const HOUR: f64 = 3600.0;

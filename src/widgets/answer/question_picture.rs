@@ -138,7 +138,7 @@ mod tests {
             !picture.contains("m/s") && !picture.contains(" g"),
             "{picture}"
         );
-        // At twice the speed it looks the same.
+        // At twice the speed the picture looks the same.
         let faster = Collision {
             u1: 2.0 * collision.u1,
             ..collision

@@ -12,7 +12,7 @@ use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
 
-/// The least and the greatest length of the faster disc's arrow, in radii of the larger disc.
+/// The shortest and the longest arrow for the faster disc, in radii of the larger disc.
 const SHORTEST: f64 = 0.5;
 const LONGEST: f64 = 1.1;
 

@@ -116,7 +116,7 @@ impl HitLayout {
         (direction, ends.map(|away| centre + away * direction))
     }
 
-    /// The angle in degrees, as players write it, of a ray in this direction: for the striker
+    /// The angle of a ray in this direction, in degrees, as players write it: for the striker
     /// positive on the side away from the coin, for the coin positive on the coin's side.
     pub(crate) fn angle_deg_of(&self, ray: Ray, direction: DVec2) -> f64 {
         self.side() * turn(ray) * self.heading().angle_to(direction).to_degrees()

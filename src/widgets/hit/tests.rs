@@ -109,7 +109,7 @@ fn every_collision_can_be_printed_before_and_after_the_contact() {
 #[test]
 fn an_observed_collision_shows_only_its_angles() {
     for collision in collisions() {
-        // At twice the speed and with twice the masses it looks the same.
+        // At twice the speed and with twice the masses the picture looks the same.
         let heavier = |disc: Disc| Disc {
             mass: 2.0 * disc.mass,
             ..disc

@@ -9,15 +9,15 @@ use crate::widgets::picture::{Body, Mark, Picture};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Blocks, Charset, Look, Role, Theme};
 
-/// How discs are drawn.
+/// The form in which discs are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Drawn {
     Token,
     Round,
 }
 
-/// The discs drawn together in a picture, each with how it is drawn, and its drawn centre minus its
-/// true one, in cells.
+/// The discs drawn together in a picture, each with its form and the displacement of its drawn
+/// centre from the true one, in cells.
 pub(crate) fn centre_errors(picture: &Picture, charset: Charset) -> Vec<(Body, Drawn, DVec2)> {
     let look = Look {
         charset,
@@ -53,7 +53,7 @@ pub(crate) fn centre_errors(picture: &Picture, charset: Charset) -> Vec<(Body, D
     errors
 }
 
-/// Where a disc appears that is drawn alone and round.
+/// The position at which a disc appears when it is drawn alone and as a circle.
 fn round_at(canvas: &Canvas, body: &Body, look: &Look) -> DVec2 {
     let mut alone = Canvas::of(&Picture::new(*canvas.view()), look);
     let letter = match look.charset {

@@ -54,7 +54,7 @@ impl Canvas {
         }
     }
 
-    /// Whether discs of one scale are drawn round: if the smallest is high enough to be
+    /// Whether discs at one scale are drawn as circles: if the smallest is high enough to be
     /// distinguished from its neighbours.
     pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
         let smallest = bodies.iter().map(|body| body.radius);

@@ -232,7 +232,7 @@ impl Canvas {
         })
     }
 
-    /// Whether a label fits here, on paper or over strokes up to the layer `over`.
+    /// Whether a label fits here, on empty cells or over strokes up to the layer `over`.
     fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<DrawLayer>) -> bool {
         let is_free = |x| self.cell((x, y)).is_some_and(|cell| cell.is_free(over));
         self.is_clear_of_labels((x, y), width) && (x..x + width).all(is_free)

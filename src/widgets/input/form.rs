@@ -53,7 +53,7 @@ pub(crate) enum FieldValue {
     Number {
         /// The value, in the unit shown on the screen.
         value: f64,
-        /// The least and the greatest value.
+        /// The smallest and the largest value.
         range: (f64, f64),
         /// The increment of the key to the right; values are whole multiples of it. Negative if "to
         /// the right" means less.

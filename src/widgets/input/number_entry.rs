@@ -5,7 +5,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::{KeyTable, Outcome};
 use crate::messages::Key;
 
-/// The largest number of characters that can be typed.
+/// The maximum number of characters that can be typed.
 const LONGEST: usize = 9;
 
 /// A number being typed, digit by digit.

@@ -5,14 +5,14 @@ use unicode_segmentation::UnicodeSegmentation;
 
 use crate::messages::Key;
 
-/// The largest number of characters in one pasted letter: enough for accents and emoji sequences.
+/// The maximum number of characters in one pasted letter: enough for accents and emoji sequences.
 const LONGEST_LETTER: usize = 32;
 
 /// Text being typed, with a cursor.
 #[derive(Debug, Clone, Default)]
 pub struct TextField {
     line: Line,
-    /// The largest number of letters, as a reader counts them.
+    /// The maximum number of letters, as a reader counts them.
     most: usize,
 }
 

@@ -646,7 +646,7 @@ const BESIDE_GAUGE: u16 = 10;
 /// The width of a share such as `100 %`, in columns.
 const SHARE: usize = 5;
 
-/// The width of a text field's label and the blank after it, in columns.
+/// The width of a text field's label and the space after it, in columns.
 const LABEL: usize = 8;
 
 /// The number of columns between the names of two pages.
@@ -744,7 +744,7 @@ fn write_prompts(
     let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
     let rows = lines.wrapped(&sentences.join(" "));
-    // The rows differ from the text only in blanks, so only the other letters are counted.
+    // The rows differ from the text only in spaces, so only the other characters are counted.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let mut end = 0;
     for (number, sentence) in sentences.iter().enumerate() {

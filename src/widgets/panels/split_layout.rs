@@ -1,4 +1,4 @@
-//! The layout of a picture with a panel of text beside it, or below it on an upright screen, each
+//! The layout of a picture with a panel of text beside it, or below it on a portrait screen, each
 //! in its frame.
 
 use ratatui::{buffer::Buffer, layout::Rect};

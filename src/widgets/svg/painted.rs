@@ -107,7 +107,7 @@ impl DrawnPicture {
     }
 
     /// The cells that nothing covers: in each row, those outside the range of changed cells,
-    /// because a page over a picture may contain blanks.
+    /// because a page over a picture may contain spaces.
     fn uncovered(&self, screen: &Buffer) -> impl Iterator<Item = Position> {
         let area = self.cells.area;
         area.rows().flat_map(move |row| {
@@ -163,7 +163,7 @@ mod tests {
         assert_eq!(
             vectors(&screen),
             16 * 8 - 4,
-            "blanks within the range are covered too"
+            "spaces within the range are covered too"
         );
         let erased = Buffer::empty(AREA);
         let (cells, left) = painted(&erased, &pictures);

@@ -59,7 +59,7 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     [Rect { width, ..area }, beside]
 }
 
-/// The areas of a picture, and of a panel with this many columns on its right. In an upright area,
+/// The areas of a picture, and of a panel with this many columns on its right. In a portrait area,
 /// such as on a phone, the panel is below, and the picture is just high enough to be square.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;

@@ -4,7 +4,7 @@ use ratatui::buffer::{Buffer, Cell};
 
 use super::wrap::width;
 
-/// The rows of a screen without trailing blanks, with a line break after each.
+/// The rows of a screen without trailing spaces, with a line break after each.
 pub fn text(buffer: &Buffer) -> String {
     let mut text = String::new();
     for cells in rows(buffer) {

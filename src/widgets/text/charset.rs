@@ -60,7 +60,7 @@ impl Charset {
             } else if letter.is_ascii() {
                 plain.push(if is_plain(letter as u8) { letter } else { '?' });
             } else if letter == '°' {
-                // A blank separates a unit from its number: 60 deg, but (deg).
+                // A space separates a unit from its number: 60 deg, but (deg).
                 let after_number = plain.ends_with(|c: char| c.is_ascii_alphanumeric());
                 plain.push_str(if after_number { " deg" } else { "deg" });
             } else {

@@ -47,10 +47,10 @@ impl Run {
     }
 }
 
-/// A word, which consists of pieces without a blank between them.
+/// A word, which consists of pieces without a space between them.
 type FlowWord = Vec<Run>;
 
-/// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in `charset`. A
+/// Breaks `runs` at spaces into rows of at most `columns` (at least 1), spelt in `charset`. A
 /// number stays with its unit, and a word longer than a row is broken at the end of the row.
 pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let columns = columns.max(1);

@@ -18,8 +18,8 @@ const NUMBERED: [&str; 8] = [
     "law", "laws", "chapter", "page", "level", "question", "step", "board",
 ];
 
-/// How strongly a blank keeps its two words together. A formula that does not fit into a row is
-/// broken at its weakest blank.
+/// How strongly a space keeps the words on both sides together. A formula that does not fit into a
+/// row is broken at its weakest space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Hold {
     /// Not at all, between words of a sentence.
@@ -89,10 +89,10 @@ pub(crate) fn unbroken(text: &str) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// The largest number of letters between two places where [`unbroken`] allows a line break.
+/// The maximum number of letters between two places where [`unbroken`] allows a line break.
 const UNBROKEN: usize = 24;
 
-/// Splits a range of words until each part fits, at the weakest blanks first.
+/// Splits a range of words until each part fits, at the weakest spaces first.
 fn split(
     range: Range<usize>,
     holds: &[Hold],

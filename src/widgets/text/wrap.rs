@@ -18,7 +18,7 @@ pub fn width(text: &str) -> usize {
 
 /// Breaks `text` at spaces into lines of at most `columns` (at least 1). A number stays with its
 /// unit, and a word longer than a line is broken at the end of the line. Line breaks are kept, and
-/// so are gaps of more than one blank, as between columns; a line that is too long breaks first
+/// so are gaps of more than one space, as between columns; a line that is too long breaks first
 /// between two equations.
 pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     let columns = columns.max(1);
@@ -95,12 +95,12 @@ fn equation_break(text: &str, columns: usize) -> Option<usize> {
     best.map(|(_, at)| at)
 }
 
-/// The entries of text in columns, each with the width of the gap before it; a gap is two blanks or
+/// The entries of text in columns, each with the width of the gap before it; a gap is two spaces or
 /// more.
 fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut gap = 0;
     text.split("  ").filter_map(move |piece| {
-        // If there are three blanks, the third begins the next piece or ends this one.
+        // If there are three spaces, the third begins the next piece or ends this one.
         let entry = piece.trim_matches(' ');
         gap += 2 + piece.len() - entry.len();
         let here = (!entry.is_empty()).then_some((gap, entry))?;

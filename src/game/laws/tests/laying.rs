@@ -87,7 +87,8 @@ impl Table {
         self
     }
 
-    /// All white coins are back on the board after some were pocketed.
+    /// Records that White has pocketed coins before, although all white coins are back on the
+    /// board.
     pub(super) fn white_has_pocketed_before(mut self) -> Self {
         self.0.play.pocketed_before[Team::First] = true;
         self

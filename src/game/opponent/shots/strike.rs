@@ -14,14 +14,14 @@ pub(in super::super) struct ProposedStroke {
     pub(in super::super) from: DVec2,
     /// The direction of the stroke.
     pub(in super::super) toward: DVec2,
-    /// The least sufficient speed in m/s.
+    /// The minimum speed required, in m/s.
     pub(in super::super) speed: f64,
     /// The largest tolerable error in the stroke's direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
 impl ProposedStroke {
-    /// The stroke at `times` the least speed.
+    /// The stroke at `times` the minimum speed.
     pub(in super::super) fn motion(&self, times: f64) -> Motion {
         Motion::new(self.from, self.toward * (self.speed * times))
     }
@@ -96,7 +96,7 @@ pub(in super::super) fn kicks<'a>(
 ///
 /// The coin's speed is a fixed multiple of the striker's velocity component along the line of
 /// impact. An error in the striker's direction becomes a shift at the end of its path; divided by
-/// r₁ + r₂ and the cosine, this is an error of the line of impact.
+/// r₁ + r₂ and the cosine, this shift gives the error in the line of impact.
 fn stroke(sight: &Sight, course: &PocketPath, way: Way) -> Option<Unchecked<ProposedStroke>> {
     let cosine = way.arriving.dot(course.toward);
     if cosine <= THINNEST || cosine.is_nan() {

@@ -27,7 +27,7 @@ fn fingerprint(shot: &Shot) -> u64 {
     hash
 }
 
-/// Only here is a pinned number the right test: a break is chaotic, so one bit rounded differently
+/// A pinned number is the right test only here: a break is chaotic, so one bit rounded differently
 /// by a compiler or a processor gives another number. A deliberate change of the arithmetic
 /// requires a new pinned number.
 #[test]

@@ -51,8 +51,8 @@ fn grid(inside: impl Fn(u32, u32) -> bool) -> u64 {
 struct Finer {
     /// The part of a cell for each bit.
     parts: Vec<u64>,
-    /// The block with these bits; `None` if it is among [`BLOCKS`]. Where the block has no character
-    /// that every terminal with this set has, it is the inverse of one.
+    /// The block with these bits; `None` if it is among [`BLOCKS`]. A block without a character in
+    /// every terminal with this set is the inverse of another block.
     blocks: Vec<Option<BlockGlyph>>,
 }
 
@@ -95,7 +95,8 @@ impl Finer {
         Self { parts, blocks }
     }
 
-    /// The block of the parts of which at least as much lies in `cover` as of the part `least`.
+    /// The block made of the parts that lie in `cover` at least to the same extent as the part
+    /// `least`.
     fn split(&self, least: u64, cover: u64) -> Option<BlockGlyph> {
         let inside = |part: u64| (part & cover).count_ones();
         let lies =
@@ -111,7 +112,8 @@ impl Finer {
 /// covers.
 ///
 /// If the cell has two colours, the best of the finer blocks separates the parts with more of a
-/// colour from those with less; for three colours this is nearly true. So few need to be tried.
+/// colour from those with less; for three colours this is nearly true. So only a few need to be
+/// tried.
 pub(in super::super) fn shapes(
     set: Blocks,
     colours: [u64; 3],

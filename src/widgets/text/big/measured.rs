@@ -9,7 +9,7 @@ use super::{BLANK, Ink, LetterSize, pixels_of};
 use crate::widgets::Charset;
 use crate::widgets::text::terms;
 
-/// The largest number of letters that are kept together on a line.
+/// The maximum number of letters that are kept together on a line.
 const HELD: usize = 14;
 
 #[derive(Debug, PartialEq, Eq)]

@@ -69,7 +69,7 @@ enum Ink {
 
 impl Big {
     /// A name or a heading in the largest letters that fit into this many columns and rows, broken
-    /// at blanks; `None` if it does not fit at all or has letters without a large form.
+    /// at spaces; `None` if it does not fit at all or has letters without a large form.
     #[must_use]
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
@@ -111,7 +111,7 @@ impl Big {
 
     /// The text from a given word on, up to the first word that is too long for a line or the first
     /// line that does not fit into this many columns and rows. `at_top` means that the text is at
-    /// the top of a page, without an empty row above it.
+    /// the top of a page, with no empty row above it.
     fn begin(
         text: &Rc<BigText>,
         from: usize,

@@ -1,9 +1,9 @@
 //! Letters made of strokes: the smallest large type in ASCII, with three rows and a descender.
 //!
 //! The font is "Mini" by Glenn Chappell, in the format of FIGlet. The first line contains the
-//! height of the letters and the number of comment lines. After these, each letter from the blank
+//! height of the letters and the number of comment lines. After these, each letter from the space
 //! on has as many lines as its height; each line has an end mark, and the last line has two. A
-//! dollar sign is a blank that other letters must not fill.
+//! dollar sign is a space that other letters must not fill.
 
 use std::sync::LazyLock;
 
@@ -12,13 +12,13 @@ static FONT: &str = include_str!("../../../../assets/fonts/mini.flf");
 /// The number of rows in a line of letters.
 pub(super) const ROWS: usize = 4;
 pub(super) const BLANK: usize = 3;
-/// A blank that other letters must not fill.
+/// A space that other letters must not fill.
 const HARD: char = '$';
 
 /// The rows of a letter or of a line of letters, all of the same length.
 pub(super) type LetterRows = [Vec<char>; ROWS];
 
-/// The letters from the blank to the tilde.
+/// The letters from the space to the tilde.
 static LETTERS: LazyLock<Vec<LetterRows>> = LazyLock::new(|| {
     let mut lines = FONT.lines();
     let head = lines.next().unwrap_or_default();
@@ -93,7 +93,7 @@ pub(super) fn joined(word: &str) -> Option<LetterRows> {
         }
     };
     joined.iter_mut().flatten().for_each(soft);
-    // Only ordinary blanks may be removed at the ends.
+    // Only ordinary spaces may be removed at the ends.
     let empty = |rows: &LetterRows, at: usize| rows.iter().all(|row| row.get(at) == Some(&' '));
     while !joined[0].is_empty() && empty(&joined, joined[0].len() - 1) {
         joined
