@@ -1,4 +1,4 @@
-//! How quantities are printed: decimals, significant figures, units, signs.
+//! How quantities are printed: decimals, significant figures, units and signs.
 //!
 //! Functions that print a quantity write a hyphen for a minus, as files and programs require.
 //! Text in formulas passes through [`true_minus`], and the Unicode screen replaces all other

@@ -1,5 +1,5 @@
-//! The frame of every screen: the title line, the line of keys, the help page, and the single line
-//! on a screen that is too small for anything else.
+//! The frame of every screen: the title line, the key line, the help page, and the single line on a
+//! screen that is too small for anything else.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};

@@ -1,4 +1,4 @@
-//! The layers over a screen: its help, a notice, a question.
+//! The layers over a screen: its help, a notice and a question.
 
 use strum::{EnumMessage, IntoStaticStr};
 

@@ -94,8 +94,7 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         value => format!("{name}={value}"),
     };
     let round = |name: &str, code: &Code| match code.course.kind.is_personal() {
-        // Its questions depend on the player, so its code would be of no use to anyone else, or
-        // later.
+        // Its questions depend on the player's answers, so nobody could use its code again.
         true => name.to_owned(),
         false => named(name, &code.to_string()),
     };

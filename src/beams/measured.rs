@@ -105,7 +105,8 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
     Ok(angles)
 }
 
-/// The counts of one metal compared with the law, which determines their ratios but not the scale.
+/// The counts for one metal compared with the law; it determines the ratios of the counts but not
+/// their scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Mean of the counts times sin⁴(φ/2): the scale that fits the counts best.

@@ -100,7 +100,7 @@ impl Sampler {
     }
 }
 
-/// The generator of a seed, advanced so that its next number is that of this particle.
+/// The generator for a seed, advanced so that its next number belongs to this particle.
 pub(super) fn generator(seed: u64, particle: u64) -> Pcg64 {
     let mut generator = Pcg64::new(u128::from(seed), STREAM);
     generator.advance(u128::from(particle));

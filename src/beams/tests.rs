@@ -50,7 +50,7 @@ fn thrown(law: &ScatteringLaw, seed: u64, particles: u64) -> Counts {
     counts
 }
 
-/// Fraction of the beam beyond an edge, from the closed forms of physics alone.
+/// Fraction of the beam beyond an edge, from the closed forms in `physics` alone.
 type Beyond<'a> = &'a dyn Fn(f64) -> f64;
 
 fn chi_squared(counts: &Counts, beyond: Beyond) -> f64 {

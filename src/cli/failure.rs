@@ -4,7 +4,7 @@ use std::fmt::{Debug, Display};
 
 use anyhow::Error;
 
-/// Why a command failed, which determines the exit status.
+/// The reason why a command failed; it determines the exit status.
 #[derive(Debug)]
 pub enum Failure {
     /// The work failed: exit status 1.

@@ -147,7 +147,7 @@ enum OpenCommand {
         /// The chapter to open, by its number or name
         chapter: Option<String>,
     },
-    /// Open the lab: set up a glancing collision, predict where both discs will go, see why
+    /// Open the lab: set up a glancing collision, predict where both discs will go, and see why
     Lab,
     /// Open the foil: beams of particles, from the carrom board to the atom
     Foil,
@@ -181,7 +181,7 @@ enum OpenCommand {
         #[arg(long, value_name = "NAME")]
         class: Option<String>,
     },
-    /// Join a class that plays on its own devices
+    /// Join a class from your own device
     Join {
         /// The address of the class, as shown on the board: 192.168.43.117:8090
         #[arg(value_parser = |address: &str| read_host(address))]

@@ -51,7 +51,7 @@ pub(super) fn write_named_beside(
     Ok(print_names(documents)?)
 }
 
-/// A file to write in one of two formats, which its extension determines.
+/// A file to write in one of two formats, as determined by its extension.
 #[derive(Debug, Clone)]
 pub(super) struct NamedFile {
     pub(super) path: PathBuf,

@@ -11,8 +11,8 @@ pub(crate) struct NumberSpec {
 }
 
 impl NumberSpec {
-    /// A kind of number: `what` it is, such as "a mass", the text after it, such as " g", and its
-    /// bounds, both of which are allowed.
+    /// A kind of number: `what` it is, such as "a mass", the text after the number, such as " g",
+    /// and its inclusive bounds.
     pub(crate) const fn new(what: &'static str, unit: &'static str, from: f64, to: f64) -> Self {
         let bounds = Range { from, to };
         Self { what, unit, bounds }
@@ -31,7 +31,7 @@ impl fmt::Display for NumberSpec {
     }
 }
 
-/// Two bounds, both included.
+/// Two inclusive bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// The lower bound.

@@ -9,8 +9,8 @@ use super::FileError;
 /// The default limit on the size of a text file, in bytes.
 pub(crate) const LARGEST: usize = 1 << 20;
 
-/// The bytes of a file, up to one more than the `most` that may be read, which `Source::of_bytes`
-/// then refuses.
+/// The bytes of a file, cut off one byte beyond `most`, so that `Source::of_bytes` refuses a longer
+/// file.
 ///
 /// # Errors
 /// If the file cannot be read.

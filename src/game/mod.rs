@@ -1,4 +1,4 @@
-//! Carrom itself: pieces, the pack, placing the striker, the laws, the score.
+//! Carrom itself: pieces, the pack, placing the striker, the laws and the score.
 //!
 //! A pure module: no screen and no clock. A [`Stroke`] is data, [`Game::apply`] returns
 //! [`Ruling`]s, and a game is a plain value: to undo a stroke, keep a copy from before it. Two

@@ -29,7 +29,7 @@ pub enum Move {
     Strike(Strike),
     /// Passes the turn, because coins block every position of the striker.
     NoPlace,
-    /// Lays the pack for the next board.
+    /// Sets up the pack for the next board.
     NextBoard,
     /// Places the coins as given, in a practice game.
     LayOut(Vec<Coin>),
@@ -45,7 +45,7 @@ pub struct Strike {
     /// The striker's velocity in m/s.
     #[serde(rename = "velocity_m_s", with = "metres")]
     pub velocity: DVec2,
-    /// The player's call of the first impact.
+    /// The player's prediction of the first impact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub call: Option<Call>,
 }

@@ -28,8 +28,8 @@ pub struct GameSetup {
     pub restitution: f64,
     /// The player who won the toss and breaks first (13, 15).
     pub first_breaker: Seat,
-    /// Seed of the small irregularities of each pack; `None` for a pack that is
-    /// exact and the same every time.
+    /// Seed for the small irregularities in each pack; `None` for a pack that is exact and the same
+    /// every time.
     #[serde(serialize_with = "signed", skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
 }
@@ -77,7 +77,7 @@ pub struct Game {
 }
 
 impl Game {
-    /// A new game with the pack laid out. In singles South breaks first unless North does: nobody
+    /// A new game with the pack set up. In singles South breaks first unless North does: nobody
     /// sits at the other sides.
     pub fn new(setup: GameSetup) -> Self {
         let first_breaker = match setup.hands {
@@ -220,8 +220,7 @@ impl Game {
         Ok(self.carry_out(&terms, verdict))
     }
 
-    /// Lays the pack for the next board, and for the next game when one has been
-    /// won.
+    /// Sets up the pack for the next board, and for the next game when one has been won.
     ///
     /// # Errors
     /// If this board has not ended, or the match has.

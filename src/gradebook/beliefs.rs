@@ -15,7 +15,7 @@ pub struct BeliefCount {
     pub answers: usize,
 }
 
-/// The misconceptions that at least one answer fits, the most widely held first.
+/// The misconceptions that fit at least one answer, the most widely held first.
 pub fn beliefs(results: &ClassResults<'_>) -> Vec<BeliefCount> {
     let pupils = &results.pupils;
     let of = |misconception: Misconception| {

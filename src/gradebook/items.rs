@@ -15,7 +15,7 @@ pub struct ItemStatistics {
     pub number: u32,
     /// The text of the question, if the code determines it.
     pub question: Option<String>,
-    /// The counts of the answers to the question, which has at least one.
+    /// The counts of the answers to the question; there is at least one answer.
     pub tally: Tally,
     /// How well the question distinguishes strong from weak pupils, −1 to 1.
     pub discrimination: Option<f64>,
@@ -23,8 +23,8 @@ pub struct ItemStatistics {
     pub commonest: Option<(Misconception, usize)>,
 }
 
-/// The results of the questions of all rounds, except chapters and rounds that depend on the
-/// answers, which differ from pupil to pupil.
+/// The results of the questions of all rounds, except chapters and rounds whose questions depend on
+/// the answers and so differ from pupil to pupil.
 pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     let mut answers: BTreeMap<(&str, u32), Vec<(&Attempt, f64)>> = BTreeMap::new();
     for pupil in &results.pupils {

@@ -1,8 +1,8 @@
-//! The hand-ins of a class: files of single pupils, combined.
+//! The hand-ins of a class: files from individual pupils, combined.
 //!
-//! A pupil's [`HandIn`] contains all answers so far, so a later one contains all earlier ones. A
-//! [`Gradebook`] counts each pupil and each answer once. For a question of a round the first answer
-//! counts, because a pupil who plays a round again has seen the right answers.
+//! A pupil's [`HandIn`] contains all answers so far, so a later hand-in contains every earlier one.
+//! A [`Gradebook`] counts each pupil and each answer once. For a question in a round the first
+//! answer counts, because a pupil who plays a round again has seen the right answers.
 
 mod beliefs;
 mod hand_in;

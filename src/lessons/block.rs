@@ -1,4 +1,4 @@
-//! The text of a page: paragraphs, lists, formulas, numbers.
+//! The text of a page: paragraphs, lists, formulas and numbers.
 
 use super::inline::{self, Meaning};
 use super::{Formula, Quantity, SourceLine};

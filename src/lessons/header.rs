@@ -1,4 +1,4 @@
-//! The header of a chapter: format, title, description, shots.
+//! The header of a chapter: format, title, description and shots.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Inline text: words with emphasis, formulas, numbers.
+//! Inline text: words with emphasis, formulas and numbers.
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 

@@ -14,7 +14,7 @@ static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 /// Levels that belong together, in the order of their file names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// The name of the folder, without the number before it, which only determines the order.
+    /// The name of the folder, without the number before the name, which only determines the order.
     pub name: String,
     /// The levels; no two have the same id.
     pub levels: Vec<Level>,

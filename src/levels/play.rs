@@ -41,7 +41,7 @@ impl Scene {
         Ok(shot)
     }
 
-    /// Plays the shot until the smallest budget is used up, which is after the first contact.
+    /// Plays the shot until the smallest budget is used up, beyond the first contact.
     pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();
         // On an error the record contains the shot up to then.

@@ -45,8 +45,8 @@ pub struct Mouse {
     pub column: u16,
     /// Row of the cell.
     pub row: u16,
-    /// The position in the cell, in 256ths of its width and height, because a cell is coarse
-    /// for a finger. A terminal reports only the cell; the position is then its middle.
+    /// The position in the cell, in 256ths of its width and height, because cells are too coarse
+    /// for touch input. A terminal reports only the cell; the position is then its middle.
     pub within: (u8, u8),
 }
 

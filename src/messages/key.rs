@@ -4,7 +4,7 @@ use std::fmt;
 
 use strum::{EnumString, IntoStaticStr};
 
-/// A key press (or repeat), free of any terminal library's types.
+/// A key press (or repeat), independent of any terminal library's types.
 ///
 /// Shift is already included in the character of [`Key::Char`]; shells do not pass on
 /// presses with Alt or with the system key.

@@ -2,7 +2,7 @@
 
 use super::{Bond, CollisionSpec, FieldRange, ImpactPoint};
 
-/// The direction of the striker, which files do not contain.
+/// The striker's direction, which files do not contain.
 const AIM: FieldRange = FieldRange::new("aim", "a direction in degrees", -180.0, 180.0);
 
 /// The field name in files for each short name.

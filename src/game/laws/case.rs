@@ -43,8 +43,8 @@ pub(crate) struct Case {
     pub(crate) break_tries: Option<u8>,
     /// Whether the player owes a coin.
     pub owes: bool,
-    /// Whether a coin of the player's colour had been pocketed in this board
-    /// before this stroke, which gives the right to the queen (65).
+    /// Whether a coin of the player's colour had been pocketed in this board before this stroke:
+    /// that gives the player the right to the queen (65).
     pub(crate) may_take_queen: bool,
 }
 

@@ -1,9 +1,9 @@
 //! The computer opponent: finds a stroke by simulation.
 //!
 //! Geometry proposes strokes in closed form; the engine plays those with the largest tolerance; the
-//! laws judge each result; the best are played again with random errors of the hand. The choice
-//! depends only on the game, the strength and the seed: the search is limited by a number of shots,
-//! not by time, and uses only + − × ÷ √, so every machine finds the same stroke.
+//! laws judge each result; the best strokes are played again with random errors of the hand. The
+//! choice depends only on the game, the strength and the seed: the search is limited by a number of
+//! shots, not by time, and uses only + − × ÷ √, so every machine finds the same stroke.
 //!
 //! | file | contents |
 //! |---|---|

@@ -239,9 +239,9 @@ pub(super) fn slipped(slip: Slip, heading: DVec2) -> String {
     });
     let slips: Vec<String> = direction.into_iter().chain(strength).collect();
     if slips.is_empty() {
-        return "My hand was just right.".to_owned();
+        return "My stroke was just right.".to_owned();
     }
-    format!("My hand was {}.", slips.join(" and "))
+    format!("My stroke was {}.", slips.join(" and "))
 }
 
 /// The size of an angle, to a tenth of a degree below 10° and to a degree above.
@@ -422,12 +422,12 @@ mod tests {
             let turn = rad_from_deg(turn_deg).tan();
             slipped(Slip { turn, push }, DVec2::Y)
         };
-        assert_eq!(slip(0.0, 0.0), "My hand was just right.");
-        assert_eq!(slip(-1.24, 0.001), "My hand was 1.2° off to the right.");
-        assert_eq!(slip(0.01, -0.05), "My hand was 5 % too soft.");
+        assert_eq!(slip(0.0, 0.0), "My stroke was just right.");
+        assert_eq!(slip(-1.24, 0.001), "My stroke was 1.2° off to the right.");
+        assert_eq!(slip(0.01, -0.05), "My stroke was 5 % too soft.");
         assert_eq!(
             slip(12.0, 0.2),
-            "My hand was 12° off to the left and 20 % too hard."
+            "My stroke was 12° off to the left and 20 % too hard."
         );
     }
 }

@@ -9,7 +9,7 @@ use crate::quiz::{Confidence, Form, Measure, Question, letter};
 use crate::widgets::svg::Svg;
 use crate::widgets::text::unbroken;
 
-/// The largest width of a picture beside its question, in CSS pixels: 96 mm.
+/// The maximum width of a picture beside its question, in CSS pixels: 96 mm.
 const BESIDE: f64 = 363.0;
 
 /// A document with these sheets.

@@ -256,7 +256,7 @@ fn join(
     let fresh = SeatToken::of(random().map_err(|_| None)?);
     socket.get_mut().deadline = None;
     connection.join();
-    // A pupil who has joined may send a hand-in, which is larger.
+    // A pupil who has joined may send a hand-in, which is larger than other messages.
     socket.set_config(|config| {
         config.max_message_size = Some(LARGEST_HAND_IN);
         config.max_frame_size = Some(LARGEST_HAND_IN);

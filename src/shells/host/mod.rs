@@ -1,5 +1,4 @@
-//! A server on the local network, with which the teacher's carrom serves a class on its own
-//! devices.
+//! A server on the local network, with which the teacher's carrom serves the pupils' devices.
 //!
 //! The server starts listening when a screen requests it ([`HostCall::Open`]), serves the page to
 //! browsers and communicates with pupils by WebSocket. It knows the code of the class and the

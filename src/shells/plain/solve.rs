@@ -45,7 +45,7 @@ fn ask(talk: &mut Talk) -> Result<Vec<WorkedStep>, Leave> {
         1e3,
     )?;
     let alpha_deg = one(
-        "Impact angle in degrees, positive with the target to the right",
+        "Impact angle in degrees, positive if the target is to the right",
         "°",
         30.0,
         -89.9,

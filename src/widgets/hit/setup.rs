@@ -229,8 +229,8 @@ fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     }
 }
 
-/// Points a ray at a place on the screen, in cells: the ray whose tip is nearer when the button
-/// is pressed (`choose`), otherwise the ray being turned.
+/// Points a ray at a place on the screen (in screen cells): the ray whose tip is nearer when the
+/// button is pressed (`choose`), otherwise the ray being turned.
 pub(crate) fn point_at(
     area: Rect,
     collision: &Collision,

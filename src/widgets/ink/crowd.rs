@@ -6,7 +6,7 @@ use super::canvas::{Canvas, CellPlace, cell_of};
 use super::disc::{token, token_rows};
 use crate::widgets::{Charset, Role, picture::Body};
 
-/// The greatest distance of a token from its own cell, in cells.
+/// The maximum distance of a token from its own cell, in cells.
 const FARTHEST: i32 = 4;
 
 /// The width of an [`outline`], in columns.

@@ -37,7 +37,7 @@ impl PlacedLabel {
 
 /// The number of columns that a label may move outwards so that there is space around it.
 const ASIDE: i32 = 2;
-/// The greatest distance of a label from its anchor, in rows.
+/// The maximum distance of a label from its anchor, in rows.
 const FARTHEST: i32 = 4;
 
 /// What is allowed in the cells directly beside the two ends of a label.
@@ -48,7 +48,7 @@ enum Ends {
     Any,
 }
 
-/// Whether a point in cells could be on any screen.
+/// Whether a point, given in cells, could be on any screen.
 fn is_within_reach(cell: DVec2) -> bool {
     cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX)
 }

@@ -1,4 +1,4 @@
-//! Input: keys as data, and the widgets that handle them: numbers, rays, lists, forms, text.
+//! Input: keys as data, and the widgets that handle them: numbers, rays, lists, forms and text.
 
 mod collision_fields;
 mod form;

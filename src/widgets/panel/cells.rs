@@ -630,16 +630,16 @@ fn write_grid(
 
 /// The number of columns beside a name in a grid, for the mark, number and sign of the name.
 const BESIDE_NAME: usize = 10;
-/// The largest height of a grid, in tenths of the panel's rows.
+/// The maximum height of a grid, in tenths of the panel's rows.
 const MOST_ROWS: usize = 3;
 
-/// The smallest number of rows for the text that scrolls beside fixed blocks.
+/// The minimum number of rows for the text that scrolls beside fixed blocks.
 const LEAST: u16 = 6;
 
 /// The indentation of a formula, and of the continuation of a line of working, in columns.
 const FORMULA: u16 = 2;
 const WORKING: u16 = 4;
-/// The largest width of a gauge, in columns.
+/// The maximum width of a gauge, in columns.
 const LONGEST_GAUGE: u16 = 52;
 const BESIDE_GAUGE: u16 = 10;
 
@@ -655,7 +655,7 @@ const BETWEEN_TABS: u16 = 2;
 /// The width of the letter and name in a line of a menu, in columns.
 const ENTRY: usize = 15;
 
-/// The smallest width, in cells, of a panel in which a table has gaps between its columns.
+/// The minimum width, in cells, of a panel in which a table has gaps between its columns.
 const WIDE_TABLE: u16 = 72;
 
 /// Writes a table: its headings, and one line per row. If there is room, there are gaps before

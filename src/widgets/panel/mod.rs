@@ -194,7 +194,7 @@ pub(crate) struct TableColumn {
     pub width: u16,
     /// Whether its cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
-    /// The smallest width of the panel at which the column is shown, in columns.
+    /// The minimum width of the panel at which the column is shown, in columns.
     pub room: u16,
     /// Whether its cells are graphics that repeat the information of other cells.
     pub drawn: bool,

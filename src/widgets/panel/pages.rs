@@ -19,7 +19,7 @@ use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text}
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and to the right of the text.
 const APART: u16 = 1;
-/// The smallest width of text beside a picture, in columns.
+/// The minimum width of text beside a picture, in columns.
 const LEAST: u16 = 24;
 /// The number of rows of the screen that are not part of its body.
 const CHROME: u16 = 2;

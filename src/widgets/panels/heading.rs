@@ -6,11 +6,11 @@ use ratatui::layout::Rect;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Item, Look, Role, Words, areas, sheet, text};
 
-/// The smallest number of rows of a screen's body for a heading in large type.
+/// The minimum number of rows in a screen's body for a heading in large type.
 const LARGE_FROM: u16 = 21;
-/// The smallest number of rows of a body for an even larger heading.
+/// The minimum number of rows in a body for an even larger heading.
 const LARGER_FROM: u16 = 56;
-/// The smallest number of rows of a body for empty rows around the heading.
+/// The minimum number of rows in a body for empty rows around the heading.
 const AIRY_FROM: u16 = 30;
 
 /// A heading with a line of instructions below it.

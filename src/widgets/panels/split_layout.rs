@@ -8,13 +8,13 @@ use crate::widgets::{Look, Room, areas};
 
 /// The width of the panel with its frame, in columns.
 const PANEL: u16 = 30;
-/// The smallest width of the panel beside a square picture, with its frame.
+/// The minimum width of the panel beside a square picture, including the panel's frame.
 const LEAST: u16 = 24;
 /// The number of extra columns of the panel on a wide screen.
 const MORE: u16 = 8;
-/// The largest width of a panel of text alone, with its frame.
+/// The maximum width of a panel of text alone, including its frame.
 const TEXT: u16 = 76;
-/// The largest size of a card with its frame: columns, rows.
+/// The maximum size of a card including its frame: columns, rows.
 const CARD: (u16, u16) = (68, 22);
 /// The number of columns from which a screen counts as wide.
 const WIDE: u16 = 110;

@@ -7,9 +7,9 @@ use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
-/// The greatest height of large type, in rows: for one line, and for larger letters or two lines.
+/// The maximum height of large type, in rows: for one line, and for larger letters or two lines.
 const LARGE: [u16; 2] = [4, 8];
-/// The smallest number of rows of a panel for larger letters.
+/// The minimum number of rows in a panel for larger letters.
 const LARGER_FROM: u16 = 34;
 
 /// A column of text that is being written from the top of an area.
@@ -278,7 +278,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Writes one row: a name on the left, and its value aligned right. A name too long for the
-    /// room beside the value is cut with an ellipsis.
+    /// room beside the value is truncated with an ellipsis.
     pub(crate) fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
         self.record(|charset| Words::Pair {
             name: Run::new(self.unmarked(name), name_role).spelt(charset),

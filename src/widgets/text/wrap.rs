@@ -162,8 +162,8 @@ pub(crate) fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of `text`, in at most this many columns, with an ellipsis if it is cut. Zero-width
-/// marks are also limited: there are at most two characters per column.
+/// The beginning of `text`, in at most this many columns, with an ellipsis if it is truncated.
+/// Zero-width marks are also limited: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =
         |text: &str, columns| width(text) <= columns && text.chars().nth(2 * columns).is_none();

@@ -22,8 +22,8 @@ pub(super) enum Queen {
 /// A table at which South plays white and it is South's turn.
 pub(super) struct Table(pub(super) Game);
 
-/// Sets up a board of singles after the break: these numbers of coins are left, the others are in
-/// the pockets, South plays white, and it is South's turn.
+/// Sets up a singles board after the break: these numbers of coins are left, the others are in the
+/// pockets, South plays white, and it is South's turn.
 pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
     lay(Rules::Tournament, white, black, queen)
 }
