@@ -83,7 +83,7 @@ impl Data {
     }
 }
 
-/// Separates the address of a round from the answers given in it.
+/// Separates the address of a round from the answers given in the round.
 const ANSWERS: &str = "&said=";
 
 /// The address of a route, in the form that [`Data::route`] reads. Answers given in a round follow

@@ -119,7 +119,7 @@ fn values(line: &str) -> Vec<&str> {
     }
 }
 
-/// A number that was written with a decimal comma, with a decimal point instead.
+/// Rewrites a number with a decimal comma so that it has a decimal point.
 fn with_a_point(text: &str) -> Option<String> {
     let number = text.replacen(',', ".", 1);
     let is_one = text.contains(',') && number.parse::<f64>().is_ok();

@@ -34,7 +34,7 @@ pub enum Goal {
     Hit {
         /// The disc that is hit.
         disc: usize,
-        /// The other disc, which hits this disc.
+        /// The disc that hits this disc.
         by: usize,
         /// The minimum number of cushions that `by` hits first.
         least: usize,

@@ -185,7 +185,7 @@ fn read_piece(fields: &Fields) -> Option<PlacedDisc> {
     })
 }
 
-/// A point in metres, given in millimetres.
+/// Converts a point from millimetres to metres.
 pub(super) fn point(mm: [f64; 2]) -> DVec2 {
     DVec2::from(mm.map(m_from_mm))
 }

@@ -83,7 +83,7 @@ impl Mouse {
         (self.column, self.row)
     }
 
-    /// Whether the button has just gone down in an area.
+    /// Whether the button has just been pressed in an area.
     pub fn presses(&self, area: Rect) -> bool {
         self.kind == MouseKind::Down && area.contains(self.cell().into())
     }
@@ -106,11 +106,11 @@ impl Mouse {
 /// What the mouse did; only the main button is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MouseKind {
-    /// The button went down.
+    /// The button was pressed.
     Down,
     /// The mouse moved with the button down.
     Drag,
-    /// The button went up.
+    /// The button was released.
     Up,
     /// The wheel turned away from the user.
     ScrollUp,

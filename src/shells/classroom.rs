@@ -1,5 +1,5 @@
 //! A class in one process: the teacher's app and the apps of pupils, on simulated time and without
-//! a network. They exchange exactly the messages that they would send over a network.
+//! a network. The apps exchange exactly the messages that they would send over a network.
 
 use std::net::{Ipv4Addr, SocketAddrV4};
 use std::time::Duration;

@@ -65,8 +65,8 @@ impl Decision {
         self.slip.applied_to(self.meant)
     }
 
-    /// The opponent's comment after its stroke, whose result is `played`: the intended shot and the
-    /// reason, with the angles, and the error of its hand.
+    /// The opponent's comment after a stroke with the result `played`: the intended shot with its
+    /// angles, the reason, and the error of the hand.
     pub fn afterwards(&self, played: &Story) -> String {
         let slipped = words::slipped(self.slip, self.meant.velocity);
         format!("{} {slipped}", self.reason.described(played))

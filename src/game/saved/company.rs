@@ -37,7 +37,7 @@ impl Default for Aids {
     }
 }
 
-/// The players and their aids: together with its setup, a game needs these to continue as before.
+/// The players and their aids: a game needs these, together with its setup, to continue as before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Company {
     /// The player at each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).

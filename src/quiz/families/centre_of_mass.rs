@@ -88,7 +88,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
         .why(why_turn(alpha, angle))
 }
 
-/// Θ from an offset of a whole number of tenths of r₁ + r₂, which keeps the arithmetic easy.
+/// Θ from an offset that is a whole number of tenths of r₁ + r₂, to keep the arithmetic easy.
 fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
     let reach_mm = hit.reach_mm();
     let offset_mm = (reach_mm * f64::from(tenths)).round() / 10.0;

@@ -27,7 +27,7 @@ mod weigh;
 pub(super) mod where_to;
 
 /// How many draws a question may take before the generator gives up: a guard against a family
-/// without any clear question. A test checks that no family needs even a twentieth of this.
+/// without any clear question. A test checks that no family needs even a twentieth of this number.
 const DRAWS: usize = 20_000;
 
 /// One draw, even if its answers are not distinct; `None` if the numbers are unsuitable.

@@ -47,7 +47,7 @@ impl Rims {
             Self::Stick => (
                 "stick",
                 "sticking",
-                "There is glue on the rims, which holds them together where they touch.",
+                "Glue on the rims holds the discs together where they touch.",
             ),
         };
         let shown = Markings {

@@ -43,7 +43,7 @@ const HAND_IN: f64 = 20.0;
 
 /// Serves a connection until it ends.
 pub(super) fn serve(board: &Arc<Switchboard>, connection: &Arc<Connection>) {
-    // An error here means that the connection is lost, so it needs no reply.
+    // An error here means that the connection is lost, so no reply is needed.
     let _ = answer(board, connection);
     hang_up(&connection.stream);
     board.remove(connection.id);
@@ -312,7 +312,7 @@ fn write_out(connection: &Connection) {
         let mut bytes = Vec::new();
         let made = frames.into_iter().try_for_each(|it| it.format(&mut bytes));
         if made.is_err() || write_whole(connection, &bytes).is_err() {
-            // A device that does not read for this long is lost; the reading thread notices it.
+            // A device that does not read for this long is lost; the reading thread notices that.
             return hang_up(&connection.stream);
         }
         if !goes_on {

@@ -228,7 +228,7 @@ fn raise_limit() {
     }
 }
 
-/// Closes a connection from another thread; the reading thread notices it.
+/// Closes a connection from another thread; the reading thread notices that.
 fn hang_up(stream: &TcpStream) {
     let _ = stream.shutdown(std::net::Shutdown::Both);
 }

@@ -1,5 +1,5 @@
-//! The page as it is served. The content security policy of the file allows no connections; that of
-//! the served copy allows connections to its server.
+//! The page as it is served. The content security policy in the file allows no connections; the
+//! policy in the served copy allows connections to the server.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, Write};

@@ -36,7 +36,7 @@ const LISTENED: u32 = 12;
 
 /// The number of recent lines that are remembered.
 const RECENT: usize = 60;
-/// The length from which a line is not repeated while it is remembered.
+/// The minimum length of a line that is not repeated while it is remembered.
 const LONG: usize = 60;
 
 /// The maximum number of steps from one value of a field to another.

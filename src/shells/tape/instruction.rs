@@ -18,7 +18,7 @@ pub enum Instruction {
     Click((u16, u16)),
     /// Drag from one cell to another.
     Drag((u16, u16), (u16, u16)),
-    /// Press the button over one cell and move to another, without releasing it.
+    /// Press the button over one cell and move to another without releasing the button.
     Hold((u16, u16), (u16, u16)),
     /// Release the button over a cell.
     Release((u16, u16)),

@@ -208,8 +208,8 @@ impl Playback {
         };
     }
 
-    /// Continues: during the approach it jumps to the contact, at the contact it goes to the next
-    /// step, and from a halt or from the last step it runs to the end.
+    /// Continues: jumps to the contact during the approach, goes to the next step at the contact,
+    /// and runs to the end from a halt or from the last step.
     pub(crate) fn go_on(&mut self) {
         self.stage = match self.stage {
             PlaybackStage::Approach(_) => PlaybackStage::at_step(0),

@@ -71,7 +71,8 @@ fn setup(area: Rect, faces: [Face; 2], collision: &Collision, given: Markings) -
 }
 
 /// Two discs before the contact, and the given information. The offset is drawn at the distance
-/// `ahead` of the target's centre at contact; the line of impact extends by `beyond` behind it.
+/// `ahead` of the target's centre at contact; the line of impact extends by `beyond` behind that
+/// centre.
 pub(super) fn about_to_meet(
     sketch: &mut Sketch,
     faces: [Face; 2],

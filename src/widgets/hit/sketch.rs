@@ -14,8 +14,7 @@ const LONGEST_ROOTED: f64 = 2.9;
 /// The length of the longest component along n that begins at a centre, as a fraction of the
 /// distance to the other centre, where the other disc's component begins.
 const LONGEST_ALONG: f64 = 0.96;
-/// The distance from the leading disc's rim to its arrow, which is drawn at its side, in the same
-/// radii.
+/// The distance from the leading disc's rim to the arrow drawn beside that disc, in the same radii.
 const BESIDE: f64 = 0.4;
 /// The room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
@@ -299,7 +298,8 @@ impl Sketch {
             both => {
                 let tail = root.tail(scale.per_speed * whole.v);
                 let end = |v: DVec2| tail + scale.per_speed * v;
-                // The side at the tip of one component has the length and colour of the other.
+                // The side at the tip of one component has the length and colour of the other
+                // component.
                 for (part, other) in both.iter().zip(both.iter().rev()) {
                     let pen = Pen::new(other.role).dotted();
                     let closing = pen.on(DrawLayer::Construction);

@@ -1,4 +1,4 @@
-//! Tests of printed pictures of all kinds of collisions.
+//! Tests of printed pictures for all kinds of collisions.
 
 use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;

@@ -25,7 +25,7 @@ pub struct DrawnPicture {
     pub(in crate::widgets) look: Look,
     /// The positions of its labels.
     pub(in crate::widgets) labels: Vec<PlacedLabel>,
-    /// The cells of its area when it was drawn. Cells that differ now were drawn over it later.
+    /// The cells of its area when it was drawn. Cells that differ now were drawn over later.
     pub(in crate::widgets) cells: Buffer,
 }
 

@@ -1,4 +1,4 @@
-//! A list with a chosen line, which behaves the same everywhere.
+//! A list with a chosen line. All lists behave in the same way.
 
 use strum::{EnumMessage, IntoStaticStr};
 

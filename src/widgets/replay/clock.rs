@@ -1,4 +1,4 @@
-//! The clock of a stroke being watched, which can run at other speeds, pause and step.
+//! The clock of a stroke being watched. It can run at other speeds, pause and step.
 
 use std::time::Duration;
 

@@ -40,8 +40,9 @@ pub(crate) fn sextants() -> impl Iterator<Item = (char, u8)> {
     ('\u{1fb00}'..='\u{1fb3b}').zip(own)
 }
 
-/// The octants, like [`sextants`]. Left out are those that consist of quadrants, those with older
-/// names (such as UPPER ONE QUARTER BLOCK), and the single corners, which are in another place.
+/// The octants, like [`sextants`]. This leaves out octants that consist of quadrants, those with
+/// older names (such as UPPER ONE QUARTER BLOCK), and the single corners, which are in another
+/// place.
 pub(crate) fn octants() -> impl Iterator<Item = (char, u8)> {
     const OTHERS: [u8; 10] = [0x01, 0x02, 0x03, 0x14, 0x28, 0x3f, 0x40, 0x80, 0xc0, 0xfc];
     let consists_of_quadrants = |parts: u8| (parts ^ parts >> 2) & 0b00_11_00_11 == 0;

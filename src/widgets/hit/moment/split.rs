@@ -58,9 +58,9 @@ impl Moment<'_> {
     }
 
     /// Where the initial velocity of a disc is drawn. If the target is at rest, the arrow begins at
-    /// the centre, so that its component along n ends where the target's begins. If both move, it
-    /// ends at the centre, unless the other disc is behind, so that each disc has its arrows on its
-    /// own side.
+    /// the centre, so that its component along n ends where the target's begins. If both discs
+    /// move, the arrow ends at the centre, unless the other disc is behind, so that each disc has
+    /// its arrows on its own side.
     fn root_before(&self, body: usize, v: DVec2) -> Root {
         let centre = self.stage.centres[body];
         if self.target_rests() || self.stage.runs_ahead(body, v) {
