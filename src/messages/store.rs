@@ -68,7 +68,7 @@ pub enum StoreRequest {
     Stars(String),
     /// List everyone who has done something here.
     Players,
-    /// Add what a player has done in a chapter to the bookmark there.
+    /// Add what a player has done in a chapter to its bookmark.
     Mark {
         /// The player's name.
         player: String,

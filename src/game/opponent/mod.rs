@@ -76,7 +76,7 @@ impl Decision {
 /// The stroke of an opponent of this strength for the player whose turn it is.
 ///
 /// The same game, strength and seed give the same decision; use another seed for each stroke.
-/// `None` if the board has ended or coins block every position of the striker, which requires
+/// `None` if the board has ended, or if coins block every position of the striker; then call
 /// [`Game::no_place`].
 pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
     let skill = strength.skill();

@@ -83,7 +83,7 @@ impl<'a> Sight<'a> {
     /// The path of a disc of `radius` from one point to another off a cushion; `None` if there is
     /// none.
     ///
-    /// The cushion reduces the velocity component towards it by the factor e, so the disc must aim
+    /// A cushion reduces the perpendicular velocity component by the factor e, so the disc must aim
     /// at the image of its goal, which is 1/e times as far behind the cushion as the goal is in
     /// front of it.
     pub(super) fn bounce(&self, from: DVec2, to: DVec2, wall: DVec2, radius: f64) -> Option<Way> {
@@ -155,8 +155,8 @@ impl Way {
             .map_or(leaving, |(_, kept)| sight.speed_for(before, leaving / kept))
     }
 
-    /// Whether a disc of `radius` can take this path past every coin except itself, if it is the
-    /// coin `own`, and the coin `target` at its end.
+    /// Whether a disc of `radius` can take this path past every coin other than `own` (the disc
+    /// itself, if it is a coin) and `target` (the coin at the end of the path).
     pub(super) fn is_clear(
         &self,
         sight: &Sight,

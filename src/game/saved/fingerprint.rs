@@ -6,8 +6,8 @@ use crate::game::seat::Team;
 use crate::game::table::Game;
 use crate::numbers::{FNV_START, fnv1a};
 
-/// A hash of a game's positions, turn, dues, queen and score: it differs for games that differ in a
-/// single bit, except with a probability of 10⁻¹⁹.
+/// A hash of a game's positions, turn, dues, queen and score: it differs even between games that
+/// differ in a single bit, except with a probability of 10⁻¹⁹.
 ///
 /// It is the 64-bit FNV-1a hash of these data. Their order is part of the file format, and so is
 /// the order in which pieces, seats and teams are declared. It detects damage and differences

@@ -40,8 +40,8 @@ fn along(collision: &Collision) -> DVec2 {
 }
 
 /// Two discs that are about to collide, with an empty protractor around the striker's position at
-/// contact. Both final paths begin in its middle, even the target's, because that path runs along
-/// the line through both centres.
+/// contact. Both final paths begin at the protractor's centre, even the target's, because that path
+/// runs along the line through both centres.
 pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
@@ -91,7 +91,7 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
 
 /// A shot whose offset the student chooses: the striker on its path, a perpendicular scale of
 /// offsets in millimetres, at the scale of the discs, and the required path of one disc. The
-/// student marks the target's position on the scale; its head-on position at 0 is dotted.
+/// student marks the target's position on the scale; the head-on position at 0 is dotted.
 pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     let collision = aim.with(0.0);
     let unit = collision.striker.radius.max(collision.target.radius);

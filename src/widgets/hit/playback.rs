@@ -54,7 +54,8 @@ pub(crate) struct Playback {
 
 impl Playback {
     /// A clock at the start of a shot whose discs touch at `contact` and that is shown until `end`;
-    /// with reduced motion it begins at the contact. There is at least one step of explanation.
+    /// with reduced motion the clock begins at the contact. There is at least one step of
+    /// explanation.
     pub(crate) fn new(contact: f64, end: f64, holds: Vec<f64>, pace: HitPace) -> Self {
         Self {
             contact,

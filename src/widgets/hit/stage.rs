@@ -11,7 +11,7 @@ use crate::widgets::picture::View;
 const HALF_HEIGHT: f64 = 3.3;
 
 /// Half of a low picture's shorter side, in the same radii. It is smaller because the discs would
-/// otherwise be too small to be round.
+/// otherwise be too small to look round.
 const LOW_HALF_HEIGHT: f64 = 2.9;
 
 /// The fraction of half the picture's height that is certainly visible.

@@ -8,7 +8,7 @@ use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
 /// The height, in rows, below which a disc is drawn as a token. Blocks are finer than letters, so
-/// discs made of blocks can be smaller and still round.
+/// discs made of blocks can be smaller and still look round.
 pub(super) const fn token_rows(charset: Charset) -> f64 {
     match charset {
         Charset::Ascii => 3.0,

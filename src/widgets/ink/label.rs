@@ -126,7 +126,7 @@ impl Canvas {
         (column - i32::from(area.x), row - i32::from(area.y))
     }
 
-    /// Writes a label at the first of `places` that is free. Each gives the number of rows to
+    /// Writes a label at the first of `places` that is free. Each place gives the number of rows to
     /// search, whether the label must be beside its own anchor, the cells required at both ends,
     /// and the layer up to which it may cover strokes.
     fn label_at(

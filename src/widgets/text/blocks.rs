@@ -34,7 +34,8 @@ pub(crate) const LEFT: [char; 7] = ['▏', '▎', '▍', '▌', '▋', '▊', '�
 pub(crate) const BRAILLE: [u32; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
 
 /// The sextants. The bits of their parts are numbered row by row from the top left, as in the name
-/// BLOCK SEXTANT-1346. They are sorted by their bits; the left and the right half are older.
+/// BLOCK SEXTANT-1346. The sextants are sorted by their bits; the left and the right half are older
+/// characters.
 pub(crate) fn sextants() -> impl Iterator<Item = (char, u8)> {
     let own = (1..63).filter(|parts| ![0b01_01_01, 0b10_10_10].contains(parts));
     ('\u{1fb00}'..='\u{1fb3b}').zip(own)

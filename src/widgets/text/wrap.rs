@@ -41,7 +41,7 @@ pub fn wrap(text: &str, columns: usize) -> Vec<String> {
 }
 
 /// Breaks an equation into rows of at most `columns`; rows after the first are shorter by `indent`.
-/// It breaks after a comma or between two equations, otherwise before an equals sign, otherwise
+/// It is broken after a comma or between two equations, otherwise before an equals sign, otherwise
 /// before an operator, the outermost first, and only then like [`wrap`].
 pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
     let mut rows = Vec::new();

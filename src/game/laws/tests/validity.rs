@@ -12,7 +12,7 @@ use crate::game::{Coin, Game, GameSetup, Hands, Piece, Seat, Team};
 pub(super) fn flaw(game: &Game) -> Option<&'static str> {
     let (play, setup) = (game.play(), game.setup());
     if check_coins(game.coins(), setup.set).is_err() {
-        return Some("coins cannot lie like this");
+        return Some("coins cannot be at these positions");
     }
     if !(setup.hands.plays(play.seat) && setup.hands.plays(setup.first_breaker)) {
         return Some("nobody sits at the seat whose turn it is");

@@ -55,9 +55,9 @@ fn one_disc_hits_the_cushion_and_comes_back() {
         .play(&board);
     let to_wall = 0.37 - COIN.radius - 0.1;
     let hit = shot.events()[0];
-    let expected = time_to_cover(to_wall, 1.5, a).expect("it gets there");
+    let expected = time_to_cover(to_wall, 1.5, a).expect("the disc gets there");
     assert_close(hit.time, expected, 1e-15);
-    let arrives = speed_after(to_wall, 1.5, a).expect("it gets there");
+    let arrives = speed_after(to_wall, 1.5, a).expect("the disc gets there");
     let EventKind::Cushion {
         before,
         after,
@@ -85,7 +85,7 @@ fn one_disc_falls_into_a_pocket() {
     let hole = 0.5 * board.pocket_diameter;
     let way = (0.37 - hole) * 2_f64.sqrt() - hole;
     let speed = 8_f64.sqrt();
-    let time = time_to_cover(way, speed, board.deceleration()).expect("it gets there");
+    let time = time_to_cover(way, speed, board.deceleration()).expect("the disc gets there");
     assert_eq!(shot.events().len(), 1);
     assert_close(shot.events()[0].time, time, 1e-15);
     let fall = EventKind::Pocket { disc: 0, corner: 2 };
@@ -111,7 +111,7 @@ fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
             .with(COIN, (0.05, -b), (0.0, 0.0))
             .play(&board);
         let way = 0.25 - reach * alpha.cos();
-        let time = time_to_cover(way, 2.0, a).expect("it gets there");
+        let time = time_to_cover(way, 2.0, a).expect("the disc gets there");
         let hit = shot.events()[0];
         assert_close(hit.time, time, 1e-14);
         assert_near(
@@ -120,7 +120,7 @@ fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
             1e-14,
         );
         // The discs leave as the closed forms for a target at rest predict.
-        let speed = speed_after(way, 2.0, a).expect("it gets there");
+        let speed = speed_after(way, 2.0, a).expect("the disc gets there");
         let EventKind::Impact {
             discs,
             normal,
@@ -151,7 +151,7 @@ fn two_sliding_discs_meet_at_the_predicted_time() {
         .with(COIN, (0.0, -0.2), (0.0, 1.7))
         .play(&board);
     let way = 0.2 - 2.0 * COIN.radius / 2_f64.sqrt();
-    let time = time_to_cover(way, 1.7, board.deceleration()).expect("it gets there");
+    let time = time_to_cover(way, 1.7, board.deceleration()).expect("the disc gets there");
     assert_close(shot.events()[0].time, time, 1e-14);
     assert_near(shot.at(0, time).position, DVec2::new(way - 0.2, 0.0), 1e-14);
     assert_near(shot.at(1, time).position, DVec2::new(0.0, way - 0.2), 1e-14);
@@ -303,7 +303,7 @@ fn a_symmetric_break_stays_symmetric() {
 fn an_impossible_shot_is_refused_with_a_reason() {
     let says = |board: &Board, table: &Table, limits: Limits| {
         play(board, &table.discs, &table.start, limits)
-            .expect_err("it is unusable")
+            .expect_err("the input is unusable")
             .to_string()
     };
     let limits = Limits::default();
@@ -354,7 +354,7 @@ fn a_shot_that_takes_too_much_work_stops_and_keeps_its_record() {
         let (discs, start) = (&table.discs, &table.start);
         let given_up = engine.play_into(&mut shot, &board, discs, start, limits);
         let Err(EngineError::TooMuchWork { time, .. }) = given_up else {
-            panic!("{work} looks: {given_up:?}");
+            panic!("{work} tests: {given_up:?}");
         };
         let played = shot.events();
         assert!(whole.events().starts_with(played), "{work}");

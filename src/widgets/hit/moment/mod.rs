@@ -68,8 +68,8 @@ impl Moment<'_> {
     }
 
     /// The velocities after the contact, for arrows at a given time. For a pair that moves on
-    /// together, both are the velocity of the centre of mass; in the centre-of-mass frame, they are
-    /// those of the discs.
+    /// together, both are the velocity of the centre of mass or, in the centre-of-mass frame, the
+    /// velocities of the discs.
     fn after(&self, time: f64) -> [DVec2; 2] {
         let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
         if self.sticks() && self.watch.frame == Frame::CentreOfMass {
