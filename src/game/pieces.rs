@@ -137,7 +137,7 @@ pub enum PieceSet {
     #[default]
     Tournament,
     /// Tournament sizes with a mass of 15 g for every piece, so that the paths of striker and coin
-    /// are at a right angle.
+    /// are at right angles.
     EqualMass,
 }
 

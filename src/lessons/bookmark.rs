@@ -174,7 +174,7 @@ mod tests {
         }
     }
 
-    /// The current page, and the numbers of pages seen, answered and right.
+    /// The current page, and the numbers of pages seen, answered, and answered correctly.
     fn standing(mark: &Bookmark, chapter: &Chapter) -> [usize; 4] {
         [
             mark.page(chapter),

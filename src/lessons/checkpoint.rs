@@ -33,7 +33,7 @@ pub struct Checkpoint {
 /// What the student has to enter at a checkpoint.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CheckpointKind {
-    /// The directions of both discs of the figure.
+    /// The directions of both discs in the figure.
     Rays,
     /// A number.
     Number {

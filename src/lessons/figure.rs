@@ -33,7 +33,7 @@ pub enum FigureKind {
         /// The first step, from 1, whose results are blank until the checkpoint is answered.
         blank: Option<usize>,
     },
-    /// The worked solution of numbers that the student sets.
+    /// The worked solution for numbers that the student sets.
     Solve,
     /// Particles passing a centre of repulsion.
     Foil {

@@ -62,7 +62,7 @@ pub enum Goal {
         /// The minimum number of cushions.
         least: usize,
     },
-    /// A disc hits cushions, in any order with other collisions.
+    /// A disc hits cushions, before or after other collisions.
     Cushions {
         /// The disc.
         disc: usize,

@@ -11,7 +11,7 @@ const WATCHED: f64 = 60.0;
 /// budget limits how long a player waits; no built-in level comes near it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Patience {
-    /// A few seconds: for a shot that is the whole task.
+    /// A few seconds: for a single shot, such as that of `carrom simulate`.
     Seconds,
     /// Five milliseconds: for a shot that is shown after a key press.
     AKey,

@@ -259,7 +259,7 @@ impl PlacedDisc {
     }
 }
 
-/// A length in millimetres with enough digits not to be zero.
+/// A length in millimetres with enough digits that it is not printed as zero.
 fn small(length: f64) -> String {
     let mm = mm_from_m(length);
     if mm < 0.01 {

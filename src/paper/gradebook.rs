@@ -11,7 +11,7 @@ use crate::progress::words::percent;
 /// The maximum number of letters in a name, and in the round or topic at the head of a column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
-/// The maximum number of letters of a question in a table. Only damaged files contain longer ones.
+/// The maximum number of letters in a question in a table. Only damaged files contain longer ones.
 const QUESTION: usize = 400;
 /// The maximum number of round or topic columns in a table; the rest go into further tables.
 const COLUMNS: usize = 6;

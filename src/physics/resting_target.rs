@@ -379,8 +379,8 @@ mod tests {
         assert_eq!(p.alpha_for_energy_passed(f64::NAN), None);
     }
 
-    /// A full and a thin hit can deflect a heavy striker by the same angle; for a light or equal
-    /// one, the thinner the hit, the smaller the deflection.
+    /// A full and a thin hit can deflect a heavy striker by the same angle; for a lighter striker
+    /// or one of equal mass, the thinner the hit, the smaller the deflection.
     #[test]
     fn only_a_heavy_striker_has_two_impact_angles_for_one_deflection() {
         for p in pairs() {

@@ -14,17 +14,16 @@ pub const FASTEST: f64 = 4.0;
 /// The striker is placed without error, because a player can check its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hand {
-    /// Error of the direction, as the tangent of the angle, which is practically the angle in
-    /// radians.
+    /// Error in direction, as the tangent of the angle (practically equal to the angle in radians).
     pub direction: f64,
-    /// Error of the speed, as a fraction of the speed.
+    /// Error in speed, as a fraction of the speed.
     pub speed: f64,
 }
 
 /// The error of one stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Slip {
-    /// Tangent of the error of the direction, positive to the left.
+    /// Tangent of the error in direction, positive to the left.
     pub turn: f64,
     /// Change in the speed, as a fraction of the speed.
     pub push: f64,

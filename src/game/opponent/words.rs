@@ -17,7 +17,7 @@ const FULL: f64 = 0.026;
 /// Below this fraction of its speed the striker is said to stop.
 const NEARLY_STOPPED: f64 = 0.05;
 
-/// The smallest error of the direction that is mentioned, in radians: it rounds to 0.1°.
+/// The smallest error in direction that is mentioned, in radians: it rounds to 0.1°.
 const SMALLEST_SLIP: f64 = 0.05 * PI / 180.0;
 
 /// The person in which the stroke is described.

@@ -1,4 +1,4 @@
-//! Events of a single disc: its stop, the cushions, the pockets.
+//! Events of a single disc: its stop, the cushions and the pockets.
 
 use glam::DVec2;
 

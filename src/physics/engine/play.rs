@@ -219,7 +219,7 @@ impl ShotInPlay<'_> {
     }
 }
 
-/// Where the engine puts a pocketed disc: beyond the reach of any other, each at a different
+/// Where the engine puts a pocketed disc: beyond the reach of any other disc, each at a different
 /// position.
 fn off_the_board(i: usize) -> Motion {
     Motion::at_rest(DVec2::new(1e9 * (i + 1) as f64, 1e9))

@@ -169,7 +169,7 @@ impl Playback {
         self.step_reached() == Some(self.last())
     }
 
-    /// Advances by `passed` on the screen. Time left over at the end of a step is carried over to
+    /// Advances by `passed` of screen time. Time left over at the end of a step is carried over to
     /// the next.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if self.wake(pace).is_none() {

@@ -323,7 +323,7 @@ impl Watch {
         }
     }
 
-    /// Advances the time by `passed` on the screen.
+    /// Advances by `passed` of screen time.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         self.clock.advance(passed, pace);
     }

@@ -98,7 +98,8 @@ fn rim_at(buffer: &Buffer) -> DVec2 {
     dvec2(fit.x / 2.0, fit.y / 4.0)
 }
 
-/// Where a lone disc on a canvas appears: the mean position of its colour, in cells.
+/// The position at which a lone disc on a canvas appears: the mean position of its colour, in
+/// cells.
 pub(super) fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
     let theme = Theme::default();
     let channels = |Rgb(red, green, blue): Rgb| [red, green, blue].map(f64::from);

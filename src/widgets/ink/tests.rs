@@ -124,8 +124,8 @@ fn a_line_reaches_both_ends_and_no_further() {
                     let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
                     ((middle - cell) * dvec2(1.0, 2.0)).length()
                 });
-                // The nearest ink is in the next cell at the farthest: half its diagonal plus half
-                // a cell away.
+                // The nearest ink is at most in the next cell: half a diagonal plus half a cell
+                // away.
                 assert!(nearest.fold(f64::MAX, f64::min) < 1.9, "{charset:?} {turn}");
             }
             let (a, b) = (canvas.view().to_cell(from), canvas.view().to_cell(to));
@@ -459,7 +459,8 @@ fn finer_blocks_make_discs_rounder() {
     let sets = [Blocks::Quadrants, Blocks::Sextants, Blocks::Octants];
     println!("distance of the rim from the circle in columns, of {sets:?}: mean, worst");
     for depth in [Depth::Ansi16, Depth::True] {
-        // A coin on the whole board has 1.4 columns at 120 × 40, 2.2 columns at 200 × 60.
+        // On the whole board a coin has a radius of 1.4 columns at 120 × 40 and 2.2 columns at 200
+        // × 60.
         for radius in [1.2, 1.4, 1.7, 2.0, 2.2, 2.5] {
             let places = (0..40).map(f64::from);
             let places = places.map(|it| dvec2((it * 0.755).fract(), 2.0 * (it * 0.57).fract()));

@@ -264,8 +264,8 @@ impl<A: Copy> KeyTable<A> {
         &self.rows
     }
 
-    /// The action of a key; a capital letter without an action of its own has that of the small
-    /// letter.
+    /// The action of a key; a capital letter without an action of its own has that of the
+    /// lower-case letter.
     pub fn find(&self, key: Key) -> Option<A> {
         self.exact(key).or_else(|| self.folded(key))
     }
@@ -292,7 +292,7 @@ impl<A: Copy> KeyTable<A> {
         self.rows.iter().find_map(|row| row.find(key))
     }
 
-    /// The action of a capital letter without an action of its own: that of the small letter.
+    /// The action of a capital letter without an action of its own: that of the lower-case letter.
     pub(crate) fn folded(&self, key: Key) -> Option<A> {
         match key {
             Key::Char(c) if c.is_ascii_uppercase() => self.exact(Key::Char(c.to_ascii_lowercase())),

@@ -272,7 +272,7 @@ impl<'p> Placed<'p> {
         self.pages.as_ref()
     }
 
-    /// The number of rows of the text that can be scrolled.
+    /// The number of rows in the scrollable text.
     pub(crate) fn rows(&self) -> u16 {
         self.rows
     }

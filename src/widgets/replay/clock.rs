@@ -94,7 +94,7 @@ impl ShotClock {
         self.rate = rate;
     }
 
-    /// Advances by `passed` on the screen.
+    /// Advances by `passed` of screen time.
     pub(crate) fn advance(&mut self, passed: Duration) {
         if self.running {
             self.time = (self.time + passed.as_secs_f64() * self.rate.seconds()).min(self.end);

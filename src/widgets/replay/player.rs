@@ -291,7 +291,7 @@ impl ShotPlayer {
         }
     }
 
-    /// Advances the time by `passed` on the screen.
+    /// Advances by `passed` of screen time.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.showing {
             Showing::Impact(watch) => watch.advance(passed, pace),
