@@ -7,7 +7,7 @@ use crate::files::Document;
 use crate::numbers::capital;
 use crate::paper::guide_page;
 
-/// Read the guides: how to run a class, write levels and chapters, and what is simulated
+/// Read the guides: how to run a class, how to write levels and chapters, and what is simulated
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The guide to print (default: a list of all guides)

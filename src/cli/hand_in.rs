@@ -52,7 +52,7 @@ Examples:
                                 class.csv, class-items.csv and class-beliefs.csv
 
   carrom gather ~/.local/share/carrom/handed-in --class 10b --out class.html
-                                what 10b has handed in on devices (carrom class --host)
+                                what 10b has handed in from devices (carrom class --host)
 
 carrom reads every .json file in the folder. A pupil or an answer that occurs twice is counted
 once; pupils with the same name are distinguished by their answers. carrom reports files that it

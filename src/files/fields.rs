@@ -277,7 +277,7 @@ impl<'a> Fields<'a> {
         let mut message = format!("expected {expected}, found {}", shown(value));
         let number = match value {
             DeValue::String(text) => with_a_point(text.trim()),
-            // Two numbers with decimal commas are read as three or four.
+            // Two numbers with decimal commas are read as three or four numbers.
             DeValue::Array(list) if list.len() > 2 => {
                 let written = self.source.text().get(found.span()).unwrap_or_default();
                 let mut words = written.trim_matches(['[', ']']).split_whitespace();

@@ -1,4 +1,4 @@
-//! Collections read from many files: chapters, packs of levels, questions.
+//! Collections read from many files: chapters, packs of levels, and questions.
 
 use std::path::{Path, PathBuf};
 

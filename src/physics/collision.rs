@@ -586,8 +586,8 @@ mod tests {
         let shared = hit.outcome().v1;
         close((v1 - shared).length(), 2.0 / 3.0);
         close((v2 - shared).length(), 2.0 / 3.0);
-        // Both move perpendicular to the line of centres, and the pair turns clockwise: the
-        // striker, which is above, moves to the right.
+        // Both centres move perpendicular to the line between them, and the pair turns clockwise:
+        // the striker, which is above, moves to the right.
         let normal = hit.normal().unwrap();
         close((v1 - shared).dot(normal), 0.0);
         assert!(v1.x > shared.x && v2.x < shared.x);

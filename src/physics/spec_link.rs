@@ -21,8 +21,8 @@ const SHORT: [(&str, &str); 11] = [
 ];
 
 impl CollisionSpec {
-    /// The fields that differ from the worked shot; empty if none does. Each number has all digits,
-    /// so that [`from_link`](Self::from_link) gives exactly the same collision.
+    /// The fields that differ from the worked shot; empty if none does. Each number is written with
+    /// all its digits, so that [`from_link`](Self::from_link) gives exactly the same collision.
     pub fn to_link(self) -> String {
         let usual = Self::default();
         let mut parts = Vec::new();

@@ -14,7 +14,7 @@ use crate::quiz::question::{
     WrongAnswer,
 };
 
-/// How many hits a round of this family has.
+/// The number of hits in a round of this family.
 pub(crate) const LENGTH: usize = 10;
 
 /// The ten hits of a seed, of mixed kinds and rising difficulty.

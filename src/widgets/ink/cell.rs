@@ -97,7 +97,7 @@ impl Cell {
         if samples == 0 {
             return;
         }
-        // A stroke that only touches a cell of another stroke does not change its style.
+        // A stroke that only touches a cell of another stroke does not change the cell's style.
         let takes = self.ink == 0 || (pen.layer >= self.pen.layer && samples.count_ones() > 1);
         match charset {
             // No glyph shows a crossing, so the upper stroke alone is clearer.
