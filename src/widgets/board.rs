@@ -1,10 +1,12 @@
-//! The board seen from above: its pockets and lines, and the discs on it.
+//! The board seen from above: its surface, frame, pockets and lines, and the discs on it.
+//!
+//! The lengths are those of the Laws of Carrom of the International Carrom Federation.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{DrawLayer, Pen, Picture, View};
+use super::picture::{DrawLayer, Pen, Picture, Region, View};
 use crate::numbers::capital;
 use crate::physics::Board;
 use crate::physics::units::mm_from_m;
@@ -16,6 +18,14 @@ const BASE_FROM_FRAME: f64 = 0.1015;
 /// The distance between the two lines of a pair, and the diameter of the circles at their ends, in
 /// metres.
 const BASE_WIDTH: f64 = 0.0318;
+/// The breadth of the frame, in metres.
+const FRAME: f64 = 0.0635;
+/// The distance from the point of a diagonal arrow to its pocket, in metres.
+const ARROW_FROM_POCKET: f64 = 0.050;
+/// The length of a diagonal arrow, in metres.
+const ARROW_LENGTH: f64 = 0.267;
+/// The length of the two strokes of an arrow's head, in metres.
+const ARROW_HEAD: f64 = 0.025;
 /// The radius of the outer circle, in metres.
 const OUTER_CIRCLE: f64 = 0.085;
 /// The radius of the centre circle, in metres.
@@ -57,18 +67,25 @@ pub(crate) fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
     middle.is_finite().then_some(middle)
 }
 
-/// Draws the pockets and lines.
+/// Draws the surface in its frame, the pockets and the lines. An open surface has none of them, and
+/// a board without pockets has no lines.
 pub(crate) fn ground(picture: &mut Picture, board: &Board) {
-    let half = side(board) / 2.0;
-    let radius = board.pocket_radius();
-    if radius <= 0.0 || !board.side.is_finite() {
+    if !board.side.is_finite() {
         return;
     }
-    for pocket in (0..4).filter_map(|corner| pocket(board, corner)) {
-        picture.circle(pocket, radius, Role::Pocket);
+    let half = board.side / 2.0;
+    picture.ground(Region::Square(half + FRAME), Role::Rail, None);
+    picture.ground(Region::Square(half), Role::Surface, Some(Role::BoardLine));
+    let radius = board.pocket_radius();
+    if radius <= 0.0 {
+        return;
     }
     // The lengths are those of a tournament board; the lines of other boards are scaled.
     let scale = board.side / Board::default().side;
+    for pocket in board.pockets() {
+        picture.ground(Region::Circle(pocket, radius), Role::Hole, Some(Role::Pocket));
+        arrow(picture, pocket, radius, scale);
+    }
     for quarter in 0..4 {
         base_lines(picture, half, scale, f64::from(quarter));
     }
@@ -98,6 +115,21 @@ pub(crate) fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
     picture.circle(at, radius, if large { pen.dotted() } else { pen });
 }
 
+/// The diagonal arrow that points to a pocket, unless it is too small to be distinguished.
+fn arrow(picture: &mut Picture, pocket: DVec2, radius: f64, scale: f64) {
+    if ARROW_HEAD * scale < picture.view().per_row() {
+        return;
+    }
+    let outwards = pocket.normalize_or_zero();
+    let tip = pocket - (radius + ARROW_FROM_POCKET * scale) * outwards;
+    let pen = Pen::new(Role::BoardLine);
+    picture.line(tip - ARROW_LENGTH * scale * outwards, tip, pen);
+    for turn in [-0.75, 0.75] {
+        let back = DVec2::from_angle(turn * std::f64::consts::PI).rotate(outwards);
+        picture.line(tip, tip + ARROW_HEAD * scale * back, pen);
+    }
+}
+
 /// One pair of base lines, rotated from the bottom by this many quarter turns.
 fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
     let axis = DVec2::from_angle(quarter * std::f64::consts::FRAC_PI_2);
@@ -116,7 +148,8 @@ fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
         picture.line(place(-end, from_frame), place(end, from_frame), pen);
     }
     for across in [-end, end] {
-        picture.circle(place(across, middle), BASE_WIDTH * scale / 2.0, pen);
+        let circle = Region::Circle(place(across, middle), BASE_WIDTH * scale / 2.0);
+        picture.ground(circle, Role::BaseCircle, Some(Role::BaseCircle));
     }
 }
 

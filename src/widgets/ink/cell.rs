@@ -12,6 +12,8 @@ pub(super) struct Cell {
     pub(super) pen: Pen,
     /// The disc on top, and the visible part of the one below it.
     pub(super) discs: [DiscCover; 2],
+    /// The parts of a board, below everything else.
+    pub(super) ground: [DiscCover; 3],
     /// A glyph that fills the whole cell.
     pub(super) glyph: Option<Glyph>,
     /// Whether labels must not cover the cell.
@@ -34,6 +36,17 @@ impl DiscCover {
         role: Role::Background,
         faint: false,
     };
+
+    /// Covers parts of a cell and becomes the first of them, in place of the smallest.
+    pub(super) fn cover<const N: usize>(self, parts: &mut [Self; N]) {
+        for part in &mut *parts {
+            part.bits &= !self.bits;
+        }
+        parts.sort_by_key(|part| part.bits.count_ones());
+        if let Some(smallest) = parts.first_mut() {
+            *smallest = self;
+        }
+    }
 }
 
 /// A glyph that fills a whole cell.
@@ -53,13 +66,24 @@ impl Cell {
         ink: 0,
         pen: Pen::new(Role::Background),
         discs: [DiscCover::NONE; 2],
+        ground: [DiscCover::NONE; 3],
         glyph: None,
         reserved: false,
     };
 
     /// Whether nothing has been drawn here.
     pub(super) fn is_empty(&self) -> bool {
-        self.ink == 0 && self.cover() == 0 && self.glyph.is_none()
+        self.ink == 0 && self.cover() == 0 && self.glyph.is_none() && !self.has_ground()
+    }
+
+    /// Whether a part of a board is below.
+    pub(super) fn has_ground(&self) -> bool {
+        self.ground[0].bits != 0
+    }
+
+    /// Whether there is nothing here but one part of a board.
+    pub(super) fn is_flat(&self) -> bool {
+        self.cover() == 0 && self.ground[0].bits == u64::MAX
     }
 
     /// The part of the cell that discs cover.
@@ -115,14 +139,7 @@ impl Cell {
         if self.pen.layer < DrawLayer::Disc && !disc.faint {
             self.ink &= !under(disc.bits, charset);
         }
-        let [top, below] = self.discs;
-        // Of three discs, only the two that cover the most are kept.
-        let rest = [top, below].map(|it| DiscCover {
-            bits: it.bits & !disc.bits,
-            ..it
-        });
-        let most = rest.into_iter().max_by_key(|it| it.bits.count_ones());
-        self.discs = [disc, most.unwrap_or(DiscCover::NONE)];
+        disc.cover(&mut self.discs);
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::{DVec2, dvec2};
 
 use super::canvas::Canvas;
-use super::cell::{DiscCover, Glyph};
+use super::cell::{Cell, DiscCover, Glyph};
 use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
@@ -78,31 +78,43 @@ impl Canvas {
 
     /// Covers the cells under a disc, span by span; all lengths are on paper.
     fn cover(&mut self, centre: DVec2, radius: f64, (role, faint): (Role, bool)) {
-        if !(centre.is_finite() && radius.is_finite()) {
+        let charset = self.charset;
+        let span = |y: f64| {
+            let half = radius.mul_add(radius, -(y - centre.y).powi(2));
+            (half > 0.0).then(|| (centre.x - half.sqrt(), centre.x + half.sqrt()))
+        };
+        let reach = DVec2::splat(radius);
+        self.covered([centre - reach, centre + reach], span, |cell, bits| {
+            cell.fill(DiscCover { bits, role, faint }, charset);
+        });
+    }
+
+    /// Calls `each` with the cells of a convex shape and the covered part of each. The shape is
+    /// given by its bounds and by its span at each height; all lengths are on paper.
+    pub(super) fn covered(
+        &mut self,
+        [low, high]: [DVec2; 2],
+        span: impl Fn(f64) -> Option<(f64, f64)>,
+        mut each: impl FnMut(&mut Cell, u64),
+    ) {
+        if !(low.is_finite() && high.is_finite()) {
             return;
         }
         let (columns, rows) = self.size();
         let clamp = |value: f64, high: i32| value.floor().clamp(0.0, f64::from(high)) as i32;
-        let top = clamp((centre.y - radius) / 2.0, rows);
-        let bottom = clamp((centre.y + radius) / 2.0 + 1.0, rows);
-        for row in top..bottom {
+        for row in clamp(low.y / 2.0, rows)..clamp(high.y / 2.0 + 1.0, rows) {
             // The eight spans of this row: from left to right, in columns.
             let spans: [Option<(f64, f64)>; 8] = std::array::from_fn(|eighth| {
-                let y = 2.0 * f64::from(row) + (eighth as f64 + 0.5) / 4.0 - centre.y;
-                let half = radius.mul_add(radius, -y * y);
-                (half > 0.0).then(|| (centre.x - half.sqrt(), centre.x + half.sqrt()))
+                span(2.0 * f64::from(row) + (eighth as f64 + 0.5) / 4.0)
             });
-            let left = clamp(centre.x - radius, columns);
-            let right = clamp(centre.x + radius + 1.0, columns);
-            for column in left..right {
+            for column in clamp(low.x, columns)..clamp(high.x + 1.0, columns) {
                 let bits = spans.iter().enumerate().fold(0, |cover, (eighth, span)| {
                     let bits = span.map_or(0, |(from, to)| eighths(from, to, f64::from(column)));
                     cover | u64::from(bits) << (8 * eighth)
                 });
-                let charset = self.charset;
                 let cell = self.cell_mut((column, row)).filter(|_| bits != 0);
                 if let Some(cell) = cell {
-                    cell.fill(DiscCover { bits, role, faint }, charset);
+                    each(cell, bits);
                 }
             }
         }

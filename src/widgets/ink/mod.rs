@@ -12,6 +12,7 @@ mod crowd;
 mod disc;
 pub(crate) mod gallery;
 mod glyphs;
+mod ground;
 mod label;
 mod plot;
 mod shades;

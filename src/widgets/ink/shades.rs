@@ -5,10 +5,10 @@ use super::glyphs::block;
 use crate::widgets::Role;
 use crate::widgets::theme::{Rgb, Theme};
 
-/// The true colours of a cell: of the discs, and of the background beside them.
+/// The true colours of a cell: of the discs, and of the board and the background beside them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shades {
-    parts: [(u64, Rgb); 3],
+    parts: [(u64, Rgb); 6],
 }
 
 impl Shades {
@@ -20,9 +20,13 @@ impl Shades {
             };
             (disc.bits, colour)
         });
-        let rest = (!cell.cover(), theme.rgb(Role::Background));
+        let free = !cell.cover();
+        let [a, b, c] = cell
+            .ground
+            .map(|part| (part.bits & free, theme.rgb(part.role)));
+        let rest = (free & !(a.0 | b.0 | c.0), theme.rgb(Role::Background));
         Self {
-            parts: [top, below, rest],
+            parts: [top, below, a, b, c, rest],
         }
     }
 
@@ -81,9 +85,10 @@ mod tests {
 
     fn shades(disc: u64, other: u64) -> Shades {
         let other = other & !disc;
-        Shades {
-            parts: [(disc, DISC), (other, OTHER), (!(disc | other), PAPER)],
-        }
+        let rest = (!(disc | other), PAPER);
+        let mut parts = [(0, PAPER); 6];
+        parts[..3].copy_from_slice(&[(disc, DISC), (other, OTHER), rest]);
+        Shades { parts }
     }
 
     #[test]

@@ -25,6 +25,8 @@ const SHADES: usize = 4;
 const LONGEST_RAY: f64 = 0.16;
 /// Length of the arrow that shows the aim if the aim line is off, in metres.
 const STUB: f64 = 0.09;
+/// The distance of the line on the side of a seat from the frame, in metres.
+const OWN_SIDE: f64 = 0.03;
 /// Length of the arrow that shows the strength, in metres per m/s.
 const ARROW: f64 = 0.03;
 
@@ -177,8 +179,8 @@ fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
 
 /// Marks the seat whose turn it is, between its base line and the frame.
 fn own_side(picture: &mut Picture, seat: Seat) {
-    let half = Board::default().side / 2.0;
-    let end = |along: f64| seat.turn(DVec2::new(along, -half));
+    let edge = -Board::default().side / 2.0;
+    let end = |along: f64| seat.turn(DVec2::new(along, edge + OWN_SIDE));
     let pen = Pen::new(Role::Striker).on(DrawLayer::Trail);
     picture.line(end(-0.2), end(0.2), pen);
 }
