@@ -75,7 +75,7 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     }
     let half = board.side / 2.0;
     picture.ground(Region::Square(half + FRAME), Role::Rail, None);
-    picture.ground(Region::Square(half), Role::Surface, Some(Role::BoardLine));
+    picture.ground(Region::Square(half), Role::Surface, Some(Role::Rail));
     let radius = board.pocket_radius();
     if radius <= 0.0 {
         return;
@@ -83,7 +83,11 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     // The lengths are those of a tournament board; the lines of other boards are scaled.
     let scale = board.side / Board::default().side;
     for pocket in board.pockets() {
-        picture.ground(Region::Circle(pocket, radius), Role::Hole, Some(Role::Pocket));
+        picture.ground(
+            Region::Circle(pocket, radius),
+            Role::Hole,
+            Some(Role::Pocket),
+        );
         arrow(picture, pocket, radius, scale);
     }
     for quarter in 0..4 {

@@ -191,11 +191,10 @@ impl Canvas {
     /// The final character and style of a cell.
     fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let (symbol, style) = self.look_on_paper(cell, theme);
-        if cell.has_ground() && style.bg.is_none() {
-            let paper = Shades::of(cell, theme).mean(!cell.cover());
-            return (symbol, style.bg(theme.shade(paper)));
+        match cell.ground_role().filter(|_| style.bg.is_none()) {
+            Some(role) => (symbol, style.bg(theme.colour(role))),
+            None => (symbol, style),
         }
-        (symbol, style)
     }
 
     /// The character and style of a cell if the background below it is not changed.

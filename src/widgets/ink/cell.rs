@@ -39,6 +39,9 @@ impl DiscCover {
 
     /// Covers parts of a cell and becomes the first of them, in place of the smallest.
     pub(super) fn cover<const N: usize>(self, parts: &mut [Self; N]) {
+        if self.bits == u64::MAX {
+            *parts = [Self::NONE; N];
+        }
         for part in &mut *parts {
             part.bits &= !self.bits;
         }
@@ -77,8 +80,16 @@ impl Cell {
     }
 
     /// Whether a part of a board is below.
-    pub(super) fn has_ground(&self) -> bool {
+    fn has_ground(&self) -> bool {
         self.ground[0].bits != 0
+    }
+
+    /// The largest part of a board here; of two equal ones the upper one, so that a token beside the
+    /// frame is on the surface.
+    pub(super) fn ground_role(&self) -> Option<Role> {
+        let parts = self.ground.iter().rev();
+        let largest = parts.max_by_key(|part| part.bits.count_ones());
+        largest.filter(|_| self.has_ground()).map(|part| part.role)
     }
 
     /// Whether there is nothing here but one part of a board.
@@ -96,9 +107,11 @@ impl Cell {
         self.discs.iter().all(|disc| disc.faint || disc.bits == 0)
     }
 
-    /// Whether the edge of a disc is clearly visible in this cell.
+    /// Whether the edge of a disc is clearly visible in this cell, or that of a part of a board
+    /// with nothing but lines of the board on it.
     pub(super) fn has_edge(&self) -> bool {
-        (8..64).contains(&self.discs[0].bits.count_ones())
+        let is_edge = |cover: &DiscCover| (8..64).contains(&cover.bits.count_ones());
+        is_edge(&self.discs[0]) || self.pen.layer == DrawLayer::Ground && is_edge(&self.ground[0])
     }
 
     /// The topmost layer with a mark in this cell.

@@ -79,35 +79,36 @@ impl Canvas {
     /// Covers the cells under a disc, span by span; all lengths are on paper.
     fn cover(&mut self, centre: DVec2, radius: f64, (role, faint): (Role, bool)) {
         let charset = self.charset;
-        let span = |y: f64| {
-            let half = radius.mul_add(radius, -(y - centre.y).powi(2));
-            (half > 0.0).then(|| (centre.x - half.sqrt(), centre.x + half.sqrt()))
-        };
-        let reach = DVec2::splat(radius);
-        self.covered([centre - reach, centre + reach], span, |cell, bits| {
+        self.covered(centre, radius, |cell, bits| {
             cell.fill(DiscCover { bits, role, faint }, charset);
         });
     }
 
-    /// Calls `each` with the cells of a convex shape and the covered part of each. The shape is
-    /// given by its bounds and by its span at each height; all lengths are on paper.
+    /// Calls `each` with the cells under a circle and the covered part of each; all lengths are on
+    /// paper.
     pub(super) fn covered(
         &mut self,
-        [low, high]: [DVec2; 2],
-        span: impl Fn(f64) -> Option<(f64, f64)>,
+        centre: DVec2,
+        radius: f64,
         mut each: impl FnMut(&mut Cell, u64),
     ) {
-        if !(low.is_finite() && high.is_finite()) {
+        if !(centre.is_finite() && radius.is_finite()) {
             return;
         }
         let (columns, rows) = self.size();
         let clamp = |value: f64, high: i32| value.floor().clamp(0.0, f64::from(high)) as i32;
-        for row in clamp(low.y / 2.0, rows)..clamp(high.y / 2.0 + 1.0, rows) {
+        let top = clamp((centre.y - radius) / 2.0, rows);
+        let bottom = clamp((centre.y + radius) / 2.0 + 1.0, rows);
+        for row in top..bottom {
             // The eight spans of this row: from left to right, in columns.
             let spans: [Option<(f64, f64)>; 8] = std::array::from_fn(|eighth| {
-                span(2.0 * f64::from(row) + (eighth as f64 + 0.5) / 4.0)
+                let y = 2.0 * f64::from(row) + (eighth as f64 + 0.5) / 4.0 - centre.y;
+                let half = radius.mul_add(radius, -y * y);
+                (half > 0.0).then(|| (centre.x - half.sqrt(), centre.x + half.sqrt()))
             });
-            for column in clamp(low.x, columns)..clamp(high.x + 1.0, columns) {
+            let left = clamp(centre.x - radius, columns);
+            let right = clamp(centre.x + radius + 1.0, columns);
+            for column in left..right {
                 let bits = spans.iter().enumerate().fold(0, |cover, (eighth, span)| {
                     let bits = span.map_or(0, |(from, to)| eighths(from, to, f64::from(column)));
                     cover | u64::from(bits) << (8 * eighth)
@@ -147,7 +148,7 @@ impl Canvas {
 }
 
 /// The eighths of the cell beginning at `column` whose middles are between `from` and `to`.
-fn eighths(from: f64, to: f64, column: f64) -> u8 {
+pub(super) fn eighths(from: f64, to: f64, column: f64) -> u8 {
     let edge = |at: f64| ((at - column) * 8.0 + 0.5).floor().clamp(0.0, 8.0) as u32;
     let (low, high) = (edge(from), edge(to));
     (((1u32 << high) - 1) & !((1u32 << low) - 1)) as u8

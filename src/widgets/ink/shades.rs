@@ -38,7 +38,8 @@ impl Shades {
 
     fn means(&self, bits: u64) -> [f64; 3] {
         let all = f64::from(bits.count_ones().max(1));
-        let sum = self.parts.iter().fold([0.0; 3], |sum, (part, colour)| {
+        let parts = self.parts.iter().filter(|(part, _)| part & bits != 0);
+        let sum = parts.fold([0.0; 3], |sum, (part, colour)| {
             let count = f64::from((part & bits).count_ones());
             let [red, green, blue] = channels(*colour);
             [
@@ -58,15 +59,18 @@ impl Shades {
             let apart: f64 = channels(*colour).into_iter().zip(mean).map(square).sum();
             f64::from((part & bits).count_ones()) * apart
         };
-        self.parts.iter().map(off).sum()
+        let parts = self.parts.iter().filter(|(part, _)| part & bits != 0);
+        parts.map(off).sum()
     }
 
     /// The block element with the smallest error, and its foreground and background colours.
     pub(super) fn fitted(&self) -> (char, [Rgb; 2]) {
         let off = |bits: u64| self.error(bits) + self.error(!bits);
-        let (symbol, bits) = block::shapes()
-            .min_by(|a, b| off(a.1).total_cmp(&off(b.1)))
-            .unwrap_or((' ', 0));
+        // The edge of a frame has the shape of a block element, so the search ends early.
+        let is_part = |bits: u64| self.parts.iter().any(|part| part.0 == bits);
+        let exact = || block::shapes().find(|it| is_part(it.1) && is_part(!it.1));
+        let nearest = || block::shapes().min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
+        let (symbol, bits) = exact().or_else(nearest).unwrap_or((' ', 0));
         (symbol, [bits, !bits].map(|bits| self.mean(bits)))
     }
 }

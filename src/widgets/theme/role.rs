@@ -64,7 +64,7 @@ pub enum Role {
     Trail,
     /// The direction in which the player aims.
     Aim,
-    /// The lines of a board, and the outline of its surface.
+    /// The lines of a board.
     BoardLine,
     /// The outline of a pocket.
     Pocket,
@@ -130,7 +130,7 @@ impl Role {
             R::BoardLine => (0x6b6259, 0xb5a68e, C::DarkGray, C::Gray),
             R::Pocket => (0x7a8294, 0x858d9b, C::LightBlue, C::DarkGray),
             R::Surface => (0x2a1f14, 0xf6ecd8, C::Black, C::White),
-            R::Rail => (0x744a24, 0xc9a06a, C::DarkGray, C::Gray),
+            R::Rail => (0x744a24, 0xc9a06a, C::Gray, C::DarkGray),
             R::Hole => (0x060403, 0x4a3b2c, C::Black, C::DarkGray),
             R::BaseCircle => (0x5a1f1a, 0xeebfb2, C::Red, C::LightRed),
             R::Axis => (0x7f899b, 0x707887, C::DarkGray, C::DarkGray),

@@ -21,6 +21,8 @@ use crate::widgets::{Role, board, sheet};
 const FADE: f64 = 0.9;
 /// The number of shades of a trail, each fainter than the next.
 const SHADES: usize = 4;
+/// The number of shades of the ring at a pocket after a disc has fallen into it.
+const RING_SHADES: f64 = 4.0;
 /// The greatest length of a path drawn after the first collision, in metres.
 const LONGEST_RAY: f64 = 0.16;
 /// Length of the arrow that shows the aim if the aim line is off, in metres.
@@ -219,7 +221,9 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
 fn answer(picture: &mut Picture, share: f64, corner: usize) {
     let board = Board::default();
     if let Some(pocket) = board::pocket(&board, corner).filter(|_| (0.0..1.0).contains(&share)) {
-        let pen = Pen::new(Role::Good).bold().aged(share);
+        // A shade lasts for several frames, so that most of them repaint nothing.
+        let age = (share * RING_SHADES).floor() / RING_SHADES;
+        let pen = Pen::new(Role::Good).bold().aged(age);
         let radius = board.pocket_radius();
         picture.circle(pocket, radius * (0.4 + share), pen);
         picture.circle(pocket, radius, pen);
