@@ -159,7 +159,114 @@ fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
 
 #[cfg(test)]
 mod tests {
+    use ratatui::buffer::Buffer;
+
     use super::*;
+    use crate::widgets::picture::Mark;
+    use crate::widgets::{Charset, Depth, Look, Palette, Theme};
+
+    /// The board drawn in an area with two cells of free space around it.
+    fn drawn(size: (u16, u16), board: &Board, charset: Charset, depth: Depth) -> (Rect, Buffer) {
+        let theme = Theme::new(Palette::Dark, depth);
+        let area = Rect::new(2, 2, size.0, size.1);
+        let mut cells = Buffer::empty(Rect::new(0, 0, size.0 + 4, size.1 + 4));
+        let mut picture = Picture::new(view(area, board));
+        ground(&mut picture, board);
+        picture.draw(&mut cells, &Look { charset, theme });
+        (area, cells)
+    }
+
+    #[test]
+    fn the_surface_fills_every_cell_of_the_board_and_none_outside() {
+        for (size, charset) in [
+            ((39, 20), Charset::Unicode),
+            ((71, 36), Charset::Unicode),
+            ((39, 20), Charset::Ascii),
+            ((71, 36), Charset::Ascii),
+        ] {
+            let (area, cells) = drawn(size, &Board::default(), charset, Depth::True);
+            let untouched = Buffer::empty(Rect::new(0, 0, 1, 1));
+            for at in cells.area.positions() {
+                let is_inside = area.contains(at);
+                assert_eq!(
+                    cells[at] != untouched[(0, 0)],
+                    is_inside,
+                    "{charset:?} {at}"
+                );
+                assert_eq!(
+                    cells[at].bg != untouched[(0, 0)].bg,
+                    is_inside,
+                    "{charset:?} {at}"
+                );
+            }
+            // Halfway between the middle and the rail there is nothing but the surface.
+            let at = (area.x + area.width / 2, area.y + area.height / 4 + 1);
+            let surface = Theme::new(Palette::Dark, Depth::True).colour(Role::Surface);
+            assert_eq!((cells[at].symbol(), cells[at].bg), (" ", surface));
+        }
+    }
+
+    #[test]
+    fn a_rail_follows_the_edge_of_the_surface() {
+        let board = Board::default();
+        for (charset, depth, signs) in [
+            (Charset::Unicode, Depth::True, ["▌", "▌", "▀", "▀"]),
+            (Charset::Unicode, Depth::None, ["⢸", "⢸", "⠤", "⠤"]),
+            (Charset::Ascii, Depth::True, ["|", "|", "-", "-"]),
+            (Charset::Ascii, Depth::None, ["|", "|", "-", "-"]),
+        ] {
+            let (area, cells) = drawn((39, 20), &board, charset, depth);
+            let (x, y) = (area.x + 19, area.y + 10);
+            let right_and_bottom = [(area.right() - 1, y), (x, area.bottom() - 1)];
+            let [left, top] = [(area.left(), y), (x, area.top())].map(|at| &cells[at]);
+            let [right, bottom] = right_and_bottom.map(|at| &cells[at]);
+            let found = [left, right, top, bottom].map(|cell| cell.symbol());
+            assert_eq!(found, signs, "{charset:?} {depth:?}");
+            // In block elements the rail is the outer half of each cell.
+            let colours = match charset {
+                Charset::Unicode => [left.fg, right.bg, top.fg, bottom.bg],
+                Charset::Ascii => [left.fg, right.fg, top.fg, bottom.fg],
+            };
+            let rail = Theme::new(Palette::Dark, depth).colour(Role::Rail);
+            assert_eq!(colours, [rail; 4], "{charset:?} {depth:?}");
+        }
+    }
+
+    #[test]
+    fn an_open_surface_has_no_edge() {
+        let (_, cells) = drawn((39, 20), &Board::open(1.0), Charset::Unicode, Depth::True);
+        assert_eq!(cells, Buffer::empty(cells.area));
+    }
+
+    #[test]
+    fn the_diagonal_arrows_pass_between_the_base_circles() {
+        let area = Rect::new(0, 0, 71, 36);
+        let mut picture = Picture::new(view(area, &Board::default()));
+        ground(&mut picture, &Board::default());
+        let (mut arrows, mut circles) = (Vec::new(), Vec::new());
+        for mark in &picture.marks {
+            match *mark {
+                Mark::Line { from, to, .. } if from.distance(to) > 0.5 * ARROW_LENGTH => {
+                    let is_diagonal = (from.x.abs() - from.y.abs()).abs() < 1e-9;
+                    arrows.extend(is_diagonal.then_some([from, to]));
+                }
+                Mark::Ground {
+                    region: Region::Circle(centre, _),
+                    role: Role::BaseCircle,
+                    ..
+                } => circles.push(centre),
+                _ => {}
+            }
+        }
+        assert_eq!((arrows.len(), circles.len()), (4, 8));
+        for [from, to] in arrows {
+            assert!((from.distance(to) - 0.267).abs() < 1e-9);
+            let along = (to - from).normalize();
+            for centre in &circles {
+                assert!((*centre - from).perp_dot(along).abs() > 0.0159, "{centre}");
+            }
+        }
+    }
 
     #[test]
     fn the_board_is_square_in_every_area() {

@@ -184,6 +184,7 @@ impl Role {
             | R::TangentLine
             | R::Trail
             | R::BoardLine
+            | R::Rail
             | R::BaseCircle
             | R::Axis
             | R::LineOfImpact
