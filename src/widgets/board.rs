@@ -1,6 +1,6 @@
 //! The board seen from above: its surface, frame, pockets and lines, and the discs on it.
 //!
-//! The lengths are those of the Laws of Carrom of the International Carrom Federation.
+//! The lengths are those of the Laws of Carrom of the International Carrom Federation, section I.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -18,14 +18,14 @@ const BASE_FROM_FRAME: f64 = 0.1015;
 /// The distance between the two lines of a pair, and the diameter of the circles at their ends, in
 /// metres.
 const BASE_WIDTH: f64 = 0.0318;
-/// The breadth of the frame, in metres.
+/// The smallest breadth of the frame that the Laws allow, in metres.
 const FRAME: f64 = 0.0635;
 /// The distance from the point of a diagonal arrow to its pocket, in metres.
 const ARROW_FROM_POCKET: f64 = 0.050;
 /// The length of a diagonal arrow, in metres.
 const ARROW_LENGTH: f64 = 0.267;
 /// The length of the two strokes of an arrow's head, in metres.
-const ARROW_HEAD: f64 = 0.025;
+const ARROW_HEAD: f64 = 0.030;
 /// The radius of the outer circle, in metres.
 const OUTER_CIRCLE: f64 = 0.085;
 /// The radius of the centre circle, in metres.
