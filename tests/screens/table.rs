@@ -200,10 +200,10 @@ fn seen(game: &mut Headless, charset: Charset) -> [usize; 3] {
         Charset::Ascii => (["o", "@", "Q"], "++"),
         Charset::Unicode => (["○W", "●B", "Q"], "╮╭"),
     };
-    // Without the title and the panel beside it.
+    // Without the title, the keys and the panel beside it.
     let frame = screen.lines().nth(1).unwrap();
     let columns = frame.split_once(corners).unwrap().0.chars().count();
-    let rows = screen.lines().skip(2);
+    let rows = screen.lines().filter(|row| row.starts_with(['|', '│']));
     let board: String = rows.flat_map(|row| row.chars().take(columns)).collect();
     tokens.map(|any| board.chars().filter(|sign| any.contains(*sign)).count())
 }
