@@ -27,11 +27,12 @@ impl PlacedLabel {
         if inside != self.place {
             return;
         }
-        let style = theme.base().patch(theme.style(self.role));
         for position in inside.positions() {
+            let paper = buffer[position].bg;
             buffer[position].reset();
+            buffer[position].bg = paper;
         }
-        buffer.set_string(inside.x, inside.y, &self.text, style);
+        buffer.set_string(inside.x, inside.y, &self.text, theme.style(self.role));
     }
 }
 
