@@ -86,7 +86,7 @@ const NAMED: [&str; 25] = [
     "gold of 0.21 micrometres",
     "to within 20 %.",
     "they agree within 20 %.",
-    "You cannot tell, with 20 %.",
+    "You cannot tell: 20 % is a lot.",
 ];
 
 fn after(m1_g: f64, m2_g: f64, speed: f64, alpha_deg: f64, restitution: f64) -> CollisionOutcome {
