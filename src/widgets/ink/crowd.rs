@@ -19,7 +19,7 @@ const OUTLINED: f64 = 2.0;
 const RING: f64 = 1.25;
 
 impl Canvas {
-    /// Draws discs of one scale: all round if even the smallest is large enough, otherwise all as
+    /// Draws discs at one scale: all as circles if the smallest is large enough, otherwise all as
     /// [tokens](token).
     ///
     /// A round disc is at its true position, with its letter in the cell that holds its centre.
@@ -54,7 +54,7 @@ impl Canvas {
         }
     }
 
-    /// Whether discs of one scale are drawn round: if the smallest is high enough to be
+    /// Whether discs at one scale are drawn as circles: if the smallest is high enough to be
     /// distinguished from its neighbours.
     pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
         let smallest = bodies.iter().map(|body| body.radius);

@@ -108,7 +108,7 @@ impl Canvas {
         role: Role,
         clear: bool,
     ) -> bool {
-        // First try free paper with a blank at both ends; then without the blanks, then over boards
+        // First try empty cells with a blank at both ends; then without the blanks, then over boards
         // and trails, then over geometry.
         let ends = if clear { Ends::NoArrow } else { Ends::Any };
         let places = [

@@ -130,8 +130,8 @@ fn meant(picture: &mut Picture, stroke: &ComputerStroke, role: Role) {
     picture.curve(way.copied(), pen.dotted());
 }
 
-/// Draws the computer's intended stroke beside the actual one: its path, the error, and the
-/// pocket that it was meant for.
+/// Draws the computer's intended stroke beside the actual one: the intended path, the error, and
+/// the target pocket.
 fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
     if let Some(pointer) = &stroke.pointer {
         point_out(picture, pointer);
