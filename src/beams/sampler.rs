@@ -61,7 +61,7 @@ impl Sampler {
         sampler
     }
 
-    /// The bin of `w`, which is at least `from`.
+    /// The bin of `w`, at `from` or later.
     fn search(&self, from: usize, w: u64) -> usize {
         let mut bin = from;
         // The edges end with zeros, and no `w` is below 0.

@@ -39,7 +39,7 @@ impl fmt::Display for JoinCode {
 
 /// The message for a string that is not a [`JoinCode`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("expected the six letters of a class, such as BCDFGH")]
+#[error("expected a six-letter class code, such as BCDFGH")]
 pub struct NoJoinCode;
 
 impl FromStr for JoinCode {

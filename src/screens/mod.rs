@@ -63,7 +63,7 @@ pub trait Screen {
     /// The current keys, the most useful first.
     fn keys(&self, cx: &Context) -> KeyTable<Self::Action>;
 
-    /// The introduction of the help page: what the screen is for and how to begin, in paragraphs.
+    /// The help page's introduction: what the screen is for and how to begin, in paragraphs.
     fn about(&self, cx: &Context) -> Vec<&'static str>;
 
     /// Handles a key before the table does, for text input. Returns whether the key was used.

@@ -1,4 +1,4 @@
-//! The page used by touch alone, on an upright phone.
+//! Touch-only use of the page, on a phone in portrait.
 
 use serde_json::{Value, json};
 

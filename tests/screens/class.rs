@@ -92,7 +92,7 @@ fn three_teams_play_a_round_and_get_its_tables() {
         }
         assert_eq!(game.screen().matches("[x]").count(), 3, "{}", game.screen());
         game.press("<Enter>");
-        assert!(game.screen().contains("Find someone"), "{}", game.screen());
+        assert!(game.screen().contains("Explain your"), "{}", game.screen());
         game.press("<Enter>2");
         game.press(&said(form, &truth));
         let screen = game.screen();
@@ -314,7 +314,7 @@ fn a_killed_round_is_resumed_where_it_was_left() {
     assert_eq!(screen.matches("[x]").count(), 2, "{screen}");
     assert!(screen.contains("> 3 Cats"), "{screen}");
     game.press("<Enter>10<Enter>20<Enter><Enter>");
-    assert!(game.screen().contains("Find someone"));
+    assert!(game.screen().contains("Explain your"));
     // The resumed round is saved in the same file.
     let rounds = kept(folder.path());
     assert_eq!((rounds.len(), rounds[0].voted(0, Vote::First)), (1, 3));

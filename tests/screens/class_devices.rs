@@ -290,7 +290,7 @@ fn a_round_with_invalid_votes_is_resumed_without_them() {
     press(&mut class, ada, "<Enter>", "You are in, Ada.");
     // The first key closes the notice.
     press(&mut class, Who::Host, "<Enter>", "the code of this class");
-    press(&mut class, Who::Host, "<Enter>", "Find someone who");
+    press(&mut class, Who::Host, "<Enter>", "Explain your");
     press(&mut class, ada, "", "Talk: find someone");
     let kept = fs::read_to_string(&file).unwrap();
     assert!(

@@ -78,7 +78,7 @@ const NAMED: [&str; 25] = [
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",
     "A 15 g striker at",
-    "hits a 15 g coin at rest head-on",
+    "hits a 15 g coin at rest, head-on",
     "Compare two head-on collisions of 15 g discs",
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",
@@ -86,7 +86,7 @@ const NAMED: [&str; 25] = [
     "gold of 0.21 micrometres",
     "to within 20 %.",
     "they agree within 20 %.",
-    "You cannot tell, with 20 %.",
+    "You cannot tell: 20 % is a lot.",
 ];
 
 fn after(m1_g: f64, m2_g: f64, speed: f64, alpha_deg: f64, restitution: f64) -> CollisionOutcome {

@@ -196,15 +196,15 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
 /// The number of visible pieces of each kind on the board: white, black, queen.
 fn seen(game: &mut Headless, charset: Charset) -> [usize; 3] {
     let screen = game.screen();
-    let (tokens, side) = match charset {
-        Charset::Ascii => (["o", "@", "Q"], "||"),
-        Charset::Unicode => (["○W", "●B", "Q"], "││"),
+    let (tokens, corners) = match charset {
+        Charset::Ascii => (["o", "@", "Q"], "++"),
+        Charset::Unicode => (["○W", "●B", "Q"], "╮╭"),
     };
-    // Without the title and the panel beside it.
-    let rows = screen.lines().skip(2);
-    let board: String = rows
-        .filter_map(|row| Some(row.split_once(side)?.0))
-        .collect();
+    // Without the title, the keys and the panel beside it.
+    let frame = screen.lines().nth(1).unwrap();
+    let columns = frame.split_once(corners).unwrap().0.chars().count();
+    let rows = screen.lines().filter(|row| row.starts_with(['|', '│']));
+    let board: String = rows.flat_map(|row| row.chars().take(columns)).collect();
     tokens.map(|any| board.chars().filter(|sign| any.contains(*sign)).count())
 }
 

@@ -15,7 +15,7 @@ const painter = (() => {
   let pen = null;
   // A cell in pixels of the device, the font that fits it, and the baseline of its letters.
   let cell = { width: 9, height: 18, size: 15, base: 14 };
-  let ratio = 1, squareColumns = 0;
+  let ratio = 1;
   // The pictures by their numbers: canvas, area, vectors, cells.
   const all = [];
   const shapes = new Map(), widths = new Map();
@@ -43,7 +43,6 @@ const painter = (() => {
     const count = (pixels, each) => Math.max(6, Math.floor((pixels * ratio) / each));
     const any = [count(room[0], wide), count(room[1], 2 * wide)];
     const rows = count(square, 2 * wide);
-    squareColumns = 2 * rows;
     const pen = (all.find(Boolean)?.canvas || document.createElement("canvas")).getContext("2d");
     pen.font = `100px ${MONO}`;
     const size = (100 * wide) / pen.measureText("0").width;
@@ -96,8 +95,6 @@ const painter = (() => {
 
   function redraw({ canvas, area: [x, y, w, h], svg, cells }, paper) {
     const [width, height] = [w * cell.width, h * cell.height];
-    // A board has an edge; its number of columns is odd, so that one cell is in the middle.
-    canvas.classList.toggle("board", w === squareColumns - 1);
     if (canvas.width !== width || canvas.height !== height) {
       [canvas.width, canvas.height] = [width, height];
       canvas.style.width = `${width / ratio}px`;

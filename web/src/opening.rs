@@ -91,7 +91,7 @@ impl LinkTarget {
                 }
             }
             "code" => {
-                let expected = "the six letters of a class, such as BCDFGH";
+                let expected = "a six-letter class code, such as BCDFGH";
                 self.route = Route::Join {
                     address: None,
                     code: Some(value.parse().map_err(|_| expected)?),

@@ -13,7 +13,7 @@ pub(super) struct Sight<'a> {
     pub(super) coins: &'a [Coin],
 }
 
-/// More than the rounding error of a distance or a tolerance.
+/// A factor above the rounding error of distances and tolerances.
 pub(super) const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// The walls of the frame, each given by the unit vector that points into it.

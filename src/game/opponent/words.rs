@@ -202,7 +202,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         Some(turn) if turn.abs() > PI - FULL => format!("{goes} straight back"),
         Some(turn) => {
             let side = Side::of(hit.heading, turn > 0.0);
-            format!("{goes} on {} {}", degrees(turn), side.towards())
+            format!("{leaves} {} {}", degrees(turn), side.towards())
         }
     };
     format!("{before}{recoil} {} striker {striker}.", capital(my))
@@ -301,14 +301,14 @@ mod tests {
             described(&target, set, at_angle(set, 45.0, 2.0)),
             "I cut the white coin into the top right pocket: the white coin was to leave along \
              the line of impact, 45° to the right, so I aimed 25.8 mm to the left of its \
-             centre. My striker was to go on 45° to the left."
+             centre. My striker was to leave 45° to the left."
         );
         // 15 g on 5.5 g: tan θ₁ = k sin α cos α / (1 − k cos²α) with k = 11/20.5,
         // which is 20.1° at 45°.
         let set = PieceSet::Tournament;
         let words = described(&target, set, at_angle(set, 45.0, 2.0));
         assert!(
-            words.ends_with("My striker was to go on 20° to the left."),
+            words.ends_with("My striker was to leave 20° to the left."),
             "{words}"
         );
     }

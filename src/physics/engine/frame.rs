@@ -25,7 +25,7 @@ pub(super) enum SlideEnd {
 pub(super) struct FrameSide {
     /// The axis perpendicular to it: 0 for left and right, 1 for bottom and top.
     pub(super) axis: usize,
-    /// Whether it is the side of greater coordinates: right or top.
+    /// Whether it is the side with larger coordinates: right or top.
     pub(super) beyond: bool,
 }
 
@@ -39,7 +39,7 @@ impl FrameSide {
         (time, Self { axis, beyond })
     }
 
-    /// 1 for the side with the larger coordinates, −1 for the other.
+    /// 1 for the side with larger coordinates, −1 for the other.
     #[inline]
     pub(super) fn sign(self) -> f64 {
         if self.beyond { 1.0 } else { -1.0 }

@@ -54,7 +54,7 @@ impl EndPage {
     /// The view of the page.
     pub(super) fn view(self, play: &Stage) -> View<'_, ClassAction> {
         let mut panel = Panel::new("");
-        // The scoreboard keeps the subject of the last question.
+        // The scoreboard keeps the last question's `subject`.
         panel.subject = usize::MAX - self as usize;
         match self {
             Self::Board => return board(play),

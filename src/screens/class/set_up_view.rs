@@ -55,7 +55,7 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
         SetUpRow::Team(team) => typed(&format!("team {}", team + 1), set_up.teams.get(team)),
         SetUpRow::Add => typed("add a team: type its name", None),
         SetUpRow::Class if set_up.class.text().is_empty() => {
-            typed("class name, for tables: none", None);
+            typed("class name in exports: none", None);
         }
         SetUpRow::Class => typed("class", Some(&set_up.class)),
         SetUpRow::Kind(kind) => {

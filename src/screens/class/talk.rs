@@ -29,7 +29,7 @@ const MOST_ANGLES: usize = 5;
 pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, ClassAction> {
     let heading = Heading::new(
         &["Talk"],
-        "These are the votes. Find someone who disagrees, and explain why.",
+        "These are the votes. Explain your vote to someone who disagrees.",
     );
     let mut words = play.words();
     question::write(play, question, Some(Vote::First), |_| None, &mut words);

@@ -192,7 +192,7 @@ fn write_hard<A>(angle: f64, offset: f64, panel: &mut Panel<A>) {
         "A miss: beyond R, the sum of the two radii, nothing touches and nothing is deflected. \
          A hard target acts only on contact."
     } else if angle >= PI - 1e-9 {
-        "A head-on collision: straight on, then straight back. R is the sum of the two radii; the \
+        "A head-on collision: straight in, then straight back. R is the sum of the two radii; the \
          target is so heavy that it stays where it is."
     } else {
         "It leaves like light from a mirror: at the same angle on the other side of the line of \

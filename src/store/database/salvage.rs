@@ -11,8 +11,8 @@ use super::pages::{PageContents, PageLayout, Pages, Tree, values};
 /// The table of answers, and the index that also lists them.
 const ANSWERS: &str = "attempt";
 const LIST_OF_ANSWERS: &str = "attempt_of_player";
-/// The fewest bytes in an answer. An id is accepted as valid only if the file has room for that
-/// many answers.
+/// The minimum size of an answer, in bytes. An id is accepted as valid only if the file has room for
+/// that many answers.
 const LEAST_ANSWER: usize = 32;
 
 /// The names of tables, each with a number of rows.

@@ -151,7 +151,7 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Points at a place in the question's picture, in cells of the screen, with the mouse button
+    /// Points at a place in the question's picture (in screen cells), with the mouse button
     /// just pressed (`pressed`) or held down: turns a ray, or drags the coin sideways. Returns
     /// whether there is anything to point at.
     pub(crate) fn point(

@@ -90,6 +90,11 @@ impl Canvas {
             Mark::Disc(body) => self.disc(body),
             Mark::Ring { body, letter } => self.ring(body, *letter),
             Mark::Discs(bodies) => self.discs(bodies),
+            Mark::Ground {
+                region,
+                role,
+                outline,
+            } => self.ground(*region, *role, *outline),
             Mark::Area { low, high, .. } => self.reserve_area(*low, *high),
             Mark::Text { at, text, .. } => self.reserve_text(*at, text),
             Mark::Reserved(at) => self.reserve(*at),
@@ -189,6 +194,15 @@ impl Canvas {
 
     /// The final character and style of a cell.
     fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
+        let (symbol, style) = self.look_on_paper(cell, theme);
+        match cell.ground_role().filter(|_| style.bg.is_none()) {
+            Some(role) => (symbol, style.bg(theme.colour(role))),
+            None => (symbol, style),
+        }
+    }
+
+    /// The character and style of a cell if the background below it is not changed.
+    fn look_on_paper(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let is_faint = cell.cover() != 0 && cell.is_faint();
         if let Some(glyph) = cell.glyph {
             let upon = glyph.upon && self.charset == Charset::Unicode;
@@ -225,6 +239,7 @@ impl Canvas {
             }
             // At a disc's edge the stroke is interrupted, so that the disc stays round.
             Charset::Unicode if cell.ink != 0 && !cell.has_edge() => (braille(cell.ink), stroke),
+            Charset::Unicode if cell.is_flat() => (' ', Style::new()),
             Charset::Unicode => self.disc_look(cell, theme),
         }
     }

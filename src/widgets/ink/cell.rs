@@ -12,6 +12,8 @@ pub(super) struct Cell {
     pub(super) pen: Pen,
     /// The disc on top, and the visible part of the one below it.
     pub(super) discs: [DiscCover; 2],
+    /// The parts of a board, below everything else.
+    pub(super) ground: [DiscCover; 3],
     /// A glyph that fills the whole cell.
     pub(super) glyph: Option<Glyph>,
     /// Whether labels must not cover the cell.
@@ -34,6 +36,20 @@ impl DiscCover {
         role: Role::Background,
         faint: false,
     };
+
+    /// Covers parts of a cell and becomes the first of them, in place of the smallest.
+    pub(super) fn cover<const N: usize>(self, parts: &mut [Self; N]) {
+        if self.bits == u64::MAX {
+            *parts = [Self::NONE; N];
+        }
+        for part in &mut *parts {
+            part.bits &= !self.bits;
+        }
+        parts.sort_by_key(|part| part.bits.count_ones());
+        if let Some(smallest) = parts.first_mut() {
+            *smallest = self;
+        }
+    }
 }
 
 /// A glyph that fills a whole cell.
@@ -53,13 +69,32 @@ impl Cell {
         ink: 0,
         pen: Pen::new(Role::Background),
         discs: [DiscCover::NONE; 2],
+        ground: [DiscCover::NONE; 3],
         glyph: None,
         reserved: false,
     };
 
     /// Whether nothing has been drawn here.
     pub(super) fn is_empty(&self) -> bool {
-        self.ink == 0 && self.cover() == 0 && self.glyph.is_none()
+        self.ink == 0 && self.cover() == 0 && self.glyph.is_none() && !self.has_ground()
+    }
+
+    /// Whether a part of a board is below.
+    fn has_ground(&self) -> bool {
+        self.ground[0].bits != 0
+    }
+
+    /// The largest part of a board here; of two equal ones the upper one, so that a token beside the
+    /// frame is on the surface.
+    pub(super) fn ground_role(&self) -> Option<Role> {
+        let parts = self.ground.iter().rev();
+        let largest = parts.max_by_key(|part| part.bits.count_ones());
+        largest.filter(|_| self.has_ground()).map(|part| part.role)
+    }
+
+    /// Whether there is nothing here but one part of a board.
+    pub(super) fn is_flat(&self) -> bool {
+        self.cover() == 0 && self.ground[0].bits == u64::MAX
     }
 
     /// The part of the cell that discs cover.
@@ -72,9 +107,11 @@ impl Cell {
         self.discs.iter().all(|disc| disc.faint || disc.bits == 0)
     }
 
-    /// Whether the edge of a disc is clearly visible in this cell.
+    /// Whether the edge of a disc is clearly visible in this cell, or that of a part of a board
+    /// with nothing but lines of the board on it.
     pub(super) fn has_edge(&self) -> bool {
-        (8..64).contains(&self.discs[0].bits.count_ones())
+        let is_edge = |cover: &DiscCover| (8..64).contains(&cover.bits.count_ones());
+        is_edge(&self.discs[0]) || self.pen.layer == DrawLayer::Ground && is_edge(&self.ground[0])
     }
 
     /// The topmost layer with a mark in this cell.
@@ -115,14 +152,7 @@ impl Cell {
         if self.pen.layer < DrawLayer::Disc && !disc.faint {
             self.ink &= !under(disc.bits, charset);
         }
-        let [top, below] = self.discs;
-        // Of three discs, only the two that cover the most are kept.
-        let rest = [top, below].map(|it| DiscCover {
-            bits: it.bits & !disc.bits,
-            ..it
-        });
-        let most = rest.into_iter().max_by_key(|it| it.bits.count_ones());
-        self.discs = [disc, most.unwrap_or(DiscCover::NONE)];
+        disc.cover(&mut self.discs);
     }
 }
 

@@ -19,7 +19,7 @@ const OUTLINED: f64 = 2.0;
 const RING: f64 = 1.25;
 
 impl Canvas {
-    /// Draws discs of one scale: all round if even the smallest is large enough, otherwise all as
+    /// Draws discs at one scale: all as circles if the smallest is large enough, otherwise all as
     /// [tokens](token).
     ///
     /// A round disc is at its true position, with its letter in the cell that holds its centre.

@@ -3,7 +3,7 @@
 use glam::{DVec2, dvec2};
 
 use super::canvas::Canvas;
-use super::cell::{DiscCover, Glyph};
+use super::cell::{Cell, DiscCover, Glyph};
 use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
@@ -78,6 +78,20 @@ impl Canvas {
 
     /// Covers the cells under a disc, span by span; all lengths are on paper.
     fn cover(&mut self, centre: DVec2, radius: f64, (role, faint): (Role, bool)) {
+        let charset = self.charset;
+        self.covered(centre, radius, |cell, bits| {
+            cell.fill(DiscCover { bits, role, faint }, charset);
+        });
+    }
+
+    /// Calls `each` with the cells under a circle and the covered part of each; all lengths are on
+    /// paper.
+    pub(super) fn covered(
+        &mut self,
+        centre: DVec2,
+        radius: f64,
+        mut each: impl FnMut(&mut Cell, u64),
+    ) {
         if !(centre.is_finite() && radius.is_finite()) {
             return;
         }
@@ -99,10 +113,9 @@ impl Canvas {
                     let bits = span.map_or(0, |(from, to)| eighths(from, to, f64::from(column)));
                     cover | u64::from(bits) << (8 * eighth)
                 });
-                let charset = self.charset;
                 let cell = self.cell_mut((column, row)).filter(|_| bits != 0);
                 if let Some(cell) = cell {
-                    cell.fill(DiscCover { bits, role, faint }, charset);
+                    each(cell, bits);
                 }
             }
         }
@@ -135,7 +148,7 @@ impl Canvas {
 }
 
 /// The eighths of the cell beginning at `column` whose middles are between `from` and `to`.
-fn eighths(from: f64, to: f64, column: f64) -> u8 {
+pub(super) fn eighths(from: f64, to: f64, column: f64) -> u8 {
     let edge = |at: f64| ((at - column) * 8.0 + 0.5).floor().clamp(0.0, 8.0) as u32;
     let (low, high) = (edge(from), edge(to));
     (((1u32 << high) - 1) & !((1u32 << low) - 1)) as u8

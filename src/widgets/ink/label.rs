@@ -27,11 +27,12 @@ impl PlacedLabel {
         if inside != self.place {
             return;
         }
-        let style = theme.base().patch(theme.style(self.role));
         for position in inside.positions() {
+            let paper = buffer[position].bg;
             buffer[position].reset();
+            buffer[position].bg = paper;
         }
-        buffer.set_string(inside.x, inside.y, &self.text, style);
+        buffer.set_string(inside.x, inside.y, &self.text, theme.style(self.role));
     }
 }
 
@@ -107,7 +108,7 @@ impl Canvas {
         role: Role,
         clear: bool,
     ) -> bool {
-        // First try free paper with a blank at both ends; then without the blanks, then over boards
+        // First try empty cells with a blank at both ends; then without the blanks, then over boards
         // and trails, then over geometry.
         let ends = if clear { Ends::NoArrow } else { Ends::Any };
         let places = [

@@ -14,6 +14,7 @@ mod crowd;
 mod disc;
 pub(crate) mod gallery;
 mod glyphs;
+mod ground;
 mod label;
 mod plot;
 mod shades;

@@ -5,10 +5,10 @@ use super::glyphs::block;
 use crate::widgets::theme::{Rgb, Theme};
 use crate::widgets::{Blocks, Role};
 
-/// The true colours of a cell: of the discs, and of the background beside them.
+/// The true colours of a cell: of the discs, and of the board and the background beside them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shades {
-    parts: [(u64, Rgb); 3],
+    parts: [(u64, Rgb); 6],
 }
 
 impl Shades {
@@ -20,9 +20,13 @@ impl Shades {
             };
             (disc.bits, colour)
         });
-        let rest = (!cell.cover(), theme.rgb(Role::Background));
+        let free = !cell.cover();
+        let [a, b, c] = cell
+            .ground
+            .map(|part| (part.bits & free, theme.rgb(part.role)));
+        let rest = (free & !(a.0 | b.0 | c.0), theme.rgb(Role::Background));
         Self {
-            parts: [top, below, rest],
+            parts: [top, below, a, b, c, rest],
         }
     }
 
@@ -35,15 +39,18 @@ impl Shades {
 
     /// The sum of each channel over a part of the cell.
     fn sum(&self, bits: u64) -> [f64; 3] {
-        self.parts.iter().fold([0.0; 3], |sum, (part, colour)| {
-            let count = f64::from((part & bits).count_ones());
-            let [red, green, blue] = channels(*colour);
-            [
-                sum[0] + count * red,
-                sum[1] + count * green,
-                sum[2] + count * blue,
-            ]
-        })
+        self.parts.iter().filter(|(part, _)| part & bits != 0).fold(
+            [0.0; 3],
+            |sum, (part, colour)| {
+                let count = f64::from((part & bits).count_ones());
+                let [red, green, blue] = channels(*colour);
+                [
+                    sum[0] + count * red,
+                    sum[1] + count * green,
+                    sum[2] + count * blue,
+                ]
+            },
+        )
     }
 
     /// The sum of squared errors, except for a constant, if a part of the cell and the rest are drawn
@@ -86,9 +93,10 @@ mod tests {
 
     fn shades(disc: u64, other: u64) -> Shades {
         let other = other & !disc;
-        Shades {
-            parts: [(disc, DISC), (other, OTHER), (!(disc | other), PAPER)],
-        }
+        let rest = (!(disc | other), PAPER);
+        let mut parts = [(0, PAPER); 6];
+        parts[..3].copy_from_slice(&[(disc, DISC), (other, OTHER), rest]);
+        Shades { parts }
     }
 
     #[test]

@@ -77,6 +77,13 @@ pub(crate) enum Mark {
     },
     /// Many discs, all drawn in the same way and all visible.
     Discs(Vec<Body>),
+    /// A part of a board. It is filled, below everything else, if the terminal has shades for that;
+    /// otherwise only its outline is drawn, if it has one.
+    Ground {
+        region: Region,
+        role: Role,
+        outline: Option<Role>,
+    },
     /// A filled rectangle between its lower left and its upper right corner.
     Area {
         low: DVec2,
@@ -93,6 +100,15 @@ pub(crate) enum Mark {
     Axes(Axes),
     /// An invisible mark at a point that labels do not cover.
     Reserved(DVec2),
+}
+
+/// The shape of a part of a board.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Region {
+    /// The square around the origin with this half side.
+    Square(f64),
+    /// The circle around a centre with a radius.
+    Circle(DVec2, f64),
 }
 
 /// A disc in a picture.
@@ -239,6 +255,15 @@ impl Picture {
     /// Adds many discs; see `Mark::Discs`.
     pub fn discs(&mut self, bodies: impl IntoIterator<Item = Body>) {
         self.marks.push(Mark::Discs(bodies.into_iter().collect()));
+    }
+
+    /// Adds a part of a board; see `Mark::Ground`.
+    pub(crate) fn ground(&mut self, region: Region, role: Role, outline: Option<Role>) {
+        self.marks.push(Mark::Ground {
+            region,
+            role,
+            outline,
+        });
     }
 
     /// Adds a filled rectangle between its lower left and its upper right corner.

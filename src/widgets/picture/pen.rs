@@ -113,6 +113,10 @@ const fn layer(role: Role) -> DrawLayer {
         | Role::Border
         | Role::BoardLine
         | Role::Pocket
+        | Role::Surface
+        | Role::Rail
+        | Role::Hole
+        | Role::BaseCircle
         | Role::Axis => DrawLayer::Ground,
         Role::Trail | Role::Aim => DrawLayer::Trail,
         Role::Striker | Role::Coin | Role::Black | Role::Queen | Role::Marble => DrawLayer::Disc,

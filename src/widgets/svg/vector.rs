@@ -8,7 +8,7 @@ use glam::{DVec2, dvec2};
 
 use super::{CELL, Number, escape};
 use crate::widgets::ink::{Canvas, PlacedLabel};
-use crate::widgets::picture::{Axes, Body, Dash, DrawLayer, Mark, Pen, Picture, View};
+use crate::widgets::picture::{Axes, Body, Dash, DrawLayer, Mark, Pen, Picture, Region, View};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Look, Role};
 
@@ -34,9 +34,15 @@ pub(super) fn draw(picture: &Picture, look: &Look) -> String {
 
 /// The elements of a picture whose labels have already been placed.
 pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabel]) -> String {
+    let has_surface = |mark: &Mark| matches!(mark, Mark::Ground { .. });
+    let paper = match picture.marks.iter().any(has_surface) {
+        true => Role::Surface,
+        false => Role::Background,
+    };
     let mut vectors = Vectors {
         view: picture.view(),
         look,
+        paper: look.theme.rgb(paper),
         body: String::new(),
     };
     let mut marks: Vec<&Mark> = picture.marks.iter().collect();
@@ -83,7 +89,7 @@ fn layer(mark: &Mark) -> DrawLayer {
         | Mark::Arrow { pen, .. }
         | Mark::Dot { pen, .. } => pen.layer,
         Mark::Disc(_) | Mark::Ring { .. } | Mark::Discs(_) => DrawLayer::Disc,
-        Mark::Area { .. } | Mark::Axes(_) => DrawLayer::Ground,
+        Mark::Ground { .. } | Mark::Area { .. } | Mark::Axes(_) => DrawLayer::Ground,
         Mark::Text { .. } | Mark::Reserved(_) => DrawLayer::Mark,
     }
 }
@@ -146,6 +152,8 @@ impl Display for Point {
 struct Vectors<'a> {
     view: &'a View,
     look: &'a Look,
+    /// The colour below lines and labels.
+    paper: Rgb,
     body: String,
 }
 
@@ -188,6 +196,7 @@ impl Vectors<'_> {
             Mark::Dot { at, pen } => self.circle(*at, 1.2, self.inked(*pen), ""),
             Mark::Disc(body) | Mark::Ring { body, .. } => self.disc(body),
             Mark::Discs(bodies) => bodies.iter().for_each(|body| self.solid(body)),
+            Mark::Ground { region, role, .. } => self.ground(*region, *role),
             Mark::Area { low, high, pen } => {
                 let (a, b) = (self.at(*low), self.at(*high));
                 let (least, size) = (a.min(b), (a - b).abs());
@@ -203,8 +212,7 @@ impl Vectors<'_> {
 
     /// The colour of a pen.
     fn inked(&self, pen: Pen) -> Rgb {
-        self.rgb(pen.role)
-            .mixed(self.rgb(Role::Background), 0.75 * pen.age)
+        self.rgb(pen.role).mixed(self.paper, 0.75 * pen.age)
     }
 
     fn stroke(&self, pen: Pen) -> String {
@@ -273,6 +281,34 @@ impl Vectors<'_> {
         ]
     }
 
+    /// Fills a part of a board, clipped to the view.
+    fn ground(&mut self, region: Region, role: Role) {
+        let fill = self.rgb(role);
+        let [low, high] = self.corners();
+        let points: Vec<_> = match region {
+            Region::Square(half) => {
+                let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+                corners.map(|(x, y)| half * dvec2(x, y)).to_vec()
+            }
+            Region::Circle(centre, radius) => {
+                let (at, r) = (self.at(centre), self.length(radius));
+                if (at - r).cmpge(low).all() && (at + r).cmple(high).all() {
+                    return self.circle(centre, r, fill, "");
+                }
+                let angle = |i| TAU * f64::from(i) / f64::from(PIECES);
+                let points = (0..PIECES).map(|i| centre + radius * DVec2::from_angle(angle(i)));
+                points.collect()
+            }
+        };
+        let mut path = String::new();
+        for (i, point) in points.into_iter().enumerate() {
+            let sign = if i == 0 { 'M' } else { 'L' };
+            let _ = write!(path, "{sign}{}", Point(self.at(point).clamp(low, high)));
+        }
+        path.push('Z');
+        self.path(&path, fill, "");
+    }
+
     fn arc(&mut self, (centre, radius): (DVec2, f64), [from, to]: [f64; 2], pen: Pen) {
         let r = self.length(radius);
         let (middle, [low, high]) = (self.at(centre), self.corners());
@@ -336,7 +372,7 @@ impl Vectors<'_> {
     fn solid(&mut self, body: &Body) {
         let radius = self.length(body.radius).max(DOT);
         let role = self.rgb(body.role);
-        let rim = self.rgb(Role::Background).mixed(role, 0.4);
+        let rim = self.paper.mixed(role, 0.4);
         let stroke = format!(" stroke=\"{rim}\" stroke-width=\"1\"");
         self.circle(body.at, radius, role, &stroke);
         if radius >= 0.5 * LETTERS {
@@ -353,7 +389,7 @@ impl Vectors<'_> {
 
     /// Writes text on the background, vertically centred at a point.
     fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
-        let colours = [self.rgb(role), self.rgb(Role::Background)];
+        let colours = [self.rgb(role), self.paper];
         self.write(text, at, anchor, colours);
     }
 

@@ -259,6 +259,45 @@ mod tests {
     }
 
     #[test]
+    fn contrast_on_a_board_decreases_from_the_pieces_to_its_own_lines() {
+        for palette in [Palette::Dark, Palette::Light] {
+            for depth in [Depth::Indexed256, Depth::True] {
+                let theme = Theme::new(palette, depth);
+                let shown = |role| match theme.colour(role) {
+                    Color::Rgb(red, green, blue) => Rgb(red, green, blue),
+                    Color::Indexed(index) => Rgb::fixed(index),
+                    other => panic!("{other:?}"),
+                };
+                let of = |role: Role| contrast(shown(role), shown(Role::Surface));
+                let strong = [
+                    Role::Striker,
+                    Role::Coin,
+                    Role::Black,
+                    Role::Queen,
+                    Role::Marble,
+                    Role::Aim,
+                    Role::Trail,
+                    Role::Predicted,
+                    Role::Incoming,
+                    Role::StrikerOut,
+                    Role::CoinOut,
+                    Role::Contact,
+                    Role::Good,
+                    Role::Key,
+                    Role::Text,
+                ];
+                for role in strong {
+                    assert!(of(role) >= 3.0, "{theme:?} {role:?} {}", of(role));
+                }
+                for role in [Role::BoardLine, Role::Rail, Role::BaseCircle] {
+                    let weak = 1.2..3.0;
+                    assert!(weak.contains(&of(role)), "{theme:?} {role:?} {}", of(role));
+                }
+            }
+        }
+    }
+
+    #[test]
     fn letters_on_discs_are_legible() {
         for palette in [Palette::Dark, Palette::Light] {
             for &role in Role::ALL {

@@ -64,10 +64,18 @@ pub enum Role {
     Trail,
     /// The direction in which the player aims.
     Aim,
-    /// The lines and the frame of a board.
+    /// The lines of a board.
     BoardLine,
-    /// A pocket.
+    /// The outline of a pocket.
     Pocket,
+    /// The surface of a board.
+    Surface,
+    /// The frame of a board.
+    Rail,
+    /// The dark inside of a pocket.
+    Hole,
+    /// The red circle at the end of a base line.
+    BaseCircle,
     /// The axes of a plot.
     Axis,
 }
@@ -102,10 +110,10 @@ impl Role {
             R::Good => (0x2cc295, 0x007a59, C::LightGreen, C::Green),
             R::Warn => (0xf0783c, 0xb84a00, C::LightRed, C::Red),
             R::Striker => (0x56b4e9, 0x0072b2, C::LightCyan, C::Blue),
-            R::Coin => (0xf2d7a0, 0xe0b060, C::White, C::Yellow),
+            R::Coin => (0xf2d7a0, 0xb87a2c, C::White, C::Yellow),
             R::Black => (0x746a80, 0x3a3440, C::DarkGray, C::Black),
             R::Queen => (0xe0526a, 0xb3203a, C::LightRed, C::Red),
-            R::Marble => (0x2cc295, 0x009e73, C::LightGreen, C::Green),
+            R::Marble => (0x2cc295, 0x00966d, C::LightGreen, C::Green),
             R::Incoming => (0xf0e442, 0x5a4a00, C::LightYellow, C::Black),
             R::NormalPart => (0x2cc295, 0x007a59, C::LightGreen, C::Green),
             R::TangentPart => (0xa9b7f5, 0x5a4fc0, C::LightBlue, C::Cyan),
@@ -119,8 +127,12 @@ impl Role {
             R::Predicted => (0xdd8ab8, 0xa03a7c, C::LightMagenta, C::Magenta),
             R::Trail => (0x8b94a5, 0x7c8494, C::DarkGray, C::DarkGray),
             R::Aim => (0xc3cad6, 0x4a5261, C::Gray, C::Black),
-            R::BoardLine => (0x59606e, 0xaaaeb6, C::DarkGray, C::Gray),
+            R::BoardLine => (0x6b6259, 0xb5a68e, C::DarkGray, C::Gray),
             R::Pocket => (0x7a8294, 0x858d9b, C::LightBlue, C::DarkGray),
+            R::Surface => (0x2a1f14, 0xf6ecd8, C::Black, C::White),
+            R::Rail => (0x744a24, 0xc9a06a, C::Gray, C::DarkGray),
+            R::Hole => (0x060403, 0x4a3b2c, C::Black, C::DarkGray),
+            R::BaseCircle => (0x5a1f1a, 0xeebfb2, C::Red, C::LightRed),
             R::Axis => (0x7f899b, 0x707887, C::DarkGray, C::DarkGray),
         }
     }
@@ -172,6 +184,8 @@ impl Role {
             | R::TangentLine
             | R::Trail
             | R::BoardLine
+            | R::Rail
+            | R::BaseCircle
             | R::Axis
             | R::LineOfImpact
             | R::Arc => Modifier::DIM,

@@ -63,12 +63,6 @@ fn ground(level: &Level, area: Rect) -> Picture {
     let mut picture = Picture::new(view);
     let board = &level.scene.board;
     board::ground(&mut picture, board);
-    // A board with pockets that fills the picture needs no outline; otherwise the cushions are
-    // drawn, because discs rebound there.
-    if view.area() != area || board.pocket_diameter <= 0.0 {
-        let half = DVec2::splat(0.5 * board.side);
-        picture.rectangle(-half, half, Role::BoardLine);
-    }
     for (circle, _) in level.goals.iter().filter_map(|goal| goal.circle()) {
         let pen = Pen::new(Role::Good).on(DrawLayer::Ground);
         picture.circle(circle.centre, circle.radius, pen);

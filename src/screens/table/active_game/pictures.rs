@@ -21,10 +21,14 @@ use crate::widgets::{Role, board, sheet};
 const FADE: f64 = 0.9;
 /// The number of shades of a trail, each fainter than the next.
 const SHADES: usize = 4;
+/// The number of shades of the ring at a pocket after a disc has fallen into it.
+const RING_SHADES: f64 = 4.0;
 /// The greatest length of a path drawn after the first collision, in metres.
 const LONGEST_RAY: f64 = 0.16;
 /// Length of the arrow that shows the aim if the aim line is off, in metres.
 const STUB: f64 = 0.09;
+/// The distance of the line on the side of a seat from the frame, in metres.
+const OWN_SIDE: f64 = 0.03;
 /// Length of the arrow that shows the strength, in metres per m/s.
 const ARROW: f64 = 0.03;
 
@@ -126,8 +130,8 @@ fn meant(picture: &mut Picture, stroke: &ComputerStroke, role: Role) {
     picture.curve(way.copied(), pen.dotted());
 }
 
-/// Draws the computer's intended stroke beside the actual one: its path, the error, and the
-/// pocket that it was meant for.
+/// Draws the computer's intended stroke beside the actual one: the intended path, the error, and
+/// the target pocket.
 fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
     if let Some(pointer) = &stroke.pointer {
         point_out(picture, pointer);
@@ -177,8 +181,8 @@ fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
 
 /// Marks the seat whose turn it is, between its base line and the frame.
 fn own_side(picture: &mut Picture, seat: Seat) {
-    let half = Board::default().side / 2.0;
-    let end = |along: f64| seat.turn(DVec2::new(along, -half));
+    let edge = -Board::default().side / 2.0;
+    let end = |along: f64| seat.turn(DVec2::new(along, edge + OWN_SIDE));
     let pen = Pen::new(Role::Striker).on(DrawLayer::Trail);
     picture.line(end(-0.2), end(0.2), pen);
 }
@@ -217,7 +221,9 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
 fn answer(picture: &mut Picture, share: f64, corner: usize) {
     let board = Board::default();
     if let Some(pocket) = board::pocket(&board, corner).filter(|_| (0.0..1.0).contains(&share)) {
-        let pen = Pen::new(Role::Good).bold().aged(share);
+        // A shade lasts for several frames, so that most of them repaint nothing.
+        let age = (share * RING_SHADES).floor() / RING_SHADES;
+        let pen = Pen::new(Role::Good).bold().aged(age);
         let radius = board.pocket_radius();
         picture.circle(pocket, radius * (0.4 + share), pen);
         picture.circle(pocket, radius, pen);

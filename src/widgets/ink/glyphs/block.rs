@@ -114,9 +114,9 @@ impl Finer {
 /// If the cell has two colours, the best of the finer blocks separates the parts with more of a
 /// colour from those with less; for three colours this is nearly true. So only a few need to be
 /// tried.
-pub(in super::super) fn shapes(
+pub(in super::super) fn shapes<const COLOURS: usize>(
     set: Blocks,
-    colours: [u64; 3],
+    colours: [u64; COLOURS],
 ) -> impl Iterator<Item = (char, u64)> {
     let upright = BLOCKS.iter().filter(|block| !block.inverse).copied();
     // Each of two colours that fill the cell separates the same parts.
