@@ -73,7 +73,7 @@ fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
         let (_, after) = rest.split_once(end)?;
         Some((before, after))
     });
-    let (before, after) = parts.ok_or_else(|| anyhow!("this is not a page of carrom"))?;
+    let (before, after) = parts.ok_or_else(|| anyhow!("this is not a carrom page"))?;
     // No file may close the element that holds it.
     let json = serde_json::to_string(own)?.replace('<', "\\u003c");
     Ok(format!("{before}{begin}{json}{end}{after}"))

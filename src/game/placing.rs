@@ -165,7 +165,7 @@ impl<'a> BaseLines<'a> {
         self.nearest_of(ends.into_iter().chain(self.barred().flatten()), at)
     }
 
-    /// The legal position among these that is nearest to `at`, in metres along the lines.
+    /// The legal one of `places` (metres along the base lines) that is nearest to `at`.
     pub(super) fn nearest_of(&self, places: impl Iterator<Item = f64>, at: DVec2) -> Option<DVec2> {
         let wanted = self.along(at);
         let apart = |along: &f64| (along - wanted).abs();

@@ -72,9 +72,9 @@ fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage
     let start = lines.iter().position(is_heading).unwrap_or(lines.len());
     let (before, mut left) = lines.split_at(start);
     if let Some((line, _)) = before.iter().find(|(_, text)| !text.trim().is_empty()) {
-        source.refuse::<()>(*line, "expected a page: # and its title");
+        source.refuse::<()>(*line, "expected a page title (# Title)");
     } else if left.is_empty() {
-        source.refuse::<()>(first, "expected a page: # and its title, found none");
+        source.refuse::<()>(first, "expected a page title (# Title), found none");
     }
     let mut pages: Vec<Option<ChapterPage>> = Vec::new();
     while let [(line, text), rest @ ..] = left {

@@ -2,7 +2,7 @@
 
 use super::Constant;
 
-/// The words of a directive, from which the parser takes the words that it knows one by one.
+/// The words of a directive. The parser takes out, one by one, those that it knows.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
     bare: Vec<String>,

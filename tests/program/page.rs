@@ -77,10 +77,7 @@ fn a_page_is_made_only_from_a_carrom_page_and_overwrites_nothing() {
     folder.file("carrom.html", PAGE);
     folder.file("other.html", "<!doctype html><title>other</title>");
     let message = refused(&folder, "page --page other.html --out our.html", 2);
-    assert!(
-        message.contains("this is not a page of carrom"),
-        "{message}"
-    );
+    assert!(message.contains("this is not a carrom page"), "{message}");
     let message = refused(&folder, "page --page none.html --out our.html", 2);
     assert!(message.contains("cannot read none.html"), "{message}");
     done(&folder, "page --page carrom.html --out our.html");

@@ -145,7 +145,7 @@ fn a_begun_chapter_comes_before_missed_topics_and_those_come_before_reviews() {
 }
 
 #[test]
-fn a_single_slip_of_a_player_who_knows_most_topics_is_reviewed_once_a_day() {
+fn a_single_slip_by_a_player_who_knows_most_topics_is_reviewed_once_a_day() {
     let mut ada = Somebody::default();
     ada.answers("from-angle6-7", None, true);
     ada.answers("weigh1-7", None, false);

@@ -313,7 +313,7 @@ const panels = (() => {
   // "15.0 mm right" is a number; "15 g on 5.5 g" is one of a few values.
   const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d[\d.,]*\D*$/.test(value);
 
-  // Chooses a field, unless it is already chosen or has been since the last frame.
+  // Chooses a field unless it is chosen or was pressed since the last frame.
   let justChosen = null;
   function choose(item) {
     if (item.chosen || !item.press || item === justChosen) return;

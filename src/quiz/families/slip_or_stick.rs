@@ -127,7 +127,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             ),
         ),
     };
-    rims.ask(hit, "picture", "How do the two discs move on?")
+    rims.ask(hit, "picture", "How do the two discs move afterwards?")
         .options(WAYS, rims as usize)
         .chooses(Lossless, 0)
         .says("You assumed that no energy is lost. But these discs do not rebound.")

@@ -1,7 +1,6 @@
 //! A round for a class in front of one screen: one keyboard, a projector, teams.
 //!
-//! A question goes through the `ClassStep`s of [`crate::class`]; `play` leads through them, and
-//! each step with an action has a module of its own.
+//! A question goes through the `ClassStep`s of [`crate::class`]; `play` runs them, and each step with an action has its own module.
 
 mod earlier;
 mod ending;

@@ -49,7 +49,7 @@ pub(super) enum SetUpRow {
     Kind(RoundKind),
     /// Starts the round.
     Start,
-    /// Starts the round with hands or cards that are counted.
+    /// Starts the round with a count of hands or cards.
     Tally,
     /// Starts the round with everyone on their own device.
     Devices,

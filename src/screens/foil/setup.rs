@@ -32,7 +32,7 @@ pub(crate) struct FoilSetup {
     pub offset_fm: f64,
     /// Particles in a beam, as a power of ten.
     pub particles_exponent: u32,
-    /// The unit of the counts, in space.
+    /// The unit of the counts of [`Beam::Space`].
     pub counted_for: CountedFor,
 }
 

@@ -24,7 +24,7 @@ pub(super) struct ComputerStroke {
 }
 
 impl ComputerStroke {
-    /// The stroke of a decision in `game`, for the seat whose turn it is.
+    /// The stroke in `decision`, for the seat whose turn it is in `game`.
     pub(super) fn new(decision: Decision, game: &Game) -> Self {
         let meant = strike(decision.meant);
         Self {

@@ -538,7 +538,7 @@ fn a_file_that_is_not_a_carrom_database_is_refused_and_left_unchanged() {
 }
 
 /// Manipulations of a database of the current version. Each changes the schema so that reading,
-/// checking or writing would run foreign code.
+/// checking or writing would run hostile code.
 pub(super) const FOREIGN_SCHEMAS: [&str; 7] = [
     // The view is finite, so that this test fails instead of running for ever if the view is read.
     "ALTER TABLE attempt RENAME TO hidden;

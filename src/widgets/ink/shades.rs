@@ -70,7 +70,7 @@ impl Shades {
         (symbol, [bits, !bits].map(|bits| self.mean(bits)))
     }
 
-    /// The error of the best block element, with its character and the part that this covers.
+    /// The best block element: its error, its character and the part that it covers.
     fn best(&self, set: Blocks) -> (f64, char, u64) {
         block::shapes(set, self.parts.map(|(part, _)| part))
             .map(|(symbol, bits)| (self.error(bits), symbol, bits))

@@ -24,7 +24,7 @@ pub enum ListAction {
     Point(usize),
 }
 
-/// The mark of the chosen line in a list. It does not wrap around.
+/// The chosen line of a list. It does not wrap around.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct ListView {
     at: usize,

@@ -87,8 +87,7 @@ impl Role {
     /// Every role.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// The mark before one of several rows and the row's role, which is this one unless the row is
-    /// `chosen`.
+    /// The mark and the role of a row in a list; the role is `self` unless the row is `chosen`.
     pub(crate) const fn of_choice(self, chosen: bool) -> (&'static str, Self) {
         match chosen {
             true => (">", Self::Selected),
