@@ -1,7 +1,7 @@
 //! The coins left on the board, the coins owed, and the points of the calls.
 
 use super::ActiveGame;
-use crate::game::{ByTeam, Colour, Team};
+use crate::game::{ByTeam, Colour, Rules, Team};
 use crate::screens::table::calls::Called;
 use crate::screens::table::game_history::Past;
 use crate::screens::table::words;
@@ -42,6 +42,23 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
         None => "to be covered".into(),
     };
     panel.pair(("queen Q", Role::Text), (queen, Role::Dim));
+}
+
+/// Warns the player who strikes next of the two situations that cost the most.
+pub(super) fn write_warning<A>(active: &ActiveGame, panel: &mut Panel<A>) {
+    let (game, play) = (active.game(), active.game().play());
+    let own = play.on_board(game.colour(game.team(active.seat())));
+    let warning = match game.setup().rules {
+        Rules::Practice => return,
+        _ if play.queen_to_cover() => {
+            "Cover the queen: pocket a coin of yours now, or she goes back."
+        }
+        Rules::Tournament if play.queen_on_board() && own == 1 => {
+            "Do not pocket your last coin before the queen: you would lose the board."
+        }
+        _ => return,
+    };
+    panel.paragraph(warning, Role::Warn);
 }
 
 /// Writes the pieces, the coins owed, and the points of the calls.
