@@ -165,7 +165,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
     let mut chance = Pcg64::seed_from_u64(3);
     let mut tenths = 40;
     let mut due_made = false;
-    let mut seen = [false; 3];
+    let mut seen = [false; 4];
     for _ in 0..100 {
         let before_turn = game.seat();
         let tried = next_stroke(&game, &mut chance, due_made);
@@ -187,6 +187,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
         seen[2] |= shown.contains("queen Q with South");
         screen.press("<Enter>");
         screen.pass(Duration::from_secs(2));
+        seen[3] |= panel(&mut screen).contains("Cover the queen");
         if let GameStage::BoardOver(won) = game.stage() {
             assert_eq!(won.winner, Team::First);
             let text = screen.screen();
@@ -195,7 +196,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
                 "{text}"
             );
             assert!(text.contains("The board goes to South."), "{text}");
-            assert_eq!(seen, [true; 3]);
+            assert_eq!(seen, [true; 4]);
             screen.press("<Enter>");
             assert!(screen.screen().contains("North breaks, white"));
             return;
@@ -446,6 +447,26 @@ fn a_replay_left_on_the_computers_turn_waits_for_the_player() {
     assert!(screen.contains("go on"), "{screen}");
     game.press("<Escape>");
     assert!(game.screen().contains("Leave this game?"));
+}
+
+#[test]
+fn the_rules_of_the_game_are_read_from_its_set_up_and_its_help() {
+    let opened = |keys: &str| {
+        let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
+        game.press(keys);
+        game
+    };
+    for (keys, title) in [
+        ("r", "the rules: tournament"),
+        ("<Right>r", "the rules: friendly"),
+        ("<Right><Enter>?r", "the rules: friendly"),
+        ("<Enter>?r<Left>", "the rules: practice"),
+    ] {
+        let mut game = opened(keys);
+        assert!(game.screen().contains(title), "{keys}: {}", game.screen());
+    }
+    let mut game = opened("<Enter>?r<Escape>");
+    assert!(game.screen().contains("your stroke"), "{}", game.screen());
 }
 
 #[test]

@@ -74,7 +74,7 @@ impl Screen for RulesScreen {
                     panel.gap();
                     panel.heading(heading);
                 }
-                RuleLine::Rule(rule) => panel.paragraph(rule, Role::Text),
+                RuleLine::Rule(rule) => panel.item(rule, Role::Text),
             }
         }
         panel.gap();

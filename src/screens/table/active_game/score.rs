@@ -48,17 +48,23 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
 pub(super) fn write_warning<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     let (game, play) = (active.game(), active.game().play());
     let own = play.on_board(game.colour(game.team(active.seat())));
-    let warning = match game.setup().rules {
-        Rules::Practice => return,
-        _ if play.queen_to_cover() => {
-            "Cover the queen: pocket a coin of yours now, or she goes back."
+    let queen = (play.queen_to_cover(), play.queen_on_board());
+    if let Some(warning) = warning(game.setup().rules, queen, own) {
+        panel.paragraph(warning, Role::Warn);
+    }
+}
+
+/// The warning if the queen is (to be covered, on the board) and the player has `own` coins left.
+const fn warning(rules: Rules, queen: (bool, bool), own: u8) -> Option<&'static str> {
+    match (rules, queen, own) {
+        (Rules::Tournament | Rules::Friendly, (true, _), _) => {
+            Some("Cover the queen: pocket a coin of yours now, or she goes back.")
         }
-        Rules::Tournament if play.queen_on_board() && own == 1 => {
-            "Do not pocket your last coin before the queen: you would lose the board."
+        (Rules::Tournament, (_, true), 1) => {
+            Some("Do not pocket your last coin before the queen: you would lose the board.")
         }
-        _ => return,
-    };
-    panel.paragraph(warning, Role::Warn);
+        _ => None,
+    }
 }
 
 /// Writes the pieces, the coins owed, and the points of the calls.
@@ -84,5 +90,29 @@ pub(super) fn write_calls<A>(active: &ActiveGame, panel: &mut Panel<A>) {
         let most = Called::MOST * calls[team].len() as u32;
         let points = format!("{} of {most}", calls[team].iter().sum::<u32>());
         panel.fact(format!("calls {}", active.options.team_name(team)), points);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_coin_and_an_uncovered_queen_are_warned_of_where_they_cost_something() {
+        let warns = |rules, queen, own, of: &str| {
+            warning(rules, queen, own).is_some_and(|words| words.contains(of))
+        };
+        assert!(warns(
+            Rules::Tournament,
+            (true, false),
+            4,
+            "Cover the queen"
+        ));
+        assert!(warns(Rules::Friendly, (true, false), 1, "Cover the queen"));
+        assert!(warns(Rules::Tournament, (false, true), 1, "your last coin"));
+        assert_eq!(warning(Rules::Tournament, (false, true), 2), None);
+        assert_eq!(warning(Rules::Tournament, (false, false), 1), None);
+        assert_eq!(warning(Rules::Friendly, (false, true), 1), None);
+        assert_eq!(warning(Rules::Practice, (true, false), 1), None);
     }
 }
