@@ -168,7 +168,7 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     let panel = panel_of(app, layer);
     let columns = centred(body);
     let (kind, scrolled, frame) = match layer {
-        AppLayer::Help { scrolled } => (SheetKind::Help, *scrolled, columns),
+        AppLayer::Help { scrolled, .. } => (SheetKind::Help, *scrolled, columns),
         layer => {
             let kind = match layer {
                 AppLayer::Notice(_) => SheetKind::Notice,

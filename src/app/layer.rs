@@ -2,8 +2,9 @@
 
 use strum::{EnumMessage, IntoStaticStr};
 
+use crate::game::Rules;
 use crate::messages::Key;
-use crate::screens::Confirmation;
+use crate::screens::{Confirmation, Route};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, Rebound};
 
@@ -14,6 +15,8 @@ pub(super) enum AppLayer {
     Help {
         /// The number of lines by which the page is scrolled.
         scrolled: u16,
+        /// The rules of the game on the screen.
+        rules: Option<Rules>,
     },
     /// A notice, until a key is pressed.
     Notice(String),
@@ -31,6 +34,8 @@ pub(super) enum LayerAction {
     Scroll(i16),
     /// look up a term in the glossary
     Glossary,
+    /// read the rules of the game
+    Rules(Rules),
     /// agree
     Agree,
     /// decline
@@ -38,26 +43,27 @@ pub(super) enum LayerAction {
 }
 
 /// How a layer was closed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum LayerDone {
     /// The player gave no answer, or declined.
     Closed,
     /// The player agreed.
     Agreed,
-    /// The player looks up a term.
-    Glossary,
+    /// The player looks something up.
+    LookUp(Route),
 }
 
 impl AppLayer {
     /// The keys of the layer. Any other key closes the layer, unless the layer is a question.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
-        use LayerAction::{Agree, Decline, Glossary, Scroll};
+        use LayerAction::{Agree, Decline, Glossary, Rules, Scroll};
         let table = KeyTable::new("layer");
         let table = match self {
             Self::Notice(_) => table,
-            Self::Help { .. } => table
+            Self::Help { rules, .. } => table
                 .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
                 .or([(Key::PageUp, Scroll(-10)), (Key::PageDown, Scroll(10))])
+                .each(rules.map(|rules| ('r', Rules(rules))), "rules")
                 .on(Key::Char('g'), Glossary, "glossary"),
             Self::Confirm(question) | Self::Leave(question) => table
                 .on(Key::Char('y'), Agree, question.yes)
@@ -78,11 +84,16 @@ impl AppLayer {
     pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {
-            (Self::Help { scrolled }, Some(LayerAction::Scroll(by))) => {
+            (Self::Help { scrolled, .. }, Some(LayerAction::Scroll(by))) => {
                 *scrolled = scrolled.saturating_add_signed(by).min(most);
                 Outcome::Used
             }
-            (Self::Help { .. }, Some(LayerAction::Glossary)) => Outcome::Done(LayerDone::Glossary),
+            (Self::Help { .. }, Some(LayerAction::Glossary)) => {
+                Outcome::Done(LayerDone::LookUp(Route::Glossary))
+            }
+            (Self::Help { .. }, Some(LayerAction::Rules(rules))) => {
+                Outcome::Done(LayerDone::LookUp(Route::Rules { rules }))
+            }
             (Self::Confirm(_) | Self::Leave(_), Some(LayerAction::Agree)) => {
                 Outcome::Done(LayerDone::Agreed)
             }

@@ -34,6 +34,7 @@ use crate::screens::{
     levels::{LevelPlay, Levels},
     progress::Progress,
     quiz::{Choosing, Quiz},
+    rules::RulesScreen,
     settings::SettingsScreen,
     table::Table,
 };
@@ -452,18 +453,18 @@ impl App {
             Outcome::Ignored | Outcome::Used => vec![],
             Outcome::Done(done) => match (self.layers.pop(), done) {
                 (_, LayerDone::Closed) => vec![],
-                (_, LayerDone::Glossary) => self.look_up(),
+                (_, LayerDone::LookUp(route)) => self.look_up(route),
                 (Some(AppLayer::Leave(_)), LayerDone::Agreed) => vec![Effect::Quit],
                 (_, LayerDone::Agreed) => self.with_screen(|screen, cx| screen.confirmed(cx)),
             },
         }
     }
 
-    /// Opens the glossary over the screen, unless it is open.
-    fn look_up(&mut self) -> Vec<Effect> {
-        self.with_screen(|screen, cx| match screen.route(cx) {
-            Route::Glossary => Next::Stay,
-            _ => Next::Open(Route::Glossary),
+    /// Opens a reference page over the screen, unless it is open.
+    fn look_up(&mut self, route: Route) -> Vec<Effect> {
+        self.with_screen(|screen, cx| match screen.route(cx) == route {
+            true => Next::Stay,
+            false => Next::Open(route),
         })
     }
 
@@ -514,7 +515,11 @@ impl App {
     fn share(&mut self, action: SharedAction) -> Vec<Effect> {
         let settings = &mut self.context.settings;
         match action {
-            SharedAction::Help => self.layers.push(AppLayer::Help { scrolled: 0 }),
+            SharedAction::Help => {
+                let rules = self.stack.last().and_then(|screen| screen.rules());
+                let scrolled = 0;
+                self.layers.push(AppLayer::Help { scrolled, rules });
+            }
             SharedAction::Charset => settings.charset = settings.charset.other(),
             SharedAction::Theme => settings.palette = settings.palette.next(),
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
@@ -596,6 +601,7 @@ impl App {
             Route::Foil => hosted(FoilScreen::default()),
             Route::FoilAt { page } => hosted(FoilScreen::at(page)),
             Route::Table => hosted(Table::default()),
+            Route::Rules { rules } => hosted(RulesScreen { rules }),
             Route::Progress => hosted(Progress::ask(cx)),
             Route::Settings => hosted(SettingsScreen::ask(cx)),
         });

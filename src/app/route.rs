@@ -1,6 +1,7 @@
 //! Routes by name, as the command line and links use them.
 
 use super::Data;
+use crate::game::Rules;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 use crate::screens::{Context, FoilPage, Route};
@@ -46,6 +47,13 @@ impl Data {
             }
             "glossary" => Route::Glossary,
             "table" => Route::Table,
+            "rules" => {
+                let is_meant = |rules: &Rules| <&str>::from(*rules) == value || value.is_empty();
+                let rules = Rules::ALL.into_iter().find(is_meant);
+                Route::Rules {
+                    rules: rules.ok_or("tournament, friendly or practice")?,
+                }
+            }
             "quiz" => Route::Quiz {
                 code: self.round(value)?,
             },
@@ -140,6 +148,7 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
             page => format!("foil={}", *page as usize + 1),
         },
         Route::Table => "table".into(),
+        Route::Rules { rules } => named("rules", (*rules).into()),
         Route::Progress => "progress".into(),
         Route::Settings => "settings".into(),
         Route::Levels => "levels".into(),
@@ -211,6 +220,7 @@ mod tests {
             "foil",
             "foil=2",
             "table",
+            "rules=friendly",
             "levels",
             "level=first-hits/dead-stop",
             "progress",

@@ -30,7 +30,7 @@ struct Guide {
 }
 
 /// All guides, in the order in which a teacher needs them.
-static GUIDES: [Guide; 11] = [
+static GUIDES: [Guide; 12] = [
     Guide {
         name: "start",
         about: "the first ten minutes",
@@ -60,6 +60,11 @@ static GUIDES: [Guide; 11] = [
         name: "glossary",
         about: "the terms of mechanics",
         markdown: include_str!("../../docs/glossary.md"),
+    },
+    Guide {
+        name: "rules",
+        about: "the rules of carrom, with the numbers of the laws",
+        markdown: include_str!("../../docs/rules.md"),
     },
     Guide {
         name: "levels",

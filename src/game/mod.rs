@@ -38,6 +38,7 @@ mod stroke;
 mod table;
 mod validity;
 
+pub(crate) use laws::RuleLine;
 pub use laws::{BoardWon, Rules, Ruling, RulingEffect};
 pub(crate) use pieces::PieceSet;
 pub use pieces::{Coin, Colour, Piece};

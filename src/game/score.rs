@@ -4,11 +4,11 @@ use super::laws::{BoardWon, Rules};
 use super::seat::{ByTeam, Team};
 
 /// Points that win a game (29a).
-const GAME_POINTS: u8 = 25;
+pub(super) const GAME_POINTS: u8 = 25;
 /// Boards after which the leader wins a game (29a).
-const GAME_BOARDS: u8 = 8;
+pub(super) const GAME_BOARDS: u8 = 8;
 /// Games that win a match: the best of three (30).
-const MATCH_GAMES: u8 = 2;
+pub(super) const MATCH_GAMES: u8 = 2;
 
 /// The score, calculated from the boards played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -9,6 +9,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::view::{Part, View};
 use super::{Context, Next, Route, Screen};
+use crate::game::Rules;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
@@ -77,6 +78,8 @@ pub trait AnyScreen {
     fn table(&self, cx: &Context) -> KeyTable<()>;
     /// See [`Screen::about`].
     fn about(&self, cx: &Context) -> Vec<&'static str>;
+    /// See [`Screen::rules`].
+    fn rules(&self) -> Option<Rules>;
     /// Handles a key press.
     fn press(&mut self, key: Key, cx: &mut Context) -> Next;
     /// Handles a confirmation that the player has accepted.
@@ -372,6 +375,10 @@ impl<S: Screen> AnyScreen for Hosted<S> {
 
     fn about(&self, cx: &Context) -> Vec<&'static str> {
         self.screen.about(cx)
+    }
+
+    fn rules(&self) -> Option<Rules> {
+        self.screen.rules()
     }
 
     fn press(&mut self, key: Key, cx: &mut Context) -> Next {

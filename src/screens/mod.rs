@@ -7,6 +7,7 @@ mod kept_files;
 mod leads;
 mod recall;
 mod route;
+mod strike_guard;
 mod view;
 
 pub(crate) mod class;
@@ -19,6 +20,7 @@ pub mod learn;
 pub(crate) mod levels;
 pub(crate) mod progress;
 pub(crate) mod quiz;
+pub(crate) mod rules;
 pub(crate) mod settings;
 pub mod table;
 
@@ -32,8 +34,10 @@ pub use hosted::{AnyScreen, Hosted, SharedAction};
 pub(crate) use join::{code_of, host_of};
 pub use route::{FoilPage, Route};
 pub use settings::{KeptSettings, Settings};
+pub(crate) use strike_guard::StrikeGuard;
 pub use view::View;
 
+use crate::game::Rules;
 use crate::messages::{Input, Key, Mouse};
 use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
@@ -69,6 +73,11 @@ pub trait Screen {
     /// Handles a key before the table does, for text input. Returns whether the key was used.
     fn typed(&mut self, _key: Key, _cx: &mut Context) -> bool {
         false
+    }
+
+    /// The rules of the game on the screen, to which its help page leads.
+    fn rules(&self) -> Option<Rules> {
+        None
     }
 
     /// Carries out an action.

@@ -1,6 +1,7 @@
 //! The routes of the app.
 
 use crate::class::JoinCode;
+use crate::game::Rules;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 
@@ -80,6 +81,11 @@ pub enum Route {
     },
     /// The table: carrom itself.
     Table,
+    /// The rules of carrom.
+    Rules {
+        /// The set of rules.
+        rules: Rules,
+    },
     /// What the player has done so far.
     Progress,
     /// The player's settings.

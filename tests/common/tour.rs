@@ -1,6 +1,7 @@
 //! A tour of the moments in which keys have a meaning.
 
 use carrom::app::App;
+use carrom::game::Rules;
 use carrom::quiz::Code;
 use carrom::screens::{Route, Settings};
 use carrom::shells::classroom::Who;
@@ -46,8 +47,8 @@ const DEVICES: &str = "host";
 /// The round on devices, unless another code follows a colon.
 const ON_DEVICES: &str = "from-angle2-7";
 /// Two strokes of practice.
-const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>";
-const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";
+const TWO_STROKES: &str = "<Right><Right><Enter><Up><Space><End><Space><Down><Space><End>";
+const STROKE_BEFORE: &str = "<Right><Right><Enter><Up><Space><End><Space><Down><Space><End>p";
 /// Answers two questions of a round.
 const LOOKING_BACK: &str = "60<Enter>30<Enter>2<End><Enter>60<Enter>30<Enter>2<End><Enter>";
 /// The answers of somebody who copies the angle.
@@ -211,7 +212,7 @@ pub(crate) const TOUR: &[TourStop] = &[
     ),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),
-    moment("a level, predicting", "level 4", "<Enter>"),
+    moment("a level, predicting", "level 4", "pp<Enter>"),
     moment("a level, watching", "level 4", "p<Enter>"),
     moment("a level, missed", "level 47", "p<Enter><End>"),
     moment("a level, an impact", "level 4", "p<Enter><End>i"),
@@ -224,14 +225,22 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("table, aiming", "table", "<Enter>"),
     moment("table, a number typed", "table", "<Enter>9"),
     moment("table, calling", "table", "<Enter>c<Space>"),
-    moment("table, watching", "table", "<Enter><Space>"),
-    moment("table, a stroke at its end", "table", "<Enter><Space><End>"),
-    moment("table, impacts", "table", "<Enter><Space><End>i"),
-    moment("table, an impact", "table", "<Enter><Space><End>i<Enter>"),
+    moment("table, watching", "table", "<Enter><Up><Down><Space>"),
+    moment(
+        "table, a stroke at its end",
+        "table",
+        "<Enter><Up><Down><Space><End>",
+    ),
+    moment("table, impacts", "table", "<Enter><Up><Down><Space><End>i"),
+    moment(
+        "table, an impact",
+        "table",
+        "<Enter><Up><Down><Space><End>i<Enter>",
+    ),
     moment(
         "table, an impact explained",
         "table",
-        "<Enter><Space><End>i<Enter><End>",
+        "<Enter><Up><Down><Space><End>i<Enter><End>",
     ),
     moment("table, strokes", "table", TWO_STROKES),
     moment("table, the stroke before", "table", STROKE_BEFORE),
@@ -240,8 +249,10 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment(
         "table, saved games",
         "table",
-        "<Enter><Space><End><Escape>ys",
+        "<Enter><Up><Down><Space><End><Escape>ys",
     ),
+    moment("rules", "rules", ""),
+    moment("help at the table", "table", "?").taking_any(),
     moment("progress", "progress", ""),
     moment("settings", "settings", ""),
     moment("settings, the player", "settings", "<End>"),
@@ -300,6 +311,9 @@ impl TourStop {
             "levels" => Route::Levels,
             "level" => Route::Level { number: number() },
             "table" => Route::Table,
+            "rules" => Route::Rules {
+                rules: Rules::Tournament,
+            },
             "progress" => Route::Progress,
             "settings" => Route::Settings,
             _ => Route::Home,

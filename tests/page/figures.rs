@@ -71,7 +71,11 @@ fn figures_of_the_page() {
             "lab",
             vec!["Enter", "6", "0", "Enter", "3", "0", "Enter"],
         ),
-        ("the replay of a break", "table&seed=3", vec!["Enter", " "]),
+        (
+            "the replay of a break",
+            "table&seed=3",
+            vec!["Enter", "ArrowUp", " "],
+        ),
     ] {
         open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
         chromium.run(TIME_FRAMES, &[]);
@@ -112,6 +116,7 @@ fn a_break(chromium: &mut Chromium) {
           for (let i = 0; i < arguments[0]; i++) {
             program.call({ do: 'open', columns: 80, rows: 24, seed: 3, fragment: 'table' });
             program.call({ do: 'key', key: 'Enter' });
+            program.call({ do: 'key', key: 'Up' });
             const start = performance.now();
             program.call({ do: 'key', key: 'Space' });
             time += performance.now() - start;
@@ -124,6 +129,7 @@ fn a_break(chromium: &mut Chromium) {
         let times = (0..TOGETHER).map(|_| {
             let mut game = Headless::from(cli::open("table --seed 3").unwrap());
             game.key(Key::Enter);
+            game.key(Key::Up);
             let start = Instant::now();
             game.key(Key::Char(' '));
             start.elapsed().as_secs_f64() * 1e3

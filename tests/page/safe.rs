@@ -197,7 +197,7 @@ fn axe_finds_no_problem_on_any_screen() {
             ("foil", ""),
             ("foil=2", ""),
             ("foil=3", ""),
-            ("table&seed=3", "Enter Space"),
+            ("table&seed=3", "Enter ArrowUp Space"),
             ("levels", ""),
             ("level=dead-stop", "Enter"),
             ("progress", ""),

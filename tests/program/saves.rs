@@ -478,7 +478,7 @@ fn a_failed_save_is_reported_once_and_the_game_continues() {
     let in_the_way = folder.path().join("games");
     fs::write(&in_the_way, "in the way").unwrap();
     let mut game = table(Store::in_folder(folder.path()));
-    game.press("<Enter> ");
+    game.press("<Enter>90<Enter> ");
     let told = |game: &mut Headless| game.screen().contains("This game cannot be saved");
     assert!(told(&mut game), "{}", game.screen());
     game.press("<Enter>260 ");
@@ -496,7 +496,7 @@ fn a_failed_save_is_reported_once_and_the_game_continues() {
 fn a_game_is_resumed_where_it_was_left() {
     let folder = Folder::new("resumed");
     let mut game = table(Store::in_folder(folder.path()));
-    game.press("<Enter> <Enter>260 <Enter>100 <Enter>");
+    game.press("<Enter>90<Enter> <Enter>260 <Enter>100 <Enter>");
     let left = game.screen();
     game.press("<Escape>y");
     assert!(game.screen().contains("a new game"), "{}", game.screen());

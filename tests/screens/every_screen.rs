@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use carrom::app::App;
+use carrom::game::Rules;
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::quiz::{Code, Course, CourseKind};
 use carrom::screens::{Route, Settings};
@@ -27,6 +28,9 @@ fn places() -> Vec<Route> {
         },
         Route::Foil,
         Route::Table,
+        Route::Rules {
+            rules: Rules::Tournament,
+        },
         Route::Levels,
         Route::Progress,
         Route::Settings,

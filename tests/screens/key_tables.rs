@@ -77,7 +77,7 @@ fn end_of_a_board(settings: Settings) -> Headless {
 fn the_computer_aims() -> Headless {
     let app = App::new(Route::Table, Settings::default(), 7);
     let mut game = Headless::from(app);
-    game.press("<Enter><Space><End><Space>");
+    game.press("<Enter><Up><Down><Space><End><Space>");
     game.pass(Duration::from_secs(1));
     game
 }

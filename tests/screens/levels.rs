@@ -21,7 +21,30 @@ fn embedded() -> Shelf {
 
 fn open(place: Route, settings: Settings, size: (u16, u16)) -> Headless {
     let app = App::new(place, settings, 1);
-    Headless::new(app, size.0, size.1)
+    let mut game = Headless::new(app, size.0, size.1);
+    game.pass(LONG);
+    game
+}
+
+#[test]
+fn going_on_never_shoots() {
+    for key in ["<Enter>", " "] {
+        let mut game = level(number("dead-stop"));
+        game.press("p47<Enter><Enter>");
+        for _ in 0..90 {
+            game.press(key);
+            game.pass(Duration::from_millis(33));
+        }
+        let screen = game.screen();
+        assert!(screen.contains("> direction"), "{screen}");
+        assert!(
+            squeezed(&screen).contains("Toosoonafterthelastpress"),
+            "{screen}"
+        );
+        game.pass(LONG);
+        game.press(key);
+        assert!(game.screen().contains("shot 2"), "{}", game.screen());
+    }
 }
 
 fn level(number: usize) -> Headless {
@@ -114,7 +137,9 @@ fn the_last_speed_chosen_is_remembered() {
     let mut game = level(number("follow-on"));
     game.press("p<Enter>");
     assert!(game.screen().contains("real speed"), "{}", game.screen());
-    game.press("--<Escape><Enter>");
+    game.press("--<Escape>");
+    game.pass(LONG);
+    game.press("<Enter>");
     assert!(game.screen().contains("1/4 speed"), "{}", game.screen());
 }
 

@@ -20,7 +20,17 @@ const SEED: u64 = 11;
 
 fn at_the_table(options: Options, settings: Settings) -> Headless {
     let table = Table::playing(options, SEED);
-    Headless::new(App::on(Box::new(Hosted::new(table)), settings, 1), 120, 40)
+    rested(Headless::new(
+        App::on(Box::new(Hosted::new(table)), settings, 1),
+        120,
+        40,
+    ))
+}
+
+/// The game after so long without a key that a press strikes.
+fn rested(mut game: Headless) -> Headless {
+    game.pass(Duration::from_secs(2));
+    game
 }
 
 fn still() -> Settings {
@@ -155,7 +165,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
     let mut chance = Pcg64::seed_from_u64(3);
     let mut tenths = 40;
     let mut due_made = false;
-    let mut seen = [false; 3];
+    let mut seen = [false; 4];
     for _ in 0..100 {
         let before_turn = game.seat();
         let tried = next_stroke(&game, &mut chance, due_made);
@@ -176,6 +186,8 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
         seen[1] |= shown.contains("queen Q to be covered");
         seen[2] |= shown.contains("queen Q with South");
         screen.press("<Enter>");
+        screen.pass(Duration::from_secs(2));
+        seen[3] |= panel(&mut screen).contains("Cover the queen");
         if let GameStage::BoardOver(won) = game.stage() {
             assert_eq!(won.winner, Team::First);
             let text = screen.screen();
@@ -184,7 +196,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
                 "{text}"
             );
             assert!(text.contains("The board goes to South."), "{text}");
-            assert_eq!(seen, [true; 3]);
+            assert_eq!(seen, [true; 4]);
             screen.press("<Enter>");
             assert!(screen.screen().contains("North breaks, white"));
             return;
@@ -240,6 +252,10 @@ fn a_hint_sets_the_stroke_that_it_describes_and_is_legal() {
     let place = place.trim_end_matches(" of the middle");
     assert!(shown.contains(&format!("place {place}")), "{shown}");
     assert!(!shown.contains("No stroke is"), "{shown}");
+    assert!(!shown.contains("set it so"), "{shown}");
+    game.press("<Right>");
+    assert!(panel(&mut game).contains("set it so"));
+    game.press("h");
     // The striker stays on the board.
     game.press(" ");
     assert!(panel(&mut game).contains("Space: go on."));
@@ -278,6 +294,7 @@ fn in_practice_pieces_are_arranged_and_strokes_are_made_and_undone() {
     assert_eq!(game.screen(), pack, "taken back");
     // A coin can be moved anywhere except onto another.
     game.press("p<Tab> <Right> ");
+    assert!(panel(&mut game).contains(" mm "));
     assert!(panel(&mut game).contains("overlap"), "{}", panel(&mut game));
     game.press("<Up><Up><Up><Up><Up><Up><Up><Up> p");
     assert_ne!(game.screen(), pack);
@@ -382,6 +399,74 @@ fn the_computer_plays_and_explains_its_stroke() {
         }
     }
     assert!(strokes > 0);
+}
+
+/// Presses Space twelve times, or holds it, from the end of a stroke through the computer's stroke
+/// into the next turn, and once more after a pause.
+#[test]
+fn going_on_never_strikes() {
+    for (between, presses) in [(350, 12), (33, 600)] {
+        let mut game = at_the_table(Options::default(), Settings::default());
+        game.press(&"-".repeat(30));
+        game.press(" ");
+        // A held key repeats after a delay, then at 30 Hz.
+        let delay = if presses > 12 { 660 } else { between };
+        for press in 0..presses {
+            game.press(" ");
+            let wait = if press == 0 { delay } else { between };
+            game.pass(Duration::from_millis(wait));
+        }
+        let shown = panel(&mut game);
+        let what = format!("every {between} ms: {shown}");
+        assert!(game.screen().contains("your stroke"), "{what}");
+        assert!(shown.contains("Too soon after the last press"), "{what}");
+        game.pass(Duration::from_secs(2));
+        let shown = panel(&mut game);
+        assert!(!shown.contains("Too soon"), "{shown}");
+        game.press(" ");
+        assert!(game.screen().contains("stroke 3 of 3"), "{}", game.screen());
+        // Another key shows at once that the strike key was released.
+        let mut game = at_the_table(Options::two_people(), still());
+        game.press(" <Enter> ");
+        assert!(game.screen().contains("North's stroke"));
+        game.press("<Right> ");
+        assert!(game.screen().contains("stroke 2 of 2"), "{}", game.screen());
+    }
+}
+
+#[test]
+fn a_replay_left_on_the_computers_turn_waits_for_the_player() {
+    let mut game = at_the_table(Options::default(), still());
+    game.press(&"-".repeat(30));
+    game.press(" v");
+    assert!(game.screen().contains("stroke 1 of 1"));
+    game.press("<Escape>");
+    game.pass(Duration::from_secs(20));
+    let screen = game.screen();
+    assert!(screen.contains("stroke 1 of 1"), "{screen}");
+    assert!(screen.contains("go on"), "{screen}");
+    game.press("<Escape>");
+    assert!(game.screen().contains("Leave this game?"));
+}
+
+#[test]
+fn the_rules_of_the_game_are_read_from_its_set_up_and_its_help() {
+    let opened = |keys: &str| {
+        let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
+        game.press(keys);
+        game
+    };
+    for (keys, title) in [
+        ("r", "the rules: tournament"),
+        ("<Right>r", "the rules: friendly"),
+        ("<Right><Enter>?r", "the rules: friendly"),
+        ("<Enter>?r<Left>", "the rules: practice"),
+    ] {
+        let mut game = opened(keys);
+        assert!(game.screen().contains(title), "{keys}: {}", game.screen());
+    }
+    let mut game = opened("<Enter>?r<Escape>");
+    assert!(game.screen().contains("your stroke"), "{}", game.screen());
 }
 
 #[test]
@@ -522,7 +607,11 @@ fn cell(x_mm: f64, y_mm: f64) -> (u16, u16) {
 
 fn small(options: Options) -> Headless {
     let table = Table::playing(options, SEED);
-    Headless::new(App::on(Box::new(Hosted::new(table)), still(), 1), 80, 24)
+    rested(Headless::new(
+        App::on(Box::new(Hosted::new(table)), still(), 1),
+        80,
+        24,
+    ))
 }
 
 #[test]
@@ -635,6 +724,7 @@ fn whole_game(
             strike(&mut game, &mut chance);
         } else {
             go_on(&mut game);
+            game.pass(Duration::from_secs(2));
         }
     }
     panic!(

@@ -231,7 +231,7 @@ const input = (() => {
   function answers(rows) {
     const named = rows.filter(({ name }) => name && name !== "scroll");
     const isHelp = layer.className === "help";
-    const label = (name) => (isHelp && name !== "glossary" ? "Back" : panels.capital(name));
+    const label = (name) => (isHelp && !["glossary", "rules"].includes(name) ? "Back" : panels.capital(name));
     const nodes = named.map(({ keys, name, help }) => button(keys[0], label(name), help));
     layer.querySelector(".answers").replaceChildren(...nodes);
   }

@@ -29,6 +29,7 @@ mod coins;
 mod ending;
 mod friendly;
 mod opening;
+mod page;
 mod practice;
 mod queen;
 mod ruling;
@@ -36,6 +37,7 @@ mod ruling;
 mod tests;
 
 pub(crate) use case::{Case, QueenBefore, QueenFate, Side, TurnFate, Verdict};
+pub(crate) use page::RuleLine;
 pub(crate) use ruling::Law;
 pub use ruling::{BoardWon, Ruling, RulingEffect};
 

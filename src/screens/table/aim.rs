@@ -135,11 +135,16 @@ impl Aim {
     /// The position of the striker as seen on the screen, as in "12 mm left".
     pub(super) fn place_words(&self, game: &Game) -> String {
         if game.setup().rules == Rules::Practice {
-            let [x, y] = [self.place.x, self.place.y].map(|x| x * 1000.0 + 0.0);
-            return format!("{x:.0}, {y:.0} mm");
+            return millimetres(self.place);
         }
         game.base_lines().stand(self.place).words()
     }
+}
+
+/// A position on the board in millimetres from its centre, to the right and up.
+pub(super) fn millimetres(at: DVec2) -> String {
+    let at = at * 1000.0 + DVec2::ZERO;
+    format!("{:.0}, {:.0} mm", at.x, at.y)
 }
 
 /// The direction of a step to the right or up on the screen: along the base lines of a seat, or

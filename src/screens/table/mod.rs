@@ -19,6 +19,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, View};
+use crate::game::Rules;
 use crate::messages::{Input, Mouse};
 use crate::numbers::fixed;
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
@@ -130,6 +131,14 @@ impl Screen for Table {
         include_str!("help.txt").lines().collect()
     }
 
+    fn rules(&self) -> Option<Rules> {
+        match &self.page {
+            TablePage::NewGame(page) => Some(page.options.rules),
+            TablePage::SavedGames(_) => None,
+            TablePage::Playing(playing) => Some(playing.game.options.rules),
+        }
+    }
+
     fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         match (&mut self.page, action) {
             (TablePage::NewGame(page), TableAction::NewGame(action)) => match action {
@@ -141,6 +150,10 @@ impl Screen for Table {
                 NewGameAction::SavedGames => {
                     let saved = SavedGames::ask(page.options, cx);
                     self.page = TablePage::SavedGames(Box::new(saved));
+                }
+                NewGameAction::Rules => {
+                    let rules = page.options.rules;
+                    return Next::Open(Route::Rules { rules });
                 }
                 NewGameAction::Back => return Next::Back,
             },

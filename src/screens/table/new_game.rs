@@ -32,6 +32,8 @@ pub enum NewGameAction {
     Agree(FormAction),
     /// play
     Play,
+    /// read the rules of the game
+    Rules,
     /// saved games: resume one, or watch it again
     SavedGames,
     /// go back
@@ -43,6 +45,7 @@ impl NewGame {
         KeyTable::new("table")
             .on(Key::Enter, NewGameAction::Play, "play")
             .when(!self.form.is_typing())
+            .on('r', NewGameAction::Rules, "rules")
             .on('s', NewGameAction::SavedGames, "saved games")
             .with(self.form.keys(&self.options), NewGameAction::Agree)
             .on(Key::Escape, NewGameAction::Back, "back")
@@ -63,6 +66,7 @@ impl NewGame {
                 true => panel.prompt("set it", NewGameAction::Agree(SettingsForm::SET)),
                 false => panel.prompt("play!", NewGameAction::Play),
             }
+            panel.prompt("the rules", NewGameAction::Rules);
             panel.prompt("saved games", NewGameAction::SavedGames);
         });
         let set = self.options.set;

@@ -147,9 +147,10 @@ impl PlainReader {
                 return press(Key::Ctrl('c'), holder);
             }
             "help" | "h" | "?" => return Ok(self.help(holder)),
-            "glossary" if !is_text && self.page.layer.is_none() => {
+            "glossary" | "rules" if !is_text && self.page.layer.is_none() => {
                 holder.input(&Key::Char('?').into());
-                return press(Key::Char('g'), holder);
+                let initial = lower.chars().next().unwrap_or_default();
+                return press(Key::Char(initial), holder);
             }
             "repeat" | "r" => return Ok(self.repeat()),
             "" | "shoot" => {
@@ -475,7 +476,7 @@ impl PlainReader {
         lines.push(
             "To set a value, type its name: speed = 3. Or choose it and type more or less.".into(),
         );
-        lines.push("At any time: repeat reads the page again, glossary explains the terms of mechanics, back goes back, quit saves your answers and ends carrom.".into());
+        lines.push("At any time: repeat reads the page again, glossary explains the terms of mechanics, rules explains the game at the table, back goes back, quit saves your answers and ends carrom.".into());
         lines.extend(self.page.deeds());
         lines
     }

@@ -6,6 +6,7 @@ mod break_and_turn;
 mod dues;
 mod house_rules;
 mod laying;
+mod page;
 mod queen_and_cover;
 mod validity;
 mod whole_games;

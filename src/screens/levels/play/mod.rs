@@ -15,7 +15,7 @@ use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Shot;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
-use crate::screens::{Context, Next, Route, Screen, SharedAction, View};
+use crate::screens::{Context, Next, Route, Screen, SharedAction, StrikeGuard, View};
 use crate::widgets::hit::point_at;
 use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
 use crate::widgets::replay::{ShotAction, ShotImpact, impacts};
@@ -40,6 +40,7 @@ pub(crate) struct LevelPlay {
     phase: LevelPhase,
     /// Why the last shot could not be played.
     trouble: Option<String>,
+    guard: StrikeGuard,
 }
 
 /// The phase of the level.
@@ -111,6 +112,7 @@ impl LevelPlay {
             earlier: Vec::new(),
             phase: LevelPhase::Aim,
             trouble: None,
+            guard: StrikeGuard::default(),
         })
     }
 
@@ -241,9 +243,10 @@ impl Screen for LevelPlay {
                 let (watched, won) = (made.watched, made.win.is_some());
                 table
                     .on(Key::Enter, NextLevel, "next level")
-                    .or([(Key::Char('n'), NextLevel)])
+                    .or([' ', 'n'].map(|key| (key, NextLevel)))
                     .when(watched && won)
                     .on(Key::Enter, AimAgain, "try again")
+                    .or([(' ', AimAgain)])
                     .when(watched && !won)
                     .on(Key::Char('h'), Hint, "hint")
                     .when(watched && !won)
@@ -260,7 +263,11 @@ impl Screen for LevelPlay {
     }
 
     fn act(&mut self, action: LevelAction, cx: &mut Context) -> Next {
+        if action != LevelAction::Go {
+            self.guard.release();
+        }
         match (&mut self.phase, action) {
+            (_, LevelAction::Go) if !self.guard.allows() => {}
             (_, LevelAction::Go) => self.go(cx),
             (_, LevelAction::Set(action)) => self.form.act(action, &mut self.dials),
             (_, LevelAction::Reset) => {
@@ -283,6 +290,7 @@ impl Screen for LevelPlay {
             }
             (_, LevelAction::NextLevel) => return self.next_level(cx),
             (phase, LevelAction::AimAgain) => {
+                self.guard = StrikeGuard::default();
                 if let LevelPhase::Watch(made) = std::mem::replace(phase, LevelPhase::Aim) {
                     made.keep(self.number, cx);
                     let watched = made.in_short().map(|watched| EarlierShot {
@@ -304,6 +312,7 @@ impl Screen for LevelPlay {
         if !mouse.is_held() || !picture.contains(mouse.cell().into()) {
             return Next::Ignored;
         }
+        self.guard.release();
         match &mut self.phase {
             LevelPhase::Aim => {
                 let view = board::view(&self.dials.level, picture);
@@ -323,6 +332,7 @@ impl Screen for LevelPlay {
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.guard.release();
         match &mut self.phase {
             LevelPhase::Aim => self.dials.wheel(&mut self.form, f64::from(-by)),
             LevelPhase::Predict(_) => return Next::Ignored,
@@ -336,6 +346,7 @@ impl Screen for LevelPlay {
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
+        self.guard.advance(passed);
         if let LevelPhase::Watch(made) = &mut self.phase {
             made.player.advance(passed, cx.settings.pace());
             made.keep_if_watched(self.number, cx);
@@ -344,8 +355,9 @@ impl Screen for LevelPlay {
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.phase {
+            LevelPhase::Aim => self.guard.wake(),
+            LevelPhase::Predict(_) => None,
             LevelPhase::Watch(made) => made.player.wake(cx.settings.pace()),
-            _ => None,
         }
     }
 

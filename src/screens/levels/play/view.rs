@@ -7,7 +7,7 @@ use crate::levels::{FEW_SHOTS, Win};
 use crate::numbers;
 use crate::quiz::{Ray, why};
 use crate::screens::levels::words;
-use crate::screens::{Context, View};
+use crate::screens::{Context, StrikeGuard, View};
 use crate::widgets::hit::{CONTACT, Markings, Watch, contact_picture, setup_picture};
 use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
@@ -102,7 +102,9 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
         play.form.write_about(&play.dials, panel);
     });
     panel.gap();
-    if let Some(trouble) = &play.trouble {
+    let too_soon = play.guard.is_refusing();
+    let too_soon = too_soon.then_some(StrikeGuard::TOO_SOON);
+    if let Some(trouble) = play.trouble.as_deref().or(too_soon) {
         panel.paragraph(trouble, Role::Warn);
         panel.gap();
     }
@@ -198,7 +200,7 @@ fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
             let (met, all) = (made.verdict.met(), play.level().goals.len());
             let cheer = match met {
                 0 => "Not yet. See what was off, then change one thing at a time.".into(),
-                _ => format!("Not yet, but {met} of {all} goals are met: you are on the way."),
+                _ => format!("Not yet, but you have met {met} of {all} goals: you are on the way."),
             };
             panel.paragraph(cheer, Role::Title);
         }

@@ -12,10 +12,11 @@ use crate::game::{Aids, Game, Move};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::capital;
 use crate::physics::units::m_from_mm;
-use crate::screens::Context;
 use crate::screens::table::aim::{Aim, SPEEDS, along_the_screen, rightwards};
+use crate::screens::table::computer_stroke::strike;
 use crate::screens::table::preview::{FirstHit, WayEnd};
 use crate::screens::table::{TableAction, picture, words};
+use crate::screens::{Context, StrikeGuard};
 use crate::widgets::input::{EntryAction, KeyTable};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{impact_angle, offset};
@@ -246,6 +247,7 @@ impl ActiveGame {
     /// Writes the aim, its first contact, and the score.
     pub(super) fn write_aim(&self, charset: Charset, panel: &mut Panel<TableAction>) {
         self.write_turn(panel);
+        score::write_warning(self, panel);
         let aim = self.aimed();
         let typed = self.entry.shown();
         panel.fact("aim", typed.unwrap_or_else(|| self.direction(&aim)));
@@ -270,8 +272,11 @@ impl ActiveGame {
         panel.gap();
         if let Some(notice) = &self.notice {
             panel.paragraph(notice, Role::Warn);
+        } else if self.guard.is_refusing() {
+            panel.paragraph(StrikeGuard::TOO_SOON, Role::Warn);
         } else if let Some(hinted) = &self.hint {
-            hint(hinted, panel);
+            let is_set = aim == Aim::of(&strike(hinted.hint.stroke), self.seat());
+            hint(hinted, is_set, panel);
         } else if let Err(why) = self.game().check_place(aim.place) {
             panel.paragraph(
                 format!("No stroke is possible from here: {why}."),
@@ -332,13 +337,15 @@ pub(super) fn strength<A>(aim: &Aim, panel: &mut Panel<A>) {
 }
 
 /// Writes the hint: first where to look, then the whole stroke.
-fn hint(hinted: &Hinted, panel: &mut Panel<TableAction>) {
+fn hint(hinted: &Hinted, is_set: bool, panel: &mut Panel<TableAction>) {
     let (words, more) = match hinted.whole {
         false => (hinted.hint.which(), "tell me more"),
         true => (hinted.hint.how(), "set it so"),
     };
     panel.paragraph(words, Role::Good);
-    panel.prompt(more, TableAction::Aim(AimAction::Hint));
+    if !(hinted.whole && is_set) {
+        panel.prompt(more, TableAction::Aim(AimAction::Hint));
+    }
 }
 
 fn piece(game: &Game, coin: usize) -> &'static str {

@@ -9,6 +9,7 @@ use crate::game::pieces::{COINS_EACH, count};
 use crate::game::{Coin, Game, Move, Piece};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Board;
+use crate::screens::table::aim::millimetres;
 use crate::screens::table::{TableAction, picture};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
@@ -199,6 +200,7 @@ impl Arrange {
             ),
         };
         panel.paragraph(what, Role::Text);
+        panel.fact("place", millimetres(self.hand));
         panel.prompt(next, TableAction::Arrange(ArrangeAction::TakeOrLay));
         panel.gap();
         if let Some(notice) = &game.notice {

@@ -27,7 +27,7 @@ use crate::game::opponent::StrokeHint;
 use crate::game::{Game, GameStage, Move, PieceSet, Rules, Seat};
 use crate::numbers::capital;
 use crate::physics::Shot;
-use crate::screens::{Context, Next};
+use crate::screens::{Context, Next, StrikeGuard};
 use crate::widgets::NumberEntry;
 pub(super) use aiming::AimAction;
 use arranging::Arrange;
@@ -60,6 +60,7 @@ pub(super) struct ActiveGame {
     grip: Grip,
     /// A notice that says why something cannot be done.
     notice: Option<String>,
+    guard: StrikeGuard,
     keeping: GameKeeping,
 }
 
@@ -140,6 +141,7 @@ impl ActiveGame {
             hint: None,
             grip: Grip::default(),
             notice: None,
+            guard: StrikeGuard::default(),
             keeping: GameKeeping::default(),
         };
         active.look_ahead();
@@ -183,6 +185,19 @@ impl ActiveGame {
             GameStage::Playing => GamePhase::Aim,
             _ => GamePhase::Over,
         }
+    }
+
+    /// The next phase after a replay of the past. If it is the computer's turn, the end of the last
+    /// stroke is shown until the player goes on.
+    fn turn_after_replay(&mut self, cx: &Context) -> GamePhase {
+        if self.game().stage() == GameStage::Playing
+            && self.is_computers_turn()
+            && let Some(GamePhase::Watch(mut last)) = self.look_back(cx)
+        {
+            last.live = true;
+            return GamePhase::Watch(last);
+        }
+        self.turn(cx)
     }
 
     /// Makes a move and begins the next turn; shows a notice if the move is impossible. Returns

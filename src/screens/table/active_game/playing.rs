@@ -4,11 +4,11 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{ActiveGame, After, GameAction, GamePhase, pictures, trays};
+use super::{ActiveGame, After, AimAction, GameAction, GamePhase, OverAction, pictures, trays};
 use crate::game::{GameStage, Piece, Rules};
 use crate::messages::{Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, picture, words};
-use crate::screens::{Confirmation, Context, Next, View};
+use crate::screens::{Confirmation, Context, Next, StrikeGuard, View};
 use crate::widgets::hit::{CONTACT, HitPace, contact_picture};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
@@ -83,9 +83,19 @@ impl Playing {
 
     /// Carries out the action of a key or a click.
     pub(in crate::screens::table) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
-        self.hand_over(cx);
         self.game.notice = None;
+        self.hand_over(cx);
         let game = &mut self.game;
+        let strikes = matches!(
+            (&self.phase, action),
+            (GamePhase::Aim, TableAction::Aim(AimAction::Strike))
+                | (GamePhase::Over, TableAction::Over(OverAction::NextBoard))
+        );
+        match strikes {
+            true if !game.guard.allows() => return Next::Stay,
+            true => {}
+            false => game.guard.release(),
+        }
         let after = match (&mut self.phase, action) {
             (phase, TableAction::Game(action)) => match action {
                 GameAction::LookBack => game.look_back(cx).into(),
@@ -123,16 +133,19 @@ impl Playing {
         area: Rect,
         cx: &mut Context,
     ) -> Next {
-        self.hand_over(cx);
         self.game.notice = None;
+        self.hand_over(cx);
         let (game, pressed) = (&mut self.game, mouse.presses(area));
+        if mouse.is_held() && matches!(self.phase, GamePhase::Aim) {
+            game.guard.release();
+        }
         let after = match &mut self.phase {
             GamePhase::Aim => game.aim_at(mouse, area, cx),
             GamePhase::Show(shown) if pressed => shown.strike(game, cx).into(),
             GamePhase::Call(calling) => calling.point(mouse, area),
             GamePhase::Watch(replay) if pressed => replay.click(game, cx),
             GamePhase::Arrange(hand) => hand.point(mouse, area, game),
-            GamePhase::Over if pressed => game.click_on_end(cx),
+            GamePhase::Over if pressed && game.guard.allows() => game.click_on_end(cx),
             _ => After::Ignored,
         };
         self.follow(after, cx)
@@ -141,6 +154,7 @@ impl Playing {
     /// Handles a turn of the mouse wheel.
     pub(in crate::screens::table) fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
         self.game.notice = None;
+        self.game.guard.release();
         let after = match &mut self.phase {
             GamePhase::Aim => {
                 self.game.strengthen(-by);
@@ -158,6 +172,7 @@ impl Playing {
     /// Advances the time.
     pub(in crate::screens::table) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
+        self.game.guard.advance(passed);
         let after = match &mut self.phase {
             GamePhase::Show(shown) => shown.advance(passed, &mut self.game, cx),
             GamePhase::Watch(replay) => replay.advance(passed, &mut self.game, cx),
@@ -172,6 +187,7 @@ impl Playing {
             GamePhase::Watch(replay) => replay.wake(&self.game, pace),
             GamePhase::Show(shown) => shown.wake(),
             GamePhase::Aim if self.game.is_computers_turn() => Some(Duration::ZERO),
+            GamePhase::Aim | GamePhase::Over => self.game.guard.wake(),
             _ => None,
         }
     }
@@ -191,6 +207,7 @@ impl Playing {
             After::Same => Next::Stay,
             After::Phase(phase) => {
                 self.phase = phase;
+                self.game.guard = StrikeGuard::default();
                 Next::Stay
             }
             After::Screen(next) => next,
@@ -252,7 +269,7 @@ impl GamePhase {
             Self::Call(calling) => return After::Phase(calling.leave(game, cx)),
             Self::Arrange(_) => return After::Phase(Self::Aim),
             Self::Watch(replay) if !replay.live || !game.is_running() => {
-                return After::Phase(game.turn(cx));
+                return After::Phase(game.turn_after_replay(cx));
             }
             _ if game.is_running() => return After::Screen(Next::Confirm(parting(game))),
             _ => return After::Screen(Next::Back),
@@ -322,11 +339,10 @@ fn parting(game: &ActiveGame) -> Confirmation {
 /// The number of the board, and the score.
 fn board_title(active: &ActiveGame) -> String {
     let game = active.game();
-    let score = game.score();
     match game.setup().rules {
         Rules::Practice => "practice".into(),
         Rules::Friendly => {
-            format!("boards won {}", words::versus(|team| score.games[team]))
+            format!("boards won   {}", active.options.score(game))
         }
         Rules::Tournament => {
             let score = active.options.score(game);

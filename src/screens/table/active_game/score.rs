@@ -1,7 +1,7 @@
 //! The coins left on the board, the coins owed, and the points of the calls.
 
 use super::ActiveGame;
-use crate::game::{ByTeam, Colour, Team};
+use crate::game::{ByTeam, Colour, Rules, Team};
 use crate::screens::table::calls::Called;
 use crate::screens::table::game_history::Past;
 use crate::screens::table::words;
@@ -44,6 +44,29 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
     panel.pair(("queen Q", Role::Text), (queen, Role::Dim));
 }
 
+/// Warns the player who strikes next of the two situations that cost the most.
+pub(super) fn write_warning<A>(active: &ActiveGame, panel: &mut Panel<A>) {
+    let (game, play) = (active.game(), active.game().play());
+    let own = play.on_board(game.colour(game.team(active.seat())));
+    let queen = (play.queen_to_cover(), play.queen_on_board());
+    if let Some(warning) = warning(game.setup().rules, queen, own) {
+        panel.paragraph(warning, Role::Warn);
+    }
+}
+
+/// The warning if the queen is (to be covered, on the board) and the player has `own` coins left.
+const fn warning(rules: Rules, queen: (bool, bool), own: u8) -> Option<&'static str> {
+    match (rules, queen, own) {
+        (Rules::Tournament | Rules::Friendly, (true, _), _) => {
+            Some("Cover the queen: pocket a coin of yours now, or she goes back.")
+        }
+        (Rules::Tournament, (_, true), 1) => {
+            Some("Do not pocket your last coin before the queen: you would lose the board.")
+        }
+        _ => None,
+    }
+}
+
 /// Writes the pieces, the coins owed, and the points of the calls.
 pub(super) fn write<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<A>) {
     write_pieces(active, charset, panel);
@@ -67,5 +90,29 @@ pub(super) fn write_calls<A>(active: &ActiveGame, panel: &mut Panel<A>) {
         let most = Called::MOST * calls[team].len() as u32;
         let points = format!("{} of {most}", calls[team].iter().sum::<u32>());
         panel.fact(format!("calls {}", active.options.team_name(team)), points);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_coin_and_an_uncovered_queen_are_warned_of_where_they_cost_something() {
+        let warns = |rules, queen, own, of: &str| {
+            warning(rules, queen, own).is_some_and(|words| words.contains(of))
+        };
+        assert!(warns(
+            Rules::Tournament,
+            (true, false),
+            4,
+            "Cover the queen"
+        ));
+        assert!(warns(Rules::Friendly, (true, false), 1, "Cover the queen"));
+        assert!(warns(Rules::Tournament, (false, true), 1, "your last coin"));
+        assert_eq!(warning(Rules::Tournament, (false, true), 2), None);
+        assert_eq!(warning(Rules::Tournament, (false, false), 1), None);
+        assert_eq!(warning(Rules::Friendly, (false, true), 1), None);
+        assert_eq!(warning(Rules::Practice, (true, false), 1), None);
     }
 }

@@ -116,6 +116,7 @@ fn computers_play_on_by_themselves_unless_steps_wait_for_a_key() {
 fn nothing_moves_except_a_stroke_that_is_being_watched() {
     let mut cx = Context::new(Settings::default(), 1);
     let mut playing = playing(Options::two_people());
+    playing.advance(Duration::from_secs(2), &mut cx);
     assert_eq!(playing.wake(HitPace::Still), None);
     press(&mut playing, " ", &mut cx);
     assert!(playing.wake(HitPace::Still).is_some());

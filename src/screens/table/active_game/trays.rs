@@ -112,6 +112,11 @@ fn draw_tray(
     }
     let name = active.options.team_name(team);
     let count = format!(" {} ", tray.len());
+    // In a small window, one sign for each kind of piece leaves room for the name.
+    let mut tray = tray.to_vec();
+    if text::width(name) + 2 + tray.len() + count.len() > usize::from(half) {
+        tray.dedup();
+    }
     let signs = || tray.iter().map(|piece| sign(*piece, look));
     sheet::note(board, || {
         let runs = iter::once(Run::new(format!("{name} "), Role::Dim));

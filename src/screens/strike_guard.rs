@@ -1,0 +1,62 @@
+//! Keeps a key that goes on from striking as well.
+
+use std::time::Duration;
+
+/// A key counts as released after this long without a press, because most terminals do not report
+/// the release itself. It is longer than the delay before a held key repeats: 660 ms under X11, at
+/// most 1 s under Windows.
+const REST: Duration = Duration::from_millis(1100);
+
+/// Decides whether the strike key strikes. The same key goes on from one stroke to the next, so a
+/// press too many, or a held key, would play a stroke that nobody meant. When a turn begins, the key
+/// therefore rests until another input shows that it has been released, or until no press came for
+/// a while.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct StrikeGuard {
+    left: Duration,
+    /// Whether a press was ignored.
+    has_refused: bool,
+}
+
+impl Default for StrikeGuard {
+    /// The guard at the beginning of a turn.
+    fn default() -> Self {
+        Self {
+            left: REST,
+            has_refused: false,
+        }
+    }
+}
+
+impl StrikeGuard {
+    /// The notice for a player whose press was ignored.
+    pub(crate) const TOO_SOON: &str = "Too soon after the last press: wait a moment, then strike.";
+
+    /// Whether a press strikes. One that does not shows that the key is still in use.
+    pub(crate) fn allows(&mut self) -> bool {
+        self.has_refused = !self.left.is_zero();
+        if self.has_refused {
+            self.left = REST;
+        }
+        !self.has_refused
+    }
+
+    /// Notes another input: the strike key has been released.
+    pub(crate) fn release(&mut self) {
+        self.left = Duration::ZERO;
+    }
+
+    pub(crate) fn advance(&mut self, passed: Duration) {
+        self.left = self.left.saturating_sub(passed);
+    }
+
+    /// The time until a press strikes; `None` if one would strike now.
+    pub(crate) fn wake(&self) -> Option<Duration> {
+        (!self.left.is_zero()).then_some(self.left)
+    }
+
+    /// Whether a press was ignored, and the next one would be as well.
+    pub(crate) fn is_refusing(&self) -> bool {
+        self.has_refused && !self.left.is_zero()
+    }
+}
