@@ -188,16 +188,20 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
         return Err(fault.into());
     }
     let code = name_round(&mut attempt)?;
-    let most = match (&code, attempt.family.as_str()) {
-        (_, LESSON) => u32::MAX as usize,
-        (Some(code), _) => code.course.count,
-        (None, _) => Course::MOST,
+    let most = match &code {
+        _ if !attempt.is_of_quiz() => u32::MAX as usize,
+        Some(code) => code.course.count,
+        None => Course::MOST,
     };
     if !(1..=most).contains(&(attempt.number as usize)) {
         return Err(format!("its round has no question {}", attempt.number));
     }
     if attempt.family != LESSON {
-        let family = Family::with_id(&attempt.family).ok_or_else(|| {
+        let family = match attempt.is_of_quiz() {
+            true => Family::with_id(&attempt.family),
+            false => Some(Family::WhereTo),
+        };
+        let family = family.ok_or_else(|| {
             format!(
                 "its family is {}, which is unknown",
                 quoted(&attempt.family)

@@ -20,7 +20,7 @@ use indexmap::{IndexMap, IndexSet};
 use crate::lessons::{Book, Chapter};
 use crate::levels::Shelf;
 use crate::numbers::counted;
-use crate::progress::{Attempt, Calendar, Due, LESSON, Tally, UnsettledBelief, unsettled};
+use crate::progress::{Attempt, Calendar, Due, Tally, UnsettledBelief, unsettled};
 use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, Topic};
 
 /// With fewer quiz answers than this, the path suggests *Find out*.
@@ -113,7 +113,7 @@ impl<'a> PathSoFar<'a> {
     pub fn next_step(&self) -> NextStep {
         let topics = self.topics_asked();
         let is_new = { self.attempts.iter() }
-            .filter(|it| it.family != LESSON)
+            .filter(|it| it.is_of_quiz())
             .count();
         self.belief()
             .or_else(|| self.begun())
@@ -153,7 +153,7 @@ impl<'a> PathSoFar<'a> {
     pub fn topics_met(&self) -> Vec<Topic> {
         let read = self.book.read_through();
         let taught = read.flat_map(|chapter| Topic::taught_in(&chapter.id));
-        let answered = self.attempts.iter().filter(|it| it.family != LESSON);
+        let answered = self.attempts.iter().filter(|it| it.is_of_quiz());
         let answered: Vec<&str> = answered.map(|it| &*it.topic).collect();
         let answered = match answered.len() {
             ..NEW => Vec::new(),
@@ -261,7 +261,7 @@ impl<'a> PathSoFar<'a> {
     /// Whether most quiz answers are right. If so, the player reads only the chapters that teach
     /// missed topics, and not all chapters from the first.
     fn knows_most(&self) -> bool {
-        let quiz = self.attempts.iter().filter(|it| it.family != LESSON);
+        let quiz = self.attempts.iter().filter(|it| it.is_of_quiz());
         let all = Tally::of(quiz);
         5 * all.right >= 4 * all.attempts
     }
