@@ -7,13 +7,18 @@ use carrom::game::opponent::Strength;
 use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Seat, Strike, Team};
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::angle::unit_vector;
+use carrom::progress::{Calendar, Due, TABLE};
+use carrom::quiz::Topic;
 use carrom::screens::table::{Aids, Options, Table};
 use carrom::screens::{Hosted, Route, Settings};
 use carrom::shells::Headless;
+use carrom::store::Store;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+
+use crate::folder::Folder;
 
 /// The seed of every game here.
 const SEED: u64 = 11;
@@ -308,6 +313,59 @@ fn a_call_is_graded_separately_from_the_score() {
     game.press("<Escape><Escape><Enter>");
     let screen = game.screen();
     assert!(screen.contains("South 0 : 0 North"), "{screen}");
+}
+
+/// A game with calls against the computer, or between two people, saved in this folder.
+fn calling(options: Options, folder: &Folder) -> Headless {
+    let table = Table::playing(
+        Options {
+            call: true,
+            ..options
+        },
+        SEED,
+    );
+    let settings = Settings {
+        player: "Mia".into(),
+        ..still()
+    };
+    let app = App::on(Box::new(Hosted::new(table)), settings, 1);
+    Headless::keeping(app, 120, 40, Store::in_folder(folder.path()))
+}
+
+#[test]
+fn a_call_is_saved_as_an_answer_of_the_only_player() {
+    let folder = Folder::new("table-call");
+    let mut game = calling(Options::default(), &folder);
+    game.press("]] ");
+    assert!(game.attempts().is_empty());
+    game.press("6<Enter>6<Enter>");
+    // Another copy of carrom reads the same answer from the database.
+    let mut again = calling(Options::default(), &folder);
+    let answers = again.attempts();
+    assert_eq!(answers, game.attempts());
+    let [answer] = answers.as_slice() else {
+        panic!("{answers:?}");
+    };
+    let of = (answer.player.as_str(), answer.family.as_str());
+    assert_eq!(of, ("Mia", TABLE));
+    assert_eq!((answer.number, answer.seed), (1, SEED));
+    assert!(answer.topic.starts_with("heavier-striker"), "{answer:?}");
+    assert_eq!(answer.fault(), None);
+    let printed = carrom::progress::json(&answers, None).unwrap();
+    let printed: serde_json::Value = serde_json::from_str(&printed).unwrap();
+    assert_eq!(printed["attempts"][0]["family"], "table");
+    assert!(printed["attempts"][0]["truth"]["theta2_deg"].is_f64());
+    // A wrong call is due for review at once.
+    let due = Due::of(&answers, &Calendar::utc(answer.time_s));
+    assert_eq!(due.now, [Topic::with_id(answer.topic.clone())]);
+}
+
+#[test]
+fn a_call_of_two_people_at_one_keyboard_is_nobodys_answer() {
+    let folder = Folder::new("table-call-shared");
+    let mut game = calling(Options::two_people(), &folder);
+    game.press("]] 6<Enter>6<Enter>");
+    assert!(game.attempts().is_empty());
 }
 
 #[test]
