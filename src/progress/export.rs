@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::attempt::{ROUND, figures_text};
-use super::{Attempt, Tally, beliefs, calibration, topics};
+use super::{Attempt, TABLE, Tally, beliefs, calibration, topics};
 use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
@@ -139,6 +139,14 @@ impl Serialize for AttemptRow<'_> {
     }
 }
 
+/// The number of calls at the table, and of those in which no ray is more than 2° off, which earn
+/// full credit.
+fn calls(attempts: &[Attempt]) -> Value {
+    let calls = || attempts.iter().filter(|it| it.family == TABLE);
+    let close = calls().filter(|it| it.credit >= 1.0 - 1e-9).count();
+    json!({"made": calls().count(), "within_2_deg": close})
+}
+
 /// The summary of the attempts.
 fn summary(attempts: &[Attempt], next: Option<&str>) -> Value {
     let tally = |tally: &Tally| {
@@ -190,6 +198,7 @@ fn summary(attempts: &[Attempt], next: Option<&str>) -> Value {
         "topics": topics,
         "calibration": calibration,
         "misconceptions": beliefs,
+        "calls": calls(attempts),
         "next": next,
     })
 }
