@@ -1,28 +1,33 @@
 //! A player's results at the table, counted from the saved games.
 
+use serde::Serialize;
+
 use super::opponent::Strength;
 use super::{BoardWon, ByTeam, Game, Move, Piece, Player, Rules, SavedGame, Seat, Stroke, Team};
 use crate::game::score::Score;
 
 /// The results of one player against the computer. Games without a single person, or without the
 /// computer on the other side, are left out, and so is practice.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(crate) struct Results {
     /// One row for each set of rules and each strength of the computer, the latest first.
+    #[serde(rename = "results")]
     pub(crate) rows: Vec<ResultsRow>,
     /// The most coins that the player pocketed in one turn.
     pub(crate) longest_turn: usize,
 }
 
 /// The results with some rules against a computer of some strength.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct ResultsRow {
     pub(crate) rules: Rules,
     /// The strength of the computer, or of the stronger one of two.
     pub(crate) strength: Strength,
     /// The boards that were won and lost.
+    #[serde(rename = "boards_won_and_lost")]
     pub(crate) boards: [usize; 2],
     /// The games that were won and lost; in friendly games each board is one.
+    #[serde(rename = "games_won_and_lost")]
     pub(crate) games: [usize; 2],
 }
 

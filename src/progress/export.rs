@@ -104,15 +104,15 @@ pub fn utc(time_s: i64) -> Option<String> {
     (time_s >= 0).then(|| time.to_string())
 }
 
-/// The attempts as the text of one JSON object, with a summary and the player's next step.
+/// The attempts as the text of one JSON object, with a summary, the player's next step, and the
+/// results of the games at the table.
 ///
 /// # Errors
 /// The reason if a value cannot be written, which does not happen in practice.
-pub fn json(attempts: &[Attempt], next: Option<&str>) -> Result<String, String> {
-    let all = All {
-        summary: summary(attempts, next),
-        attempts,
-    };
+pub fn json(attempts: &[Attempt], next: Option<&str>, games: Value) -> Result<String, String> {
+    let mut summary = summary(attempts, next);
+    summary["games"] = games;
+    let all = All { summary, attempts };
     let mut text = Vec::new();
     write_json(&mut text, &all).map_err(|error| error.to_string())?;
     String::from_utf8(text).map_err(|error| error.to_string())
@@ -212,7 +212,7 @@ mod tests {
     use crate::files::is_invisible;
 
     fn read(attempts: &[Attempt]) -> Value {
-        serde_json::from_str(&json(attempts, None).unwrap()).unwrap()
+        serde_json::from_str(&json(attempts, None, Value::Null).unwrap()).unwrap()
     }
 
     #[test]

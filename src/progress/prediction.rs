@@ -66,7 +66,7 @@ impl Attempt {
             topic: hit.reviewed_as().id().to_owned(),
             seed: predicted.seed,
             number: predicted.number,
-            question: question.figures.clone(),
+            question: question.figures,
             answer,
             truth,
             error_deg: error.map(deg_from_rad),
