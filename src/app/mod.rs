@@ -600,7 +600,7 @@ impl App {
             } => hosted(Join::new(address.as_deref(), code, again, cx)),
             Route::Foil => hosted(FoilScreen::default()),
             Route::FoilAt { page } => hosted(FoilScreen::at(page)),
-            Route::Table => hosted(Table::default()),
+            Route::Table => hosted(Table::ask(cx)),
             Route::Rules { rules } => hosted(RulesScreen { rules }),
             Route::Progress => hosted(Progress::ask(cx)),
             Route::Settings => hosted(SettingsScreen::ask(cx)),

@@ -4,10 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 
 use anyhow::anyhow;
+use serde_json::Value;
 
 use super::written::{self, NamedFile};
 use super::{Failure, GlobalOptions, print};
 use crate::files::{Document, escape_control_lines};
+use crate::game::Results;
 use crate::lessons::Bookmark;
 use crate::levels::Starred;
 use crate::messages::{History, StoreCall, StoreReply, StoreRequest};
@@ -76,7 +78,12 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
                 Some(next(&history, &kept, options))
             }
         };
-        json(&history.attempts, next.as_deref()).map_err(|reason| anyhow!(reason))? + "\n"
+        let games = match args.everyone {
+            true => Value::Null,
+            false => games(&player, &mut store)?,
+        };
+        let text = json(&history.attempts, next.as_deref(), games);
+        text.map_err(|reason| anyhow!(reason))? + "\n"
     };
     Ok(print(text.as_bytes())?)
 }
@@ -145,6 +152,16 @@ fn kept(player: &str, store: &mut Store) -> anyhow::Result<Kept> {
         _ => return Err(anyhow!("the bookmarks could not be read")),
     };
     Ok((marks, stars))
+}
+
+/// The player's results at the table.
+fn games(player: &str, store: &mut Store) -> anyhow::Result<Value> {
+    let games = match ask(store, StoreRequest::List) {
+        StoreReply::Listed(games) => games.map_err(|reason| anyhow!(reason))?,
+        _ => return Err(anyhow!("the saved games could not be read")),
+    };
+    let games = games.iter().filter_map(|kept| kept.content.as_deref().ok());
+    Ok(serde_json::to_value(Results::of(player, games))?)
 }
 
 /// What the player should do next, and why.

@@ -20,6 +20,7 @@
 //! | `validity` | the requests that a game refuses |
 //! | `record` | a game move by move, for a bit-for-bit replay |
 //! | `saved` | a record as a file, with who plays |
+//! | `results` | what a player won and lost, from the saved games |
 //! | `opponent` | the computer opponent, and hints for the player |
 
 pub(crate) mod free_place;
@@ -30,6 +31,7 @@ pub(crate) mod pieces;
 pub(crate) mod placing;
 mod play;
 mod record;
+mod results;
 mod saved;
 mod score;
 mod seat;
@@ -45,6 +47,7 @@ pub use pieces::{Coin, Colour, Piece};
 pub(crate) use placing::{BaseLines, Stand};
 pub use record::{Call, Move, Record, Strike};
 pub(crate) use record::{MoveError, RecordError};
+pub(crate) use results::Results;
 pub use saved::{Aids, Company, Fingerprint, Player, SavedGame, is_player_name};
 pub(crate) use seat::ByTeam;
 pub use seat::{Hands, Seat, Team};

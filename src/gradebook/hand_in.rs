@@ -9,8 +9,9 @@ use crate::files::{BYTE_ORDER_MARK, LONGEST_QUOTE, escape_control, newer, quoted
 use crate::progress::{Attempt, LESSON, ROUND};
 use crate::quiz::{Code, Course, CourseKind, Family, Topic};
 
-/// The version of the format that is written.
-const FORMAT: u32 = 1;
+/// The latest version of the format. It adds calls at the table and predictions in levels; a file
+/// without them is written in the first version, which every carrom reads.
+const FORMAT: u32 = 2;
 /// The value that identifies such a file.
 const KIND: &str = "hand-in";
 /// The maximum number of letters in a name.
@@ -114,7 +115,14 @@ impl HandIn {
         }
         let points: f64 = self.attempts.iter().map(Attempt::points).sum();
         HandInFile {
-            format: FORMAT,
+            format: match self
+                .attempts
+                .iter()
+                .all(|it| it.is_of_quiz() || it.family == LESSON)
+            {
+                true => 1,
+                false => FORMAT,
+            },
             carrom: KIND.into(),
             name: self.name.clone(),
             class: self.class.clone(),
@@ -188,16 +196,20 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
         return Err(fault.into());
     }
     let code = name_round(&mut attempt)?;
-    let most = match (&code, attempt.family.as_str()) {
-        (_, LESSON) => u32::MAX as usize,
-        (Some(code), _) => code.course.count,
-        (None, _) => Course::MOST,
+    let most = match &code {
+        _ if !attempt.is_of_quiz() => u32::MAX as usize,
+        Some(code) => code.course.count,
+        None => Course::MOST,
     };
     if !(1..=most).contains(&(attempt.number as usize)) {
         return Err(format!("its round has no question {}", attempt.number));
     }
     if attempt.family != LESSON {
-        let family = Family::with_id(&attempt.family).ok_or_else(|| {
+        let family = match attempt.is_of_quiz() {
+            true => Family::with_id(&attempt.family),
+            false => Some(Family::WhereTo),
+        };
+        let family = family.ok_or_else(|| {
             format!(
                 "its family is {}, which is unknown",
                 quoted(&attempt.family)

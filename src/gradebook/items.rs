@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::ClassResults;
-use crate::progress::{Attempt, LESSON, Tally, discrimination};
+use crate::progress::{Attempt, Tally, discrimination};
 use crate::quiz::{Code, Misconception, Round};
 
 /// The results of a question.
@@ -23,12 +23,12 @@ pub struct ItemStatistics {
     pub commonest: Option<(Misconception, usize)>,
 }
 
-/// The results of the questions of all rounds, except chapters and rounds whose questions depend on
-/// the answers and so differ from pupil to pupil.
+/// The results of the questions of all rounds, except chapters, the table, levels, and rounds whose
+/// questions depend on the answers and so differ from pupil to pupil.
 pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     let mut answers: BTreeMap<(&str, u32), Vec<(&Attempt, f64)>> = BTreeMap::new();
     for pupil in &results.pupils {
-        let of_questions = pupil.answers.iter().filter(|(it, _)| it.family != LESSON);
+        let of_questions = pupil.answers.iter().filter(|(it, _)| it.is_of_quiz());
         for (attempt, round) in of_questions {
             let sum = pupil.rounds.get(round);
             let rest = sum.map_or(0.0, Tally::points) - attempt.points();

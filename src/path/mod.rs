@@ -20,7 +20,7 @@ use indexmap::{IndexMap, IndexSet};
 use crate::lessons::{Book, Chapter};
 use crate::levels::Shelf;
 use crate::numbers::counted;
-use crate::progress::{Attempt, Calendar, Due, LESSON, Tally, UnsettledBelief, unsettled};
+use crate::progress::{Attempt, Calendar, Due, Tally, UnsettledBelief, unsettled};
 use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, Topic};
 
 /// With fewer quiz answers than this, the path suggests *Find out*.
@@ -107,8 +107,7 @@ impl<'a> PathSoFar<'a> {
     /// The next step.
     pub fn next_step(&self) -> NextStep {
         let topics = self.topics_asked();
-        let of_quiz = self.attempts.iter().filter(|it| it.family != LESSON);
-        let answers = of_quiz.count();
+        let answers = self.attempts.iter().filter(|it| it.is_of_quiz()).count();
         self.belief()
             .or_else(|| self.begun())
             .or_else(|| (answers < ENOUGH_ANSWERS).then(find_out))
@@ -147,7 +146,7 @@ impl<'a> PathSoFar<'a> {
     pub fn topics_met(&self) -> Vec<Topic> {
         let read = self.book.read_through();
         let taught = read.flat_map(|chapter| Topic::taught_in(&chapter.id));
-        let answered = self.attempts.iter().filter(|it| it.family != LESSON);
+        let answered = self.attempts.iter().filter(|it| it.is_of_quiz());
         let answered: Vec<&str> = answered.map(|it| &*it.topic).collect();
         let answered = match answered.len() {
             ..NEW => Vec::new(),
@@ -255,7 +254,7 @@ impl<'a> PathSoFar<'a> {
     /// Whether most quiz answers are right. If so, the player reads only the chapters that teach
     /// missed topics, and not all chapters from the first.
     fn knows_most(&self) -> bool {
-        let quiz = self.attempts.iter().filter(|it| it.family != LESSON);
+        let quiz = self.attempts.iter().filter(|it| it.is_of_quiz());
         let all = Tally::of(quiz);
         5 * all.right >= 4 * all.attempts
     }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::{LEVEL, TABLE};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::{
     Answer, Clue, Code, Confidence, Figures, Form, Grade, Misconception, Question, Rays, Topic,
@@ -33,13 +34,15 @@ pub struct Attempt {
     /// The player's name.
     #[serde(skip)]
     pub player: String,
-    /// The family of the question, by its name in files: "where-to", or [`LESSON`].
+    /// The family of the question, by its name in files: "where-to", or [`LESSON`], [`TABLE`] or
+    /// [`LEVEL`].
     pub family: String,
     /// The topic: the id of a [`Topic`], or the title of the chapter.
     pub topic: String,
     /// The seed of the round; 0 if there is none.
     pub seed: u64,
-    /// The question's number in the round, or the page of the chapter, from 1.
+    /// The question's number in the round, the page of the chapter, the move of the game or the
+    /// level on the list, from 1.
     pub number: u32,
     /// The figures of the question. Those of the quiz include the code of the `round`, the
     /// `misconceptions` that an answer could have shown, by their names in files, and the chance
@@ -175,10 +178,19 @@ impl Attempt {
         Misconception::with_id(self.misconception.as_deref()?)
     }
 
-    /// The round in which the answer was given: its code, or the title of a chapter.
+    /// Whether it was given in the quiz, and not in a chapter, at the table or in a level.
+    pub(crate) fn is_of_quiz(&self) -> bool {
+        ![LESSON, TABLE, LEVEL].contains(&self.family.as_str())
+    }
+
+    /// The round in which the answer was given: its code, the title of a chapter, or the table or
+    /// the levels.
     pub fn round(&self) -> String {
-        if self.family == LESSON {
-            return format!("chapter: {}", self.topic);
+        match self.family.as_str() {
+            LESSON => return format!("chapter: {}", self.topic),
+            TABLE => return "table".into(),
+            LEVEL => return "levels".into(),
+            _ => {}
         }
         // Earlier versions stored only the seed.
         let noted = self.question.get(ROUND).and_then(Value::as_str);
@@ -187,7 +199,7 @@ impl Attempt {
 
     /// Whether it was given in a review.
     pub(crate) fn is_of_review(&self) -> bool {
-        self.family != LESSON && self.round().starts_with("review")
+        self.is_of_quiz() && self.round().starts_with("review")
     }
 
     /// The quiz topic of the answer; for a checkpoint of a chapter, the topic under which it is

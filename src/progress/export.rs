@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::attempt::{ROUND, figures_text};
-use super::{Attempt, Tally, beliefs, calibration, topics};
+use super::{Attempt, TABLE, Tally, beliefs, calibration, topics};
 use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
@@ -104,15 +104,15 @@ pub fn utc(time_s: i64) -> Option<String> {
     (time_s >= 0).then(|| time.to_string())
 }
 
-/// The attempts as the text of one JSON object, with a summary and the player's next step.
+/// The attempts as the text of one JSON object, with a summary, the player's next step, and the
+/// results of the games at the table.
 ///
 /// # Errors
 /// The reason if a value cannot be written, which does not happen in practice.
-pub fn json(attempts: &[Attempt], next: Option<&str>) -> Result<String, String> {
-    let all = All {
-        summary: summary(attempts, next),
-        attempts,
-    };
+pub fn json(attempts: &[Attempt], next: Option<&str>, games: Value) -> Result<String, String> {
+    let mut summary = summary(attempts, next);
+    summary["games"] = games;
+    let all = All { summary, attempts };
     let mut text = Vec::new();
     write_json(&mut text, &all).map_err(|error| error.to_string())?;
     String::from_utf8(text).map_err(|error| error.to_string())
@@ -137,6 +137,14 @@ impl Serialize for AttemptRow<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(COLUMNS.iter().map(|(head, value)| (head, value(self.0))))
     }
+}
+
+/// The number of calls at the table, and of those in which no ray is more than 2° off, which earn
+/// full credit.
+fn calls(attempts: &[Attempt]) -> Value {
+    let calls = || attempts.iter().filter(|it| it.family == TABLE);
+    let close = calls().filter(|it| it.credit >= 1.0 - 1e-9).count();
+    json!({"made": calls().count(), "within_2_deg": close})
 }
 
 /// The summary of the attempts.
@@ -190,6 +198,7 @@ fn summary(attempts: &[Attempt], next: Option<&str>) -> Value {
         "topics": topics,
         "calibration": calibration,
         "misconceptions": beliefs,
+        "calls": calls(attempts),
         "next": next,
     })
 }
@@ -203,7 +212,7 @@ mod tests {
     use crate::files::is_invisible;
 
     fn read(attempts: &[Attempt]) -> Value {
-        serde_json::from_str(&json(attempts, None).unwrap()).unwrap()
+        serde_json::from_str(&json(attempts, None, Value::Null).unwrap()).unwrap()
     }
 
     #[test]

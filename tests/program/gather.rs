@@ -5,9 +5,9 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-use carrom::gradebook::HandIn;
+use carrom::gradebook::{Gradebook, HandIn, items};
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
-use carrom::progress::Attempt;
+use carrom::progress::{Attempt, LEVEL, TABLE};
 use carrom::quiz::{Answer, Code, Confidence, Family, Round};
 use carrom::store::Store;
 use scraper::{Html, Selector};
@@ -216,6 +216,35 @@ fn a_hand_in_is_read_back() {
     let nobody = carrom(&["hand-in", "--player", "Nobody", "--data-dir", data]);
     assert_eq!(nobody.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&nobody.stderr).contains("no answer"));
+}
+
+/// Earlier versions of carrom refuse calls and predictions, so such a file has a newer format.
+#[test]
+fn calls_and_predictions_are_handed_in_but_make_no_items() {
+    let mut ada = hand_in(1, "Ada", 2, 2);
+    let format = |it: &HandIn| it.value().unwrap()["format"].clone();
+    assert_eq!(format(&ada), 1);
+    for (answer, family) in ada.attempts.iter_mut().zip([TABLE, LEVEL]) {
+        answer.family = family.into();
+        answer.topic = "heavier-striker-by-offset".into();
+        answer.question.remove("round");
+        answer.number = 700;
+    }
+    assert_eq!(format(&ada), 2);
+    let read = HandIn::read(ada.text().unwrap().as_bytes()).unwrap();
+    assert_eq!(read, ada);
+    let mut book = Gradebook::default();
+    book.add("ada.json", Ok(read));
+    let results = book.results();
+    let rounds: Vec<&String> = results.pupils[0].rounds.keys().collect();
+    assert_eq!(rounds, ["table", "levels"]);
+    assert!(items(&results).is_empty());
+    // A topic that no such question has is refused.
+    for topic in ["rutherford", "=1+1"] {
+        ada.attempts[0].topic = topic.into();
+        let read = HandIn::read(ada.text().unwrap().as_bytes());
+        assert!(read.unwrap_err().contains("its topic is"));
+    }
 }
 
 /// A gradebook once parsed all answers of a pupil again for every cell, which took minutes with

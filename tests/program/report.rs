@@ -226,7 +226,7 @@ fn no_name_breaks_the_table_or_the_json() {
             let shown: String = name.chars().filter(shown).collect();
             assert_eq!(row[1].replace('\'', ""), shown.replace('\'', ""));
         }
-        let json = json(&history.attempts, None).unwrap();
+        let json = json(&history.attempts, None, serde_json::Value::Null).unwrap();
         let read: serde_json::Value = serde_json::from_str(&json).unwrap();
         assert_eq!(read["attempts"][5]["player"], *name);
         assert_eq!(

@@ -103,7 +103,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
     (
         OFFSET,
         REAL,
-        &[("{separation_deg real: 51.2}", "51.2° apart")],
+        &[("{separation_deg real: 51.2}", "between the paths is 51.2°")],
     ),
     (
         OFFSET,

@@ -224,18 +224,18 @@ fn claims() -> Vec<Claim> {
     let ball = equal(30.0);
     claim(
         6,
-        "at α = [30]° equal balls end up at 34°, not 60°.",
+        "an equal ball at α = [30]° ends up at 34°, not 60°.",
         degrees(ball.theta2),
     );
     let rolling = 5.0 / 7.0 * ball.v1 + 2.0 / 7.0 * DVec2::new(1.0, 0.0);
     claim(
         6,
-        "at α = 30° equal balls end up at [34]°, not 60°.",
+        "an equal ball at α = 30° ends up at [34]°, not 60°.",
         deg_from_rad(rolling.to_angle()),
     );
     claim(
         6,
-        "at α = 30° equal balls end up at 34°, not [60]°.",
+        "an equal ball at α = 30° ends up at 34°, not [60]°.",
         degrees(ball.theta1),
     );
 

@@ -6,6 +6,7 @@ use carrom::app::App;
 use carrom::cli;
 use carrom::levels::{Level, Shelf};
 use carrom::messages::{Key, MouseKind};
+use carrom::progress::LEVEL;
 use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
@@ -227,6 +228,27 @@ fn a_right_prediction_earns_the_third_star() {
         assert!(screen.contains("you said"), "{screen}");
         let advice = all_pages(&mut game).contains("predict the paths within 4 deg");
         assert_eq!(advice, stars < 3);
+    }
+}
+
+#[test]
+fn a_prediction_is_saved_as_an_answer_even_if_the_level_is_lost() {
+    for (id, keys, right) in [
+        ("dead-stop", "53<Enter><Enter>0<Enter>", true),
+        ("dead-stop", "53<Enter><Enter>20<Enter>", false),
+        ("half-ball", "<Enter>0<Enter>0<Enter>", false),
+    ] {
+        let mut game = level(number(id));
+        game.press(keys);
+        let answers = game.attempts();
+        let [answer] = answers.as_slice() else {
+            panic!("{answers:?}");
+        };
+        assert_eq!((answer.family.as_str(), answer.right), (LEVEL, right));
+        assert_eq!(answer.question["level"], id);
+        assert_eq!(answer.fault(), None, "{answer:?}");
+        let one = answer.answer.contains_key("angle_deg");
+        assert_eq!(one, id == "dead-stop", "{answer:?}");
     }
 }
 

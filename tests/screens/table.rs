@@ -4,16 +4,23 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::game::opponent::Strength;
-use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Seat, Strike, Team};
-use carrom::messages::{Input, Key, Mouse, MouseKind};
+use carrom::game::{
+    Colour, Game, GameStage, Move, Piece, Player, Rules, Ruling, SavedGame, Seat, Strike, Team,
+};
+use carrom::messages::{Input, Key, Mouse, MouseKind, StoreCall, StoreRequest};
 use carrom::physics::angle::unit_vector;
+use carrom::progress::{Calendar, Due, TABLE};
+use carrom::quiz::Topic;
 use carrom::screens::table::{Aids, Options, Table};
 use carrom::screens::{Hosted, Route, Settings};
 use carrom::shells::Headless;
+use carrom::store::Store;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+
+use crate::folder::Folder;
 
 /// The seed of every game here.
 const SEED: u64 = 11;
@@ -327,6 +334,61 @@ fn a_call_is_graded_separately_from_the_score() {
     assert!(screen.contains("South 0 : 0 North"), "{screen}");
 }
 
+/// A game with calls against the computer, or between two people, saved in this folder.
+fn calling(options: Options, folder: &Folder) -> Headless {
+    let table = Table::playing(
+        Options {
+            call: true,
+            ..options
+        },
+        SEED,
+    );
+    let settings = Settings {
+        player: "Mia".into(),
+        ..still()
+    };
+    let app = App::on(Box::new(Hosted::new(table)), settings, 1);
+    Headless::keeping(app, 120, 40, Store::in_folder(folder.path()))
+}
+
+#[test]
+fn a_call_is_saved_as_an_answer_of_the_only_player() {
+    let folder = Folder::new("table-call");
+    let mut game = calling(Options::default(), &folder);
+    game.press("]] ");
+    assert!(game.attempts().is_empty());
+    game.press("60<Enter>60<Enter>");
+    // Another copy of carrom reads the same answer from the database.
+    let mut again = calling(Options::default(), &folder);
+    let answers = again.attempts();
+    assert_eq!(answers, game.attempts());
+    let [answer] = answers.as_slice() else {
+        panic!("{answers:?}");
+    };
+    let of = (answer.player.as_str(), answer.family.as_str());
+    assert_eq!(of, ("Mia", TABLE));
+    assert_eq!((answer.number, answer.seed), (1, SEED));
+    assert!(answer.topic.starts_with("heavier-striker"), "{answer:?}");
+    assert!(answer.fault().is_none() && !answer.right);
+    let printed = carrom::progress::json(&answers, None, serde_json::Value::Null).unwrap();
+    let printed: serde_json::Value = serde_json::from_str(&printed).unwrap();
+    assert_eq!(printed["attempts"][0]["family"], "table");
+    assert_eq!(printed["summary"]["calls"]["made"], 1);
+    assert_eq!(printed["summary"]["calls"]["within_2_deg"], 0);
+    assert!(printed["attempts"][0]["truth"]["theta2_deg"].is_f64());
+    // A wrong call is due for review at once.
+    let due = Due::of(&answers, &Calendar::utc(answer.time_s));
+    assert_eq!(due.now, [Topic::with_id(answer.topic.clone())]);
+}
+
+#[test]
+fn a_call_of_two_people_at_one_keyboard_is_nobodys_answer() {
+    let folder = Folder::new("table-call-shared");
+    let mut game = calling(Options::two_people(), &folder);
+    game.press("]] 6<Enter>6<Enter>");
+    assert!(game.attempts().is_empty());
+}
+
 #[test]
 fn a_call_to_the_wrong_sides_is_shown_with_its_signs() {
     let called = |keys: &str| {
@@ -382,7 +444,7 @@ fn the_computer_plays_and_explains_its_stroke() {
     for _ in 0..12 {
         let shown = panel(&mut game);
         if shown.contains("Computer:") {
-            assert!(shown.contains("My hand"), "{shown}");
+            assert!(shown.contains("My stroke"), "{shown}");
             strokes += 1;
         }
         game.press("<Enter>");
@@ -802,4 +864,81 @@ fn hints_are_counted_shown_at_the_end_and_saved_with_the_game() {
         }
     }
     panic!("the board never ended:\n{}", game.screen());
+}
+
+/// Saves a stroke of Mia against the computer and one of Bo in practice.
+fn played(folder: &Folder) {
+    let mia = Options {
+        rules: Rules::Friendly,
+        restitution: 0.85,
+        ..Options::default()
+    };
+    let bo = Options {
+        rules: Rules::Practice,
+        ..Options::default()
+    };
+    for (player, options) in [("Mia", mia), ("Bo", bo)] {
+        let settings = Settings {
+            player: player.into(),
+            ..still()
+        };
+        let table = Hosted::new(Table::playing(options, SEED));
+        let app = App::on(Box::new(table), settings, 1);
+        let store = Store::in_folder(folder.path());
+        Headless::keeping(app, 120, 40, store).press(" ");
+    }
+}
+
+/// The page of a new game, after a restart.
+fn new_game(player: &str, folder: &Folder) -> String {
+    let settings = Settings {
+        player: player.into(),
+        ..still()
+    };
+    let app = App::new(Route::Table, settings, 1);
+    Headless::keeping(app, 120, 40, Store::in_folder(folder.path())).screen()
+}
+
+#[test]
+fn the_setup_of_each_players_last_game_is_kept_over_a_restart() {
+    let folder = Folder::new("table-setup");
+    played(&folder);
+    let head = |player| new_game(player, &folder).lines().next().unwrap().to_owned();
+    let mia = head("Mia");
+    assert!(
+        mia.contains("friendly") && mia.contains("e = 0.85"),
+        "{mia}"
+    );
+    assert!(head("Bo").contains("practice"), "{}", head("Bo"));
+    assert!(head("Cy").contains("tournament"), "{}", head("Cy"));
+    // A damaged game is left out, and the usual options return.
+    for entry in std::fs::read_dir(folder.path().join("games")).unwrap() {
+        std::fs::write(entry.unwrap().path(), "format = 2\n").unwrap();
+    }
+    assert!(head("Mia").contains("tournament"), "{}", head("Mia"));
+}
+
+/// The computers' game in `tests/saves`, with a person in the winner's or the loser's seat.
+#[test]
+fn boards_won_and_lost_are_counted_by_rules_and_strength() {
+    let bytes = include_bytes!("../saves/board-over-1.toml");
+    let (saved, game) = SavedGame::read("board-over-1.toml", bytes).unwrap();
+    let winner = game.play().won.unwrap().winner;
+    for (seat, team) in [(Seat::South, Team::First), (Seat::North, Team::Second)] {
+        let folder = Folder::new("table-results");
+        let mut store = Store::in_folder(folder.path());
+        let mut mia = saved.clone();
+        mia.player = "Mia".into();
+        mia.company.players[seat as usize] = Player::Person;
+        for ticket in [1, 2] {
+            let request = StoreRequest::Save(Box::new(mia.clone()));
+            store.answer(&StoreCall { ticket, request });
+        }
+        let page = new_game("Mia", &folder);
+        let score = if team == winner { "2 : 0" } else { "0 : 2" };
+        let row = { page.lines() }.find(|line| line.contains("friendly, club player"));
+        assert!(row.unwrap().contains(score), "{page}");
+        assert!(page.contains("longest turn"), "{page}");
+        assert!(!new_game("Bo", &folder).contains("longest turn"));
+    }
 }

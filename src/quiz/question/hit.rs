@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
 
-use super::{Pieces, Rays, Topic};
+use super::{Family, Pieces, Rays, Topic};
 use crate::numbers::{self, significant};
 
 /// A hit: the numbers that the player reads. Everything else follows from them.
@@ -175,6 +175,17 @@ impl Hit {
         };
         let loss = if self.restitution < 1.0 { "-lossy" } else { "" };
         Topic::with_id(format!("{pieces}{place}{loss}"))
+    }
+
+    /// The topic under which the quiz asks about such a hit. It asks only for some pieces about hits
+    /// with a loss, and then gives the angle: another hit is reviewed by its angle instead of its
+    /// offset, or without its loss.
+    pub(crate) fn reviewed_as(&self) -> Topic {
+        let by_angle = self.at_angle(deg_from_rad(self.alpha())).topic();
+        let topics = [self.topic(), by_angle, self.with_restitution(1.0).topic()];
+        let is_asked = |topic: &&Topic| topic.families_of_figures().contains(&Family::WhereTo);
+        let found = topics.iter().find(is_asked).cloned();
+        found.unwrap_or_else(|| self.topic())
     }
 
     /// The question in words: where will both discs go?

@@ -1,13 +1,12 @@
 //! The record of an answer at a checkpoint.
 
-use glam::DVec2;
 use serde_json::json;
 
 use crate::lessons::{AFTER_HINT, Chapter, answer_json};
+use crate::physics::Collision;
 use crate::physics::units::deg_from_rad;
-use crate::physics::{Collision, Meeting};
 use crate::progress::{Attempt, LESSON, REVIEWED_BY};
-use crate::quiz::{Answer, Confidence, Form, Hit, Question, Response, Topic, figures};
+use crate::quiz::{Form, Response, Topic, figures};
 
 /// The marked answer to the checkpoint of page `at` (counted from 0), a question of this `form`
 /// about the collision in the page's `figure`. After a hint, an answer earns half the credit.
@@ -53,26 +52,16 @@ pub fn attempt(
         confidence: None,
         misconception: None,
     };
-    let question = figure.filter(|_| !after_hint).and_then(of_quiz);
-    match (question, answer) {
-        (Some(question), Response::Rays(_)) => {
-            let answer = Answer::new(*answer, Confidence::ThinkSo);
-            attempt.with_evidence(&question, &answer)
-        }
+    match (figure.filter(|_| !after_hint), answer) {
+        (Some(collision), Response::Rays(rays)) => attempt.with_evidence_of_rays(collision, rays),
         _ => attempt,
     }
 }
 
-/// The question of the quiz about both rays of a collision, if it could be asked there: the target
-/// is at rest, and each misconception predicts rays of its own.
-fn of_quiz(collision: &Collision) -> Option<Question> {
-    let is_hit = collision.u2 == DVec2::ZERO && collision.outcome().meeting == Meeting::Hit;
-    let question = is_hit.then(|| Question::from(&Hit::from(collision)))?;
-    question.is_clear().then_some(question)
-}
-
 #[cfg(test)]
 mod tests {
+    use glam::DVec2;
+
     use super::*;
     use crate::lessons::ChapterLibrary;
     use crate::physics::Disc;

@@ -69,16 +69,14 @@ pub enum TableAction {
     Over(OverAction),
 }
 
-impl Default for Table {
-    /// The page of a new game.
-    fn default() -> Self {
+impl Table {
+    /// The page of a new game, after a request for the player's last game.
+    pub(crate) fn ask(cx: &mut Context) -> Self {
         Self {
-            page: TablePage::NewGame(NewGame::default()),
+            page: TablePage::NewGame(NewGame::ask(None, cx)),
         }
     }
-}
 
-impl Table {
     /// A table at which a game with these options begins at once; `seed` determines its opening
     /// packs.
     pub fn playing(options: Options, seed: u64) -> Self {
@@ -90,11 +88,8 @@ impl Table {
 }
 
 /// The page of a new game, with the options of the last one.
-fn agreeing(options: Options) -> TablePage {
-    TablePage::NewGame(NewGame {
-        options,
-        ..NewGame::default()
-    })
+fn agreeing(options: Options, cx: &mut Context) -> TablePage {
+    TablePage::NewGame(NewGame::ask(Some(options), cx))
 }
 
 impl Screen for Table {
@@ -158,13 +153,13 @@ impl Screen for Table {
                 NewGameAction::Back => return Next::Back,
             },
             (TablePage::SavedGames(page), TableAction::Saved(SavedGamesAction::Back)) => {
-                self.page = agreeing(page.options);
+                self.page = agreeing(page.options, cx);
             }
             (TablePage::SavedGames(page), TableAction::Saved(action)) => {
                 return page.act(action, cx);
             }
             (TablePage::Playing(playing), action) => match playing.act(action, cx) {
-                Next::Back => self.page = agreeing(playing.game.options),
+                Next::Back => self.page = agreeing(playing.game.options, cx),
                 next => return next,
             },
             _ => {}
@@ -176,7 +171,7 @@ impl Screen for Table {
         match &mut self.page {
             TablePage::NewGame(_) => {}
             TablePage::SavedGames(page) => page.files.remove(cx),
-            TablePage::Playing(playing) => self.page = agreeing(playing.game.options),
+            TablePage::Playing(playing) => self.page = agreeing(playing.game.options, cx),
         }
         Next::Stay
     }
@@ -215,7 +210,7 @@ impl Screen for Table {
             return Next::Ignored;
         };
         match &mut self.page {
-            TablePage::NewGame(_) => {}
+            TablePage::NewGame(page) => page.take_answer(answer, cx),
             TablePage::SavedGames(page) => {
                 if let Some(playing) = page.take_answer(answer, cx) {
                     self.page = TablePage::Playing(playing);

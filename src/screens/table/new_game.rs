@@ -6,18 +6,24 @@ use super::options::{Options, Player};
 use super::{TableAction, picture, words};
 use crate::game::opponent::Strength;
 use crate::game::pack::pack;
-use crate::game::{Hands, PieceSet, Rules, Seat};
-use crate::messages::Key;
-use crate::numbers::fixed;
-use crate::screens::View;
+use crate::game::{Hands, PieceSet, Results, Rules, Seat};
+use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::numbers::{counted, fixed};
+use crate::screens::{Context, View};
+use crate::widgets::Role;
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, KeyTable, SettingsForm};
 use crate::widgets::panel::Panel;
 
 /// The page: the chosen options, and the line that keys change.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct NewGame {
     pub(super) options: Options,
     pub(super) form: SettingsForm,
+    /// The ticket of the request for the saved games.
+    asked: u64,
+    /// Whether the options of the player's last game are still to replace the usual ones.
+    is_fresh: bool,
+    results: Results,
 }
 
 /// One line of the page: its name and its choices. A choice consists of the resulting options, its
@@ -41,6 +47,59 @@ pub enum NewGameAction {
 }
 
 impl NewGame {
+    /// The page, after a request for the saved games: they contain the player's results and, if no
+    /// options are given, those of the player's last game.
+    pub(super) fn ask(options: Option<Options>, cx: &mut Context) -> Self {
+        Self {
+            is_fresh: options.is_none(),
+            options: options.unwrap_or_default(),
+            form: SettingsForm::default(),
+            asked: cx.ask(StoreRequest::List),
+            results: Results::default(),
+        }
+    }
+
+    /// Handles the list of saved games. Games that cannot be read are left out.
+    pub(super) fn take_answer(&mut self, answer: &StoreAnswer, cx: &Context) {
+        let StoreReply::Listed(Ok(games)) = &answer.done else {
+            return;
+        };
+        if answer.ticket != self.asked {
+            return;
+        }
+        let player = &cx.settings.player;
+        let games = || games.iter().filter_map(|kept| kept.content.as_deref().ok());
+        self.results = Results::of(player, games());
+        // Options that the player has already changed are kept.
+        if self.is_fresh
+            && self.options == Options::default()
+            && let Some((last, _)) = games().find(|(saved, _)| saved.player == *player)
+        {
+            self.options = Options::of(last);
+        }
+        self.is_fresh = false;
+    }
+
+    /// Writes what the player has won and lost.
+    fn write_results(&self, panel: &mut Panel<TableAction>) {
+        if self.results.rows.is_empty() {
+            return;
+        }
+        panel.gap();
+        panel.pair(("your boards", Role::Title), ("won : lost", Role::Dim));
+        for row in &self.results.rows {
+            let [won, lost] = row.boards;
+            let name = format!("{}, {}", <&str>::from(row.rules), row.strength);
+            panel.fact(name, format!("{won} : {lost}"));
+            if row.rules == Rules::Tournament && row.games != [0; 2] {
+                let [won, lost] = row.games;
+                panel.fact("  games", format!("{won} : {lost}"));
+            }
+        }
+        let longest = counted(self.results.longest_turn, "coin");
+        panel.fact("longest turn", longest);
+    }
+
     pub(super) fn keys(&self) -> KeyTable<NewGameAction> {
         KeyTable::new("table")
             .on(Key::Enter, NewGameAction::Play, "play")
@@ -69,6 +128,7 @@ impl NewGame {
             panel.prompt("the rules", NewGameAction::Rules);
             panel.prompt("saved games", NewGameAction::SavedGames);
         });
+        self.write_results(&mut panel);
         let set = self.options.set;
         let board = move |area| picture::of_pack(&pack(set, Seat::South), set, area);
         View::drawn("the pack", board, panel).square()

@@ -138,11 +138,15 @@ impl Options {
             .count()
     }
 
+    /// Whether several people share the keyboard. A practice game has one player.
+    pub(super) fn is_shared(&self) -> bool {
+        self.rules != Rules::Practice && self.count(Player::Person) > 1
+    }
+
     /// The name of the player at a seat, which is "you" if nobody else is at the keyboard.
     pub fn seat_name(&self, seat: Seat) -> &'static str {
         match self.player(seat) {
-            Player::Person if self.rules == Rules::Practice => "you",
-            Player::Person if self.count(Player::Person) == 1 => "you",
+            Player::Person if !self.is_shared() => "you",
             Player::Computer if self.count(Player::Computer) == 1 => "computer",
             _ => seat.into(),
         }

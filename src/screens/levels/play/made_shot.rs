@@ -2,6 +2,7 @@
 
 use crate::levels::{Judgement, Level, Win, judge};
 use crate::physics::{Collision, Event, EventKind, Shot};
+use crate::progress::{Attempt, LEVEL, Predicted};
 use crate::quiz::{Ray, RayGrade, Rays};
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
@@ -103,6 +104,35 @@ impl MadeShot {
             watched: clock.is_over(),
             player,
         }
+    }
+
+    /// Records the prediction as an answer of the player, in the level with this number.
+    pub(super) fn record_said(&self, level: usize, cx: &mut Context) {
+        let (Some(said), Some(impact)) = (&self.said, self.player.impacts().first()) else {
+            return;
+        };
+        let Some((pack, named)) = cx.shelf.get(level) else {
+            return;
+        };
+        let mut asked = asked(said);
+        let predicted = Predicted {
+            player: &cx.settings.player,
+            family: LEVEL,
+            seed: 0,
+            number: u32::try_from(level + 1).unwrap_or(u32::MAX),
+            only: asked.next().filter(|_| asked.next().is_none()),
+        };
+        let attempt = Attempt::of_prediction(&predicted, &impact.collision, &said.so_far());
+        let Some(mut attempt) = attempt else {
+            return;
+        };
+        if !attempt.right && is_right(said, &impact.collision) {
+            (attempt.right, attempt.credit, attempt.misconception) = (true, 1.0, None);
+        }
+        let names = [("pack", pack.name.as_str()), ("level", named.id.as_str())];
+        let names = names.map(|(name, id)| (name.to_owned(), id.into()));
+        attempt.question.extend(names);
+        cx.record(attempt);
     }
 
     /// Controls the clock, or the replay of an impact.

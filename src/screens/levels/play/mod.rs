@@ -171,6 +171,7 @@ impl LevelPlay {
         let watched = (settings.watch_rate, settings.reduced_motion);
         let count = (self.shots, self.hints);
         let mut made = MadeShot::new(self.level(), shot, count, to_say, said, watched);
+        made.record_said(self.number, cx);
         made.keep_if_watched(self.number, cx);
         self.phase = LevelPhase::Watch(Box::new(made));
     }

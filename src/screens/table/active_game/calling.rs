@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use super::{ActiveGame, After, GamePhase, ShownStroke};
 use crate::game::{Move, Strike};
 use crate::messages::{Mouse, MouseKind};
+use crate::progress::{Attempt, Predicted, TABLE};
 use crate::screens::Context;
 use crate::screens::table::TableAction;
 use crate::screens::table::calls::call;
@@ -36,25 +37,28 @@ impl Calling {
         self.rays.keys("next, then strike")
     }
 
-    /// Turns a ray; once both are set, makes the stroke.
+    /// Turns a ray; once both are set, makes the stroke and records the call.
     pub(super) fn act(
         &mut self,
         action: RayAction,
         game: &mut ActiveGame,
-        cx: &Context,
+        cx: &mut Context,
     ) -> Option<GamePhase> {
         if self.rays.act(action) != Outcome::Done(()) {
             return None;
         }
         let call = Some(call(&self.rays.said()?));
-        Some(match &self.of {
+        let number = game.history.len();
+        let phase = match &self.of {
             Some(stroke) => game.play_for_the_computer(stroke, call, cx),
             None => {
                 let strike = game.aim.strike(game.seat());
                 let watching = game.play(Move::Strike(Strike { call, ..strike }), cx);
                 watching.unwrap_or(GamePhase::Aim)
             }
-        })
+        };
+        game.record_call(number, cx);
+        Some(phase)
     }
 
     /// Goes back to the aim, or to the computer's aim.
@@ -102,5 +106,26 @@ impl Calling {
             panel.gap();
             self.rays.write_prompt(panel, "coin", "strike!");
         });
+    }
+}
+
+impl ActiveGame {
+    /// Records the call of a move as an answer of the player, unless several people share the
+    /// keyboard: nobody knows who of them called.
+    fn record_call(&self, number: usize, cx: &mut Context) {
+        let called = self.history.past(number).and_then(|past| past.called);
+        let Some(called) = called.filter(|_| !self.options.is_shared()) else {
+            return;
+        };
+        let predicted = Predicted {
+            player: &cx.settings.player,
+            family: TABLE,
+            seed: self.game().setup().seed.unwrap_or(0),
+            number: u32::try_from(number + 1).unwrap_or(u32::MAX),
+            only: None,
+        };
+        if let Some(attempt) = Attempt::of_prediction(&predicted, &called.collision, &called.said) {
+            cx.record(attempt);
+        }
     }
 }

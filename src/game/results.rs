@@ -1,0 +1,117 @@
+//! A player's results at the table, counted from the saved games.
+
+use serde::Serialize;
+
+use super::opponent::Strength;
+use super::{BoardWon, ByTeam, Game, Move, Piece, Player, Rules, SavedGame, Seat, Stroke, Team};
+use crate::game::score::Score;
+
+/// The results of one player against the computer. Games without a single person, or without the
+/// computer on the other side, are left out, and so is practice.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct Results {
+    /// One row for each set of rules and each strength of the computer, the latest first.
+    #[serde(rename = "results")]
+    pub(crate) rows: Vec<ResultsRow>,
+    /// The most coins that the player pocketed in one turn.
+    pub(crate) longest_turn: usize,
+}
+
+/// The results with some rules against a computer of some strength.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct ResultsRow {
+    pub(crate) rules: Rules,
+    /// The strength of the computer, or of the stronger one of two.
+    pub(crate) strength: Strength,
+    /// The boards that were won and lost.
+    #[serde(rename = "boards_won_and_lost")]
+    pub(crate) boards: [usize; 2],
+    /// The games that were won and lost; in friendly games each board is one.
+    #[serde(rename = "games_won_and_lost")]
+    pub(crate) games: [usize; 2],
+}
+
+impl Results {
+    /// The results of a player with this name, from saved games, the latest first.
+    pub(crate) fn of<'a>(
+        player: &str,
+        games: impl IntoIterator<Item = &'a (SavedGame, Game)>,
+    ) -> Self {
+        let mut results = Self::default();
+        for (saved, game) in games.into_iter().filter(|(it, _)| it.player == player) {
+            if let Some((seat, strength)) = against_computer(saved) {
+                results.add(game, game.team(seat), strength);
+                let turn = longest_turn(saved, seat);
+                results.longest_turn = results.longest_turn.max(turn);
+            }
+        }
+        results
+    }
+
+    fn add(&mut self, game: &Game, team: Team, strength: Strength) {
+        let rules = game.setup().rules;
+        let won: Vec<BoardWon> = game.finished.iter().copied().chain(game.play.won).collect();
+        if won.is_empty() {
+            return;
+        }
+        let both = [team, team.other()];
+        let boards = both.map(|team| won.iter().filter(|it| it.winner == team).count());
+        let games: ByTeam<u8> = Score::after(rules, &won).before_next_board(rules).games;
+        let games = match rules {
+            Rules::Tournament => both.map(|team| games[team].into()),
+            Rules::Friendly | Rules::Practice => boards,
+        };
+        let known = |row: &&mut ResultsRow| (row.rules, row.strength) == (rules, strength);
+        match self.rows.iter_mut().find(known) {
+            Some(row) => {
+                for side in 0..both.len() {
+                    row.boards[side] += boards[side];
+                    row.games[side] += games[side];
+                }
+            }
+            None => self.rows.push(ResultsRow {
+                rules,
+                strength,
+                boards,
+                games,
+            }),
+        }
+    }
+}
+
+/// The seat of the only person in a game, and the strength of the computer on the other side.
+fn against_computer(saved: &SavedGame) -> Option<(Seat, Strength)> {
+    let setup = saved.record.setup();
+    let is = |seat: &Seat, player| saved.company.players[*seat as usize] == player;
+    let seats = || { Seat::ALL.into_iter() }.filter(|seat| setup.hands.plays(*seat));
+    let mut people = seats().filter(|seat| is(seat, Player::Person));
+    let (seat, None) = (people.next()?, people.next()) else {
+        return None;
+    };
+    let others = seats().filter(|other| setup.hands.team(*other) != setup.hands.team(seat));
+    let strengths = others.map(|other| saved.company.strengths[other as usize]);
+    let strength = strengths.reduce(|a, b| if b > a { b } else { a })?;
+    (setup.rules != Rules::Practice).then_some((seat, strength))
+}
+
+/// The most own coins, and the queen, that the player at this seat pocketed in one turn of a game.
+fn longest_turn(saved: &SavedGame, seat: Seat) -> usize {
+    let (mut longest, mut turn) = (0, 0);
+    // A saved game was replayed when it was read, so it has no error.
+    let _ = saved.record.play_through(|before, made, shot, _| {
+        let shot = shot.filter(|_| before.seat() == seat);
+        let (Move::Strike(_), Some(shot)) = (made, shot) else {
+            turn = 0;
+            return;
+        };
+        let fallen = Stroke::from_shot(before.coins(), &shot).map_or(Vec::new(), |it| it.pocketed);
+        let own = [before.colour(before.team(seat)).piece(), Piece::Queen];
+        let count = fallen.iter().filter(|piece| own.contains(piece)).count();
+        turn = match count == 0 || fallen.contains(&Piece::Striker) {
+            true => 0,
+            false => turn + count,
+        };
+        longest = longest.max(turn);
+    });
+    longest
+}

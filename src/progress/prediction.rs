@@ -1,0 +1,202 @@
+//! Predictions of where two discs go after a collision, made outside the quiz: calls at the table,
+//! predictions in levels, and rays at the checkpoints of chapters.
+
+use glam::DVec2;
+use serde_json::{Value, json};
+
+use super::Attempt;
+use crate::physics::units::deg_from_rad;
+use crate::physics::{Collision, Meeting};
+use crate::quiz::{
+    Answer, Confidence, Figures, Hit, Question, Ray, RayGrade, Rays, RaysGrade, Response, figures,
+};
+
+/// The family of all calls at the table.
+pub const TABLE: &str = "table";
+
+/// The family of all predictions in levels.
+pub const LEVEL: &str = "level";
+
+/// Where and by whom a collision was predicted.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Predicted<'a> {
+    pub(crate) player: &'a str,
+    /// [`TABLE`] or [`LEVEL`].
+    pub(crate) family: &'static str,
+    pub(crate) seed: u64,
+    /// The number of the stroke or of the level, from 1.
+    pub(crate) number: u32,
+    /// The ray that was predicted, if not both were.
+    pub(crate) only: Option<Ray>,
+}
+
+impl Attempt {
+    /// The prediction of a collision, graded as in the quiz; `None` if the quiz has no such
+    /// questions, because the target moves or the discs miss each other.
+    pub(crate) fn of_prediction(
+        predicted: &Predicted,
+        collision: &Collision,
+        said: &Rays,
+    ) -> Option<Self> {
+        let question = question_about(collision)?;
+        let hit = Hit::from(collision);
+        let truth = hit.truth();
+        let grade = RaysGrade::new(said, &truth);
+        let (said_and_true, error, credit, right) = match predicted.only {
+            None => (
+                [said, &truth].map(|rays| figures(rays.json())),
+                grade.error(),
+                grade.credit(),
+                grade.is_right(),
+            ),
+            Some(ray) => {
+                let grade = RayGrade {
+                    error: said.apart(&truth, ray),
+                };
+                let angles = [said, &truth].map(|rays| rays.get(ray));
+                let (error, credit) = (grade.error, grade.credit());
+                (one_ray(ray, angles), error, credit, grade.is_right())
+            }
+        };
+        let [answer, truth] = said_and_true;
+        let mut attempt = Self {
+            time_s: None,
+            player: predicted.player.to_owned(),
+            family: predicted.family.to_owned(),
+            topic: hit.reviewed_as().id().to_owned(),
+            seed: predicted.seed,
+            number: predicted.number,
+            question: question.figures,
+            answer,
+            truth,
+            error_deg: error.map(deg_from_rad),
+            credit,
+            right,
+            confidence: None,
+            misconception: None,
+        };
+        if let Some(ray) = predicted.only {
+            let name = match ray {
+                Ray::Striker => "striker",
+                Ray::Target => "target",
+            };
+            attempt.question.insert("ray".into(), name.into());
+            return Some(attempt);
+        }
+        Some(attempt.with_evidence_of_rays(collision, said))
+    }
+
+    /// This attempt with the evidence for misconceptions in both predicted rays, if the quiz could
+    /// ask about the collision.
+    pub(crate) fn with_evidence_of_rays(self, collision: &Collision, said: &Rays) -> Self {
+        match question_about(collision).filter(Question::is_clear) {
+            Some(question) => {
+                // The evidence does not depend on the confidence.
+                let answer = Answer::new(Response::Rays(*said), Confidence::ThinkSo);
+                self.with_evidence(&question, &answer)
+            }
+            None => self,
+        }
+    }
+}
+
+/// The quiz's question about both rays of a collision: only hits on a target at rest are asked.
+fn question_about(collision: &Collision) -> Option<Question> {
+    let is_hit = collision.u2 == DVec2::ZERO && collision.outcome().meeting == Meeting::Hit;
+    is_hit.then(|| Question::from(&Hit::from(collision)))
+}
+
+/// The predicted and the true direction of one disc: two angles or, because a disc at rest has
+/// none, both in words.
+fn one_ray(ray: Ray, said_and_true: [Option<f64>; 2]) -> [Figures; 2] {
+    let kept: [Value; 2] = match said_and_true {
+        [Some(said), Some(truth)] => {
+            [said, truth].map(|angle| json!({"angle_deg": deg_from_rad(angle)}))
+        }
+        angles => angles.map(|angle| json!({"choice": ray.words(angle)})),
+    };
+    kept.map(figures)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::Disc;
+    use crate::physics::units::rad_from_deg;
+    use crate::progress::beliefs;
+    use crate::quiz::Misconception;
+
+    /// A tournament striker on a coin at rest, 18 mm off centre.
+    fn collision() -> Collision {
+        let (striker, target) = (Disc::from_g_mm(15.0, 20.65), Disc::from_g_mm(5.5, 15.9));
+        Collision::at_offset(striker, target, 3.0 * DVec2::X, 0.018)
+    }
+
+    fn predicted(number: u32, only: Option<Ray>) -> Predicted<'static> {
+        Predicted {
+            player: "Ada",
+            family: TABLE,
+            seed: 7,
+            number,
+            only,
+        }
+    }
+
+    #[test]
+    fn a_call_is_an_answer_to_the_quizs_question_about_such_a_hit() {
+        let collision = collision();
+        let truth = Rays::from(&collision.outcome());
+        let right = Attempt::of_prediction(&predicted(1, None), &collision, &truth).unwrap();
+        assert_eq!(right.fault(), None);
+        assert_eq!(right.topic, "heavier-striker-by-offset");
+        assert!(right.right && right.credit > 0.999 && right.error_deg.unwrap() < 1e-3);
+        assert_eq!(right.question["m1_g"].as_f64(), Some(15.0));
+        let side = collision.side() * rad_from_deg(45.0);
+        let wrong = |number, only| {
+            let rays = Rays::new(side, side);
+            Attempt::of_prediction(&predicted(number, only), &collision, &rays).unwrap()
+        };
+        let named: Vec<_> = beliefs(&[wrong(1, None), wrong(2, None)])
+            .iter()
+            .map(|it| it.misconception)
+            .collect();
+        assert_eq!(named, [Misconception::HalfAndHalf]);
+        // One ray alone is no evidence.
+        assert!(beliefs(&[wrong(1, Some(Ray::Target)), wrong(2, Some(Ray::Target))]).is_empty());
+    }
+
+    #[test]
+    fn one_predicted_ray_is_graded_alone() {
+        let collision = collision();
+        let truth = Rays::from(&collision.outcome());
+        let said = Rays {
+            striker: None,
+            target: truth.target,
+        };
+        let only = |ray| Attempt::of_prediction(&predicted(1, Some(ray)), &collision, &said);
+        let target = only(Ray::Target).unwrap();
+        assert!(target.right && target.fault().is_none());
+        assert!(target.answer.contains_key("angle_deg"));
+        let striker = only(Ray::Striker).unwrap();
+        assert!(!striker.right && striker.error_deg.is_none() && striker.fault().is_none());
+        assert_eq!(striker.answer["choice"], "stays still");
+        assert!(striker.truth["choice"].as_str().unwrap().contains('°'));
+    }
+
+    #[test]
+    fn the_quiz_has_no_questions_about_two_moving_discs_or_a_miss() {
+        let moving = Collision {
+            u2: 0.1 * DVec2::Y,
+            ..collision()
+        };
+        let miss = Collision {
+            offset: 0.1,
+            ..collision()
+        };
+        for collision in [moving, miss] {
+            let said = Rays::new(0.1, 0.1);
+            let attempt = Attempt::of_prediction(&predicted(1, None), &collision, &said);
+            assert_eq!(attempt, None);
+        }
+    }
+}
