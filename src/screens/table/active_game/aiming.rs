@@ -8,7 +8,7 @@ use super::arranging::Arrange;
 use super::calling::Calling;
 use super::{ActiveGame, After, GameAction, GamePhase, Hinted, score};
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
-use crate::game::{Aids, Game, Move};
+use crate::game::{Aids, Game, Move, opponent};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::capital;
 use crate::physics::units::m_from_mm;
@@ -36,7 +36,9 @@ pub enum AimAction {
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
-    /// change the strength; the wheel works, too
+    /// aim at the next coin of your own to the right, or to the left, so that it goes into the nearest open pocket; Tab works, too
+    NextShot(i8),
+    /// change the strength by 0.1 m/s or by 1 m/s; the wheel works, too
     Strength(i8),
     /// move the striker by 2 mm or by 20 mm
     Place(i8),
@@ -82,7 +84,8 @@ impl AimAid {
 impl ActiveGame {
     pub(super) fn aim_keys(&self) -> KeyTable<TableAction> {
         use AimAction::{
-            Aid, Call, Hint, LayOut, Number, Place, PlaceUp, Strength, Strike, Turn, TurnFar, Undo,
+            Aid, Call, Hint, LayOut, NextShot, Number, Place, PlaceUp, Strength, Strike, Turn,
+            TurnFar, Undo,
         };
         use GameAction::{Back, Export, LookBack, WatchAll};
         let typing = self.entry.is_open();
@@ -94,8 +97,11 @@ impl ActiveGame {
             .on(' ', Strike, "strike")
             .or((!typing).then_some((Key::Enter, Strike)))
             .by(Key::ARROWS, Turn, [-1, 1, -10, 10], "aim")
-            .by(['+', '-'], Strength, [1, -1], "strength")
-            .called(&["harder", "softer"])
+            .by(['n', 'N'], NextShot, [1, -1], "coin")
+            .called(&["next coin", "last coin"])
+            .or([(Key::Tab, NextShot(1)), (Key::BackTab, NextShot(-1))])
+            .by(['+', '-', '>', '<'], Strength, [1, -1, 10, -10], "strength")
+            .called(&["harder", "softer", "much harder", "much softer"])
             .or([('=', Strength(1)), ('_', Strength(-1))])
             .when(!typing)
             .on('+', Strength(1), "as the strength")
@@ -154,6 +160,13 @@ impl ActiveGame {
             }
             AimAction::Turn(tenths) => self.aim.turn(f64::from(tenths) * DIRECTION_STEP * right),
             AimAction::TurnFar(tens) => self.aim.turn(10.0 * f64::from(tens) * right),
+            AimAction::NextShot(sense) => {
+                let shots = opponent::open_shots(self.game(), self.aim.place);
+                if shots.is_empty() {
+                    self.notice = Some("None of your coins can be hit directly from here.".into());
+                }
+                self.aim.turn_to_next(&shots, sense, self.seat());
+            }
             AimAction::Strength(steps) => self.strengthen(steps),
             AimAction::Place(steps) => {
                 let along = along_the_screen(self.seat(), self.game().setup().rules);
