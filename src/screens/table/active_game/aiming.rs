@@ -93,21 +93,35 @@ impl ActiveGame {
         // A long hint is scrolled with the page keys.
         let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
         let back = if self.is_pulling() { "cancel" } else { "" };
+        // While a number is typed, the bottom line begins with the keys that set it.
+        let entry = self.entry.keys();
+        let is_digit = |it| matches!(it, EntryAction::Type(_));
+        let (first, last) = match typing {
+            true => (
+                entry
+                    .renamed("", is_digit)
+                    .renamed("aim", |it| it == EntryAction::Enter),
+                KeyTable::new("number"),
+            ),
+            false => (KeyTable::new("number"), entry),
+        };
+        let place = if typing { "mm left or right" } else { "place" };
         let aim = KeyTable::new("table")
+            .with(first, Number)
             .on(' ', Strike, "strike")
             .or((!typing).then_some((Key::Enter, Strike)))
-            .by(Key::ARROWS, Turn, [-1, 1, -10, 10], "aim")
             .by(['n', 'N'], NextShot, [1, -1], "coin")
-            .called(&["next coin", "last coin"])
+            .called(&["next coin", "coin before"])
             .or([(Key::Tab, NextShot(1)), (Key::BackTab, NextShot(-1))])
+            .by(Key::ARROWS, Turn, [-1, 1, -10, 10], "aim")
             .by(['+', '-', '>', '<'], Strength, [1, -1, 10, -10], "strength")
             .called(&["harder", "softer", "much harder", "much softer"])
             .or([('=', Strength(1)), ('_', Strength(-1))])
             .when(!typing)
-            .on('+', Strength(1), "as the strength")
+            .on('+', Strength(1), "strength")
             .or([('=', Strength(1))])
             .when(typing)
-            .by(['[', ']', '{', '}'], Place, [-1, 1, -10, 10], "place")
+            .by(['[', ']', '{', '}'], Place, [-1, 1, -10, 10], place)
             .called(&["left", "right", "far left", "far right"])
             .or([('a', Place(-1)), ('d', Place(1))])
             .on('p', LayOut, "lay out")
@@ -115,10 +129,14 @@ impl ActiveGame {
             .on('z', Undo, "undo")
             .when(practice)
             .on('h', Hint, "hint")
-            .with(self.entry.keys(), Number)
+            .with(last, Number)
             .on('c', Call, "call")
             .by(['l', 'g', 'r'], Aid, AimAid::ALL, "aids")
-            .called(&["line", "ghost", "arrows"]);
+            .called(&["line", "ghost", "arrows"])
+            .in_brief("n", |it| matches!(it, NextShot(_)))
+            .in_brief("+ -", |it| it == Strength(1) && !typing)
+            .in_brief("[ ]", |it| matches!(it, Place(_)))
+            .in_brief("arrows, 68.2 Enter", |it| matches!(it, Turn(_)) && !typing);
         let shared = KeyTable::new("table")
             .on('i', LookBack, "impacts")
             .on('v', WatchAll, "replay")
@@ -267,6 +285,7 @@ impl ActiveGame {
         if self.entry.is_open() {
             panel.part(TableAction::Aim, |panel| {
                 panel.prompts([
+                    ("aim", AimAction::Number(EntryAction::Enter)),
                     ("mm left", AimAction::Place(-1)),
                     ("mm right", AimAction::Place(1)),
                     ("as the strength", AimAction::Strength(1)),
