@@ -30,7 +30,9 @@ pub fn open_shots(game: &Game, from: DVec2) -> Vec<DVec2> {
         return pocketed;
     }
     let full = wanted.iter().filter_map(|&(i, coin)| {
-        let way = Way::straight(from, coin.at)?;
+        let toward = (coin.at - from).try_normalize()?;
+        let contact = coin.at - toward * (sight.striker() + sight.coin());
+        let way = Way::straight(from, contact)?;
         way.is_clear(&sight, sight.striker(), None, Some(i))
             .then_some(way.toward)
     });
@@ -88,5 +90,8 @@ mod tests {
         let game = game(&coins);
         let place = game.base_lines().at(0.0);
         assert_eq!(open_shots(&game, place), [DVec2::Y]);
+        // At the break, too, the coins of the first row can be hit.
+        let game = Game::new(GameSetup::default());
+        assert!(!open_shots(&game, place).is_empty());
     }
 }

@@ -401,6 +401,16 @@ mod tests {
     }
 
     #[test]
+    fn the_bottom_line_shows_an_example_until_the_row_is_rebound() {
+        let table = table().in_brief("5 Enter", |it| matches!(it, Action::Digit(_)));
+        let last = |table: &KeyTable<Action>| table.rows()[2].brief();
+        assert_eq!(last(&table), "5 Enter");
+        assert_eq!(table.rows()[1].brief(), "Up Down");
+        let rebound = Rebound::from([("lab.digit".into(), vec![Key::Char('x')])]);
+        assert_eq!(last(&table.rebound(&rebound)), "x");
+    }
+
+    #[test]
     fn a_key_has_the_action_of_its_row() {
         let table = table();
         assert_eq!(table.exact(Key::Tab), Some(Action::Choose(1)));

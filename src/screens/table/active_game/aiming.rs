@@ -105,15 +105,18 @@ impl ActiveGame {
             ),
             false => (KeyTable::new("number"), entry),
         };
-        let place = if typing { "mm left or right" } else { "place" };
+        let (coin, turn, place) = match typing {
+            true => ("", "", "mm left or right"),
+            false => ("coin", "aim", "place"),
+        };
         let aim = KeyTable::new("table")
             .with(first, Number)
             .on(' ', Strike, "strike")
             .or((!typing).then_some((Key::Enter, Strike)))
-            .by(['n', 'N'], NextShot, [1, -1], "coin")
+            .by(['n', 'N'], NextShot, [1, -1], coin)
             .called(&["next coin", "coin before"])
             .or([(Key::Tab, NextShot(1)), (Key::BackTab, NextShot(-1))])
-            .by(Key::ARROWS, Turn, [-1, 1, -10, 10], "aim")
+            .by(Key::ARROWS, Turn, [-1, 1, -10, 10], turn)
             .by(['+', '-', '>', '<'], Strength, [1, -1, 10, -10], "strength")
             .called(&["harder", "softer", "much harder", "much softer"])
             .or([('=', Strength(1)), ('_', Strength(-1))])
