@@ -37,7 +37,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     // `?` is the last of the screen's keys.
     let table = screen.table(&app.context);
     let rows = table.rows().iter().filter(|row| !row.name.is_empty());
-    let rows = rows.map(|row| (row.shown(), row.name));
+    let rows = rows.map(|row| (row.brief(), row.name));
     let help = table.rows().iter().find(|row| row.id == "everywhere.help");
     let help = help.map(|row| (row.shown(), "help"));
     key_line(rows.chain(help), area, buf, look);

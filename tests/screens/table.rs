@@ -701,8 +701,10 @@ fn the_striker_is_pulled_back_and_released() {
     let near = game.screen();
     game.mouse(MouseKind::Drag, (striker.0, striker.1 + 4));
     assert_ne!(game.screen(), near, "farther is harder");
-    // A pull to the side turns the aim to the opposite side.
-    game.mouse(MouseKind::Drag, (striker.0 + 6, striker.1 + 3));
+    // A pull a little to the side keeps the aim, a pull far to the side turns it.
+    game.mouse(MouseKind::Drag, (striker.0 + 3, striker.1 + 4));
+    assert_eq!(aim(&mut game), pointed);
+    game.mouse(MouseKind::Drag, (striker.0 + 14, striker.1 + 3));
     let turned = aim(&mut game);
     assert_ne!(turned, pointed);
     // A release at the striker makes no stroke, and neither does Escape.

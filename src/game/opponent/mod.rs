@@ -18,9 +18,11 @@
 //! | `story` | the purpose of a shot, from its record, and why it was chosen |
 //! | `words` | the purpose of a shot in words |
 //! | `hint` | a hint for the player |
+//! | `open_shots` | the directions that pocket a coin, for aiming by a key |
 
 mod hand;
 mod hint;
+mod open_shots;
 mod rehearsal;
 mod search;
 mod shots;
@@ -35,6 +37,7 @@ mod worth;
 
 pub use hand::{FASTEST, Hand, Slip};
 pub use hint::StrokeHint;
+pub use open_shots::open_shots;
 pub use story::{Chance, Fall, FirstContact, Reason, Story};
 pub use strength::Strength;
 

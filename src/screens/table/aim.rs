@@ -88,6 +88,23 @@ impl Aim {
         self.direction_deg = hundredths / 100.0;
     }
 
+    /// Turns to the next of these directions on the board: the nearest one to the right on the
+    /// screen, or to the left if `sense` is negative.
+    pub(super) fn turn_to_next(&mut self, ways: &[DVec2], sense: i8, seat: Seat) {
+        let right = f64::from(sense) * rightwards(seat);
+        let turns = ways.iter().map(|way| {
+            let mut aimed = *self;
+            aimed.point_at(self.place + *way, seat);
+            let turn = right * (aimed.direction_deg - self.direction_deg);
+            // After a whole turn the present direction comes last. Directions are hundredths.
+            let turn = (turn - 0.005).rem_euclid(360.0);
+            (turn, aimed)
+        });
+        if let Some((_, next)) = turns.min_by(|(a, _), (b, _)| a.total_cmp(b)) {
+            *self = next;
+        }
+    }
+
     /// Aims at a point on the board.
     pub(super) fn point_at(&mut self, at: DVec2, seat: Seat) {
         if let Some(way) = (at - self.place).try_normalize() {

@@ -38,6 +38,8 @@ pub struct KeyRow<A> {
     pub help: &'static str,
     /// The labels of its keys on separate buttons, if there are any.
     pub words: &'static [&'static str],
+    /// What the bottom line shows instead of all its keys.
+    brief: Option<&'static str>,
     keys: Vec<(Key, A)>,
     aliases: Vec<(Key, A)>,
 }
@@ -58,9 +60,15 @@ impl<A: Copy> KeyRow<A> {
         shown(&self.keys().collect::<Vec<_>>())
     }
 
+    /// The keys in the bottom line.
+    pub(crate) fn brief(&self) -> String {
+        self.brief.map_or_else(|| self.shown(), str::to_owned)
+    }
+
     /// Replaces the keys for the same actions, in the same order. If fewer are given, the remaining
     /// actions have no key.
     fn rebind(&mut self, keys: &[Key]) {
+        self.brief = None;
         self.aliases.clear();
         let actions = self.keys.iter().map(|(_, action)| *action);
         self.keys = keys.iter().copied().zip(actions).collect();
@@ -108,6 +116,7 @@ impl<A: KeyAction> KeyTable<A> {
                 name,
                 help: first.help(),
                 words: &[],
+                brief: None,
                 keys,
                 aliases: Vec::new(),
             });
@@ -158,6 +167,17 @@ impl<A: Copy> KeyTable<A> {
     pub fn called(mut self, words: &'static [&'static str]) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             row.words = words;
+        }
+        self
+    }
+
+    /// Sets what the bottom line shows instead of the keys of the rows with matching actions: the
+    /// most useful keys, or an example.
+    pub fn in_brief(mut self, brief: &'static str, is: impl Fn(A) -> bool) -> Self {
+        for row in &mut self.rows {
+            if row.keys.first().is_some_and(|(_, action)| is(*action)) {
+                row.brief = Some(brief);
+            }
         }
         self
     }
@@ -232,6 +252,7 @@ impl<A: Copy> KeyTable<A> {
             name: row.name,
             help: row.help,
             words: row.words,
+            brief: row.brief,
             keys: map(row.keys),
             aliases: map(row.aliases),
         });
@@ -377,6 +398,16 @@ mod tests {
                 ("lab.digit", "0-9".into(), "type", "type a number"),
             ]
         );
+    }
+
+    #[test]
+    fn the_bottom_line_shows_an_example_until_the_row_is_rebound() {
+        let table = table().in_brief("5 Enter", |it| matches!(it, Action::Digit(_)));
+        let last = |table: &KeyTable<Action>| table.rows()[2].brief();
+        assert_eq!(last(&table), "5 Enter");
+        assert_eq!(table.rows()[1].brief(), "Up Down");
+        let rebound = Rebound::from([("lab.digit".into(), vec![Key::Char('x')])]);
+        assert_eq!(last(&table.rebound(&rebound)), "x");
     }
 
     #[test]

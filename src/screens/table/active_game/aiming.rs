@@ -8,7 +8,7 @@ use super::arranging::Arrange;
 use super::calling::Calling;
 use super::{ActiveGame, After, GameAction, GamePhase, Hinted, score};
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
-use crate::game::{Aids, Game, Move};
+use crate::game::{Aids, Game, Move, opponent};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::capital;
 use crate::physics::units::m_from_mm;
@@ -37,7 +37,9 @@ pub enum AimAction {
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
-    /// change the strength; the wheel works, too
+    /// aim at the next coin of your own to the right, or to the left, so that it goes into the nearest open pocket; Tab works, too
+    NextShot(i8),
+    /// change the strength by 0.1 m/s or by 1 m/s; the wheel works, too
     Strength(i8),
     /// move the striker by 2 mm or by 20 mm
     Place(i8),
@@ -83,7 +85,8 @@ impl AimAid {
 impl ActiveGame {
     pub(super) fn aim_keys(&self) -> KeyTable<TableAction> {
         use AimAction::{
-            Aid, Call, Hint, LayOut, Number, Place, PlaceUp, Strength, Strike, Turn, TurnFar, Undo,
+            Aid, Call, Hint, LayOut, NextShot, Number, Place, PlaceUp, Strength, Strike, Turn,
+            TurnFar, Undo,
         };
         use GameAction::{Back, Export, LookBack, WatchAll};
         let typing = self.entry.is_open();
@@ -91,18 +94,38 @@ impl ActiveGame {
         // A long hint is scrolled with the page keys.
         let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
         let back = if self.is_pulling() { "cancel" } else { "" };
+        // While a number is typed, the bottom line begins with the keys that set it.
+        let entry = self.entry.keys();
+        let is_digit = |it| matches!(it, EntryAction::Type(_));
+        let (first, last) = match typing {
+            true => (
+                entry
+                    .renamed("", is_digit)
+                    .renamed("aim", |it| it == EntryAction::Enter),
+                KeyTable::new("number"),
+            ),
+            false => (KeyTable::new("number"), entry),
+        };
+        let (coin, turn, place) = match typing {
+            true => ("", "", "mm left or right"),
+            false => ("coin", "aim", "place"),
+        };
         let aim = KeyTable::new("table")
+            .with(first, Number)
             .on(' ', Strike, "strike")
             .or((!typing).then_some((Key::Enter, Strike)))
-            .by(Key::ARROWS, Turn, [-1, 1, -10, 10], "aim")
-            .by(['+', '-'], Strength, [1, -1], "strength")
-            .called(&["harder", "softer"])
+            .by(['n', 'N'], NextShot, [1, -1], coin)
+            .called(&["next coin", "coin before"])
+            .or([(Key::Tab, NextShot(1)), (Key::BackTab, NextShot(-1))])
+            .by(Key::ARROWS, Turn, [-1, 1, -10, 10], turn)
+            .by(['+', '-', '>', '<'], Strength, [1, -1, 10, -10], "strength")
+            .called(&["harder", "softer", "much harder", "much softer"])
             .or([('=', Strength(1)), ('_', Strength(-1))])
             .when(!typing)
-            .on('+', Strength(1), "as the strength")
+            .on('+', Strength(1), "strength")
             .or([('=', Strength(1))])
             .when(typing)
-            .by(['[', ']', '{', '}'], Place, [-1, 1, -10, 10], "place")
+            .by(['[', ']', '{', '}'], Place, [-1, 1, -10, 10], place)
             .called(&["left", "right", "far left", "far right"])
             .or([('a', Place(-1)), ('d', Place(1))])
             .on('p', LayOut, "lay out")
@@ -110,10 +133,17 @@ impl ActiveGame {
             .on('z', Undo, "undo")
             .when(practice)
             .on('h', Hint, "hint")
-            .with(self.entry.keys(), Number)
+            .with(last, Number)
             .on('c', Call, "call")
             .by(['l', 'g', 'r'], Aid, AimAid::ALL, "aids")
-            .called(&["line", "ghost", "arrows"]);
+            .called(&["line", "ghost", "arrows"])
+            .in_brief("n", |it| matches!(it, NextShot(_)))
+            .in_brief("+ -", |it| it == Strength(1) && !typing)
+            .in_brief("[ ]", |it| matches!(it, Place(_)))
+            .in_brief("arrows, 68.2 Enter", |it| {
+                // In a practice game the line has no room for the example.
+                matches!(it, Turn(_)) && !typing && !practice
+            });
         let shared = KeyTable::new("table")
             .on('i', LookBack, "impacts")
             .on('v', WatchAll, "replay")
@@ -155,6 +185,13 @@ impl ActiveGame {
             }
             AimAction::Turn(tenths) => self.aim.turn(f64::from(tenths) * DIRECTION_STEP * right),
             AimAction::TurnFar(tens) => self.aim.turn(10.0 * f64::from(tens) * right),
+            AimAction::NextShot(sense) => {
+                let shots = opponent::open_shots(self.game(), self.aim.place);
+                if shots.is_empty() {
+                    self.notice = Some("None of your coins can be hit directly from here.".into());
+                }
+                self.aim.turn_to_next(&shots, sense, self.seat());
+            }
             AimAction::Strength(steps) => self.strengthen(steps),
             AimAction::Place(steps) => {
                 let along = along_the_screen(self.seat(), self.game().setup().rules);
@@ -256,6 +293,7 @@ impl ActiveGame {
         if self.entry.is_open() {
             panel.part(TableAction::Aim, |panel| {
                 panel.prompts([
+                    ("aim", AimAction::Number(EntryAction::Enter)),
                     ("mm left", AimAction::Place(-1)),
                     ("mm right", AimAction::Place(1)),
                     ("as the strength", AimAction::Strength(1)),

@@ -8,6 +8,8 @@ mod keeping;
 mod over;
 mod pictures;
 mod playing;
+#[cfg(test)]
+mod presses;
 mod pulling;
 mod score;
 mod showing;

@@ -14,9 +14,15 @@ const HOLD: f64 = 1.6;
 const LEAST_PULL: f64 = 1.5;
 /// The additional pull for the hardest stroke, in metres; a full pull ends beside the board.
 const FULL_PULL: f64 = 0.15;
-/// The largest angle between a pull and the aim that does not change the aim, in radians (20°):
-/// a cell is too coarse for aiming.
-const STEADY: f64 = 0.35;
+/// How much harder a stroke becomes if the mouse is to the right of the aim, and how much softer if
+/// it is to the left: the additional pull per square of the distance, per metre.
+///
+/// A terminal reports only the cell of the mouse, so straight down there are only as many strengths
+/// as rows below the striker. The square is needed because with a multiple of the distance, there
+/// would be aims for which a step to the next column does not change the strength.
+const SIDEWAYS: f64 = 2.0;
+/// The tangent of the largest angle between a pull and the aim that does not change the aim (60°).
+const STEADY: f64 = 1.73;
 /// The largest angle from straight back at which a drag pulls the striker rather than moving it,
 /// in radians (45°), if the striker may be moved anywhere.
 const BACKWARDS: f64 = 0.79;
@@ -37,6 +43,8 @@ pub(super) enum Grip {
         to: DVec2,
         /// The aim to restore if the pull is cancelled.
         before: Aim,
+        /// Whether it is pulled far enough to be struck on release.
+        drawn: bool,
     },
 }
 
@@ -48,7 +56,7 @@ impl ActiveGame {
 
     /// Whether the striker is pulled far enough to be struck on release.
     pub(super) fn is_drawn(&self) -> bool {
-        matches!(self.grip, Grip::Pull { to, .. } if self.pull(to) > 0.0)
+        matches!(self.grip, Grip::Pull { drawn: true, .. })
     }
 
     /// Handles a press of the mouse button at a point on the board.
@@ -113,25 +121,109 @@ impl ActiveGame {
         seat.turn_back(way).y < -radius
     }
 
-    /// The fraction of the full strength for a pull to this point; 0 if it is too short.
-    fn pull(&self, to: DVec2) -> f64 {
-        let least = LEAST_PULL * self.set().striker_radius();
-        ((self.aim.place.distance(to) - least) / FULL_PULL).clamp(0.0, 1.0)
-    }
-
-    /// Pulls the striker back to this point.
+    /// Pulls the striker back to this point. A pull along the aim keeps the aim; a pull far to the
+    /// side turns it.
     fn draw_back(&mut self, to: DVec2, before: Aim) {
         let seat = self.seat();
         self.aim = before;
-        let pull = self.pull(to);
-        if pull > 0.0 {
-            let way = self.aim.place - to;
-            let off = signed_angle(way, self.aim.heading(seat));
-            if off.is_none_or(|off| off.abs() > STEADY) {
-                self.aim.point_at(self.aim.place + way, seat);
+        let way = before.place - to;
+        let heading = before.heading(seat);
+        let (along, right) = (way.dot(heading), heading.perp_dot(way));
+        let is_steady = right.abs() <= STEADY * along;
+        let (length, extra) = match is_steady {
+            true => (along, SIDEWAYS * right * right.abs()),
+            false => (way.length(), 0.0),
+        };
+        let least = LEAST_PULL * self.set().striker_radius();
+        let drawn = length > least;
+        if drawn {
+            if !is_steady {
+                self.aim.point_at(before.place + way, seat);
             }
+            let pull = (length + extra - least) / FULL_PULL;
             self.aim.set_speed(SPEEDS.0 + pull * (SPEEDS.1 - SPEEDS.0));
         }
-        self.grip = Grip::Pull { to, before };
+        self.grip = Grip::Pull { to, before, drawn };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Hands, Seat};
+    use crate::messages::{Mouse, MouseKind};
+    use crate::screens::Settings;
+    use crate::screens::table::game_history::GameHistory;
+    use crate::screens::table::{Options, picture};
+    use proptest::prelude::*;
+    use ratatui::layout::Rect;
+
+    /// The size of the smallest usual window, and the area of the board in it.
+    const WINDOW: (u16, u16) = (80, 24);
+    const BOARD: Rect = Rect::new(1, 2, 39, 20);
+
+    fn at_turn_of(seat: Seat) -> ActiveGame {
+        let options = Options {
+            hands: Hands::Four,
+            ..Options::two_people()
+        };
+        let mut setup = options.setup(1);
+        setup.first_breaker = seat;
+        ActiveGame::with(options, GameHistory::new(setup))
+    }
+
+    /// The cell of a point on the board.
+    fn over(at: DVec2) -> Option<(u16, u16)> {
+        let all = (0..WINDOW.0).flat_map(|x| (0..WINDOW.1).map(move |y| (x, y)));
+        let far = |cell: &(u16, u16)| {
+            let (there, _) = picture::pointed(&Mouse::over(MouseKind::Drag, *cell), BOARD);
+            there.distance(at)
+        };
+        all.min_by(|a, b| far(a).total_cmp(&far(b)))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn a_pull_along_the_aim_keeps_it_and_has_at_least_24_strengths(
+            seat in prop::sample::select(Seat::ALL.to_vec()),
+            direction in 20.0..160.0_f64,
+            along in -0.1..0.1_f64,
+        ) {
+            let cx = Context::new(Settings::default(), 1);
+            let mut game = at_turn_of(seat);
+            let place = game.game().base_lines().at(along);
+            game.aim.put(place, game.history.game());
+            game.aim.set_shown(direction + seat.turned_by_deg(), seat);
+            let aimed = game.aim;
+            let drag = |game: &mut ActiveGame, kind, cell| {
+                let _ = game.aim_at(&Mouse::over(kind, cell), BOARD, &cx);
+            };
+            drag(&mut game, MouseKind::Down, over(aimed.place).unwrap());
+            let behind = aimed.place - seat.turn(DVec2::new(0.0, 0.09));
+            drag(&mut game, MouseKind::Drag, over(behind).unwrap());
+            prop_assert!(game.is_pulling());
+            let mut speeds = Vec::new();
+            for cell in (0..WINDOW.0).flat_map(|x| (0..WINDOW.1).map(move |y| (x, y))) {
+                drag(&mut game, MouseKind::Drag, cell);
+                let off = game.aim.shown_deg(seat) - aimed.shown_deg(seat);
+                if game.is_drawn() && off.abs() < 0.3 {
+                    speeds.push((10.0 * game.aim.speed).round() as u32);
+                }
+            }
+            speeds.sort_unstable();
+            speeds.dedup();
+            prop_assert!(speeds.len() >= 24, "{speeds:?}");
+
+            // Straight back along the aim, cell by cell.
+            let back = |metres: f64| aimed.place - metres * aimed.heading(seat);
+            for step in 6..18 {
+                drag(&mut game, MouseKind::Drag, over(back(0.01 * f64::from(step))).unwrap());
+                if game.is_drawn() {
+                    prop_assert_eq!(game.aim.shown_deg(seat), aimed.shown_deg(seat));
+                }
+            }
+        }
     }
 }
