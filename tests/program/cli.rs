@@ -307,7 +307,7 @@ fn a_tape_saves_its_games_only_with_a_data_folder() {
     let folder = Folder::new("tape-saves");
     let tape = folder.file(
         "game.tape",
-        b"Run \"table --seed 3\"\nEnter\nSpace\nEnter\nType \"se\"\n",
+        b"Run \"table --seed 3\"\nEnter\nSleep 2s\nSpace\nEnter\nType \"se\"\n",
     );
     let data = folder.path().join("data");
     let data = data.to_str().unwrap();
