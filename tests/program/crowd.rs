@@ -287,7 +287,7 @@ fn play(devices: u8, bad: bool) {
     // screen shows; the right answer has none, because it differs from question to question.
     let steps = [
         ("describe", "Read it with the class"),
-        ("first-vote", "Enter: then "),
+        ("first-vote", "Enter: next, "),
         ("talk", "Talk: find someone"),
         ("second-vote", "Your first vote counts"),
         ("shot", ""),

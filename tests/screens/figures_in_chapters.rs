@@ -78,7 +78,7 @@ const NAMED: [&str; 25] = [
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",
     "A 15 g striker at",
-    "hits a 15 g coin at rest, head-on",
+    "hits a 15 g coin at rest head-on",
     "Compare two head-on collisions of 15 g discs",
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",
@@ -304,13 +304,13 @@ fn claims() -> Vec<Claim> {
     let charged = Rutherford::new(2.0, 2.0 * GOLD_CHARGE, RADIUM_C_ENERGY).head_on_approach;
     claim(
         10,
-        "Twice the charge of the nucleus: [four times] the count.",
+        "Twice the charge of the nucleus gives [four times] the count.",
         (charged / d).powi(2),
     );
     let thicker = gold_foil(RADIUM_C_ENERGY, 4.2e-7);
     claim(
         10,
-        "Twice the thickness of the foil: [twice] the count.",
+        "Twice the thickness of the foil gives [twice] the count.",
         at_60(thicker),
     );
     // The counts of 1913.

@@ -887,7 +887,9 @@ fn played(folder: &Folder) {
         let table = Hosted::new(Table::playing(options, SEED));
         let app = App::on(Box::new(table), settings, 1);
         let store = Store::in_folder(folder.path());
-        Headless::keeping(app, 120, 40, store).press(" ");
+        let mut game = Headless::keeping(app, 120, 40, store);
+        game.pass(Duration::from_secs(2));
+        game.press(" ");
     }
 }
 

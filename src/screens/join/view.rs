@@ -275,7 +275,7 @@ fn write_answer(
         write_standing(panel);
     }
     panel.part(JoinAction::answer, |panel| {
-        input.write_prompt(form, "choose how sure", panel);
+        input.write_prompt(form, "next, how sure?", panel);
     });
     panel.worth(1, |panel| {
         panel.gap();

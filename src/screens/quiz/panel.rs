@@ -25,7 +25,7 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     panel.worth(2, |panel| {
         panel.gap();
         panel.part(QuizAction::answer, |panel| {
-            input.write_prompt(form, "choose how sure", panel);
+            input.write_prompt(form, "next, how sure?", panel);
         });
     });
 }

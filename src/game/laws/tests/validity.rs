@@ -74,7 +74,15 @@ fn impossible_games_are_detected() {
         spoilt(|game| game.finished = vec![won(12); 6]),
     ];
     let words = [
-        "positions", "positions", "positions", "sits", "queen", "owed", "ended", "12", "after",
+        "positions",
+        "positions",
+        "positions",
+        "sits",
+        "queen",
+        "owed",
+        "ended",
+        "12",
+        "after",
     ];
     for (flaw, word) in found.iter().zip(words) {
         assert!(flaw.contains(word), "{flaw}: {word}");
