@@ -330,8 +330,8 @@ fn claims() -> Vec<Claim> {
     claim(10, "fell from [132 000] to 33.1", most.gold);
     claim(10, "fell from 132 000 to [33.1]", least.gold);
     claim(10, "falls by a factor of [4000]", most.gold / least.gold);
-    claim(10, "within [−15] % and +23 % of its mean", 100.0 * low);
-    claim(10, "within −15 % and +[23] % of its mean", 100.0 * high);
+    claim(10, "from its mean by only [−15] % to +23 %", 100.0 * low);
+    claim(10, "from its mean by only −15 % to +[23] %", 100.0 * high);
     let (low, high) = Series::new(&angles, |angle| angle.silver).unwrap().band();
     claim(10, "the range is [−15] % to +41 %", 100.0 * low);
     claim(10, "the range is −15 % to +[41] %", 100.0 * high);
