@@ -8,7 +8,7 @@ use super::wants::wants;
 use crate::game::Game;
 
 /// The directions in which a striker at `from` sends a coin straight into a pocket, one for each
-/// coin that the player whose turn it is [wants](wants) to pocket: into the nearest pocket that is
+/// coin that the player whose turn it is wants to pocket: into the nearest pocket that is
 /// open to both discs.
 ///
 /// If there is none, the directions of the full hits on those coins.
