@@ -73,7 +73,9 @@ impl Canvas {
         canvas.blocks = look.blocks;
         canvas.has_shades = look.theme.has_shades() && !is_hidden;
         canvas.is_mono = look.theme.is_mono();
-        for mark in &picture.marks {
+        // The surface of a board gets in the way of no label, so it is not needed where it is hidden.
+        let is_needed = |mark: &&Mark| !(is_hidden && matches!(mark, Mark::Ground { .. }));
+        for mark in picture.marks.iter().filter(is_needed) {
             canvas.mark(mark);
         }
         canvas.write(&picture.labels);

@@ -17,7 +17,7 @@ use crate::widgets::input::EntryAction;
 /// The tolerances of a stroke that is set: in metres, degrees and m/s. The direction is that of the
 /// point at which the striker meets its first disc, from the position that is set.
 const NEAR: (f64, f64, f64) = (0.001, 0.1, 0.05);
-/// More than the rounding error of a tolerance.
+/// A margin for rounding errors in the tolerances.
 const ROUNDING: f64 = 1e-9;
 /// The number of strokes: at least as many as in the first measurement.
 const STROKES: usize = 660;
