@@ -93,7 +93,7 @@ impl NewGame {
             panel.fact(name, format!("{won} : {lost}"));
             if row.rules == Rules::Tournament && row.games != [0; 2] {
                 let [won, lost] = row.games;
-                panel.fact("  games", format!("{won} : {lost}"));
+                panel.fact("games", format!("{won} : {lost}"));
             }
         }
         let longest = counted(self.results.longest_turn, "coin");
