@@ -198,6 +198,7 @@ fn axe_finds_no_problem_on_any_screen() {
             ("foil=2", ""),
             ("foil=3", ""),
             ("table&seed=3", "Enter ArrowUp Space"),
+            ("rules", "ArrowRight"),
             ("levels", ""),
             ("level=dead-stop", "Enter"),
             ("progress", ""),

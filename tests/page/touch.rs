@@ -270,6 +270,7 @@ fn no_screen_scrolls_sideways() {
             ("quiz=mixed-7", "Enter Enter"),
             ("class", "Enter Enter"),
             ("table&seed=3", "Enter c Enter Enter"),
+            ("rules", "ArrowRight"),
             ("levels", "Enter"),
             ("level=dead-stop", "h Enter Enter"),
             ("foil", "ArrowDown Tab Enter"),
