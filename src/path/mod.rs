@@ -20,7 +20,7 @@ use indexmap::{IndexMap, IndexSet};
 use crate::lessons::{Book, Chapter};
 use crate::levels::Shelf;
 use crate::numbers::counted;
-use crate::progress::{Attempt, Calendar, Due, Tally, UnsettledBelief, unsettled};
+use crate::progress::{Attempt, Calendar, Due, Tally, UnsettledBelief, pages_about, unsettled};
 use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, Topic};
 
 /// With fewer quiz answers than this, the path suggests *Find out*.
@@ -175,12 +175,14 @@ impl<'a> PathSoFar<'a> {
         let belief = unsettled.iter().find(ready)?;
         let misconception = belief.misconception;
         let name = misconception.name();
-        let why = match belief.times {
+        let why = match belief.shown.len() {
             1 => format!("Because one of your answers showed this: {name}."),
             times => format!("Because {times} of your answers showed this: {name}."),
         };
-        let topic = Topic::with_id(belief.last.quiz_topic().unwrap_or_default().to_owned());
-        let passage = misconception.settled_in(&topic, &belief.last.question);
+        let pages = pages_about(misconception, belief.shown.iter().copied());
+        // The simplest case first; the others if the check showed the misconception again.
+        let next = |page: &&Passage| !belief.failed_check() || !self.has_seen(**page);
+        let passage = *pages.iter().find(next).or(pages.first())?;
         let (chapter, page) = self.book.find(passage)?;
         let number = self.chapters()[chapter].number;
         Some(match self.has_seen(passage) {

@@ -1,7 +1,7 @@
 //! The player's misconceptions, and whether they fade.
 
 use super::Attempt;
-use crate::quiz::{Clue, CourseKind, Evidence, Misconception};
+use crate::quiz::{ChaptersRead, Clue, CourseKind, Evidence, Misconception, Passage, Topic};
 
 /// How many answers in a row settle a misconception, if they could have shown it and did not.
 const SETTLED: usize = 2;
@@ -72,12 +72,12 @@ impl HeldBelief {
 
 /// A named misconception that is not settled. It is settled once enough later answers could have
 /// shown it and did not.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct UnsettledBelief<'a> {
     pub(crate) misconception: Misconception,
-    /// How many answers showed it.
-    pub(crate) times: usize,
-    /// The last answer that showed it.
+    /// The answers that showed it, at least one.
+    pub(crate) shown: Vec<&'a Attempt>,
+    /// The last of them.
     pub(crate) last: &'a Attempt,
 }
 
@@ -88,6 +88,21 @@ impl UnsettledBelief<'_> {
         let round = self.last.round();
         round.trim_end_matches(|c: char| c.is_ascii_digit() || c == '-') == check.id()
     }
+}
+
+/// The pages that treat a misconception in the cases in which these answers showed it, in the order
+/// of the chapters: the first treats the simplest case.
+pub(crate) fn pages_about<'a>(
+    misconception: Misconception,
+    shown: impl IntoIterator<Item = &'a Attempt>,
+) -> Vec<Passage> {
+    let page = |it: &Attempt| {
+        let topic = Topic::with_id(it.quiz_topic()?.to_owned());
+        Some(misconception.settled_in(&topic, &it.question))
+    };
+    let mut pages: Vec<Passage> = shown.into_iter().filter_map(page).collect();
+    pages.sort_by_key(|page| ChaptersRead::order_of(page.chapter));
+    pages
 }
 
 /// The named misconceptions that are not settled, and how many were ever named.
@@ -102,9 +117,10 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
         let shows = |clue: &&Clue| clue.shows.as_ref().is_some_and(is_it);
         let last = clues.iter().rposition(|clue| shows(&clue))?;
         let could_show = |clue: &&Clue| clue.could_show.iter().any(is_it);
+        let showing = clues.iter().zip(attempts).filter(|(clue, _)| shows(clue));
         (clues[last + 1..].iter().filter(could_show).count() < SETTLED).then(|| UnsettledBelief {
             misconception,
-            times: clues.iter().filter(shows).count(),
+            shown: showing.map(|(_, attempt)| attempt).collect(),
             last: &attempts[last],
         })
     });

@@ -1,6 +1,6 @@
 //! The summary of a round.
 
-use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration};
+use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration, pages_about};
 use crate::numbers;
 use crate::physics::units::rad_from_deg;
 use crate::quiz::{
@@ -233,15 +233,14 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next: the one that explains the misconception with the most evidence, or
-    /// else the first page, in the order of the chapters, that teaches a missed topic; topics
+    /// The page to read next: the one that explains the misconception with the most evidence in the
+    /// simplest case in which it showed, or else the first page, in the order of the chapters, that teaches a missed topic; topics
     /// missed with "sure" come first. `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
-            let mut shown = self.attempts.iter().rev();
-            let shown = shown.find(|it| it.shows() == Some(misconception))?;
-            let topic = Topic::with_id(shown.topic.clone());
-            return Some(misconception.settled_in(&topic, &shown.question));
+            let shows = |it: &&Attempt| it.shows() == Some(misconception);
+            let shown = self.attempts.iter().filter(shows);
+            return pages_about(misconception, shown).first().copied();
         }
         let missed = self.attempts.iter().filter(|it| !it.right);
         let teaching = missed.filter_map(|it| {

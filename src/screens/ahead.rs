@@ -2,9 +2,10 @@
 
 use super::recall::Recall;
 use super::{Context, Next, Route};
+use crate::lessons::Book;
 use crate::messages::{StoreAnswer, StoreRequest};
 use crate::path::{NextStep, PathDone, PathSoFar, Step};
-use crate::quiz::{Code, Course};
+use crate::quiz::{Code, Course, Passage};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
@@ -81,6 +82,15 @@ impl Ahead {
     /// The next step, once it is known.
     pub(super) fn step(&self) -> Option<&NextStep> {
         self.found.as_ref().map(|(step, _)| step)
+    }
+
+    /// Whether the next step is to read this page.
+    pub(super) fn is_page(&self, passage: Passage, book: &Book) -> bool {
+        let page = book.find(passage);
+        self.step().is_some_and(|next| match next.step {
+            Step::ReadPage { chapter, page: at } => page == Some((chapter, at)),
+            _ => false,
+        })
     }
 
     /// Opens the next step on top of the screen that shows it.

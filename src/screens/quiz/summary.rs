@@ -40,17 +40,22 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
         }
         panel.paragraph(text, Role::Text);
     }
-    leads::write(summary.passage(), book, QuizAction::ReadUp, &mut panel);
+    let page = summary.passage().filter(|page| {
+        // One prompt for one page.
+        let ahead = quiz.ahead.as_ref();
+        !ahead.is_some_and(|ahead| ahead.is_page(*page, book))
+    });
+    leads::write(page, book, QuizAction::ReadUp, &mut panel);
+    if let Some(ahead) = &quiz.ahead {
+        panel.worth(4, Panel::gap);
+        ahead.write(QuizAction::Next, &mut panel);
+    }
     if let Some(found) = quiz.found() {
         let check = match found.origin() {
             Origin::Slip => "check with two questions whether it still happens",
             _ => "check with two questions whether you still believe it",
         };
         panel.prompt(check, QuizAction::Check);
-    }
-    if let Some(ahead) = &quiz.ahead {
-        panel.worth(4, Panel::gap);
-        ahead.write(QuizAction::Next, &mut panel);
     }
     if let Some((text, command)) = for_a_friend(quiz.round.code()) {
         panel.worth(3, Panel::gap);
