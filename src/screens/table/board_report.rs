@@ -28,9 +28,9 @@ pub(super) struct TeamReport {
 }
 
 impl TeamReport {
-    /// The percentage of strokes that pocketed a piece of the team.
-    pub(super) fn share(&self) -> u32 {
-        (100 * self.pocketing + self.strokes / 2) / self.strokes.max(1)
+    /// The percentage of strokes that pocketed a piece of the team; `None` without strokes.
+    pub(super) fn share(&self) -> Option<u32> {
+        (100 * self.pocketing + self.strokes / 2).checked_div(self.strokes)
     }
 }
 

@@ -115,7 +115,7 @@ impl ActiveGame {
             .on(' ', Strike, "strike")
             .or((!typing).then_some((Key::Enter, Strike)))
             .by(['n', 'N'], NextShot, [1, -1], coin)
-            .called(&["next coin", "coin before"])
+            .called(&["next", "previous"])
             .or([(Key::Tab, NextShot(1)), (Key::BackTab, NextShot(-1))])
             .by(Key::ARROWS, Turn, [-1, 1, -10, 10], turn)
             .by(['+', '-', '>', '<'], Strength, [1, -1, 10, -10], "strength")

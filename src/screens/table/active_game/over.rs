@@ -148,7 +148,9 @@ impl ActiveGame {
         let names = words::versus(|team| self.options.team_name(team));
         panel.pair(("", Role::Dim), (names, Role::Title));
         panel.fact("strokes", both(|team| team.strokes.to_string()));
-        panel.fact("pocketing", both(|team| format!("{} %", team.share())));
+        let share = |percent| format!("{percent} %");
+        let pocketing = both(|team| team.share().map_or_else(|| "none".into(), share));
+        panel.fact("pocketing", pocketing);
         panel.fact("striker fell", both(|team| team.fouls.to_string()));
         panel.fact("coins put back", both(|team| team.put_back.to_string()));
         if Team::BOTH.iter().any(|team| report.teams[*team].hints > 0) {
