@@ -8,14 +8,7 @@ use crate::numbers::{self, bare_degrees};
 use crate::quiz::{Form, Grade, Question, Response, letter};
 
 /// The first columns of both tables, which describe the question.
-const ASKED: [&str; 6] = [
-    "code",
-    "number",
-    "family",
-    "difficulty",
-    "question",
-    "truth",
-];
+const ASKED: &str = "code,number,family,difficulty,question,truth";
 
 /// The cells of [`ASKED`] for a question, counted from 0.
 fn asked(round: &ClassRound, number: usize, question: &Question) -> Vec<String> {
@@ -36,22 +29,10 @@ fn asked(round: &ClassRound, number: usize, question: &Question) -> Vec<String> 
 /// None in practice; the reason if a row cannot be written.
 pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
-        "team",
-        "first_vote",
-        "first_right",
-        "first_credit",
-        "first_error_deg",
-        "first_misconception",
-        "second_vote",
-        "second_right",
-        "second_credit",
-        "second_error_deg",
-        "second_misconception",
-        "points",
-        "first_points",
-        "gain",
-        "date",
-        "class",
+        ASKED,
+        "team,first_vote,first_right,first_credit,first_error_deg,first_misconception",
+        "second_vote,second_right,second_credit,second_error_deg,second_misconception",
+        "points,first_points,gain,date,class",
     ];
     let mut rows = Vec::new();
     for (i, question) in round.questions().iter().enumerate() {
@@ -74,7 +55,8 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
             rows.push(row);
         }
     }
-    csv_table(&[&ASKED[..], &heads].concat(), &rows)
+    let heads = heads.join(",");
+    csv_table(heads.split(','), &rows)
 }
 
 /// A vote, whether it was right, its credit, its error, the misconception; five empty cells if
@@ -103,24 +85,11 @@ fn cell<T>(of: Option<T>, text: impl Fn(T) -> String) -> String {
 /// None in practice; the reason if a row cannot be written.
 pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
-        "first_votes",
-        "first_share_right",
-        "first_error_mean_deg",
-        "first_error_deviation_deg",
-        "second_votes",
-        "second_share_right",
-        "second_error_mean_deg",
-        "second_error_deviation_deg",
-        "discrimination",
-        "commonest_misconception",
-        "commonest_votes",
-        "gain",
-        "changed_to_right",
-        "changed_to_wrong",
-        "first_counts",
-        "second_counts",
-        "date",
-        "class",
+        ASKED,
+        "first_votes,first_share_right,first_error_mean_deg,first_error_deviation_deg",
+        "second_votes,second_share_right,second_error_mean_deg,second_error_deviation_deg",
+        "discrimination,commonest_misconception,commonest_votes,gain",
+        "changed_to_right,changed_to_wrong,first_counts,second_counts,date,class",
     ];
     let share = |share: Option<f64>| cell(share, |it| format!("{it:.3}"));
     let rows: Vec<Vec<String>> = items(round, round.questions().len())
@@ -138,9 +107,7 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
                 ]);
             }
             row.push(share(item.discrimination));
-            row.push(cell(item.commonest, |(misconception, _)| {
-                misconception.id().into()
-            }));
+            row.push(cell(item.commonest, |(held, _)| held.id().into()));
             row.push(cell(item.commonest, |(_, count)| count.to_string()));
             row.push(share(item.gain));
             for way in 0..2 {
@@ -151,7 +118,8 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
             Some(row)
         })
         .collect();
-    csv_table(&[&ASKED[..], &heads].concat(), &rows)
+    let heads = heads.join(",");
+    csv_table(heads.split(','), &rows)
 }
 
 /// The answers in a vote, with their counts: "A 4, B 17, C 9, D 2".

@@ -14,16 +14,17 @@ use super::is_invisible;
 ///
 /// # Errors
 /// The reason if a row cannot be written, which does not happen in practice.
-pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
+pub fn csv_table<'h>(
+    heads: impl IntoIterator<Item = &'h str>,
+    rows: &[Vec<String>],
+) -> Result<String, String> {
+    let heads = heads.into_iter().map(safe_cell).collect();
+    let rows = { rows.iter() }.map(|row| row.iter().map(|cell| safe_cell(cell)).collect());
     let mut table = csv::Writer::from_writer(Vec::new());
-    let in_words = |error: csv::Error| error.to_string();
-    table
-        .write_record(heads.iter().map(|head| safe_cell(head)))
-        .map_err(in_words)?;
-    for row in rows {
+    for record in std::iter::once::<Vec<String>>(heads).chain(rows) {
         table
-            .write_record(row.iter().map(|cell| safe_cell(cell)))
-            .map_err(in_words)?;
+            .write_record(record)
+            .map_err(|error| error.to_string())?;
     }
     let bytes = table.into_inner().map_err(|error| error.to_string())?;
     String::from_utf8(bytes).map_err(|error| error.to_string())
@@ -84,7 +85,7 @@ mod tests {
     #[test]
     fn headings_and_cells_cannot_control_the_program_that_shows_the_table() {
         let hostile = "\u{1b}=cmd|A1\0\u{9b}\u{202e}";
-        let written = csv_table(&[hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]);
+        let written = csv_table([hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]);
         assert_eq!(written.unwrap(), "'=cmd|A1,b\n'=cmd|A1,\"x\ny\"\n");
     }
 

@@ -10,16 +10,8 @@ use crate::numbers::fixed;
 /// The reason if a row cannot be written, which does not happen in practice.
 pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let (rounds, topics) = (results.rounds(), results.topics());
-    let mut heads: Vec<String> = [
-        "name",
-        "class",
-        "answered",
-        "right",
-        "share_right",
-        "points",
-    ]
-    .map(Into::into)
-    .to_vec();
+    let first = "name,class,answered,right,share_right,points";
+    let mut heads: Vec<_> = first.split(',').map(str::to_owned).collect();
     for round in &rounds {
         heads.extend(["answered", "right", "points"].map(|what| format!("{round} {what}")));
     }
@@ -54,8 +46,7 @@ pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
             row
         })
         .collect();
-    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-    csv_table(&heads, &rows)
+    csv_table(heads.iter().map(String::as_str), &rows)
 }
 
 /// A number; empty if there is none.
@@ -78,8 +69,8 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
         ("mean_points", &|it| figure(it.tally.mean_points(), 1)),
         ("discrimination", &|it| figure(it.discrimination, 3)),
         ("commonest_misconception", &|it| {
-            it.commonest
-                .map_or(String::new(), |(held, _)| held.id().into())
+            let held = it.commonest.map(|(held, _)| held.id());
+            held.unwrap_or_default().into()
         }),
         ("commonest_answers", &|it| {
             it.commonest
@@ -95,10 +86,9 @@ type CellOf<'c, T> = &'c dyn Fn(&T) -> String;
 
 /// A table of these columns, each with its heading.
 fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String> {
-    let heads: Vec<&str> = columns.iter().map(|(head, _)| *head).collect();
     let row = |it| columns.iter().map(|(_, cell)| cell(it)).collect();
     let rows: Vec<Vec<String>> = rows.iter().map(row).collect();
-    csv_table(&heads, &rows)
+    csv_table(columns.iter().map(|(head, _)| *head), &rows)
 }
 
 /// One row per misconception: how many pupils hold it.

@@ -74,12 +74,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         cells.chain(in_words(attempt)).collect()
     };
     let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
-    let heads: Vec<&str> = COLUMNS
-        .iter()
-        .map(|(head, _)| *head)
-        .chain(IN_WORDS)
-        .collect();
-    csv_table(&heads, &rows)
+    let heads = COLUMNS.iter().map(|(head, _)| *head).chain(IN_WORDS);
+    csv_table(heads, &rows)
 }
 
 /// The answer, with its numbers as they were typed: a 30 is stored in radians and would otherwise
