@@ -131,7 +131,7 @@ fn help(app: &App) -> Panel<LayerAction> {
         return Panel::new("help");
     };
     let mut panel = Panel::new(format!("help: {}", screen.title()));
-    for paragraph in screen.about(&app.context) {
+    for paragraph in screen.help().lines() {
         panel.paragraph(paragraph, Role::Text);
         panel.gap();
     }

@@ -76,8 +76,8 @@ pub trait AnyScreen {
     /// The keys that work now, as the player has set them: the screen's own, then the shared
     /// ones.
     fn table(&self, cx: &Context) -> KeyTable<()>;
-    /// See [`Screen::about`].
-    fn about(&self, cx: &Context) -> Vec<&'static str>;
+    /// See [`Screen::HELP`].
+    fn help(&self) -> &'static str;
     /// See [`Screen::rules`].
     fn rules(&self) -> Option<Rules>;
     /// Handles a key press.
@@ -373,8 +373,8 @@ impl<S: Screen> AnyScreen for Hosted<S> {
         self.keys(cx).map(|_| ())
     }
 
-    fn about(&self, cx: &Context) -> Vec<&'static str> {
-        self.screen.about(cx)
+    fn help(&self) -> &'static str {
+        S::HELP
     }
 
     fn rules(&self) -> Option<Rules> {

@@ -51,6 +51,10 @@ pub trait Screen {
     /// The actions of the keys.
     type Action: Copy + PartialEq;
 
+    /// The help page's introduction: what the screen is for and how to begin, one paragraph per
+    /// line.
+    const HELP: &'static str;
+
     /// The screen's name for the title line, in lower case.
     fn title(&self) -> String;
 
@@ -66,9 +70,6 @@ pub trait Screen {
 
     /// The current keys, the most useful first.
     fn keys(&self, cx: &Context) -> KeyTable<Self::Action>;
-
-    /// The help page's introduction: what the screen is for and how to begin, in paragraphs.
-    fn about(&self, cx: &Context) -> Vec<&'static str>;
 
     /// Handles a key before the table does, for text input. Returns whether the key was used.
     fn typed(&mut self, _key: Key, _cx: &mut Context) -> bool {

@@ -246,15 +246,13 @@ mod tests {
 
     impl Screen for Counter {
         type Action = ();
+        const HELP: &'static str = "";
 
         fn title(&self) -> String {
             format!("{} {}", self.typed, self.steps.len())
         }
         fn keys(&self, _: &Context) -> KeyTable<()> {
             KeyTable::new("counter")
-        }
-        fn about(&self, _: &Context) -> Vec<&'static str> {
-            vec![]
         }
         fn typed(&mut self, key: Key, _: &mut Context) -> bool {
             match key {

@@ -347,6 +347,7 @@ enum RestlessAction {
 
 impl Screen for Restless {
     type Action = RestlessAction;
+    const HELP: &'static str = "Restless.";
 
     fn title(&self) -> String {
         format!("restless {}", self.steps)
@@ -354,10 +355,6 @@ impl Screen for Restless {
 
     fn keys(&self, _: &Context) -> KeyTable<RestlessAction> {
         KeyTable::new("restless").on(Key::Char('q'), RestlessAction::Quit, "quit")
-    }
-
-    fn about(&self, _: &Context) -> Vec<&'static str> {
-        vec!["Restless."]
     }
 
     fn act(&mut self, _: RestlessAction, _: &mut Context) -> Next {

@@ -211,15 +211,13 @@ struct Notes(String);
 
 impl Screen for Notes {
     type Action = ();
+    const HELP: &'static str = "";
 
     fn title(&self) -> String {
         "notes".into()
     }
     fn keys(&self, _: &Context) -> KeyTable<()> {
         KeyTable::new("notes")
-    }
-    fn about(&self, _: &Context) -> Vec<&'static str> {
-        vec![]
     }
     fn typed(&mut self, key: Key, _: &mut Context) -> bool {
         self.0 += &match key {

@@ -194,6 +194,8 @@ impl Class {
 impl Screen for Class {
     type Action = ClassAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "class".into()
     }
@@ -247,23 +249,6 @@ impl Screen for Class {
             ClassScene::Play(play) => return play.keys(),
         };
         keys.with(round.on(Key::Escape, Leave, "back"), ClassAction::Round)
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "You need one laptop and one projector. Up to eight teams share the keyboard, or \
-             everyone uses their own phone or laptop. Each question has the same steps: you read \
-             it out; everyone predicts in silence; the teams enter their first vote; all see how \
-             many voted for each answer, and discuss; the teams may change their votes; then come \
-             the shot, the explanation and the scores.",
-            "Let every team write down its answer in silence: then nobody copies from the team \
-             that types first.",
-            "Rims are smooth unless a question says otherwise. A question is worth up to ten points, \
-             depending on how close the last vote is. There are no timers, and speed does not \
-             matter.",
-            "carrom saves after each vote. You can leave when the bell rings and continue the \
-             round another day.",
-        ]
     }
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {

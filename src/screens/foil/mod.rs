@@ -241,6 +241,8 @@ impl FoilScreen {
 impl Screen for FoilScreen {
     type Action = FoilAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "foil".into()
     }
@@ -370,10 +372,6 @@ impl Screen for FoilScreen {
             .on('p', Predict, "")
             .on('r', Reset, "")
             .when(self.page != FoilPage::Measured)
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: FoilAction, cx: &mut Context) -> Next {

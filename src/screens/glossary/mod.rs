@@ -45,6 +45,8 @@ impl GlossaryScreen {
 impl Screen for GlossaryScreen {
     type Action = GlossaryAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "glossary".into()
     }
@@ -61,10 +63,6 @@ impl Screen for GlossaryScreen {
             .or([(Key::Char(' '), GlossaryAction::Read)])
             .with(ListView::keys("read"), GlossaryAction::List)
             .on(Key::Escape, GlossaryAction::Leave, "back")
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: GlossaryAction, cx: &mut Context) -> Next {

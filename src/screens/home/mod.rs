@@ -130,6 +130,8 @@ static ENTRIES: [(char, &str, &str, Route); 9] = [
 impl Screen for Home {
     type Action = HomeAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "home".into()
     }
@@ -154,10 +156,6 @@ impl Screen for Home {
             // Earlier versions used this letter for the class.
             .or([(Key::Char('g'), HomeAction::Open(CLASS))])
             .on(Key::Escape, HomeAction::Leave, "")
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: HomeAction, cx: &mut Context) -> Next {

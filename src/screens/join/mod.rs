@@ -162,6 +162,8 @@ impl Join {
 impl Screen for Join {
     type Action = JoinAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "class".into()
     }
@@ -217,15 +219,6 @@ impl Screen for Join {
                 .with(reveal.keys(), Watch)
                 .on(Key::Escape, Leave, "leave"),
         }
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "Your class is playing a round, and you vote here on your own. The address and the code are on the board. Your votes are saved on the teacher's computer; the class sees only how many voted for each answer.",
-            "First vote in silence, then talk, then vote again if you have changed your mind. The last vote counts. The closer it is, the more points you get; speed does not matter.",
-            "Your own answers in the quiz and in the chapters stay on this device until you hand them in, before the round or after it.",
-            "If the connection is lost, carrom reconnects automatically, and your votes are still there.",
-        ]
     }
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {

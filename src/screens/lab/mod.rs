@@ -147,6 +147,8 @@ fn not_live(settings: &LabSettings, predicted: u8) -> String {
 impl Screen for Lab {
     type Action = LabAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "lab".into()
     }
@@ -224,10 +226,6 @@ impl Screen for Lab {
                     .on(Key::Enter, LabAction::Watch(WatchAction::GoOn), "")
             }
         }
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: LabAction, cx: &mut Context) -> Next {

@@ -147,6 +147,8 @@ type DrawPlot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>
 impl Screen for Progress {
     type Action = ProgressAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "progress".into()
     }
@@ -276,9 +278,5 @@ impl Screen for Progress {
 
     fn resumed(&mut self, cx: &mut Context) {
         self.ahead.ask_again(cx);
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 }

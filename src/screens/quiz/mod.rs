@@ -391,6 +391,8 @@ const fn scroll(rows: i16) -> Next {
 impl Screen for Quiz {
     type Action = QuizAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "quiz".into()
     }
@@ -479,18 +481,6 @@ impl Screen for Quiz {
                 .on(Key::Char('c'), ReadUp, "chapter")
                 .when(self.passage().is_some()),
         }
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "Answer each question, choose how sure you are, then watch what happens and read why. An exam gives no feedback until the end, and neither does the round that finds out what you believe: there your answers decide the next question. Rims are smooth unless a question says otherwise.",
-            "Rays: angles are measured from the striker's original direction. The striker's angle is positive on the side away from the coin, the coin's angle on the coin's side; a minus sign means the other side. Shots: set the offset that sends the disc along the dashed path to the mark.",
-            "A ray is right if its error is at most 4°, and so is a shot that sends its disc within 4° of the path. An angle, a percentage or e entered as a number is right if it is within a tenth of the true value, but never with an error above 4°, 4 % or 0.04; any other number must be within a twentieth.",
-            "A ray within 2° earns full credit, a ray that is 30° off earns none. \"Sure\" earns the most points if you are right and loses the most if you are wrong, so an honest answer is the best one. Your points may fall below zero: otherwise a wrong \"sure\" would cost nothing there.",
-            "After a wrong answer carrom names the page of a chapter that explains it. When you leave that page, you are back where you were.",
-            "After the last question you can open each one again; if you leave an exam, it shows your answers. The code at the top fixes the questions: with the same code a friend gets the same round.",
-            "With the mouse: drag the rays, or the coin before a shot; click an answer, how sure you are, or a question in the summary.",
-        ]
     }
 
     fn act(&mut self, action: QuizAction, cx: &mut Context) -> Next {

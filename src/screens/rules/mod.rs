@@ -31,6 +31,8 @@ pub(crate) struct RulesScreen {
 impl Screen for RulesScreen {
     type Action = RulesAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "rules".into()
     }
@@ -50,10 +52,6 @@ impl Screen for RulesScreen {
                 "other rules",
             )
             .on(Key::Escape, Leave, "back")
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: RulesAction, _cx: &mut Context) -> Next {

@@ -132,6 +132,8 @@ impl SettingsScreen {
 impl Screen for SettingsScreen {
     type Action = SettingsAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "settings".into()
     }
@@ -161,10 +163,6 @@ impl Screen for SettingsScreen {
             .with(self.form.keys(&cx.settings), Set)
             .on(Key::Escape, Back, "back")
             .distinct()
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {

@@ -95,6 +95,8 @@ fn agreeing(options: Options, cx: &mut Context) -> TablePage {
 impl Screen for Table {
     type Action = TableAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "table".into()
     }
@@ -120,10 +122,6 @@ impl Screen for Table {
             TablePage::SavedGames(page) => page.keys().map(TableAction::Saved),
             TablePage::Playing(playing) => playing.keys(),
         }
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn rules(&self) -> Option<Rules> {

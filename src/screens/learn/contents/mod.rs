@@ -108,6 +108,8 @@ fn open(book: &Book) -> Next {
 impl Screen for Contents {
     type Action = ContentsAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "learn".into()
     }
@@ -139,10 +141,6 @@ impl Screen for Contents {
             .when(chapter_begun(book).is_some())
             .on(Key::Char('A'), ForgetAll, "reset all")
             .when(book.is_begun())
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: ContentsAction, cx: &mut Context) -> Next {

@@ -326,6 +326,8 @@ impl Reading {
 impl Screen for Reading {
     type Action = ReadingAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         format!("{} {}", self.chapter.number, self.chapter.title)
     }
@@ -409,10 +411,6 @@ impl Screen for Reading {
             .when(open.question.is_some())
             .on(Key::Char('R'), Forget, "")
             .distinct()
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: ReadingAction, cx: &mut Context) -> Next {

@@ -59,6 +59,8 @@ fn choices(shelf: &Shelf) -> usize {
 impl Screen for Levels {
     type Action = LevelsAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "levels".into()
     }
@@ -78,10 +80,6 @@ impl Screen for Levels {
             .with(ListView::keys("play"), LevelsAction::List)
             .on(Key::Char('n'), LevelsAction::NextToWin, "next to win")
             .on(Key::Escape, LevelsAction::Back, "back")
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: LevelsAction, cx: &mut Context) -> Next {

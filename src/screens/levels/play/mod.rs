@@ -189,6 +189,8 @@ impl LevelPlay {
 impl Screen for LevelPlay {
     type Action = LevelAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         self.level().title.clone()
     }
@@ -257,10 +259,6 @@ impl Screen for LevelPlay {
                     .when(!watched)
             }
         }
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: LevelAction, cx: &mut Context) -> Next {

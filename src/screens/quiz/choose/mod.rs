@@ -223,6 +223,8 @@ fn code(text: &str, own: &Arc<Library>) -> Option<Code> {
 impl Screen for Choosing {
     type Action = ChoosingAction;
 
+    const HELP: &'static str = include_str!("help.txt");
+
     fn title(&self) -> String {
         "quiz".into()
     }
@@ -258,15 +260,6 @@ impl Screen for Choosing {
                     .on(Key::Escape, Back, "other rounds")
             }
         }
-    }
-
-    fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "A round is a few questions: you answer, choose how sure you are, watch what happens and read why.",
-            "carrom saves every answer on this computer. What you knew is due again after 1, 2, 4 … 32 days; what you missed is due at once. A review asks one question of any suitable kind about each topic that is due.",
-            "An exam gives no feedback until the end; then you can open every question.",
-            "Every round except a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
-        ]
     }
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
