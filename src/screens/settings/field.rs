@@ -11,8 +11,10 @@ pub(super) struct Setting {
     pub(super) id: &'static str,
     /// Its values, as in the file and on the screen.
     pub(super) words: &'static [&'static str],
-    /// Its name and description on the screen.
-    shown: (&'static str, &'static str),
+    /// Its name on the screen.
+    name: &'static str,
+    /// Its description on the screen.
+    about: &'static str,
     /// The index of its current value.
     pub(super) at: fn(&Settings) -> usize,
     /// Sets it to the value at this index.
@@ -24,20 +26,16 @@ pub(super) static SETTINGS: [Setting; 9] = [
     Setting {
         id: "charset",
         words: &["ascii", "unicode"],
-        shown: (
-            "characters",
-            "The characters used for pictures. ASCII works in every terminal and font; Unicode is finer. The help of every screen shows the key that switches them.",
-        ),
+        name: "characters",
+        about: "The characters used for pictures. ASCII works in every terminal and font; Unicode is finer. The help of every screen shows the key that switches them.",
         at: |settings| settings.charset as usize,
         choose: |settings, at| settings.charset = [Charset::Ascii, Charset::Unicode][at.min(1)],
     },
     Setting {
         id: "blocks",
         words: &["automatic", "quadrants", "sextants", "octants"],
-        shown: (
-            "blocks",
-            "The characters for the edges of discs in Unicode. Octants make discs roundest, then sextants; quadrants work with every font. Automatic: the finest that the terminal is known to draw. If you see boxes or question marks, choose quadrants.",
-        ),
+        name: "blocks",
+        about: "The characters for the edges of discs in Unicode. Octants make discs roundest, then sextants; quadrants work with every font. Automatic: the finest that the terminal is known to draw. If you see boxes or question marks, choose quadrants.",
         at: |settings| settings.blocks.map_or(0, |blocks| blocks as usize + 1),
         choose: |settings, at| {
             use Blocks::{Octants, Quadrants, Sextants};
@@ -47,10 +45,8 @@ pub(super) static SETTINGS: [Setting; 9] = [
     Setting {
         id: "palette",
         words: &["dark", "light", "no colour"],
-        shown: (
-            "palette",
-            "Dark for a desk, light for a projector in a bright room, or no colour at all. The help of every screen shows the key that switches the palette.",
-        ),
+        name: "palette",
+        about: "Dark for a desk, light for a projector in a bright room, or no colour at all. The help of every screen shows the key that switches the palette.",
         at: |settings| settings.palette as usize,
         choose: |settings, at| {
             settings.palette = [Palette::Dark, Palette::Light, Palette::Mono][at.min(2)];
@@ -59,10 +55,8 @@ pub(super) static SETTINGS: [Setting; 9] = [
     Setting {
         id: "colours",
         words: &["none", "16", "256", "truecolor"],
-        shown: (
-            "colours",
-            "The number of colours. Choose fewer if some look wrong: nearly every terminal supports 16.",
-        ),
+        name: "colours",
+        about: "The number of colours. Choose fewer if some look wrong: nearly every terminal supports 16.",
         at: |settings| settings.depth as usize,
         choose: |settings, at| {
             use Depth::{Ansi16, Indexed256, None, True};
@@ -72,20 +66,16 @@ pub(super) static SETTINGS: [Setting; 9] = [
     Setting {
         id: "motion",
         words: &["full", "reduced"],
-        shown: (
-            "motion",
-            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key for it.",
-        ),
+        name: "motion",
+        about: "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key for it.",
         at: |settings| settings.reduced_motion.into(),
         choose: |settings, at| settings.reduced_motion = at > 0,
     },
     Setting {
         id: "steps",
         words: &["go on", "wait"],
-        shown: (
-            "steps of a hit",
-            "At the contact a collision is explained step by step. Go on: each step stays long enough to read. Wait: each step stays until you go on.",
-        ),
+        name: "steps of a hit",
+        about: "At the contact a collision is explained step by step. Go on: each step stays long enough to read. Wait: each step stays until you go on.",
         at: |settings| settings.wait_at_beats.into(),
         choose: |settings, at| settings.wait_at_beats = at > 0,
     },
@@ -94,10 +84,8 @@ pub(super) static SETTINGS: [Setting; 9] = [
         words: &[
             "usual", "1/16", "1/8", "1/4", "1/2", "real", "double", "fourfold",
         ],
-        shown: (
-            "speed of shots",
-            "The speed of shots on the board, at the table and in the levels. Usual means real speed at the table and a quarter of it in the levels. You can also change it while a shot is running.",
-        ),
+        name: "speed of shots",
+        about: "The speed of shots on the board, at the table and in the levels. Usual means real speed at the table and a quarter of it in the levels. You can also change it while a shot is running.",
         at: |settings| {
             let chosen = |rate| WatchRate::ALL.iter().position(|it| *it == rate);
             settings.watch_rate.and_then(chosen).map_or(0, |at| at + 1)
@@ -110,10 +98,8 @@ pub(super) static SETTINGS: [Setting; 9] = [
     Setting {
         id: "predict_first",
         words: &["no", "yes"],
-        shown: (
-            "predict first",
-            "In the lab and the levels you predict where both discs will go before you watch. That is what makes watching useful.",
-        ),
+        name: "predict first",
+        about: "In the lab and the levels you predict where both discs will go before you watch. That is what makes watching useful.",
         at: |settings| settings.predict.into(),
         choose: |settings, at| settings.predict = at > 0,
     },
@@ -121,7 +107,8 @@ pub(super) static SETTINGS: [Setting; 9] = [
     Setting {
         id: "foretold",
         words: &["0", "1", "2", "3"],
-        shown: ("", ""),
+        name: "",
+        about: "",
         at: |settings| settings.predicted.into(),
         choose: |settings, at| settings.predicted = Settings::ENOUGH_PREDICTED.min(at as u8),
     },
@@ -133,14 +120,10 @@ pub(super) const PLAYER: usize = SETTINGS.len() - 1;
 impl FormFields for Settings {
     fn fields(&self) -> Vec<Field> {
         let choice = |setting: &Setting| {
-            let (name, about) = setting.shown;
-            let at = (setting.at)(self);
-            let value = FieldValue::Choice {
-                at,
-                count: setting.words.len(),
-            };
+            let (at, count) = ((setting.at)(self), setting.words.len());
             let shown = setting.words.get(at).copied().unwrap_or_default();
-            Field::new(name, shown.into(), value, about)
+            let value = FieldValue::Choice { at, count };
+            Field::new(setting.name, shown.into(), value, setting.about)
         };
         let player = Field::new(
             "player",

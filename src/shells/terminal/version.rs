@@ -12,52 +12,27 @@ pub(super) const REQUEST: &str = "\x1b[>q";
 /// The first two numbers of a version.
 type Version = [u32; 2];
 
-/// A terminal that draws sextants and octants itself, whatever the font.
-struct Terminal {
-    name: &'static str,
-    /// The first versions that are known to draw them.
-    sextants: Version,
-    octants: Version,
-}
-
+/// Terminals that draw sextants and octants themselves, whatever the font, with the first versions
+/// that are known to draw sextants, and octants.
+///
 /// Terminals that draw these characters only with a font that has them are not listed, such as
 /// Konsole, nor is Windows Terminal: it has drawn sextants itself only since July 2026
 /// (microsoft/terminal, pull request 20424).
-const TERMINALS: [Terminal; 5] = [
+const TERMINALS: [(&str, Version, Version); 5] = [
     // Sextants: notcurses, src/lib/termdesc.c. Octants: the changelog of kitty 0.40.0.
-    Terminal {
-        name: "kitty",
-        sextants: [0, 20],
-        octants: [0, 40],
-    },
+    ("kitty", [0, 20], [0, 40]),
     // ghostty-org/ghostty, pull request 5433 of January 2025, adds octants beside sextants; for the
     // version, breferrari/vigia, issue 324.
-    Terminal {
-        name: "ghostty",
-        sextants: [1, 1],
-        octants: [1, 2],
-    },
+    ("ghostty", [1, 1], [1, 2]),
     // Sextants: foot's author in pull request 1403 of notcurses. Octants: breferrari/vigia, issue 324.
-    Terminal {
-        name: "foot",
-        sextants: [1, 7],
-        octants: [1, 20],
-    },
+    ("foot", [1, 7], [1, 20]),
     // One number: 8002 is 0.80.2. Sextants: notcurses in 2021. Octants: breferrari/vigia, issue 324,
     // names 0.78. VTE itself does not confirm it, so here it is one version later.
-    Terminal {
-        name: "VTE",
-        sextants: [6600, 0],
-        octants: [8000, 0],
-    },
+    ("VTE", [6600, 0], [8000, 0]),
     // The day of a build. Sextants: notcurses. Octants: wezterm/wezterm, pull request 6502 of December
     // 2024, which the changelog lists after the release of 2024. The day of the merge is not known,
     // so here it is a year later.
-    Terminal {
-        name: "WezTerm",
-        sextants: [20_210_610, 0],
-        octants: [20_260_101, 0],
-    },
+    ("WezTerm", [20_210_610, 0], [20_260_101, 0]),
 ];
 
 /// The finest block elements that a terminal with this name and version draws, such as
@@ -65,17 +40,16 @@ const TERMINALS: [Terminal; 5] = [
 pub(super) fn blocks(reported: &str) -> Blocks {
     let known = || {
         let (name, numbers) = reported.split_once(['(', ' '])?;
-        let terminal = TERMINALS.iter().find(|it| it.name == name)?;
+        let (_, sextants, octants) = TERMINALS.iter().find(|(known, ..)| *known == name)?;
         let mut numbers = numbers.split(|letter: char| !letter.is_ascii_digit());
         let first = numbers.next()?.parse().ok()?;
         let second = numbers.next().and_then(|it| it.parse().ok());
-        Some((terminal, [first, second.unwrap_or(0)]))
+        let version = [first, second.unwrap_or(0)];
+        let drawn = [(octants, Blocks::Octants), (sextants, Blocks::Sextants)];
+        let drawn = drawn.into_iter().find(|(since, _)| version >= **since);
+        drawn.map(|(_, blocks)| blocks)
     };
-    match known() {
-        Some((terminal, version)) if version >= terminal.octants => Blocks::Octants,
-        Some((terminal, version)) if version >= terminal.sextants => Blocks::Sextants,
-        _ => Blocks::Quadrants,
-    }
+    known().unwrap_or(Blocks::Quadrants)
 }
 
 #[cfg(test)]
