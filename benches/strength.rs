@@ -3,13 +3,17 @@
 //! Plays boards between neighbouring strengths, and between the strongest and a
 //! player that shoots at random, then measures how long it takes to choose one stroke.
 //! `-- 20` plays 20 boards per pair instead of 200.
+//!
+//! `-- 400 hands` plays the hints with each hand of a player against each strength instead;
+//! `-- 40 lengths` plays games between equals with each set of rules, for the estimates on the page
+//! of a new game.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use carrom::game::opponent::{FASTEST, Strength, think};
-use carrom::game::{Game, GameSetup, Seat, Stroke, Team};
+use carrom::game::opponent::{FASTEST, PlayerHand, Strength, hint, think};
+use carrom::game::{Game, GameSetup, GameStage, Rules, Seat, Stroke, Team};
 use carrom::physics::{Board, Engine, Limits, Motion, Shot};
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
@@ -22,6 +26,8 @@ const MOST_STROKES: u64 = 3000;
 #[derive(Clone, Copy)]
 enum Player {
     Strength(Strength),
+    /// Follows the hints with this hand.
+    Hinted(PlayerHand),
     /// Shoots from any legal place, in any forward direction, at any speed.
     Random,
 }
@@ -40,32 +46,87 @@ struct Tally {
 fn main() {
     let boards = std::env::args().filter_map(|arg| arg.parse().ok()).next();
     let boards = boards.unwrap_or(200);
+    let asked = |word: &str| std::env::args().any(|arg| arg == word);
+    if asked("lengths") {
+        return lengths(boards);
+    }
     println!("{boards} boards per pair; the two players break in turn\n");
+    if asked("hands") {
+        let hands = PlayerHand::ALL.into_iter().rev();
+        let pairs = hands.flat_map(|hand| Strength::ALL.map(|strength| (hand, strength)));
+        return pairs.for_each(|(hand, strength)| {
+            report(Player::Hinted(hand), Player::Strength(strength), boards);
+        });
+    }
     let mut pairs: Vec<(Player, Player)> = Strength::ALL
         .windows(2)
         .map(|pair| (Player::Strength(pair[1]), Player::Strength(pair[0])))
         .collect();
     pairs.push((Player::Strength(Strength::Champion), Player::Random));
     for (strong, weak) in pairs {
-        let start = Instant::now();
-        let tally = contest(strong, weak, boards);
-        println!(
-            "{:>12} against {:<12} {:3} won, {:3} lost, {} undecided; {:4} points to {:<4} \
-             {:5.1} strokes a board; {:.0} s",
-            name(strong),
-            name(weak),
-            tally.won,
-            tally.lost,
-            tally.undecided,
-            tally.points,
-            tally.points_against,
-            tally.strokes as f64 / boards as f64,
-            start.elapsed().as_secs_f64(),
-        );
+        report(strong, weak, boards);
     }
     println!();
     for strength in Strength::ALL {
         thinking(strength);
+    }
+}
+
+/// Plays boards between two players and prints the result.
+fn report(strong: Player, weak: Player, boards: u64) {
+    let start = Instant::now();
+    let tally = contest(strong, weak, boards);
+    println!(
+        "{:>12} against {:<12} {:3} won, {:3} lost, {} undecided; {:4} points to {:<4} \
+         {:5.1} strokes a board; {:.0} s",
+        name(strong),
+        name(weak),
+        tally.won,
+        tally.lost,
+        tally.undecided,
+        tally.points,
+        tally.points_against,
+        tally.strokes as f64 / boards as f64,
+        start.elapsed().as_secs_f64(),
+    );
+}
+
+/// Prints the mean number of strokes in a board and of boards in a game between equals.
+fn lengths(games: u64) {
+    println!("{games} games between equals\n");
+    for rules in [Rules::Tournament, Rules::Friendly, Rules::Points] {
+        for strength in Strength::ALL {
+            let mut hand = Pcg64::seed_from_u64(0);
+            let (mut strokes, mut boards) = (0.0, 0.0);
+            for seed in 0..games {
+                let mut game = Game::new(GameSetup {
+                    rules,
+                    seed: Some(seed),
+                    ..GameSetup::default()
+                });
+                loop {
+                    match game.stage() {
+                        GameStage::Playing => {
+                            stroke(&mut game, Player::Strength(strength), &mut hand);
+                            strokes += 1.0;
+                        }
+                        GameStage::BoardOver(_) => {
+                            boards += 1.0;
+                            game.next_board().unwrap_or_else(|error| panic!("{error}"));
+                        }
+                        GameStage::GameOver(_) | GameStage::MatchOver(_) => break,
+                    }
+                }
+                boards += 1.0;
+            }
+            println!(
+                "{:>10} {:>12} {:5.1} strokes a board, {:4.2} boards a game",
+                <&str>::from(rules),
+                strength.to_string(),
+                strokes / boards,
+                boards / games as f64,
+            );
+        }
     }
 }
 
@@ -147,6 +208,13 @@ fn stroke(game: &mut Game, player: Player, hand: &mut Pcg64) {
         Player::Strength(strength) => {
             think(game, strength, hand.random()).map(|decision| decision.struck())
         }
+        Player::Hinted(held) => {
+            let seed = hand.random();
+            hint(game, held, seed).map(|hint| match held.errors() {
+                Some(errors) => errors.slip_of(seed).applied_to(hint.stroke),
+                None => hint.stroke,
+            })
+        }
         Player::Random => random(game, hand),
     };
     let ruled = match struck {
@@ -204,6 +272,7 @@ fn thinking(strength: Strength) {
 fn name(player: Player) -> String {
     match player {
         Player::Strength(strength) => strength.to_string(),
+        Player::Hinted(hand) => format!("hints, {}", <&str>::from(hand)),
         Player::Random => "random".to_owned(),
     }
 }

@@ -51,7 +51,7 @@ impl Data {
                 let is_meant = |rules: &Rules| <&str>::from(*rules) == value || value.is_empty();
                 let rules = Rules::ALL.into_iter().find(is_meant);
                 Route::Rules {
-                    rules: rules.ok_or("tournament, friendly or practice")?,
+                    rules: rules.ok_or("tournament, friendly, points or practice")?,
                 }
             }
             "quiz" => Route::Quiz {

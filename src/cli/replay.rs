@@ -131,7 +131,7 @@ impl ReplayReport {
                 stage: game.stage().into(),
                 board: game.board_number(),
                 turn: game.seat(),
-                points: Team::BOTH.map(|team| score.points[team]),
+                points: Team::BOTH.map(|team| game.points()[team]),
                 games: Team::BOTH.map(|team| score.games[team]),
                 coins: game.coins().iter().map(lying).collect(),
                 fingerprint: Fingerprint::of(game).to_string(),

@@ -4,7 +4,8 @@ use glam::DVec2;
 
 use super::free_place;
 use super::laws::{
-    BoardWon, Case, Law, QueenBefore, QueenFate, Ruling, RulingEffect, Side, TurnFate, Verdict,
+    BoardWon, Case, Law, QueenBefore, QueenFate, Rules, Ruling, RulingEffect, Side, Taken,
+    TurnFate, Verdict,
 };
 use super::pieces::{COINS_EACH, Coin, Colour, Piece, PieceSet, count};
 use super::score::Score;
@@ -24,6 +25,8 @@ pub struct BoardInPlay {
     pub owed: ByTeam<u8>,
     /// Whether each team has had a coin pocketed in this board, even if it was put back.
     pub(super) pocketed_before: ByTeam<bool>,
+    /// In points carrom, the coins that each team has pocketed.
+    pub(super) taken: ByTeam<Taken>,
     /// The team that has pocketed and covered the queen.
     pub queen_covered_by: Option<Team>,
     /// How the board ended, once it has.
@@ -33,6 +36,7 @@ pub struct BoardInPlay {
 /// The facts that do not change while a board is played.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Terms {
+    pub(super) rules: Rules,
     pub(super) hands: Hands,
     pub(super) set: PieceSet,
     /// The team that broke and therefore plays white (16).
@@ -67,6 +71,7 @@ impl BoardInPlay {
             break_tries: Some(0),
             owed: ByTeam::default(),
             pocketed_before: ByTeam::default(),
+            taken: ByTeam::default(),
             queen_covered_by: None,
             won: None,
         }
@@ -87,6 +92,18 @@ impl BoardInPlay {
         COINS_EACH.saturating_sub(self.on_board(colour))
     }
 
+    /// A team's points for this board in points carrom.
+    pub(crate) fn points_taken(&self, team: Team) -> u8 {
+        self.taken[team].points(self.queen_covered_by == Some(team))
+    }
+
+    /// In points carrom, the coins that a team has pocketed.
+    pub(crate) fn taken(&self, team: Team) -> Vec<Piece> {
+        let Taken { white, black } = self.taken[team];
+        let coins = |piece, count: u8| vec![piece; count.into()];
+        [coins(Piece::White, white), coins(Piece::Black, black)].concat()
+    }
+
     /// Whether the queen is on the board.
     pub fn queen_on_board(&self) -> bool {
         count(&self.coins, Piece::Queen) > 0
@@ -105,6 +122,7 @@ impl BoardInPlay {
             before: self.on_board(colour),
             fell: stroke.fallen(colour.piece()),
             score: terms.score.points[team],
+            taken: self.taken[team],
         };
         Case {
             colour,
@@ -134,6 +152,11 @@ impl BoardInPlay {
         for colour in [Colour::White, Colour::Black] {
             self.pocketed_before[terms.team(colour)] |= stroke.fallen(colour.piece()) > 0;
         }
+        if terms.rules == Rules::Points {
+            let [white, black] = [Piece::White, Piece::Black].map(|piece| stroke.fallen(piece));
+            let taken = &mut self.taken[terms.hands.team(self.seat)];
+            *taken = taken.with(white, black);
+        }
     }
 
     /// Carries a verdict out: puts back what comes back, passes the turn or ends
@@ -151,6 +174,9 @@ impl BoardInPlay {
             main.effects.push(RulingEffect::QueenCovered(colour));
         }
         if let TurnFate::Ends { won, points } = verdict.turn {
+            for _ in 0..verdict.own_back {
+                self.give_back(terms, team, &mut main);
+            }
             let winner = if won { team } else { team.other() };
             let won = BoardWon { winner, points };
             self.won = Some(won);
@@ -226,13 +252,16 @@ impl BoardInPlay {
 
     /// Puts a pocketed coin of `team` back into the outer circle, if there is one.
     fn give_back(&mut self, terms: &Terms, team: Team, ruling: &mut Ruling) -> bool {
-        let colour = terms.colour(team);
-        let can = self.in_pockets(colour) > 0;
-        if can {
+        let own = terms.colour(team);
+        let colour = match terms.rules {
+            Rules::Points => self.taken[team].give_back(),
+            _ => Some(own).filter(|_| self.in_pockets(own) > 0),
+        };
+        if let Some(colour) = colour {
             let at = free_place::for_a_due(terms.set, &self.coins, self.owner_seat(terms, team));
             self.put_back(colour.piece(), at, ruling);
         }
-        can
+        colour.is_some()
     }
 
     /// The seat from which a coin of `team` is put back as far away as possible: that of the player

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::opponent::Strength;
+use super::opponent::{PlayerHand, Strength};
 use super::{BoardWon, ByTeam, Game, Move, Piece, Player, Rules, SavedGame, Seat, Stroke, Team};
 use crate::game::score::Score;
 
@@ -10,7 +10,8 @@ use crate::game::score::Score;
 /// computer on the other side, are left out, and so is practice.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(crate) struct Results {
-    /// One row for each set of rules and each strength of the computer, the latest first.
+    /// One row for each set of rules, each strength of the computer and each hand of the player,
+    /// the latest first.
     #[serde(rename = "results")]
     pub(crate) rows: Vec<ResultsRow>,
     /// The most coins that the player pocketed in one turn.
@@ -23,6 +24,7 @@ pub(crate) struct ResultsRow {
     pub(crate) rules: Rules,
     /// The strength of the computer, or of the stronger one of two.
     pub(crate) strength: Strength,
+    pub(crate) hand: PlayerHand,
     /// The boards that were won and lost.
     #[serde(rename = "boards_won_and_lost")]
     pub(crate) boards: [usize; 2],
@@ -40,7 +42,8 @@ impl Results {
         let mut results = Self::default();
         for (saved, game) in games.into_iter().filter(|(it, _)| it.player == player) {
             if let Some((seat, strength)) = against_computer(saved) {
-                results.add(game, game.team(seat), strength);
+                let versus = (game.setup().rules, strength, saved.company.hand);
+                results.add(game, game.team(seat), versus);
                 let turn = longest_turn(saved, seat);
                 results.longest_turn = results.longest_turn.max(turn);
             }
@@ -48,20 +51,27 @@ impl Results {
         results
     }
 
-    fn add(&mut self, game: &Game, team: Team, strength: Strength) {
-        let rules = game.setup().rules;
+    fn add(
+        &mut self,
+        game: &Game,
+        team: Team,
+        (rules, strength, hand): (Rules, Strength, PlayerHand),
+    ) {
         let won: Vec<BoardWon> = game.finished.iter().copied().chain(game.play.won).collect();
         if won.is_empty() {
             return;
         }
         let both = [team, team.other()];
         let boards = both.map(|team| won.iter().filter(|it| it.winner == team).count());
-        let games: ByTeam<u8> = Score::after(rules, &won).before_next_board(rules).games;
+        let games: ByTeam<u8> = Score::after(game.setup(), &won)
+            .before_next_board(game.setup())
+            .games;
         let games = match rules {
             Rules::Tournament => both.map(|team| games[team].into()),
-            Rules::Friendly | Rules::Practice => boards,
+            _ => boards,
         };
-        let known = |row: &&mut ResultsRow| (row.rules, row.strength) == (rules, strength);
+        let known =
+            |row: &&mut ResultsRow| (row.rules, row.strength, row.hand) == (rules, strength, hand);
         match self.rows.iter_mut().find(known) {
             Some(row) => {
                 for side in 0..both.len() {
@@ -72,6 +82,7 @@ impl Results {
             None => self.rows.push(ResultsRow {
                 rules,
                 strength,
+                hand,
                 boards,
                 games,
             }),
@@ -94,7 +105,8 @@ fn against_computer(saved: &SavedGame) -> Option<(Seat, Strength)> {
     (setup.rules != Rules::Practice).then_some((seat, strength))
 }
 
-/// The most own coins, and the queen, that the player at this seat pocketed in one turn of a game.
+/// The most coins that count for the player at this seat, and the queen, pocketed in one turn of a
+/// game.
 fn longest_turn(saved: &SavedGame, seat: Seat) -> usize {
     let (mut longest, mut turn) = (0, 0);
     // A saved game was replayed when it was read, so it has no error.
@@ -105,8 +117,10 @@ fn longest_turn(saved: &SavedGame, seat: Seat) -> usize {
             return;
         };
         let fallen = Stroke::from_shot(before.coins(), &shot).map_or(Vec::new(), |it| it.pocketed);
-        let own = [before.colour(before.team(seat)).piece(), Piece::Queen];
-        let count = fallen.iter().filter(|piece| own.contains(piece)).count();
+        let own = before.colour(before.team(seat)).piece();
+        let any = before.setup().rules == Rules::Points;
+        let counts = |piece: &Piece| any || *piece == own || *piece == Piece::Queen;
+        let count = fallen.iter().filter(|piece| counts(piece)).count();
         turn = match count == 0 || fallen.contains(&Piece::Striker) {
             true => 0,
             false => turn + count,

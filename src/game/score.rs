@@ -1,7 +1,10 @@
 //! Points, boards, games and the match (25, 29, 30).
 
+use serde::{Deserialize, Serialize};
+
 use super::laws::{BoardWon, Rules};
 use super::seat::{ByTeam, Team};
+use super::table::GameSetup;
 
 /// Points that win a game (29a).
 pub(super) const GAME_POINTS: u8 = 25;
@@ -9,6 +12,19 @@ pub(super) const GAME_POINTS: u8 = 25;
 pub(super) const GAME_BOARDS: u8 = 8;
 /// Games that win a match: the best of three (30).
 pub(super) const MATCH_GAMES: u8 = 2;
+
+/// How long a game at the table lasts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Length {
+    /// One board.
+    Board,
+    /// One game of the tournament; with other rules, each board is a game.
+    Game,
+    /// A match of the tournament; with other rules, one board after another, without an end.
+    #[default]
+    Match,
+}
 
 /// The score, calculated from the boards played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -24,9 +40,12 @@ pub struct Score {
 impl Score {
     /// The score after `boards`, the last of which has just finished: if it decided a game, the
     /// points of that game are still included.
-    pub(crate) fn after<'a>(rules: Rules, boards: impl IntoIterator<Item = &'a BoardWon>) -> Self {
+    pub(crate) fn after<'a>(
+        setup: &GameSetup,
+        boards: impl IntoIterator<Item = &'a BoardWon>,
+    ) -> Self {
         boards.into_iter().fold(Self::default(), |score, board| {
-            let mut score = score.before_next_board(rules);
+            let mut score = score.before_next_board(setup);
             let points = &mut score.points[board.winner];
             *points = points.saturating_add(board.points);
             score.boards = score.boards.saturating_add(1);
@@ -35,8 +54,8 @@ impl Score {
     }
 
     /// The score at the start of the next board, after a won game is counted.
-    pub(crate) fn before_next_board(mut self, rules: Rules) -> Self {
-        if let Some(winner) = self.game_winner(rules) {
+    pub(crate) fn before_next_board(mut self, setup: &GameSetup) -> Self {
+        if let Some(winner) = self.game_winner(setup) {
             self.points = ByTeam::default();
             self.boards = 0;
             let games = &mut self.games[winner];
@@ -48,14 +67,18 @@ impl Score {
     /// The winner of the current game, if there is one.
     ///
     /// In a tournament it is the team that reaches 25 points or leads after the eighth board; extra
-    /// boards are played until a tie is broken (29). In a friendly game it is the winner of the
-    /// board. Practice has no winner.
-    pub(crate) fn game_winner(&self, rules: Rules) -> Option<Team> {
+    /// boards are played until a tie is broken (29). With other rules, and if only one board is
+    /// played, it is the winner of the board. Practice has no winner.
+    pub(crate) fn game_winner(&self, setup: &GameSetup) -> Option<Team> {
         let [first, second] = Team::BOTH.map(|team| self.points[team]);
-        let decided = match rules {
-            Rules::Tournament => first.max(second) >= GAME_POINTS || self.boards >= GAME_BOARDS,
-            Rules::Friendly => self.boards > 0,
-            Rules::Practice => false,
+        let decided = match (setup.rules, setup.length) {
+            (Rules::Practice, _) => false,
+            (Rules::Tournament, Length::Game | Length::Match) => {
+                first.max(second) >= GAME_POINTS || self.boards >= GAME_BOARDS
+            }
+            (Rules::Tournament, Length::Board) | (Rules::Friendly | Rules::Points, _) => {
+                self.boards > 0
+            }
         };
         match first.cmp(&second) {
             _ if !decided => None,
@@ -66,17 +89,22 @@ impl Score {
     }
 
     /// Whether the current game is tied after its last board, so that one more is needed (29b).
-    pub(crate) fn is_tied(&self, rules: Rules) -> bool {
-        rules == Rules::Tournament
+    pub(crate) fn is_tied(&self, setup: &GameSetup) -> bool {
+        setup.rules == Rules::Tournament
             && self.boards >= GAME_BOARDS
-            && self.game_winner(rules).is_none()
+            && self.game_winner(setup).is_none()
     }
 
     /// The winner of the match, if there is one: the first team to win two games of a tournament
-    /// (30). Friendly games do not form a match.
-    pub(crate) fn match_winner(&self, rules: Rules) -> Option<Team> {
-        let winner = self.game_winner(rules)?;
-        (rules == Rules::Tournament && self.games[winner] + 1 >= MATCH_GAMES).then_some(winner)
+    /// (30), or the only game. With other rules, games do not form a match.
+    pub(crate) fn match_winner(&self, setup: &GameSetup) -> Option<Team> {
+        let winner = self.game_winner(setup)?;
+        let needed = match (setup.length, setup.rules) {
+            (Length::Board | Length::Game, _) => 1,
+            (Length::Match, Rules::Tournament) => MATCH_GAMES,
+            (Length::Match, _) => return None,
+        };
+        (self.games[winner] + 1 >= needed).then_some(winner)
     }
 }
 
@@ -94,7 +122,15 @@ mod tests {
     }
 
     fn score(list: &[(Team, u8)]) -> Score {
-        Score::after(Rules::Tournament, &boards(list))
+        Score::after(&GameSetup::default(), &boards(list))
+    }
+
+    fn setup(rules: Rules, length: Length) -> GameSetup {
+        GameSetup {
+            rules,
+            length,
+            ..GameSetup::default()
+        }
     }
 
     use Team::{First, Second};
@@ -103,8 +139,8 @@ mod tests {
     fn law_29a_a_game_is_won_at_25_points() {
         let score = score(&[(First, 12), (First, 12), (Second, 5), (First, 1)]);
         assert_eq!(score.points[First], 25);
-        assert_eq!(score.game_winner(Rules::Tournament), Some(First));
-        let next = score.before_next_board(Rules::Tournament);
+        assert_eq!(score.game_winner(&GameSetup::default()), Some(First));
+        let next = score.before_next_board(&GameSetup::default());
         assert_eq!(next.games[First], 1);
         assert_eq!((next.points[First], next.boards), (0, 0));
     }
@@ -112,9 +148,9 @@ mod tests {
     #[test]
     fn law_29a_the_leader_after_eight_boards_wins() {
         let seven = [(First, 1); 7];
-        assert_eq!(score(&seven).game_winner(Rules::Tournament), None);
+        assert_eq!(score(&seven).game_winner(&GameSetup::default()), None);
         let eight = score(&[(First, 1); 8]);
-        assert_eq!(eight.game_winner(Rules::Tournament), Some(First));
+        assert_eq!(eight.game_winner(&GameSetup::default()), Some(First));
     }
 
     #[test]
@@ -122,23 +158,23 @@ mod tests {
         let mut list = vec![(First, 2); 4];
         list.extend([(Second, 2); 4]);
         let tied = score(&list);
-        assert!(tied.is_tied(Rules::Tournament));
-        assert_eq!(tied.game_winner(Rules::Tournament), None);
+        assert!(tied.is_tied(&GameSetup::default()));
+        assert_eq!(tied.game_winner(&GameSetup::default()), None);
         list.push((Second, 1));
         let decided = score(&list);
         assert_eq!(decided.boards, 9);
-        assert_eq!(decided.game_winner(Rules::Tournament), Some(Second));
+        assert_eq!(decided.game_winner(&GameSetup::default()), Some(Second));
     }
 
     #[test]
     fn law_30_a_match_is_the_best_of_three_games() {
         let game = |team| [(team, 12), (team, 12), (team, 1)];
         let one_all = [game(First), game(Second)].concat();
-        assert_eq!(score(&one_all).match_winner(Rules::Tournament), None);
+        assert_eq!(score(&one_all).match_winner(&GameSetup::default()), None);
         let won = score(&[game(First), game(Second), game(First)].concat());
-        assert_eq!(won.match_winner(Rules::Tournament), Some(First));
+        assert_eq!(won.match_winner(&GameSetup::default()), Some(First));
         assert_eq!(
-            score(&[game(Second), game(Second)].concat()).match_winner(Rules::Tournament),
+            score(&[game(Second), game(Second)].concat()).match_winner(&GameSetup::default()),
             Some(Second)
         );
     }
@@ -146,9 +182,27 @@ mod tests {
     #[test]
     fn a_friendly_board_is_a_game_and_there_is_no_match() {
         let list = boards(&[(First, 4), (Second, 1), (First, 2)]);
-        let score = Score::after(Rules::Friendly, &list);
-        assert_eq!(score.game_winner(Rules::Friendly), Some(First));
-        assert_eq!((score.games[First], score.games[Second]), (1, 1));
-        assert_eq!(score.match_winner(Rules::Friendly), None);
+        for rules in [Rules::Friendly, Rules::Points] {
+            let setup = setup(rules, Length::Match);
+            let score = Score::after(&setup, &list);
+            assert_eq!(score.game_winner(&setup), Some(First));
+            assert_eq!((score.games[First], score.games[Second]), (1, 1));
+            assert_eq!(score.match_winner(&setup), None);
+        }
+    }
+
+    #[test]
+    fn a_shorter_length_ends_after_one_board_or_one_game() {
+        let one = boards(&[(Second, 1)]);
+        for rules in [Rules::Tournament, Rules::Friendly, Rules::Points] {
+            let setup = setup(rules, Length::Board);
+            let score = Score::after(&setup, &one);
+            assert_eq!(score.match_winner(&setup), Some(Second), "{rules:?}");
+        }
+        let setup = setup(Rules::Tournament, Length::Game);
+        let score = Score::after(&setup, &one);
+        assert_eq!(score.match_winner(&setup), None);
+        let won = Score::after(&setup, &boards(&[(First, 12), (First, 12), (First, 1)]));
+        assert_eq!(won.match_winner(&setup), Some(First));
     }
 }

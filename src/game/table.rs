@@ -9,8 +9,8 @@ use super::pack::{jittered_pack, pack};
 use super::pieces::{Coin, Colour, Piece, PieceSet};
 use super::placing::{BaseLines, Misplaced, check_anywhere};
 use super::play::{BoardInPlay, Terms};
-use super::score::Score;
-use super::seat::{Hands, Seat, Team};
+use super::score::{Length, Score};
+use super::seat::{ByTeam, Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
 use crate::physics::{Board, Disc, Motion};
@@ -22,6 +22,8 @@ pub struct GameSetup {
     pub rules: Rules,
     /// Singles or doubles.
     pub hands: Hands,
+    /// How long it lasts.
+    pub length: Length,
     /// The pieces.
     pub set: PieceSet,
     /// Coefficient of restitution of two discs, 0 to 1.
@@ -39,6 +41,7 @@ impl Default for GameSetup {
         Self {
             rules: Rules::default(),
             hands: Hands::default(),
+            length: Length::default(),
             set: PieceSet::default(),
             restitution: Board::default().restitution,
             first_breaker: Seat::default(),
@@ -141,19 +144,30 @@ impl Game {
     /// The score, including this board once it has ended.
     pub fn score(&self) -> Score {
         match &self.play.won {
-            Some(won) => Score::after(self.setup.rules, self.finished.iter().chain([won])),
+            Some(won) => Score::after(&self.setup, self.finished.iter().chain([won])),
             None => self.score_before(),
         }
     }
 
+    /// The points of both teams: in the current game or, in points carrom, on this board.
+    pub fn points(&self) -> ByTeam<u8> {
+        let mut points = self.score().points;
+        if self.setup.rules == Rules::Points {
+            for team in Team::BOTH {
+                points[team] = self.play.points_taken(team);
+            }
+        }
+        points
+    }
+
     /// The stage of the game.
     pub fn stage(&self) -> GameStage {
-        let rules = self.setup.rules;
+        let setup = &self.setup;
         let score = self.score();
         match (
             self.play.won,
-            score.match_winner(rules),
-            score.game_winner(rules),
+            score.match_winner(setup),
+            score.game_winner(setup),
         ) {
             (None, ..) => GameStage::Playing,
             (Some(_), Some(team), _) => GameStage::MatchOver(team),
@@ -175,7 +189,7 @@ impl Game {
     pub(crate) fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
             Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),
-            Rules::Tournament | Rules::Friendly => self.base_lines().check(at),
+            _ => self.base_lines().check(at),
         }
     }
 
@@ -215,8 +229,7 @@ impl Game {
             return Err(StrokeError::Ended);
         }
         let terms = self.terms();
-        let player = terms.colour(self.team(self.seat()));
-        let verdict = laws::no_place(player, self.play.queen_to_cover());
+        let verdict = laws::no_place(self.play.queen_to_cover());
         Ok(self.carry_out(&terms, verdict))
     }
 
@@ -267,7 +280,7 @@ impl Game {
 
     /// The rulings on game and match after a finished board.
     fn announce_end(&self) -> Vec<Ruling> {
-        let rules = self.setup.rules;
+        let GameSetup { rules, length, .. } = self.setup;
         let score = self.score();
         let mut rulings = Vec::new();
         let mut announce = |law, text, effect| {
@@ -277,16 +290,21 @@ impl Game {
                 effects: vec![effect],
             });
         };
-        if score.is_tied(rules) {
+        if score.is_tied(&self.setup) {
             let text = "The score is level after the last board, so one more decides.".to_owned();
             announce(Law::EXTRA_BOARD, text, RulingEffect::ExtraBoard);
         }
-        if let Some(team) = score.game_winner(rules) {
+        if let Some(team) = score.game_winner(&self.setup)
+            && (rules, length) != (Rules::Tournament, Length::Board)
+            && rules != Rules::Points
+        {
             let (won, lost) = (score.points[team], score.points[team.other()]);
             let text = format!("{} wins the game by {won} to {lost}.", self.colour(team));
             announce(Law::GAME, text, RulingEffect::GameWon(team));
         }
-        if let Some(team) = score.match_winner(rules) {
+        if let Some(team) = score.match_winner(&self.setup)
+            && length == Length::Match
+        {
             let colour = self.colour(team);
             let text = format!("That makes two games for {colour}, who wins the match.");
             announce(Law::MATCH, text, RulingEffect::MatchWon(team));
@@ -295,7 +313,7 @@ impl Game {
     }
 
     fn score_before(&self) -> Score {
-        Score::after(self.setup.rules, &self.finished).before_next_board(self.setup.rules)
+        Score::after(&self.setup, &self.finished).before_next_board(&self.setup)
     }
 
     /// The player who breaks this board: the break passes from seat to seat with each board (22),
@@ -305,7 +323,7 @@ impl Game {
         let score = self.score_before();
         let turns = match self.setup.rules {
             Rules::Practice => 0,
-            Rules::Tournament | Rules::Friendly => {
+            _ => {
                 let games = score.games[Team::First] + score.games[Team::Second];
                 games.saturating_add(score.boards)
             }
@@ -318,6 +336,7 @@ impl Game {
 
     fn terms(&self) -> Terms {
         Terms {
+            rules: self.setup.rules,
             hands: self.setup.hands,
             set: self.setup.set,
             white: self.team(self.breaker()),

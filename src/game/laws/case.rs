@@ -1,6 +1,7 @@
 //! The facts that the rules use, and the possible decisions.
 
 use super::Law;
+use super::points::Taken;
 use crate::game::pieces::{COINS_EACH, Colour};
 use crate::numbers::counted;
 
@@ -56,6 +57,8 @@ pub(crate) struct Side {
     pub fell: u8,
     /// The side's score in the game before this board.
     pub score: u8,
+    /// In points carrom, the coins that this side had pocketed before the stroke.
+    pub(crate) taken: Taken,
 }
 
 impl Side {

@@ -11,6 +11,7 @@
 //! | `queen` | 65 to 74: the queen and her cover |
 //! | `coins` | 21, 45 to 48: the player's coins, the opponent's, the striker |
 //! | `friendly` | the rules of most families |
+//! | `points` | points carrom |
 //! | `practice` | no rules at all |
 //!
 //! Cases that cannot happen on a screen are left out: pushing, touching coins, the hand beyond the
@@ -30,6 +31,7 @@ mod ending;
 mod friendly;
 mod opening;
 mod page;
+mod points;
 mod practice;
 mod queen;
 mod ruling;
@@ -38,12 +40,11 @@ mod tests;
 
 pub(crate) use case::{Case, QueenBefore, QueenFate, Side, TurnFate, Verdict};
 pub(crate) use page::RuleLine;
+pub(crate) use points::{POINTS_TO_WIN, Taken};
 pub(crate) use ruling::Law;
 pub use ruling::{BoardWon, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
-
-use super::pieces::Colour;
 
 /// The rules of a game; as text, one word such as "friendly".
 #[derive(
@@ -57,6 +58,9 @@ pub enum Rules {
     Tournament,
     /// The simple rules of most families: the first player to clear their coins wins the game.
     Friendly,
+    /// Points carrom: either colour counts for both sides, and the first side with more than half of
+    /// the points wins.
+    Points,
     /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
     Practice,
 }
@@ -69,13 +73,14 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
             .or_else(|| queen::judge(case))
             .unwrap_or_else(|| coins::judge(case)),
         Rules::Friendly => friendly::judge(case),
+        Rules::Points => points::judge(case),
         Rules::Practice => practice::judge(case),
     }
 }
 
 /// The verdict if coins block every position of the striker. The Laws do not cover this case; the
 /// turn passes without a penalty.
-pub(crate) fn no_place(player: Colour, to_cover: bool) -> Verdict {
-    let text = format!("Coins block every position of the striker, so {player}'s turn passes.");
+pub(crate) fn no_place(to_cover: bool) -> Verdict {
+    let text = "Coins block every position of the striker, so the turn passes.".to_owned();
     Verdict::passes(None, text).queen_if(to_cover, QueenFate::GoesBack)
 }

@@ -13,7 +13,12 @@ pub(crate) enum RuleLine {
 
 impl Rules {
     /// All sets of rules, in the order of the page.
-    pub(crate) const ALL: [Self; 3] = [Self::Tournament, Self::Friendly, Self::Practice];
+    pub(crate) const ALL: [Self; 4] = [
+        Self::Tournament,
+        Self::Friendly,
+        Self::Points,
+        Self::Practice,
+    ];
 
     /// The rules, for players who read them for the first time.
     pub(crate) fn page(self) -> impl Iterator<Item = RuleLine> {

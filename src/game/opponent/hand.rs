@@ -1,9 +1,13 @@
 //! The hand of a player: random errors in direction and speed.
 
 use glam::DVec2;
-use rand::RngExt;
+use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
+use super::strength::Strength;
+use super::words;
 use crate::physics::Motion;
 
 /// The fastest stroke the opponent plays, in m/s: a hard break.
@@ -20,6 +24,46 @@ pub struct Hand {
     pub speed: f64,
 }
 
+/// The hand of the people at the keyboard; as text, one word such as "club".
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Default,
+    Serialize,
+    Deserialize,
+    IntoStaticStr,
+)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "lowercase")]
+pub enum PlayerHand {
+    /// Each stroke is played exactly as it was aimed.
+    #[default]
+    Exact,
+    /// The errors of an expert.
+    Steady,
+    /// The errors of a club player.
+    Club,
+}
+
+impl PlayerHand {
+    /// All hands, the steadiest first.
+    pub const ALL: [Self; 3] = [Self::Exact, Self::Steady, Self::Club];
+
+    /// The size of the errors; `None` if there are none.
+    pub fn errors(self) -> Option<Hand> {
+        match self {
+            Self::Exact => None,
+            Self::Steady => Some(Strength::Expert.hand()),
+            Self::Club => Some(Strength::Club.hand()),
+        }
+    }
+}
+
 /// The error of one stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Slip {
@@ -32,6 +76,12 @@ pub struct Slip {
 impl Hand {
     pub(super) const fn new(direction: f64, speed: f64) -> Self {
         Self { direction, speed }
+    }
+
+    /// The error that follows from the seed of a stroke. The generator is not that of the search,
+    /// so no hint and no plan knows the error in advance.
+    pub fn slip_of(self, seed: u64) -> Slip {
+        self.slip(&mut Pcg64::seed_from_u64(!seed))
     }
 
     /// A random error of this hand.
@@ -54,6 +104,16 @@ impl Slip {
             velocity: turned.try_normalize().unwrap_or(DVec2::ZERO) * pushed,
             ..meant
         }
+    }
+
+    /// The direction that was intended, as a unit vector, if the error led to this velocity.
+    pub(crate) fn meant_direction(self, struck: DVec2) -> DVec2 {
+        (struck - struck.perp() * self.turn).normalize_or_zero()
+    }
+
+    /// The error in one sentence; `whose` is "My", "Your" or a name.
+    pub(crate) fn in_words(self, whose: &str, struck: DVec2) -> String {
+        words::slipped(whose, self, struck)
     }
 }
 
@@ -105,5 +165,22 @@ mod tests {
         // tan φ = 3/4 gives a triangle with sides 3, 4 and 5.
         assert!((struck.velocity - DVec2::new(-0.6, 0.8) * 2.2).length() < 1e-15);
         assert_eq!(Slip::default().applied_to(meant), meant);
+        let back = slip.meant_direction(struck.velocity);
+        assert!((back - DVec2::Y).length() < 1e-15);
+    }
+
+    #[test]
+    fn a_players_hand_makes_the_same_error_for_the_same_seed() {
+        assert_eq!(PlayerHand::default().errors(), None);
+        let [steady, club] = [PlayerHand::Steady, PlayerHand::Club].map(|it| it.errors().unwrap());
+        assert!(steady.direction < club.direction && steady.speed < club.speed);
+        assert_eq!(club.slip_of(7), club.slip_of(7));
+        assert_ne!(club.slip_of(7), club.slip_of(8));
+        // Pinned to the last bit: saved games and every machine must agree.
+        let slip = club.slip_of(7);
+        assert_eq!(
+            [slip.turn, slip.push].map(f64::to_bits),
+            [13_804_998_022_507_484_612, 4_591_262_019_179_417_620]
+        );
     }
 }

@@ -35,7 +35,7 @@ mod wants;
 mod words;
 mod worth;
 
-pub use hand::{FASTEST, Hand, Slip};
+pub use hand::{FASTEST, Hand, PlayerHand, Slip};
 pub use hint::StrokeHint;
 pub use open_shots::open_shots;
 pub use story::{Chance, Fall, FirstContact, Reason, Story};
@@ -71,7 +71,7 @@ impl Decision {
     /// The opponent's comment after a stroke with the result `played`: the intended shot with its
     /// angles, the reason, and the error of the hand.
     pub fn afterwards(&self, played: &Story) -> String {
-        let slipped = words::slipped(self.slip, self.meant.velocity);
+        let slipped = self.slip.in_words("My", self.meant.velocity);
         format!("{} {slipped}", self.reason.described(played))
     }
 }
@@ -84,26 +84,26 @@ impl Decision {
 pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
     let skill = strength.skill();
     let (choice, reason) = seek(game, skill, seed)?;
-    // A separate generator, so that the error does not depend on the length of the search.
-    let mut hand = Pcg64::seed_from_u64(!seed);
     Some(Decision {
         meant: choice.motion,
-        slip: skill.hand.slip(&mut hand),
+        slip: skill.hand.slip_of(seed),
         reason,
     })
 }
 
-/// The best stroke for the player whose turn it is: the search is the champion's, with the hand of
-/// a club player. `None` as for [`think`].
+/// The best stroke for the player whose turn it is: the search is the champion's, with the errors
+/// of the player's hand. A stroke for an exact hand is tried exactly once and otherwise with the
+/// errors of a club player. `None` as for [`think`].
 ///
 /// A plain cut is preferred, because players can learn most from it; other shots are chosen only if
 /// no cut works in at least half of the tries.
 ///
 /// Position, direction and speed are on the steps in which a player sets them, and if possible the
 /// striker does not fall when the stroke is exact.
-pub fn hint(game: &Game, seed: u64) -> Option<StrokeHint> {
+pub fn hint(game: &Game, hand: PlayerHand, seed: u64) -> Option<StrokeHint> {
     let all = Skill {
-        hand: Strength::Club.hand(),
+        hand: hand.errors().unwrap_or(Strength::Club.hand()),
+        is_exact: hand == PlayerHand::Exact,
         on_steps: true,
         ..Strength::Champion.skill()
     };

@@ -167,7 +167,7 @@ impl Search<'_> {
         let mut slips: Vec<Slip> = (0..count)
             .map(|_| self.skill.hand.slip(&mut self.chance))
             .collect();
-        if self.skill.on_steps {
+        if self.skill.is_exact {
             // A player who sets a stroke with the keys plays it exactly.
             slips[..1.min(count)].fill(Slip::default());
         }
@@ -207,6 +207,9 @@ impl Search<'_> {
             sum += self.judge.worth(&tried.after);
             chance.count(tried.pocketed);
             fouls |= tried.fouled && *slip == Slip::default();
+        }
+        if self.skill.on_steps && !slips.contains(&Slip::default()) {
+            fouls = self.rehearsal.play(motion)?.fouled;
         }
         (chance.of > 0).then(|| Candidate {
             motion,

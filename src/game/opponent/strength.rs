@@ -61,6 +61,8 @@ pub(super) struct Skill {
     pub(super) refinements: usize,
     /// Whether the position after the stroke is evaluated.
     pub(super) looks_ahead: bool,
+    /// Whether the first of the tries with an unsteady hand is exact.
+    pub(super) is_exact: bool,
     /// Whether strokes are restricted to the [steps](crate::game::steps) in which a player sets
     /// them, and to those that are not fouls when played exactly.
     pub(super) on_steps: bool,
@@ -100,6 +102,7 @@ impl Strength {
                 slips: 0,
                 refinements: 0,
                 looks_ahead: false,
+                is_exact: false,
                 on_steps: false,
             },
             Self::Regular => Skill {

@@ -5,8 +5,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use super::sight::Sight;
-use super::{FASTEST, Strength, hint, think};
-use crate::game::laws::Rules;
+use super::{FASTEST, PlayerHand, Strength, hint, think};
+use crate::game::laws::{Rules, Taken};
 use crate::game::pack::pack;
 use crate::game::steps::on_steps;
 use crate::game::{Coin, Game, GameSetup, Hands, Piece, PieceSet, Seat, Strike, Stroke, Team};
@@ -82,7 +82,10 @@ fn the_same_seed_gives_the_same_decision_and_another_seed_a_different_one() {
         assert_eq!(decide(7), decide(7));
         assert_ne!(decide(7).slip, decide(8).slip);
     }
-    assert_eq!(hint(&game, 3), hint(&game, 3));
+    assert_eq!(
+        hint(&game, PlayerHand::Exact, 3),
+        hint(&game, PlayerHand::Exact, 3)
+    );
 }
 
 #[test]
@@ -109,7 +112,7 @@ fn every_strength_sees_a_coin_in_front_of_a_pocket() {
         let fall = decision.reason.story.fall.unwrap();
         assert_eq!((fall.piece, fall.corner), (Piece::White, 3), "{strength}");
     }
-    let hint = hint(&game, 4).unwrap();
+    let hint = hint(&game, PlayerHand::Exact, 4).unwrap();
     assert_eq!(
         hint.which(),
         "Look at the white coin and the top right pocket."
@@ -119,6 +122,59 @@ fn every_strength_sees_a_coin_in_front_of_a_pocket() {
     assert_eq!((won.winner, won.points), (Team::First, 4), "the hint works");
 }
 
+#[test]
+fn in_points_carrom_a_coin_of_either_colour_is_seen_and_the_one_that_wins_is_chosen() {
+    let mut game = Game::new(GameSetup {
+        rules: Rules::Points,
+        ..GameSetup::default()
+    });
+    game.play.break_tries = None;
+    game.play.queen_covered_by = Some(Team::First);
+    // With 15 points, a white coin wins.
+    game.play.taken[Team::First] = Taken { white: 5, black: 0 };
+    let black = coin(Piece::Black, 290.0, 290.0);
+    let white = coin(Piece::White, -290.0, 290.0);
+    for (coins, expected) in [
+        (vec![black], Piece::Black),
+        (vec![black, white], Piece::White),
+    ] {
+        game.play.coins = coins;
+        let hint = hint(&game, PlayerHand::Exact, 4).unwrap();
+        assert_eq!(hint.reason.story.fall.unwrap().piece, expected);
+        for strength in Strength::ALL {
+            let decision = think(&game, strength, 4).unwrap();
+            let fall = decision.reason.story.fall.unwrap();
+            assert_eq!(fall.piece, expected, "{strength}");
+        }
+    }
+}
+
+/// For an unsteady hand a hint is one that forgives its errors.
+#[test]
+fn a_hint_for_an_unsteady_hand_works_more_often_with_that_hand() {
+    let mut fell = [0_u32; 2];
+    for seed in 0..12 {
+        let game = scattered(3 * seed);
+        for (hand, fell) in [PlayerHand::Steady, PlayerHand::Club]
+            .into_iter()
+            .zip(&mut fell)
+        {
+            let hint = hint(&game, hand, seed).unwrap();
+            assert_eq!(on_steps(hint.stroke, game.seat()), Some(hint.stroke));
+            for slip in 0..40 {
+                let errors = PlayerHand::Club.errors().unwrap();
+                let struck = errors.slip_of(slip).applied_to(hint.stroke);
+                let (discs, motions) = game.discs(struck);
+                let shot = crate::physics::play(&game.board(), &discs, &motions, Limits::default())
+                    .unwrap();
+                let story = super::Story::of(&game, &shot);
+                *fell += u32::from(story.fall.is_some());
+            }
+        }
+    }
+    assert!(fell[1] >= fell[0], "{fell:?}");
+}
+
 /// A player who sets a hint with the keys plays exactly that stroke, without a foul.
 #[test]
 fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
@@ -126,7 +182,7 @@ fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
     let mut clean = 0;
     for seed in 0..12 {
         let game = scattered(seed);
-        let hint = hint(&game, seed).unwrap();
+        let hint = hint(&game, PlayerHand::Exact, seed).unwrap();
         let stroke = hint.stroke;
         assert_eq!(game.check_place(stroke.position), Ok(()));
         let lines = game.base_lines();
@@ -163,7 +219,7 @@ fn plans_and_hints_use_the_restitution_of_the_game() {
     };
     for game in [&elastic, &lossy] {
         let thought = think(game, Strength::Expert, 1).unwrap();
-        let hinted = hint(game, 1).unwrap();
+        let hinted = hint(game, PlayerHand::Exact, 1).unwrap();
         for (stroke, story) in [
             (thought.meant, thought.reason.story),
             (hinted.stroke, hinted.reason.story),
@@ -200,7 +256,7 @@ fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     game.play.coins = (-4..=4).map(bar).collect();
     game.play.coins.push(coin(Piece::White, 0.0, 0.0));
     assert_eq!(think(&game, Strength::Champion, 1), None);
-    assert_eq!(hint(&game, 1), None);
+    assert_eq!(hint(&game, PlayerHand::Exact, 1), None);
 
     let mut empty = scattered(2);
     empty.play.coins.clear();
@@ -271,7 +327,11 @@ fn decisions_do_not_change_by_a_single_bit() {
         }
         let meant = Strength::ALL.map(|strength| bits(think(&game, strength, 7).unwrap().meant));
         assert_eq!(meant, decided, "seed {seed}");
-        assert_eq!(bits(hint(&game, 7).unwrap().stroke), hinted, "seed {seed}");
+        assert_eq!(
+            bits(hint(&game, PlayerHand::Exact, 7).unwrap().stroke),
+            hinted,
+            "seed {seed}"
+        );
     }
 }
 

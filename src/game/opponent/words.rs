@@ -226,7 +226,7 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
 }
 
 /// The error of the hand in a stroke along `heading`.
-pub(super) fn slipped(slip: Slip, heading: DVec2) -> String {
+pub(super) fn slipped(whose: &str, slip: Slip, heading: DVec2) -> String {
     let turned = slip.turn.atan();
     let percent = (100.0 * slip.push).round();
     let direction = (turned.abs() >= SMALLEST_SLIP).then(|| {
@@ -239,9 +239,9 @@ pub(super) fn slipped(slip: Slip, heading: DVec2) -> String {
     });
     let slips: Vec<String> = direction.into_iter().chain(strength).collect();
     if slips.is_empty() {
-        return "My stroke was just right.".to_owned();
+        return format!("{whose} stroke was just right.");
     }
-    format!("My stroke was {}.", slips.join(" and "))
+    format!("{whose} stroke was {}.", slips.join(" and "))
 }
 
 /// The size of an angle, to a tenth of a degree below 10° and to a degree above.
@@ -420,7 +420,7 @@ mod tests {
     fn only_a_noticeable_slip_is_described() {
         let slip = |turn_deg: f64, push| {
             let turn = rad_from_deg(turn_deg).tan();
-            slipped(Slip { turn, push }, DVec2::Y)
+            slipped("My", Slip { turn, push }, DVec2::Y)
         };
         assert_eq!(slip(0.0, 0.0), "My stroke was just right.");
         assert_eq!(slip(-1.24, 0.001), "My stroke was 1.2° off to the right.");

@@ -14,6 +14,8 @@ use crate::game::{BaseLines, Game, Seat, Team};
 const BOARD: f64 = 20.0;
 /// The queen, covered.
 const QUEEN: f64 = 2.5;
+/// A point of points carrom: a coin counts 1.5 points on average.
+const POINT: f64 = 1.0 / 1.5;
 /// A sure coin for the side that strikes next: it falls, and the turn continues.
 const TO_STRIKE: f64 = 1.6;
 /// A sure coin for the side that has to wait: the coin may still be there at that side's next
@@ -42,6 +44,9 @@ impl Judge {
         }
         let play = game.play();
         let counted = |team| {
+            if game.setup().rules == Rules::Points {
+                return self.sign(team) * POINT * f64::from(play.points_taken(team));
+            }
             let left = play.on_board(game.colour(team)) + play.owed[team];
             let queen = play.queen_covered_by == Some(team);
             self.sign(team) * (if queen { QUEEN } else { 0.0 } - f64::from(left))

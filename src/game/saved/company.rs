@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::files::{is_invisible, tidy_name};
-use crate::game::opponent::Strength;
+use crate::game::opponent::{PlayerHand, Strength};
 
 /// The kind of player at a seat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -44,6 +44,8 @@ pub struct Company {
     pub players: [Player; 4],
     /// The computer's strength at each seat, in the same order.
     pub strengths: [Strength; 4],
+    /// The hand of the people: its errors are part of the strokes in the record.
+    pub hand: PlayerHand,
     /// Whether the players predict the first impact before each stroke.
     pub call: bool,
     /// Aids while aiming.

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::game::laws::{Rules, Taken};
 use crate::game::seat::Team;
 use crate::game::table::Game;
 use crate::numbers::{FNV_START, fnv1a};
@@ -36,6 +37,12 @@ impl Fingerprint {
         hash.take(&[score.boards]);
         for team in Team::BOTH {
             hash.take(&[play.owed[team], score.points[team], score.games[team]]);
+        }
+        if game.setup().rules == Rules::Points {
+            for team in Team::BOTH {
+                let Taken { white, black } = play.taken[team];
+                hash.take(&[white, black]);
+            }
         }
         hash
     }

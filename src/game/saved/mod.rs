@@ -13,8 +13,9 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 
-/// The format of new files. In format 1, `setup` had no `restitution`.
-const FORMAT: u32 = 2;
+/// The format of new files. In format 1, `setup` had no `restitution`; before format 3 it had no
+/// `length`, and there was no `hand`.
+const FORMAT: u32 = 3;
 
 /// A saved game.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,17 +3,19 @@
 use super::company::BySeat;
 use super::{Company, FORMAT, Fingerprint, Player, SavedGame, is_player_name};
 use crate::files::{Fields, FileErrors, NO_NAME, NumberSpec, Source, is_blank_name};
-use crate::game::opponent::Strength;
+use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::record::Record;
+use crate::game::score::Length;
 use crate::game::table::{Game, GameSetup};
 
 /// The fields of a file.
-const FIELDS: [&str; 11] = [
+const FIELDS: [&str; 12] = [
     "format",
     "player",
     "players",
     "computer",
     "computers",
+    "hand",
     "call",
     "aids",
     "setup",
@@ -23,9 +25,10 @@ const FIELDS: [&str; 11] = [
 ];
 
 /// The contents of `setup`.
-const SETUP: [&str; 6] = [
+const SETUP: [&str; 7] = [
     "rules",
     "hands",
+    "length",
     "set",
     "restitution",
     "first_breaker",
@@ -63,6 +66,9 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         let all = fields.parsed::<Strength>("computer", "the computer's strength");
         all.map(|strength| [strength; 4])
     };
+    let hand = fields.or("hand", PlayerHand::default(), |name| {
+        fields.parsed(name, "exact, steady or club")
+    });
     let call = fields.parsed("call", "true or false");
     let aids = fields.parsed("aids", "the aids that are drawn");
     let setup = fields.table("setup", &SETUP).and_then(|it| setup(&it));
@@ -89,6 +95,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         company: Company {
             players: players?.into(),
             strengths: strengths?,
+            hand: hand?,
             call: call?,
             aids: aids?,
         },
@@ -103,6 +110,9 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
 fn setup(fields: &Fields) -> Option<GameSetup> {
     let rules = fields.parsed("rules", "the rules");
     let hands = fields.parsed("hands", "how many play");
+    let length = fields.or("length", Length::default(), |name| {
+        fields.parsed(name, "board, game or match")
+    });
     let set = fields.parsed("set", "the pieces");
     let usual = GameSetup::default().restitution;
     let restitution = fields.or("restitution", usual, |name| {
@@ -116,6 +126,7 @@ fn setup(fields: &Fields) -> Option<GameSetup> {
     Some(GameSetup {
         rules: rules?,
         hands: hands?,
+        length: length?,
         set: set?,
         restitution: restitution?,
         first_breaker: first_breaker?,

@@ -29,6 +29,7 @@ impl SavedGame {
         } else {
             line(&mut text, "computers", &BySeat::from(company.strengths));
         }
+        line(&mut text, "hand", &company.hand);
         line(&mut text, "call", &company.call);
         line(&mut text, "aids", &company.aids);
         line(&mut text, "setup", self.record.setup());

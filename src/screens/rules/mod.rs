@@ -43,8 +43,8 @@ impl Screen for RulesScreen {
 
     fn keys(&self, _cx: &Context) -> KeyTable<RulesAction> {
         use RulesAction::{Leave, Scroll, Show};
-        let [before, after] =
-            [2, 1].map(|step| Rules::ALL[(self.rules as usize + step) % Rules::ALL.len()]);
+        let [before, after] = [Rules::ALL.len() - 1, 1]
+            .map(|step| Rules::ALL[(self.rules as usize + step) % Rules::ALL.len()]);
         KeyTable::new("rules")
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
             .each(

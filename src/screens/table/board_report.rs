@@ -2,7 +2,7 @@
 
 use super::game_history::{GameHistory, Past};
 use crate::game::opponent::Story;
-use crate::game::{ByTeam, Move, Piece, RulingEffect, Team};
+use crate::game::{ByTeam, Move, Piece, Rules, RulingEffect, Team};
 use crate::physics::units::deg_from_rad;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -60,7 +60,9 @@ impl BoardReport {
     fn count(&mut self, past: &Past, hinted: bool) {
         let team = past.before.team(past.before.seat());
         let own = past.before.colour(team).piece();
-        let is_own = |effect: &&RulingEffect| matches!(effect, RulingEffect::PutBack(coin) if coin.piece == own);
+        let any = past.before.setup().rules == Rules::Points;
+        let counts = |piece| piece == own || (any && piece != Piece::Queen);
+        let is_own = |effect: &&RulingEffect| matches!(effect, RulingEffect::PutBack(coin) if counts(coin.piece));
         let effects = past.rulings.iter().flat_map(|ruling| &ruling.effects);
         let report = &mut self.teams[team];
         report.strokes += 1;

@@ -5,6 +5,7 @@ mod aim;
 mod board_report;
 mod calls;
 mod computer_stroke;
+mod duration;
 mod game_history;
 mod new_game;
 mod options;

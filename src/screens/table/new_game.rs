@@ -1,12 +1,14 @@
 //! The page on which the options of a new game are chosen.
 
+use std::borrow::Cow;
+
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::options::{Options, Player};
 use super::{TableAction, picture, words};
-use crate::game::opponent::Strength;
+use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::pack::pack;
-use crate::game::{Hands, PieceSet, Results, Rules, Seat};
+use crate::game::{Hands, Length, PieceSet, Results, Rules, Seat};
 use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{counted, fixed};
 use crate::screens::{Context, View};
@@ -28,7 +30,8 @@ pub(super) struct NewGame {
 
 /// One line of the page: its name and its choices. A choice consists of the resulting options, its
 /// text and its description.
-type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
+type Agreement = (&'static str, Vec<Choice>);
+type Choice = (Options, String, Cow<'static, str>);
 
 /// The key actions on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -86,14 +89,29 @@ impl NewGame {
             return;
         }
         panel.gap();
-        panel.pair(("your boards", Role::Title), ("won : lost", Role::Dim));
-        for row in &self.results.rows {
-            let [won, lost] = row.boards;
-            let name = format!("{}, {}", <&str>::from(row.rules), row.strength);
-            panel.fact(name, format!("{won} : {lost}"));
-            if row.rules == Rules::Tournament && row.games != [0; 2] {
-                let [won, lost] = row.games;
-                panel.fact("games", format!("{won} : {lost}"));
+        for hand in PlayerHand::ALL {
+            let mut rows = self
+                .results
+                .rows
+                .iter()
+                .filter(|row| row.hand == hand)
+                .peekable();
+            if rows.peek().is_some() {
+                let title = match hand {
+                    PlayerHand::Exact => "your boards",
+                    PlayerHand::Steady => "with a steady hand",
+                    PlayerHand::Club => "with a club hand",
+                };
+                panel.pair((title, Role::Title), ("won : lost", Role::Dim));
+            }
+            for row in rows {
+                let [won, lost] = row.boards;
+                let name = format!("{}, {}", <&str>::from(row.rules), row.strength);
+                panel.fact(name, format!("{won} : {lost}"));
+                if row.rules == Rules::Tournament && row.games != [0; 2] {
+                    let [won, lost] = row.games;
+                    panel.fact("games", format!("{won} : {lost}"));
+                }
             }
         }
         let longest = counted(self.results.longest_turn, "coin");
@@ -148,13 +166,17 @@ fn agreements(now: Options) -> Vec<Agreement> {
             "As most families play: the first to clear their coins wins the board.",
         ),
         (
+            Rules::Points,
+            "Either colour counts for both sides: black 1, white 2, the queen 5; the first to 17 wins.",
+        ),
+        (
             Rules::Practice,
             "No turns, no penalties: place the striker and coins anywhere; take back any stroke.",
         ),
     ];
     let rules = rules.map(|(rules, about)| {
         let shown = <&str>::from(rules).to_owned();
-        (Options { rules, ..now }, shown, about)
+        (Options { rules, ..now }, shown, about.into())
     });
     let mut rows: Vec<Agreement> = vec![("rules", rules.into())];
     if now.rules != Rules::Practice {
@@ -166,10 +188,17 @@ fn agreements(now: Options) -> Vec<Agreement> {
                 "Partners sit opposite each other: South and North against East and West.",
             ),
         ];
-        let hands =
-            hands.map(|(hands, shown, about)| (Options { hands, ..now }, shown.into(), about));
+        let hands = hands
+            .map(|(hands, shown, about)| (Options { hands, ..now }, shown.into(), about.into()));
         rows.push(("hands", hands.into()));
         rows.extend(now.seats().map(|seat| (seat.into(), players(seat, now))));
+        if now.count(Player::Person) > 0 {
+            rows.push((
+                "your hand",
+                PlayerHand::ALL.map(|hand| of_hand(hand, now)).into(),
+            ));
+        }
+        rows.push(("length", lengths(now)));
     }
     let sets = [
         (
@@ -182,13 +211,19 @@ fn agreements(now: Options) -> Vec<Agreement> {
             "Striker and coins have equal masses, so the paths are 90° apart if e = 1.",
         ),
     ];
-    let sets = sets.map(|(set, about)| (Options { set, ..now }, words::masses(set).into(), about));
+    let sets = sets.map(|(set, about)| {
+        (
+            Options { set, ..now },
+            words::masses(set).into(),
+            about.into(),
+        )
+    });
     rows.push(("pieces", sets.into()));
     rows.extend(SWITCHES.map(|(name, switch, about)| {
         let choice = |(on, shown): (bool, &str)| {
             let mut options = now;
             *switch(&mut options) = on;
-            (options, shown.to_owned(), about)
+            (options, shown.to_owned(), about.into())
         };
         (name, [(false, "off"), (true, "on")].map(choice).into())
     }));
@@ -196,7 +231,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
 }
 
 /// The possible players at a seat.
-fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
+fn players(seat: Seat, now: Options) -> Vec<Choice> {
     let mut person = now;
     person.set_player(seat, Player::Person);
     let shown = match person.count(Player::Person) {
@@ -204,16 +239,64 @@ fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
         _ => "a person",
     };
     let about = "A person at this keyboard, or the computer at one of five strengths.";
-    let mut choices = vec![(person, shown.to_owned(), about)];
+    let mut choices = vec![(person, shown.to_owned(), about.into())];
     choices.extend(Strength::ALL.map(|strength| {
         let mut options = now;
         options.set_player(seat, Player::Computer);
         options.strengths[seat as usize] = strength;
         let about = "The stronger the computer, the farther it looks ahead and the steadier its \
                      hand. It always explains its stroke.";
-        (options, format!("computer, {strength}"), about)
+        (options, format!("computer, {strength}"), about.into())
     }));
     choices
+}
+
+/// A hand of the people, with the size of its errors.
+fn of_hand(hand: PlayerHand, now: Options) -> Choice {
+    let about = match hand.errors() {
+        None => "Every stroke is played exactly as you aim it.".into(),
+        Some(errors) => {
+            let degrees = fixed(errors.direction.atan().to_degrees(), 1);
+            let percent = fixed(100.0 * errors.speed, 0);
+            let whose = match hand {
+                PlayerHand::Club => "a club player",
+                _ => "an expert",
+            };
+            format!(
+                "Your strokes go astray like those of {whose} of the computer: two of three stay \
+                 within {degrees}° and {percent} %."
+            )
+            .into()
+        }
+    };
+    let shown = <&str>::from(hand).to_owned();
+    (Options { hand, ..now }, shown, about)
+}
+
+/// The lengths of a game, with an estimate. A friendly game and points carrom consist of boards.
+fn lengths(now: Options) -> Vec<Choice> {
+    let lengths = [Length::Board, Length::Game, Length::Match].into_iter();
+    let offered = lengths.filter(|it| now.rules == Rules::Tournament || *it != Length::Game);
+    let choice = |length| {
+        let options = Options { length, ..now };
+        let (name, last) = match (length, now.rules) {
+            (Length::Board, _) => ("one board", "One board."),
+            (Length::Game, _) => ("one game", "A game to 25 points or eight boards."),
+            (Length::Match, Rules::Tournament) => ("match", "The best of three games."),
+            (Length::Match, _) => ("open", "One board after another, until you stop."),
+        };
+        let minutes = options.minutes().unwrap_or(0);
+        let each = match (length, now.rules) {
+            (Length::Match, Rules::Friendly | Rules::Points) => " a board",
+            _ => "",
+        };
+        let about = format!(
+            "{last} About {minutes} min{each}, if both sides are equally strong and a stroke takes \
+             15 s."
+        );
+        (options, format!("{name}, ~{minutes} min"), about.into())
+    };
+    offered.map(choice).collect()
 }
 
 /// An option that is on or off: its name, its field in the options, and its description.

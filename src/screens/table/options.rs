@@ -1,9 +1,11 @@
 //! The options of a game, chosen before the first break.
 
 use super::words;
-use crate::game::opponent::Strength;
+use crate::game::opponent::{PlayerHand, Strength};
 pub use crate::game::{Aids, Player};
-use crate::game::{Company, Game, GameSetup, Hands, PieceSet, Rules, SavedGame, Seat, Team};
+use crate::game::{
+    Company, Game, GameSetup, Hands, Length, PieceSet, Rules, SavedGame, Seat, Team,
+};
 use crate::numbers::capital;
 
 /// Everything that can be chosen for a game.
@@ -11,6 +13,8 @@ use crate::numbers::capital;
 pub struct Options {
     /// The rules.
     pub rules: Rules,
+    /// How long the game lasts.
+    pub length: Length,
     /// Singles or doubles.
     pub hands: Hands,
     /// The player at each seat, in the order of [`Seat::ALL`]; in singles only South and North are
@@ -22,6 +26,8 @@ pub struct Options {
     pub set: PieceSet,
     /// Coefficient of restitution of two discs.
     pub restitution: f64,
+    /// The hand of the people.
+    pub hand: PlayerHand,
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
     /// Aids while aiming.
@@ -34,11 +40,13 @@ impl Default for Options {
         use Player::{Computer, Person};
         Self {
             rules: Rules::default(),
+            length: Length::default(),
             hands: Hands::default(),
             players: [Person, Computer, Computer, Computer],
             strengths: [Strength::default(); 4],
             set: PieceSet::default(),
             restitution: GameSetup::default().restitution,
+            hand: PlayerHand::default(),
             call: false,
             aids: Aids::default(),
         }
@@ -60,8 +68,9 @@ impl Options {
             rules: self.rules,
             hands: match self.rules {
                 Rules::Practice => Hands::Two,
-                Rules::Tournament | Rules::Friendly => self.hands,
+                _ => self.hands,
             },
+            length: self.length,
             set: self.set,
             restitution: self.restitution,
             first_breaker: Seat::South,
@@ -74,11 +83,13 @@ impl Options {
         let (setup, company) = (saved.record.setup(), &saved.company);
         Self {
             rules: setup.rules,
+            length: setup.length,
             hands: setup.hands,
             players: company.players,
             strengths: company.strengths,
             set: setup.set,
             restitution: setup.restitution,
+            hand: company.hand,
             call: company.call,
             aids: company.aids,
         }
@@ -89,6 +100,7 @@ impl Options {
         Company {
             players: self.players,
             strengths: self.strengths,
+            hand: self.hand,
             call: self.call,
             aids: self.aids,
         }
@@ -98,7 +110,7 @@ impl Options {
     pub fn player(&self, seat: Seat) -> Player {
         match self.rules {
             Rules::Practice => Player::Person,
-            Rules::Tournament | Rules::Friendly => self.players[seat as usize],
+            _ => self.players[seat as usize],
         }
     }
 
@@ -152,15 +164,25 @@ impl Options {
         }
     }
 
-    /// The score between the names of the teams: points, or boards in friendly games.
+    /// The score between the names of the teams: points, or boards in friendly games. In points
+    /// carrom the points of the board in play, otherwise those of the finished boards.
     pub(super) fn score(&self, game: &Game) -> String {
-        let score = game.score();
+        let (points, games) = (game.points(), game.score().games);
         let [a, b] = Team::BOTH.map(|team| match self.rules {
-            Rules::Tournament => score.points[team],
-            Rules::Friendly | Rules::Practice => score.games[team],
+            Rules::Tournament | Rules::Points => points[team],
+            Rules::Friendly | Rules::Practice => games[team],
         });
         let [first, second] = Team::BOTH.map(|team| self.team_name(team));
         format!("{first} {a} : {b} {second}")
+    }
+
+    /// What the last board decides: a board, a game or a match.
+    pub(super) fn whole(&self) -> &'static str {
+        match (self.length, self.rules) {
+            (Length::Board, Rules::Tournament) => "board",
+            (Length::Match, Rules::Tournament) => "match",
+            _ => "game",
+        }
     }
 
     /// A sentence such as "You win the match".

@@ -159,7 +159,7 @@ fn title(kept: &KeptGame) -> String {
             let games = words::versus(|team| game.score().games[team]);
             format!("{} ({games})", options.score(game))
         }
-        Rules::Tournament | Rules::Friendly => options.score(game),
+        _ => options.score(game),
     }
 }
 
@@ -173,7 +173,7 @@ fn about(saved: &SavedGame, game: &Game) -> String {
             let board = game.board_number();
             (format!(", board {board}"), format!(", games won {games}"))
         }
-        Rules::Friendly | Rules::Practice => Default::default(),
+        _ => Default::default(),
     };
     let rules = capital(options.rules.into());
     let stands = match game.stage() {
@@ -187,7 +187,7 @@ fn about(saved: &SavedGame, game: &Game) -> String {
             format!(" The board went to {winner}.")
         }
         GameStage::GameOver(team) => format!(" {}.", options.wins(team, "game")),
-        GameStage::MatchOver(team) => format!(" {}.", options.wins(team, "match")),
+        GameStage::MatchOver(team) => format!(" {}.", options.wins(team, options.whole())),
     };
     let whose = match saved.player.as_str() {
         // A player without a name is saved as "player".

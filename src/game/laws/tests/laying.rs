@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::validity::flaw;
 use crate::game::laws::ending::MOST_POINTS;
-use crate::game::laws::{BoardWon, Rules, Ruling, RulingEffect};
+use crate::game::laws::{BoardWon, Rules, Ruling, RulingEffect, Taken};
 use crate::game::pieces::{Coin, Colour, Piece};
 use crate::game::seat::{Hands, Seat, Team};
 use crate::game::stroke::Stroke;
@@ -28,7 +28,7 @@ pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
     lay(Rules::Tournament, white, black, queen)
 }
 
-/// Sets up a board like [`table`], under other rules.
+/// Sets up a board like [`table`], under other rules. In points carrom South has pocketed everything.
 pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     let mut game = Game::new(GameSetup {
         rules,
@@ -51,6 +51,9 @@ pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     spread(&mut play.coins);
     play.pocketed_before[Team::First] = white < 9;
     play.pocketed_before[Team::Second] = black < 9;
+    if rules == Rules::Points {
+        play.taken[Team::First] = Taken::default().with(9 - white, 9 - black);
+    }
     play.queen_covered_by = match queen {
         Queen::White => Some(Team::First),
         Queen::Black => Some(Team::Second),

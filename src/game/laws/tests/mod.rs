@@ -7,6 +7,7 @@ mod dues;
 mod house_rules;
 mod laying;
 mod page;
+mod points;
 mod queen_and_cover;
 mod validity;
 mod whole_games;

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use super::super::case::{QUEEN_POINTS, QUEEN_WORTHLESS_FROM};
 use super::super::ending::MOST_POINTS;
-use super::super::{Case, Law, QueenBefore, RuleLine, Rules, Side, judge};
+use super::super::points::{POINTS_TO_WIN, QUEEN};
+use super::super::{Case, Law, QueenBefore, RuleLine, Rules, Side, Taken, judge};
 use crate::game::Colour;
 use crate::game::score::{GAME_BOARDS, GAME_POINTS, MATCH_GAMES};
 
@@ -47,6 +48,7 @@ fn quoted() -> BTreeSet<String> {
             before,
             fell: fell.min(before),
             score: 0,
+            taken: Taken::default(),
         };
         let case = Case {
             colour: Colour::White,
@@ -110,6 +112,17 @@ fn the_numbers_on_the_page_of_rules_are_those_of_the_referee() {
     }
     assert_eq!(GAME_BOARDS, 8, "the page says: after eight boards");
     assert!(text(Rules::Friendly).contains(&format!("{QUEEN_POINTS} points for the queen")));
+    let all = Taken { white: 9, black: 9 };
+    let page = text(Rules::Points);
+    for expected in [
+        format!("the queen, the red coin, {QUEEN} points"),
+        format!("worth {} points", all.points(true)),
+        format!("with {POINTS_TO_WIN} points, more than half"),
+        format!("each side has {} points", all.points(true) / 2),
+    ] {
+        assert!(page.contains(&expected), "{expected}");
+    }
+    assert_eq!(POINTS_TO_WIN, all.points(true) / 2 + 1);
     for rules in Rules::ALL {
         assert!(rules.page().count() > 2, "{rules:?}");
     }

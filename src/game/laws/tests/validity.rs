@@ -3,10 +3,14 @@
 use glam::DVec2;
 
 use super::super::ending::MOST_POINTS;
+use super::super::points::QUEEN;
 use super::super::{BoardWon, Rules};
 use crate::game::score::Score;
 use crate::game::validity::check_coins;
-use crate::game::{Coin, Game, GameSetup, Hands, Piece, Seat, Team};
+use crate::game::{Coin, Colour, Game, GameSetup, Hands, Piece, Seat, Team};
+
+/// All points of a board of points carrom.
+pub(super) const ALL_POINTS: u8 = 9 * 2 + 9 + QUEEN;
 
 /// The first inconsistency of a game, if there is any.
 pub(super) fn flaw(game: &Game) -> Option<&'static str> {
@@ -26,17 +30,33 @@ pub(super) fn flaw(game: &Game) -> Option<&'static str> {
             return Some("a coin is owed although there is one to pay with");
         }
         let cleared = play.on_board(colour) == 0;
-        if cleared && play.won.is_none() && setup.rules != Rules::Practice {
+        let ends = !matches!(setup.rules, Rules::Points | Rules::Practice);
+        if cleared && play.won.is_none() && ends {
             return Some("a colour has no coins left, yet the board has not ended");
         }
     }
     let mut boards = game.finished.iter().chain(game.play.won.as_ref());
-    if boards.any(|won| won.points > MOST_POINTS) {
-        return Some("a board is worth at most 12 points");
+    let most = match setup.rules {
+        Rules::Points => ALL_POINTS,
+        _ => MOST_POINTS,
+    };
+    if boards.any(|won| won.points > most) {
+        return Some("a board is worth at most 12 points, or 32 in points carrom");
+    }
+    if setup.rules == Rules::Points {
+        let taken: u8 = Team::BOTH.iter().map(|team| play.points_taken(*team)).sum();
+        let left = play.on_board(Colour::White) * 2 + play.on_board(Colour::Black);
+        let queen = match play.queen_covered_by {
+            Some(_) => 0,
+            None => QUEEN,
+        };
+        if taken + left + queen != ALL_POINTS {
+            return Some("points have appeared or vanished");
+        }
     }
     let ended = |played: usize| {
-        let score = Score::after(setup.rules, game.finished.iter().take(played));
-        score.match_winner(setup.rules).is_some()
+        let score = Score::after(&setup, game.finished.iter().take(played));
+        score.match_winner(&setup).is_some()
     };
     let on = (1..=game.finished.len()).any(ended);
     on.then_some("a board was played after the match had ended")

@@ -8,13 +8,13 @@ use super::arranging::Arrange;
 use super::calling::Calling;
 use super::{ActiveGame, After, GameAction, GamePhase, Hinted, score};
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
-use crate::game::{Aids, Game, Move, opponent};
+use crate::game::{Aids, Game, Move, Rules, opponent};
 use crate::messages::{Key, Mouse, MouseKind};
-use crate::numbers::capital;
-use crate::physics::units::m_from_mm;
+use crate::numbers::{capital, fixed};
+use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::screens::table::aim::{Aim, SPEEDS, along_the_screen, rightwards};
 use crate::screens::table::computer_stroke::strike;
-use crate::screens::table::preview::{FirstHit, WayEnd};
+use crate::screens::table::preview::{FirstHit, Preview, WayEnd};
 use crate::screens::table::{TableAction, picture, words};
 use crate::screens::{Context, StrikeGuard};
 use crate::widgets::input::{EntryAction, KeyTable};
@@ -261,12 +261,12 @@ impl ActiveGame {
             self.notice = Some(format!("No stroke is possible from there: {why}."));
             return None;
         }
-        self.look_ahead();
-        match self.first_hit() {
-            Some(hit) if self.options.call => {
-                Some(GamePhase::Call(Box::new(Calling::new(hit, None))))
-            }
-            _ => self.play(Move::Strike(self.aim.strike(self.seat())), cx),
+        // A call is about the actual stroke, which includes the error of the hand.
+        let struck = self.struck();
+        let preview = { self.options.call }.then(|| Preview::of(&struck, self.game()));
+        match preview.flatten().as_ref().and_then(Preview::first_hit) {
+            Some(hit) => Some(GamePhase::Call(Box::new(Calling::new(hit, None)))),
+            None => self.play(Move::Strike(struck), cx),
         }
     }
 
@@ -322,6 +322,7 @@ impl ActiveGame {
             );
         } else {
             self.write_ahead(panel);
+            self.write_hand(panel);
         }
         panel.gap();
         score::write(self, charset, panel);
@@ -343,7 +344,11 @@ impl ActiveGame {
             true => "breaks",
             false => "plays",
         };
-        let turn = format!("{}, {}", words::does(name, does), colour.adjective());
+        let does = words::does(name, does);
+        let turn = match game.setup().rules {
+            Rules::Points => does,
+            _ => format!("{does}, {}", colour.adjective()),
+        };
         panel.line(capital(&turn), Role::Title);
     }
 
@@ -364,6 +369,22 @@ impl ActiveGame {
         }
         if self.options.call {
             panel.line("you will call this hit", Role::Key);
+        }
+    }
+
+    /// Writes the errors of the player's hand, and how far they move the point of contact.
+    fn write_hand<A>(&self, panel: &mut Panel<A>) {
+        let Some(errors) = self.hand().errors() else {
+            return;
+        };
+        let degrees = errors.direction.atan().to_degrees();
+        let (direction, percent) = (fixed(degrees, 1), fixed(100.0 * errors.speed, 0));
+        panel.fact("your hand", format!("± {direction}°, ± {percent} %"));
+        let way = self.preview.as_ref().map_or(&[][..], |it| &it.way);
+        if self.first_hit().is_some() {
+            let length: f64 = way.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
+            let beside = fixed(mm_from_m(errors.direction * length), 1);
+            panel.fact("so b varies by", format!("± {beside} mm"));
         }
     }
 }

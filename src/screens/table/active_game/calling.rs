@@ -52,13 +52,19 @@ impl Calling {
         let phase = match &self.of {
             Some(stroke) => game.play_for_the_computer(stroke, call, cx),
             None => {
-                let strike = game.aim.strike(game.seat());
+                let strike = game.struck();
                 let watching = game.play(Move::Strike(Strike { call, ..strike }), cx);
                 watching.unwrap_or(GamePhase::Aim)
             }
         };
         game.record_call(number, cx);
         Some(phase)
+    }
+
+    /// Whether the aim can still be changed. With an unsteady hand the picture has revealed the
+    /// error of the player's stroke.
+    pub(super) fn can_be_left(&self, game: &ActiveGame) -> bool {
+        self.of.is_some() || game.hand().errors().is_none()
     }
 
     /// Goes back to the aim, or to the computer's aim.

@@ -169,6 +169,10 @@ impl ActiveGame {
         self.game().setup().rules == Rules::Practice
     }
 
+    pub(super) fn is_points(&self) -> bool {
+        self.game().setup().rules == Rules::Points
+    }
+
     /// Whether it is the computer's turn.
     fn is_computers_turn(&self) -> bool {
         self.options.player(self.seat()) == Player::Computer

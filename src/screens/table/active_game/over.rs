@@ -3,6 +3,7 @@
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{ActiveGame, After, GameAction, score};
+use crate::game::opponent::PlayerHand;
 use crate::game::{Game, GameStage, Move, Rules, Seat, Team};
 use crate::messages::Key;
 use crate::numbers::{capital, counted};
@@ -129,7 +130,7 @@ impl ActiveGame {
         };
         let wins = |team, what| format!("{}{}!", self.options.wins(team, what), hints(team));
         match self.game().stage() {
-            GameStage::MatchOver(team) => wins(team, "match"),
+            GameStage::MatchOver(team) => wins(team, self.options.whole()),
             GameStage::GameOver(team) => wins(team, "game"),
             GameStage::BoardOver(_) if self.is_practice() => "The board is empty.".into(),
             GameStage::BoardOver(won) => {
@@ -147,6 +148,9 @@ impl ActiveGame {
             |value: fn(&TeamReport) -> String| words::versus(|team| value(&report.teams[team]));
         let names = words::versus(|team| self.options.team_name(team));
         panel.pair(("", Role::Dim), (names, Role::Title));
+        if self.hand() != PlayerHand::Exact {
+            panel.fact("hand of the people", <&str>::from(self.hand()));
+        }
         panel.fact("strokes", both(|team| team.strokes.to_string()));
         let share = |percent| format!("{percent} %");
         let pocketing = both(|team| team.share().map_or_else(|| "none".into(), share));

@@ -7,6 +7,7 @@ use super::ActiveGame;
 use super::pulling::Grip;
 use super::showing::ShownStroke;
 use super::watching::{FALL, StrokeReplay};
+use crate::game::opponent::Slip;
 use crate::game::{Piece, Seat};
 use crate::physics::{Board, DiscState, stopping_distance};
 use crate::screens::table::computer_stroke::ComputerStroke;
@@ -151,6 +152,17 @@ fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
     }
 }
 
+/// Draws the direction that a person intended, beside the first leg of the striker's path.
+fn meant_by_hand(picture: &mut Picture, replay: &StrokeReplay, slip: Slip) {
+    let shot = replay.player.shot();
+    if let Some(leg) = shot.path(0).next() {
+        let way = slip.meant_direction(shot.start(0).velocity);
+        let to = leg.from + leg.from.distance(leg.to) * way;
+        let pen = Pen::new(Role::Predicted).on(DrawLayer::Trail);
+        picture.line(leg.from, to, pen.dotted());
+    }
+}
+
 /// Draws the coin's path into the pocket that the pointer refers to, and marks the pocket.
 fn point_out(picture: &mut Picture, pointer: &Pointer) {
     let pen = Pen::new(Role::Good).on(DrawLayer::Trail);
@@ -198,6 +210,10 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
     let meant = past.and_then(|past| past.meant.as_deref());
     if let Some(stroke) = meant.filter(|_| clock.is_over() && !zoomed) {
         beside(&mut picture, stroke);
+    }
+    let slip = active.slip(replay.number);
+    if let Some(slip) = slip.filter(|_| clock.is_over() && !zoomed) {
+        meant_by_hand(&mut picture, replay, slip);
     }
     for fall in &replay.falls {
         answer(&mut picture, (clock.time() - fall.time) / FALL, fall.corner);

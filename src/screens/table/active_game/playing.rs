@@ -5,6 +5,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::{ActiveGame, After, AimAction, GameAction, GamePhase, OverAction, pictures, trays};
+use crate::game::laws::POINTS_TO_WIN;
 use crate::game::{GameStage, Piece, Rules};
 use crate::messages::{Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, picture, words};
@@ -266,7 +267,9 @@ impl GamePhase {
     fn back(&mut self, game: &mut ActiveGame, cx: &Context) -> After {
         match self {
             Self::Aim if game.is_pulling() => game.let_slip(),
-            Self::Call(calling) => return After::Phase(calling.leave(game, cx)),
+            Self::Call(calling) if calling.can_be_left(game) => {
+                return After::Phase(calling.leave(game, cx));
+            }
             Self::Arrange(_) => return After::Phase(Self::Aim),
             Self::Watch(replay) if !replay.live || !game.is_running() => {
                 return After::Phase(game.turn_after_replay(cx));
@@ -344,6 +347,7 @@ fn board_title(active: &ActiveGame) -> String {
         Rules::Friendly => {
             format!("boards won   {}", active.options.score(game))
         }
+        Rules::Points => format!("points to {POINTS_TO_WIN}   {}", active.options.score(game)),
         Rules::Tournament => {
             let score = active.options.score(game);
             format!("board {}   {score}", game.board_number())

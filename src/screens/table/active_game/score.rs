@@ -31,6 +31,8 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
         let team = Team::BOTH[usize::from(game.colour(Team::First) != colour)];
         let (whose, role) = match team == game.team(active.seat()) {
             _ if active.is_practice() => ("", Role::Dim),
+            _ if active.is_points() && colour == Colour::White => ("2 points each", Role::Dim),
+            _ if active.is_points() => ("1 point each", Role::Dim),
             true => (active.options.team_name(team), Role::Title),
             false => (active.options.team_name(team), Role::Dim),
         };
@@ -42,6 +44,9 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
         None => "to be covered".into(),
     };
     panel.pair(("queen Q", Role::Text), (queen, Role::Dim));
+    if active.is_points() {
+        panel.fact("points", active.options.score(game));
+    }
 }
 
 /// Warns the player who strikes next of the two situations that cost the most.
@@ -59,6 +64,9 @@ const fn warning(rules: Rules, queen: (bool, bool), own: u8) -> Option<&'static 
     match (rules, queen, own) {
         (Rules::Tournament | Rules::Friendly, (true, _), _) => {
             Some("Cover the queen: pocket a coin of yours now, or she goes back.")
+        }
+        (Rules::Points, (true, _), _) => {
+            Some("Cover the queen: pocket any coin now, or she goes back.")
         }
         (Rules::Tournament, (_, true), 1) => {
             Some("Do not pocket your last coin before the queen: you would lose the board.")
@@ -109,6 +117,8 @@ mod tests {
             "Cover the queen"
         ));
         assert!(warns(Rules::Friendly, (true, false), 1, "Cover the queen"));
+        assert!(warns(Rules::Points, (true, false), 1, "any coin"));
+        assert_eq!(warning(Rules::Points, (false, true), 1), None);
         assert!(warns(Rules::Tournament, (false, true), 1, "your last coin"));
         assert_eq!(warning(Rules::Tournament, (false, true), 2), None);
         assert_eq!(warning(Rules::Tournament, (false, false), 1), None);

@@ -11,8 +11,10 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::aiming::{first_hit, strength};
 use super::calling::Calling;
 use super::{ActiveGame, GamePhase, Hinted, score};
+use crate::game::opponent::{PlayerHand, Slip};
 use crate::game::{Call, Move, Strike, opponent};
 use crate::messages::Key;
+use crate::physics::Motion;
 use crate::screens::Context;
 use crate::screens::table::TableAction;
 use crate::screens::table::aim::Aim;
@@ -225,7 +227,7 @@ impl ActiveGame {
 
     fn find_hint(&mut self) {
         self.history.take_hint();
-        let found = opponent::hint(self.game(), self.next_seed());
+        let found = opponent::hint(self.game(), self.hand(), self.next_seed());
         if found.is_none() {
             self.notice = Some("No stroke was found here.".into());
         }
@@ -239,8 +241,42 @@ impl ActiveGame {
     /// The seed of the next stroke: different for each stroke, but the same when the game is
     /// replayed.
     fn next_seed(&self) -> u64 {
+        self.seed_of(self.history.len())
+    }
+
+    /// The seed of the stroke that is the move with this number.
+    fn seed_of(&self, number: usize) -> u64 {
         let seed = self.game().setup().seed.unwrap_or(0);
-        seed.rotate_left(32) ^ self.history.len() as u64
+        seed.rotate_left(32) ^ number as u64
+    }
+
+    /// The hand of the people; in a practice game, strokes are exact.
+    pub(super) fn hand(&self) -> PlayerHand {
+        match self.is_practice() {
+            true => PlayerHand::Exact,
+            false => self.options.hand,
+        }
+    }
+
+    /// The stroke that the hand of the player makes of the aim.
+    pub(super) fn struck(&self) -> Strike {
+        let meant = self.aim.strike(self.seat());
+        let Some(errors) = self.hand().errors() else {
+            return meant;
+        };
+        let slip = errors.slip_of(self.next_seed());
+        strike(slip.applied_to(Motion::new(meant.place, meant.velocity)))
+    }
+
+    /// The error of the hand in a stroke of a person.
+    pub(super) fn slip(&self, number: usize) -> Option<Slip> {
+        let past = self.history.past(number)?;
+        let is_person = self.options.player(past.before.seat()) == Player::Person;
+        let errors = self
+            .hand()
+            .errors()
+            .filter(|_| is_person && past.meant.is_none())?;
+        Some(errors.slip_of(self.seed_of(number)))
     }
 
     /// Lets a person play if the computer cannot, so that the game does not stop.

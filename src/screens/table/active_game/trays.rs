@@ -68,6 +68,7 @@ fn owner(game: &Game, piece: Piece) -> Option<Team> {
     match piece {
         Piece::Striker => None,
         Piece::Queen => Some(game.team(game.seat())),
+        _ if game.setup().rules == Rules::Points => Some(game.team(game.seat())),
         coin => Team::BOTH
             .into_iter()
             .find(|team| game.colour(*team).piece() == coin),
@@ -80,8 +81,10 @@ fn pocketed(game: &Game) -> ByTeam<Vec<Piece>> {
     let mut trays = ByTeam::<Vec<Piece>>::default();
     for team in Team::BOTH {
         let colour = game.colour(team);
-        let coins = usize::from(game.play().in_pockets(colour));
-        trays[team] = vec![colour.piece(); coins];
+        trays[team] = match game.setup().rules {
+            Rules::Points => game.play().taken(team),
+            _ => vec![colour.piece(); usize::from(game.play().in_pockets(colour))],
+        };
     }
     let with = match game.play().queen_covered_by {
         None if game.play().queen_to_cover() => Some(game.team(game.seat())),

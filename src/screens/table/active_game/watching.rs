@@ -288,6 +288,15 @@ impl StrokeReplay {
             panel.paragraph(meant.decision.afterwards(played), Role::Text);
             panel.gap();
         }
+        let struck = game.history.strike(self.number);
+        if let Some((slip, strike)) = game.slip(self.number).zip(struck) {
+            let name = match game.options.seat_name(past.before.seat()) {
+                "you" => "Your".to_owned(),
+                name => format!("{name}'s"),
+            };
+            panel.paragraph(slip.in_words(&name, strike.velocity), Role::Text);
+            panel.gap();
+        }
         if let Some(called) = &past.called {
             write_call(called, panel);
         }

