@@ -6,6 +6,7 @@
 
 use super::Disc;
 use super::impact::reduced_mass;
+use super::rims::inertia;
 
 /// The rotation of a pair that sticks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,9 +41,8 @@ pub(crate) fn capture(striker: Disc, target: Disc, b: f64, w: f64) -> Capture {
 /// Moment of inertia of two uniform discs stuck rim to rim, about their common
 /// centre of mass, in kg·m²: ½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)².
 pub(crate) fn moment_of_inertia(disc1: Disc, disc2: Disc) -> f64 {
-    let own = |d: Disc| 0.5 * d.mass * d.radius * d.radius;
     let reach = disc1.radius + disc2.radius;
-    own(disc1) + own(disc2) + reduced_mass(disc1.mass, disc2.mass) * reach * reach
+    inertia(disc1) + inertia(disc2) + reduced_mass(disc1.mass, disc2.mass) * reach * reach
 }
 
 #[cfg(test)]

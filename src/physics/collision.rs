@@ -12,12 +12,14 @@ use super::Disc;
 use super::angle::{angle_between, signed_angle};
 use super::capture::capture;
 use super::impact::{Contact, kinetic_energy};
+use super::rims::{self, Rims};
 use super::units::rad_from_deg;
 
 /// How the two surfaces behave at contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bond {
-    /// Smooth discs: no force perpendicular to the line of impact.
+    /// The discs leave each other. Unless their rims have friction, no force acts perpendicular to
+    /// the line of impact.
     #[default]
     Slip,
     /// The discs stick where they touch and move on as one body; restitution plays no part.
@@ -46,6 +48,9 @@ pub struct Collision {
     pub restitution: f64,
     /// Whether the discs slip past each other or stick.
     pub bond: Bond,
+    /// Friction at the rims and the spins before the collision; not for discs that stick, which
+    /// are taken to arrive without spin.
+    pub rims: Rims,
 }
 
 /// How the two discs met.
@@ -77,6 +82,9 @@ pub struct CollisionOutcome {
     /// Angular velocity of a pair that sticks, in rad/s, positive clockwise (the
     /// sense it has for a positive offset); 0 for discs that slip.
     pub(crate) spin: f64,
+    /// Angular velocities of discs that slip, in rad/s, positive anticlockwise; 0 for a pair that
+    /// sticks.
+    pub spins: [f64; 2],
     /// Scattering angle θ₁ from u₁ to v₁ in radians, positive anticlockwise, in
     /// (−π, π]; `None` where either is zero.
     pub theta1: Option<f64>,
@@ -85,14 +93,17 @@ pub struct CollisionOutcome {
     pub theta2: Option<f64>,
     /// Angle between v₁ and v₂ in radians, in [0, π]; `None` where either is zero.
     pub separation: Option<f64>,
-    /// Magnitude of the impulse that each disc exerts on the other, in N·s.
+    /// Magnitude of the impulse that each disc exerts on the other, in N·s; for discs that slip,
+    /// its component along n.
     pub impulse: f64,
-    /// Kinetic energy before the collision, in joules.
+    /// Impulse Jₜ of friction on the target along t (and on the striker against it), in N·s.
+    pub friction_impulse: f64,
+    /// Kinetic energy before the collision, in joules, with that of the spins.
     pub energy_before: f64,
-    /// Kinetic energy after the collision, in joules; for discs that stick it includes
+    /// Kinetic energy after the collision, in joules; it includes
     /// [`energy_rotation`](Self::energy_rotation).
     pub energy_after: f64,
-    /// The rotational energy of a pair that sticks, in joules; 0 for discs that slip.
+    /// The rotational energy after the collision, in joules.
     pub energy_rotation: f64,
     /// Kinetic energy lost, in joules.
     pub energy_lost: f64,
@@ -124,6 +135,7 @@ impl Collision {
             offset_rest: 0.0,
             restitution: 1.0,
             bond: Bond::Slip,
+            rims: Rims::default(),
         }
     }
 
@@ -168,6 +180,27 @@ impl Collision {
     /// Distance of the centres at contact, r₁ + r₂, in metres.
     pub fn contact_distance(&self) -> f64 {
         self.striker.radius + self.target.radius
+    }
+
+    /// Striker and target.
+    pub(crate) fn discs(&self) -> [Disc; 2] {
+        [self.striker, self.target]
+    }
+
+    /// The slip speed uₛ = (u₁ − u₂)·t + ω₁r₁ + ω₂r₂ in m/s, with which the striker's rim arrives
+    /// at the contact relative to the target's, positive along t; `None` for a miss.
+    pub(crate) fn slip(&self) -> Option<f64> {
+        let relative = self.relative_velocity();
+        self.normal()
+            .map(|n| rims::slip(self.discs(), relative, self.rims.spins, n))
+    }
+
+    /// The throw δ in radians: the angle from the line of impact to the velocity that the
+    /// collision gives the target, positive from n towards t; `None` without a hit.
+    pub(crate) fn throw(&self) -> Option<f64> {
+        let outcome = self.outcome();
+        (outcome.meeting == Meeting::Hit && self.bond == Bond::Slip)
+            .then(|| outcome.friction_impulse.atan2(outcome.impulse))
     }
 
     /// Velocity of the striker relative to the target, w = u₁ − u₂, in m/s.
@@ -218,7 +251,7 @@ impl Collision {
     /// The final velocities and the quantities that follow from them.
     pub fn outcome(&self) -> CollisionOutcome {
         let Some(normal) = self.normal() else {
-            return self.after(None, self.u1, self.u2);
+            return self.after(None, self.u1, self.u2, self.rims.spins);
         };
         let contact = Contact {
             m1: self.striker.mass,
@@ -231,16 +264,24 @@ impl Collision {
         let grazes = self.sine().is_some_and(|sine| self.cosine(sine) <= 0.0);
         match contact.resolve() {
             Some(impact) if !grazes => match self.bond {
-                Bond::Slip => CollisionOutcome {
-                    impulse: impact.impulse,
-                    energy_lost: impact.energy_lost,
-                    ..self.after(Some(normal), impact.v1, impact.v2)
+                Bond::Slip => match contact.rub(&impact, self.discs(), self.rims) {
+                    None => CollisionOutcome {
+                        impulse: impact.impulse,
+                        energy_lost: impact.energy_lost,
+                        ..self.after(Some(normal), impact.v1, impact.v2, self.rims.spins)
+                    },
+                    Some(rub) => CollisionOutcome {
+                        impulse: impact.impulse,
+                        friction_impulse: rub.impulse,
+                        energy_lost: impact.energy_lost + rub.energy_lost,
+                        ..self.after(Some(normal), rub.v1, rub.v2, rub.spins)
+                    },
                 },
                 Bond::Stick => self.captured(normal),
             },
             _ => CollisionOutcome {
                 meeting: Meeting::Graze,
-                ..self.after(Some(normal), self.u1, self.u2)
+                ..self.after(Some(normal), self.u1, self.u2, self.rims.spins)
             },
         }
     }
@@ -271,7 +312,7 @@ impl Collision {
         let shared = self.centre_of_mass_velocity();
         let relative_speed = self.relative_velocity().length();
         let pair = capture(self.striker, self.target, self.offset, relative_speed);
-        let free = self.after(Some(normal), shared, shared);
+        let free = self.after(Some(normal), shared, shared, [0.0; 2]);
         CollisionOutcome {
             spin: pair.spin,
             impulse: self.striker.mass * (shared - self.u1).length(),
@@ -282,12 +323,19 @@ impl Collision {
         }
     }
 
-    /// An outcome with these velocities, without loss or rotation: a hit if there is a line of
+    /// An outcome with these velocities and spins, without loss: a hit if there is a line of
     /// impact.
-    fn after(&self, normal: Option<DVec2>, v1: DVec2, v2: DVec2) -> CollisionOutcome {
+    fn after(
+        &self,
+        normal: Option<DVec2>,
+        v1: DVec2,
+        v2: DVec2,
+        spins: [f64; 2],
+    ) -> CollisionOutcome {
         let energy = |a: DVec2, b: DVec2| {
             kinetic_energy(self.striker.mass, a) + kinetic_energy(self.target.mass, b)
         };
+        let rotation = |spins| Rims::rotation_energy(self.discs(), spins);
         CollisionOutcome {
             meeting: normal.map_or(Meeting::Miss, |_| Meeting::Hit),
             normal,
@@ -295,14 +343,16 @@ impl Collision {
             v1,
             v2,
             spin: 0.0,
+            spins,
             theta1: signed_angle(self.u1, v1),
             // The arguments are swapped because clockwise is positive.
             theta2: signed_angle(v2, self.u1),
             separation: angle_between(v1, v2),
             impulse: 0.0,
-            energy_before: energy(self.u1, self.u2),
-            energy_after: energy(v1, v2),
-            energy_rotation: 0.0,
+            friction_impulse: 0.0,
+            energy_before: energy(self.u1, self.u2) + rotation(self.rims.spins),
+            energy_after: energy(v1, v2) + rotation(spins),
+            energy_rotation: rotation(spins),
             energy_lost: 0.0,
         }
     }

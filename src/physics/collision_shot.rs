@@ -6,7 +6,7 @@ use super::{Board, Bond, Collision, Motion, Shot};
 impl Collision {
     /// The two discs as a shot that starts `lead` seconds before the contact (or the closest
     /// approach) and lasts `duration` seconds, with the contact point at the origin. The engine
-    /// plays smooth discs.
+    /// plays smooth discs; friction at the rims changes the velocities with which they leave.
     ///
     /// `None` if the numbers do not describe a shot: a value is not finite, or `lead` is below 0,
     /// so that the discs would overlap at the start.
@@ -16,7 +16,14 @@ impl Collision {
         let start = [Motion::new(p1, self.u1), Motion::new(p2, self.u2)];
         let limits = Limits::until(duration);
         match self.bond {
-            Bond::Slip => play(&Board::open(self.restitution), &discs, &start, limits).ok(),
+            Bond::Slip => {
+                let mut shot = play(&Board::open(self.restitution), &discs, &start, limits).ok()?;
+                let outcome = self.outcome();
+                if outcome.friction_impulse != 0.0 {
+                    shot.leave_with([outcome.v1, outcome.v2]);
+                }
+                Some(shot)
+            }
             Bond::Stick => {
                 let board = Board::open(0.0);
                 check(&board, &discs, &start, limits).ok()?;

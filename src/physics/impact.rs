@@ -81,7 +81,7 @@ pub(crate) fn kinetic_energy(mass: f64, velocity: DVec2) -> f64 {
 /// `before + change · direction`, or exactly zero if the two cancel except for rounding: the
 /// normal, the product and the sum are each accurate to an ulp or two. (The sum of the
 /// components' absolute values replaces the length, which would need a root.)
-fn changed(before: DVec2, change: f64, direction: DVec2) -> DVec2 {
+pub(super) fn changed(before: DVec2, change: f64, direction: DVec2) -> DVec2 {
     let after = before + change * direction;
     let size = before.x.abs() + before.y.abs() + change.abs();
     let noise = 16.0 * f64::EPSILON * size;

@@ -178,6 +178,20 @@ impl Shot {
         self.events.push(event);
     }
 
+    /// Changes the velocities after the contact of two discs that do not meet again.
+    pub(super) fn leave_with(&mut self, velocities: [DVec2; 2]) {
+        for (legs, velocity) in self.legs.iter_mut().zip(velocities) {
+            if let [_, .., last] = legs.as_mut_slice() {
+                last.motion.velocity = velocity;
+            }
+        }
+        for event in &mut self.events {
+            if let EventKind::Impact { after, .. } = &mut event.kind {
+                *after = velocities;
+            }
+        }
+    }
+
     pub(super) fn end(&mut self, duration: f64) {
         self.duration = duration;
     }

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::angle::unit_vector;
 use super::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
-use super::{Bond, Collision, Disc};
+use super::{Bond, Collision, Disc, Rims};
 use crate::numbers::{tidy, typed};
 
 /// Two discs about to collide, in the units of files and of the screen.
@@ -34,6 +34,9 @@ pub struct CollisionSpec {
     pub restitution: f64,
     /// Whether the discs slip past each other or stick.
     pub bond: Bond,
+    /// Friction at the rims and the spins before the collision; they have no effect on discs that
+    /// stick.
+    pub rims: Rims,
 }
 
 /// The point of impact.
@@ -106,6 +109,7 @@ impl Default for CollisionSpec {
             point: ImpactPoint::Angle { alpha_deg: 30.0 },
             restitution: 1.0,
             bond: Bond::Slip,
+            rims: Rims::default(),
         }
     }
 }
@@ -116,7 +120,7 @@ impl CollisionSpec {
     pub(crate) const WIDEST: f64 = 1.25;
 
     /// The fields of lessons, concept questions and the lab.
-    pub(crate) const RANGES: [FieldRange; 10] = [
+    pub(crate) const RANGES: [FieldRange; 13] = [
         FieldRange::new("m1_g", "a mass in g", 0.1, 1000.0),
         FieldRange::new("m2_g", "a mass in g", 0.1, 1000.0),
         FieldRange::new("r1_mm", "a radius in mm", 5.0, 60.0),
@@ -127,6 +131,9 @@ impl CollisionSpec {
         FieldRange::new("restitution", "a restitution", 0.0, 1.0),
         FieldRange::new("target_speed", "a speed in m/s", 0.0, 20.0),
         FieldRange::new("target_deg", "a direction in degrees", -180.0, 180.0),
+        FieldRange::new("rim_friction", "a coefficient of friction", 0.0, 10.0),
+        FieldRange::new("spin1", "a spin in rad/s", -1000.0, 1000.0),
+        FieldRange::new("spin2", "a spin in rad/s", -1000.0, 1000.0),
     ];
 
     /// The names of the fields in files.
@@ -171,6 +178,9 @@ impl CollisionSpec {
             "restitution" => self.restitution = value,
             "target_speed" => self.target_speed = value,
             "target_deg" => self.target_deg = value,
+            "rim_friction" => self.rims.friction = value,
+            "spin1" => self.rims.spins[0] = value,
+            "spin2" => self.rims.spins[1] = value,
             "offset_mm" => self.point = ImpactPoint::Offset { offset_mm: value },
             _ => self.point = ImpactPoint::Angle { alpha_deg: value },
         }
@@ -236,6 +246,10 @@ impl CollisionSpec {
             u2: self.target_speed * unit_vector(self.target_deg),
             restitution: self.restitution,
             bond: self.bond,
+            rims: match self.bond {
+                Bond::Slip => self.rims,
+                Bond::Stick => Rims::default(),
+            },
             ..Collision::at_offset(striker, target, u1, 0.0).meeting_at(self.point)
         }
     }
@@ -260,6 +274,7 @@ impl From<&Collision> for CollisionSpec {
             },
             restitution: collision.restitution,
             bond: collision.bond,
+            rims: collision.rims,
         }
     }
 }

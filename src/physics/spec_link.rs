@@ -6,7 +6,7 @@ use super::{Bond, CollisionSpec, FieldRange, ImpactPoint};
 const AIM: FieldRange = FieldRange::new("aim", "a direction in degrees", -180.0, 180.0);
 
 /// The field name in files for each short name.
-const SHORT: [(&str, &str); 11] = [
+const SHORT: [(&str, &str); 14] = [
     ("m1", "m1_g"),
     ("m2", "m2_g"),
     ("r1", "r1_mm"),
@@ -18,6 +18,9 @@ const SHORT: [(&str, &str); 11] = [
     ("u2", "target_speed"),
     ("dir2", "target_deg"),
     ("stick", "stick"),
+    ("mu", "rim_friction"),
+    ("spin1", "spin1"),
+    ("spin2", "spin2"),
 ];
 
 impl CollisionSpec {
@@ -44,6 +47,9 @@ impl CollisionSpec {
         put("e", self.restitution, usual.restitution);
         put("u2", self.target_speed, usual.target_speed);
         put("dir2", self.target_deg, usual.target_deg);
+        put("mu", self.rims.friction, 0.0);
+        put("spin1", self.rims.spins[0], 0.0);
+        put("spin2", self.rims.spins[1], 0.0);
         if self.bond == Bond::Stick {
             parts.push("stick:true".into());
         }
@@ -82,6 +88,7 @@ impl CollisionSpec {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::Rims;
 
     #[test]
     fn a_link_gives_exactly_the_same_collision() {
@@ -101,6 +108,13 @@ mod tests {
                 target_speed: 1e-7,
                 restitution: 0.8,
                 bond: Bond::Stick,
+                ..usual
+            },
+            CollisionSpec {
+                rims: Rims {
+                    friction: 0.2,
+                    spins: [-30.25, 1e-3],
+                },
                 ..usual
             },
         ] {

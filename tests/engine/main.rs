@@ -6,4 +6,5 @@ mod collisions;
 mod goals;
 mod packs;
 mod rare_laws;
+mod rims;
 mod scenes;
