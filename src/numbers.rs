@@ -29,14 +29,19 @@ pub(crate) fn significant(x: f64) -> String {
 /// `x` to four significant figures, without trailing zeros, and with a power of ten if it is
 /// very large or small: "3.464", "10", "1.23e-5".
 pub(crate) fn four_figures(x: f64) -> String {
+    figures(x, 4)
+}
+
+/// The same to another number of significant figures, at least 1.
+pub(crate) fn figures(x: f64, count: u8) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
     }
-    let scientific = format!("{x:.3e}");
+    let scientific = format!("{x:.0$e}", usize::from(count) - 1);
     if (1e-4..1e6).contains(&x.abs()) {
         // Rounding comes first: otherwise 99996 would keep all its digits.
         let rounded = scientific.parse().unwrap_or(x);
-        return short(rounded, decimals_for(x, 4));
+        return short(rounded, decimals_for(x, count));
     }
     match scientific.split_once('e') {
         Some((mantissa, exponent)) => format!("{}e{exponent}", trimmed(mantissa)),

@@ -257,6 +257,100 @@ fn the_command_line_lists_the_values_that_it_assumes() {
     assert_eq!(json["assumed"][1], "u1 = 4 m/s");
 }
 
+/// 15 g discs of 15 mm at 4 m/s and 30°: Jₙ = 51.96 g m/s, Jₜ = 0.05 Jₙ = 2.598 g m/s, both discs
+/// turn clockwise with 2 × 2.598 / (15 × 0.015) = 23.09 rad/s, and tan δ = 0.05.
+#[test]
+fn rims_with_friction_throw_the_target_and_spin_both_discs() {
+    let given = r#""m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"r1_mm":15,"r2_mm":15"#;
+    let thrown = answer(&format!(r#"{{{given},"rim_friction":0.05}}"#));
+    let impulse = 0.05 * 60.0 * 0.75_f64.sqrt();
+    let spin = -2.0 * impulse / (15.0 * 0.015);
+    close(&thrown["spin1_ccw_rad_s"], spin);
+    close(&thrown["spin2_ccw_rad_s"], spin);
+    close(&thrown["friction_impulse_n_s"], impulse / 1000.0);
+    close(&thrown["normal_impulse_n_s"], 0.060 * 0.75_f64.sqrt());
+    let throw = 0.05_f64.atan().to_degrees();
+    close(&thrown["throw_deg"], throw);
+    close(&thrown["theta2_deg"], 30.0 - throw);
+    close(&thrown["separation_deg"], 90.0 - throw);
+    assert_eq!(
+        thrown["assumed"],
+        json!([
+            "target at rest",
+            "elastic, restitution 1",
+            "uniform solid discs"
+        ])
+    );
+    // A spin that cancels the slip of 2 m/s along t: no friction acts.
+    let rolls = answer(&format!(
+        r#"{{{given},"rim_friction":0.05,"spin1":{}}}"#,
+        -2.0 / 0.015
+    ));
+    close(&rolls["throw_deg"], 0.0);
+    close(&rolls["spin2_ccw_rad_s"], 0.0);
+    close(&rolls["separation_deg"], 90.0);
+    // Smooth rims keep the spins and give the fields of a smooth collision first.
+    let smooth = answer(&format!("{{{given}}}"));
+    let spinning = answer(&format!(r#"{{{given},"rim_friction":0,"spin2":7}}"#));
+    assert_eq!(
+        (&smooth["v1"], &smooth["v2"]),
+        (&spinning["v1"], &spinning["v2"])
+    );
+    close(&spinning["spin2_ccw_rad_s"], 7.0);
+    let zero = answer(&format!(
+        r#"{{{given},"rim_friction":0,"spin1":0,"spin2":0}}"#
+    ));
+    assert_eq!(zero.get("spin1_ccw_rad_s"), None);
+    let said = refusal(&format!(r#"{{{given},"stick":true,"spin1":1}}"#));
+    assert_eq!(said, "spin1: expected either this or stick, found both");
+    let said = refusal(&format!(r#"{{{given},"rim_friction":-1}}"#));
+    assert_eq!(
+        said,
+        "rim_friction: expected a number from 0 to 1e9, found -1"
+    );
+}
+
+#[test]
+fn the_worked_solution_explains_the_throw() {
+    let args = [
+        "--alpha-deg",
+        "30",
+        "--rim-friction",
+        "0.05",
+        "--r1-mm",
+        "15",
+    ];
+    let text = printed(&[&args[..], &["--r2-mm", "15"]].concat());
+    for part in [
+        "rims friction mu_r = 0.05",
+        "slip us = u1_t - u2_t + omega1r1 + omega2r2",
+        "= 2 - 0 + 0 x 0.015 + 0 x 0.015 = 2 m/s",
+        "limit mu_r J_n = 0.05 x 51.96 = 2.598 g m/s",
+        "to stop the slip mu |us| / 3 = 7.5 x 2 / 3 = 5 g m/s",
+        "J_t = 2.598 g m/s: the limit is reached first",
+        "v1_t = u1_t - J_t / m1 = 2 - 2.598 / 15 = 1.827 m/s",
+        "= 0 - 2 x 2.598 / (15 x 0.015) = -23.09 rad/s",
+        "tan delta = J_t / J_n, delta = 2.862 deg",
+        "The angle between their paths is 87.14 deg; with smooth rims it would be 90 deg.",
+        "the striker spins clockwise at 23.09 rad/s",
+    ] {
+        assert!(words(&text).contains(part), "{part}\n{text}");
+    }
+    let plain = words(&printed(
+        &[&args[..], &["--r2-mm", "15", "--plain"]].concat(),
+    ));
+    assert!(plain.contains("mu r equals 0.05"), "{plain}");
+    let json = printed(&[&args[..], &["--spin1", "10", "--spin2=-3", "--json"]].concat());
+    let json: Value = serde_json::from_str(&json).unwrap();
+    assert!(json["spin1_ccw_rad_s"].as_f64().unwrap() < 10.0);
+    assert!(
+        json["assumed"]
+            .as_array()
+            .unwrap()
+            .contains(&json!("r2 = 15.9 mm"))
+    );
+}
+
 /// The help and the guide describe every field of an answer and every sign convention.
 #[test]
 fn the_signs_are_documented() {
@@ -266,6 +360,8 @@ fn the_signs_are_documented() {
         "theta2_deg is the angle from u1 to v2, positive clockwise",
         "spin_rad_s is the angular velocity, positive clockwise",
         "spin_ccw_rad_s is the same, positive anticlockwise",
+        "spins after the collision, positive anticlockwise, as are spin1 and spin2",
+        "Spin of the striker in rad/s, positive anticlockwise",
         "[default: 15]",
     ] {
         assert!(help.contains(said), "{said}\n{help}");
@@ -273,6 +369,10 @@ fn the_signs_are_documented() {
     let guide = include_str!("../../docs/solve.md");
     let stick = r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"stick":true}"#;
     for field in answer(stick).as_object().unwrap().keys() {
+        assert!(guide.contains(&format!("`{field}`")), "{field}");
+    }
+    let rims = r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"rim_friction":1}"#;
+    for field in answer(rims).as_object().unwrap().keys() {
         assert!(guide.contains(&format!("`{field}`")), "{field}");
     }
 }
@@ -633,6 +733,10 @@ fn invalid_arguments_are_refused_by_name() {
         (&["--offset-mm", "1"], "--r1-mm"),
         (&[], "--alpha-deg: missing: expected this, or --offset-mm"),
         (&["--batch", "--m1-g", "3"], "cannot be used with"),
+        (
+            &["--alpha-deg", "30", "--stick", "--rim-friction", "0.1"],
+            "cannot be used with",
+        ),
         (&["--alpha-deg", "30", "--frobnicate"], "--frobnicate"),
     ] {
         let output = solve(args, b"");

@@ -24,10 +24,12 @@ pub(super) struct SolveAnswer {
     theta2_deg: Option<f64>,
     separation_deg: Option<f64>,
     energy_before_j: f64,
-    /// Includes the rotational energy if the discs stick together.
+    /// Includes the rotational energy.
     energy_after_j: f64,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     turning: Option<Turning>,
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    rims: Option<RimAnswer>,
     assumed: Vec<Cow<'static, str>>,
 }
 
@@ -43,6 +45,21 @@ struct Turning {
     /// the centre of mass.
     centre_v1: [f64; 2],
     centre_v2: [f64; 2],
+}
+
+/// Additional values for rims with friction or discs that spin.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct RimAnswer {
+    energy_rotation_j: f64,
+    /// Positive anticlockwise.
+    spin1_ccw_rad_s: f64,
+    spin2_ccw_rad_s: f64,
+    /// On the target, along the line of impact.
+    normal_impulse_n_s: f64,
+    /// On the target, along n turned by 90° anticlockwise.
+    friction_impulse_n_s: f64,
+    /// From n to the change of the target's velocity, positive anticlockwise.
+    throw_deg: Option<f64>,
 }
 
 impl SolveAnswer {
@@ -68,6 +85,15 @@ impl SolveAnswer {
                 spin_ccw_rad_s: 0.0 - after.spin,
                 centre_v1,
                 centre_v2,
+            }),
+            rims: (!collision.rims.is_plain()).then(|| RimAnswer {
+                energy_rotation_j: after.energy_rotation,
+                // This turns −0 into 0, here and below.
+                spin1_ccw_rad_s: after.spins[0] + 0.0,
+                spin2_ccw_rad_s: after.spins[1] + 0.0,
+                normal_impulse_n_s: after.impulse,
+                friction_impulse_n_s: after.friction_impulse + 0.0,
+                throw_deg: collision.throw().map(|throw| deg_from_rad(throw) + 0.0),
             }),
             assumed: solvable.assumed,
         }

@@ -16,7 +16,8 @@ const SIGNS_OF_ANSWERS: &str = "Angles are in degrees. The striker moves along +
      In JSON, +y is 90 degrees anticlockwise from +x. theta1_deg is the angle from u1 to v1, positive \
      anticlockwise. theta2_deg is the angle from u1 to v2, positive clockwise. For discs that stick, \
      spin_rad_s is the angular velocity, positive clockwise; spin_ccw_rad_s is the same, positive \
-     anticlockwise. \"assumed\" lists what was assumed because the problem does not give it, and \
+     anticlockwise. With rim_friction, spin1 or spin2, spin1_ccw_rad_s and spin2_ccw_rad_s are the spins \
+     after the collision, positive anticlockwise, as are spin1 and spin2. \"assumed\" lists what was assumed because the problem does not give it, and \
      what was ignored. `carrom guide solve` describes every field.";
 
 /// Solve one collision, or many with --batch
@@ -43,11 +44,12 @@ pub(in crate::cli) struct Args {
         long,
         long_help = "Read problems from standard input as JSON Lines and answer each with one line\n\n\
                      A problem is {\"m1_g\":15,\"m2_g\":15,\"u1\":[4,0],\"alpha_deg\":30}; \
-                     \"u2\", \"restitution\" and \"stick\" are optional; \"offset_mm\", \"r1_mm\" and \
-                     \"r2_mm\" can replace \"alpha_deg\". Blank lines are skipped.",
+                     \"u2\", \"restitution\" and \"stick\" are optional, as are \"rim_friction\", \
+                     \"spin1\" and \"spin2\"; \"offset_mm\", \"r1_mm\" and \"r2_mm\" can replace \
+                     \"alpha_deg\". Blank lines are skipped.",
         conflicts_with_all = [
             "m1_g", "m2_g", "u1", "alpha_deg", "offset_mm", "r1_mm", "r2_mm", "u2",
-            "restitution", "stick"
+            "restitution", "stick", "rim_friction", "spin1", "spin2"
         ]
     )]
     pub(super) batch: bool,

@@ -7,11 +7,11 @@ use clap::ArgAction;
 use glam::DVec2;
 
 use crate::numbers::typed;
-use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint};
+use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint, Rims};
 
 /// The ranges of the fields, wide enough for dust and for planetary rings, but narrow enough to
 /// prevent overflow and underflow in the calculation.
-const RANGES: [FieldRange; 10] = [
+const RANGES: [FieldRange; 13] = [
     FieldRange::new("m1_g", "grams", 1e-12, 1e12),
     FieldRange::new("m2_g", "grams", 1e-12, 1e12),
     FieldRange::new("r1_mm", "millimetres", 1e-12, 1e12),
@@ -22,9 +22,11 @@ const RANGES: [FieldRange; 10] = [
     FieldRange::new("alpha_deg", "degrees", -90.0, 90.0),
     FieldRange::new("offset_mm", "millimetres", -1e12, 1e12),
     FieldRange::new("restitution", "a number", 0.0, 1.0),
+    FieldRange::new("rim_friction", "a number", 0.0, 1e9),
+    FieldRange::new("spin1", "rad/s", -1e9, 1e9),
+    FieldRange::new("spin2", "rad/s", -1e9, 1e9),
 ];
-/// The default radius in mm: a carrom piece. With an impact angle it matters only for the
-/// rotation of a pair that sticks together.
+/// The default radius in mm: a carrom piece. With an impact angle it matters only for rotation.
 const RADIUS_MM: f64 = 15.9;
 /// The default mass on the command line, in grams.
 const MASS_G: f64 = 15.0;
@@ -87,6 +89,33 @@ pub(super) struct Problem {
     /// The discs stick together and move on as one (perfectly inelastic)
     #[arg(long, action = ArgAction::SetTrue)]
     pub(super) stick: Option<bool>,
+
+    /// Coefficient of friction between the rims of solid discs [default: 0, smooth]
+    #[arg(
+        long,
+        value_name = "MU",
+        allow_negative_numbers = true,
+        conflicts_with = "stick"
+    )]
+    pub(super) rim_friction: Option<f64>,
+
+    /// Spin of the striker in rad/s, positive anticlockwise [default: 0]
+    #[arg(
+        long,
+        value_name = "RAD/S",
+        allow_negative_numbers = true,
+        conflicts_with = "stick"
+    )]
+    pub(super) spin1: Option<f64>,
+
+    /// Spin of the target in rad/s, positive anticlockwise [default: 0]
+    #[arg(
+        long,
+        value_name = "RAD/S",
+        allow_negative_numbers = true,
+        conflicts_with = "stick"
+    )]
+    pub(super) spin2: Option<f64>,
 }
 
 /// A checked problem.
@@ -121,6 +150,23 @@ impl Problem {
         (usual, assumed)
     }
 
+    /// Whether the radii matter although the discs do not stick: a disc spins or may be set
+    /// spinning.
+    fn turns(&self) -> bool {
+        let numbers = [self.rim_friction, self.spin1, self.spin2];
+        numbers.into_iter().flatten().any(|number| number != 0.0)
+    }
+
+    /// The radii that were not given and are therefore assumed.
+    fn assumed_radii(&self) -> Option<Cow<'static, str>> {
+        match (self.r1_mm, self.r2_mm) {
+            (None, None) => Some(format!("radii {RADIUS_MM} mm").into()),
+            (None, Some(_)) => Some(format!("r1 = {RADIUS_MM} mm").into()),
+            (Some(_), None) => Some(format!("r2 = {RADIUS_MM} mm").into()),
+            (Some(_), Some(_)) => None,
+        }
+    }
+
     /// The assumptions and ignored values that can change the answer.
     fn assumed(&self) -> Vec<Cow<'static, str>> {
         let mut assumed: Vec<Cow<'static, str>> = Vec::new();
@@ -132,22 +178,21 @@ impl Problem {
             if self.restitution.is_none() {
                 assumed.push("elastic, restitution 1".into());
             }
-            if !by_offset && (self.r1_mm.is_some() || self.r2_mm.is_some()) {
+            if self.turns() {
+                assumed.extend(self.assumed_radii());
+                assumed.push("uniform solid discs".into());
+            } else if !by_offset && (self.r1_mm.is_some() || self.r2_mm.is_some()) {
                 assumed.push("radii ignored, as alpha_deg gives the line of impact".into());
             }
-            assumed.push("smooth rims".into());
+            if self.rim_friction.is_none() {
+                assumed.push("smooth rims".into());
+            }
             return assumed;
         }
         if self.restitution.is_some() {
             assumed.push("restitution ignored, as discs that stick do not rebound".into());
         }
-        match (self.r1_mm, self.r2_mm) {
-            _ if by_offset => {}
-            (None, None) => assumed.push(format!("radii {RADIUS_MM} mm").into()),
-            (None, Some(_)) => assumed.push(format!("r1 = {RADIUS_MM} mm").into()),
-            (Some(_), None) => assumed.push(format!("r2 = {RADIUS_MM} mm").into()),
-            (Some(_), Some(_)) => {}
-        }
+        assumed.extend(self.assumed_radii());
         assumed.push("uniform solid discs".into());
         assumed
     }
@@ -165,6 +210,16 @@ impl Problem {
             None => number(field, value.unwrap_or(RADIUS_MM)),
         };
         let sticks = self.stick.unwrap_or(false);
+        for (field, value) in [
+            ("rim_friction", self.rim_friction),
+            ("spin1", self.spin1),
+            ("spin2", self.spin2),
+        ] {
+            if sticks && value.is_some() {
+                return Err(fault(field, "expected either this or stick, found both"));
+            }
+        }
+        let turning = |field, value: Option<f64>| number(field, value.unwrap_or(0.0));
         let (m1_g, m2_g) = (required("m1_g", self.m1_g)?, required("m2_g", self.m2_g)?);
         let spec = CollisionSpec {
             m1_g: number("m1_g", m1_g)?,
@@ -173,6 +228,10 @@ impl Problem {
             r1_mm: radius("r1_mm", self.r1_mm)?,
             r2_mm: radius("r2_mm", self.r2_mm)?,
             bond: if sticks { Bond::Stick } else { Bond::Slip },
+            rims: Rims {
+                friction: turning("rim_friction", self.rim_friction)?,
+                spins: [turning("spin1", self.spin1)?, turning("spin2", self.spin2)?],
+            },
             point: match (self.alpha_deg, self.offset_mm) {
                 (Some(alpha), _) => ImpactPoint::Angle {
                     alpha_deg: number("alpha_deg", alpha)?,

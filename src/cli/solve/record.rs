@@ -22,6 +22,9 @@ enum ProblemField {
     R2Mm,
     Restitution,
     Stick,
+    RimFriction,
+    Spin1,
+    Spin2,
 }
 
 impl<'de> Deserialize<'de> for Problem {
@@ -55,6 +58,11 @@ impl<'de> Visitor<'de> for ProblemVisitor {
                     set(&mut problem.restitution, "restitution", &mut map)?;
                 }
                 ProblemField::Stick => set(&mut problem.stick, "stick", &mut map)?,
+                ProblemField::RimFriction => {
+                    set(&mut problem.rim_friction, "rim_friction", &mut map)?;
+                }
+                ProblemField::Spin1 => set(&mut problem.spin1, "spin1", &mut map)?,
+                ProblemField::Spin2 => set(&mut problem.spin2, "spin2", &mut map)?,
             }
         }
         Ok(problem)

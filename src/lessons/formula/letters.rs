@@ -46,6 +46,7 @@ pub(super) fn lowered(letter: char) -> Option<char> {
         'x' => 'ₓ',
         'y' => 'ᵧ',
         's' => 'ₛ',
+        'r' => 'ᵣ',
         '⟂' => '⟂',
         _ => return None,
     })

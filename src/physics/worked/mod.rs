@@ -5,6 +5,7 @@
 //! are in g, lengths in mm and speeds in m/s.
 
 mod number;
+mod rough;
 mod slip;
 mod stick;
 mod words;
@@ -65,7 +66,8 @@ fn knowns(c: &Collision, by_offset: bool) -> WorkedStep {
         body("striker", '₁', c.striker.mass, c.u1),
         body("target ", '₂', c.target.mass, c.u2),
     ];
-    if by_offset || c.bond == Bond::Stick {
+    let plain = c.rims.is_plain();
+    if by_offset || c.bond == Bond::Stick || !plain {
         let (r1, r2) = (c.striker.radius, c.target.radius);
         lines.push(format!("radii    r₁ = {} mm   r₂ = {} mm", mm(r1), mm(r2)));
     }
@@ -75,9 +77,15 @@ fn knowns(c: &Collision, by_offset: bool) -> WorkedStep {
         None => "impact angle  none: the striker does not move relative to the target".to_owned(),
     });
     lines.push(match c.bond {
+        Bond::Slip if c.rims.friction > 0.0 => {
+            format!("restitution  e = {}, rough rims", number(c.restitution))
+        }
         Bond::Slip => format!("restitution  e = {}, smooth discs", number(c.restitution)),
         Bond::Stick => "perfectly inelastic: the discs move on together".to_owned(),
     });
+    if !plain {
+        lines.extend(rough::knowns(c));
+    }
     WorkedStep {
         title: "What we know",
         why: "The impact angle α is measured from the striker's velocity relative to the target \
@@ -120,16 +128,23 @@ fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
         Some(angle) => format!("separation, from v₁ to v₂: {}", degrees(angle)),
         None => "separation: undefined, because a disc at rest has no direction".to_owned(),
     };
+    let mut lines = vec![
+        angle_line("θ₁", after.theta1, c.u1, after.v1),
+        angle_line("θ₂", after.theta2, c.u1, after.v2),
+        separation,
+    ];
+    if let Some(throw) = c.throw().filter(|throw| *throw != 0.0) {
+        lines.push(format!(
+            "throw off n: tan δ = Jₜ / Jₙ, δ = {}",
+            degrees(throw)
+        ));
+    }
     WorkedStep {
         title: "Read off the angles",
         why: "Both angles are measured from the striker's original direction u₁: θ₁ to the \
               striker's final direction, θ₂ to the target's."
             .to_owned(),
-        lines: vec![
-            angle_line("θ₁", after.theta1, c.u1, after.v1),
-            angle_line("θ₂", after.theta2, c.u1, after.v2),
-            separation,
-        ],
+        lines,
     }
 }
 
@@ -171,7 +186,9 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     } else {
         "m₁v₁ + m₂v₂"
     };
-    let kept = if after.energy_rotation > 0.0 {
+    let kept = if after.energy_rotation > 0.0 && !sticks {
+        rough::kept(after)
+    } else if after.energy_rotation > 0.0 {
         let moving = number(after.energy_after - after.energy_rotation);
         let turning = number(after.energy_rotation);
         format!("½ (m₁ + m₂) V² + ½ I ω² = {moving} + {turning}")
@@ -181,10 +198,16 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
         "½ m₁v₁² + ½ m₂v₂²".to_owned()
     };
     let (came, left) = (number(after.energy_before), number(after.energy_after));
+    let spinning = c.rims.spins != [0.0; 2] && !sticks;
+    let sum = if spinning {
+        "moving + rotating"
+    } else {
+        "½ m₁u₁² + ½ m₂u₂²"
+    };
     let mut lines = vec![
         format!("momentum before  m₁u₁ + m₂u₂ = {before_p} g m/s"),
         format!("momentum after   {carried} = {after_p} g m/s"),
-        format!("energy before    ½ m₁u₁² + ½ m₂u₂² = {came} J"),
+        format!("energy before    {sum} = {came} J"),
         format!("energy after     {kept} = {left} J"),
     ];
     let share = after.energy_lost / after.energy_before;
@@ -223,8 +246,84 @@ fn mm(length: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::Disc;
+    use crate::physics::{Disc, Rims};
     use proptest::prelude::*;
+
+    /// The value of a line of working, from left to right: + − × / and brackets.
+    fn calculated(working: &str) -> f64 {
+        let plain = working.replace('−', "-").replace(['(', ')'], " ");
+        let words: Vec<&str> = plain.split_whitespace().collect();
+        // Two levels: products of a sum. A product in the denominator divides twice.
+        let (mut sum, mut product, mut sign) = (0.0, f64::NAN, 1.0);
+        let mut by = "";
+        for word in words {
+            match word {
+                "+" | "-" => {
+                    sum += sign * product;
+                    (product, sign, by) = (f64::NAN, if word == "-" { -1.0 } else { 1.0 }, "");
+                }
+                "×" if by == "/" || by == "/ ×" => by = "/ ×",
+                "×" | "/" => by = word,
+                number => {
+                    let number: f64 = number.parse().unwrap();
+                    product = match by {
+                        "" => number,
+                        "×" => product * number,
+                        _ => product / number,
+                    };
+                }
+            }
+        }
+        sum + sign * product
+    }
+
+    #[test]
+    fn the_printed_figures_of_rough_rims_give_the_printed_results() {
+        let mut checked = 0;
+        for (alpha, friction, spins) in [
+            (30.0, 0.05, [0.0, 0.0]),
+            (17.3, 0.2, [31.7, -12.9]),
+            (-52.9, 0.333, [-310.0, 77.7]),
+            (0.0, 0.1, [120.0, 0.0]),
+            (71.0, 1.7, [0.0, 250.0]),
+        ] {
+            for (m1, m2, e) in [(15.0, 15.0, 1.0), (15.0, 5.5, 0.8), (7.3, 19.1, 0.37)] {
+                let c = Collision {
+                    u2: DVec2::new(-0.7, 0.31),
+                    restitution: e,
+                    rims: Rims { friction, spins },
+                    ..Collision::at_offset(
+                        Disc::from_g_mm(m1, 20.65),
+                        Disc::from_g_mm(m2, 15.9),
+                        DVec2::new(3.7, 0.0),
+                        0.0,
+                    )
+                }
+                .with_alpha_deg(alpha);
+                let outcome = c.outcome();
+                for step in rough::steps(&c, &outcome, outcome.tangent.unwrap()) {
+                    for line in step.lines {
+                        let mut parts = line.rsplitn(3, " = ");
+                        let (Some(result), Some(working)) = (parts.next(), parts.next()) else {
+                            continue;
+                        };
+                        let working = working.trim_start_matches("    = ");
+                        if working.contains(|c: char| c.is_alphabetic()) {
+                            continue;
+                        }
+                        let result = result.split_whitespace().next().unwrap();
+                        assert_eq!(number(calculated(working)), result, "{line}");
+                        checked += 1;
+                    }
+                }
+            }
+        }
+        assert_eq!(
+            checked,
+            15 * 7,
+            "seven lines of each collision are calculated again"
+        );
+    }
 
     fn whole_text(steps: &[WorkedStep]) -> String {
         let part = |s: &WorkedStep| format!("{}\n{}\n{}\n", s.title, s.why, s.lines.join("\n"));
@@ -245,6 +344,7 @@ mod tests {
             restitution in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64],
             stick in any::<bool>(),
             by_offset in any::<bool>(),
+            rims in (prop_oneof![Just(0.0), 0.0..10.0_f64], prop::array::uniform2(prop_oneof![Just(0.0), -1e9..1e9_f64])),
         ) {
             let disc = |mass: f64, radius: f64| Disc {
                 mass: 10.0_f64.powf(mass),
@@ -255,6 +355,7 @@ mod tests {
                 u2: DVec2::new(c, d),
                 restitution,
                 bond: if stick { Bond::Stick } else { Bond::Slip },
+                rims: Rims { friction: rims.0, spins: rims.1 },
                 ..Collision::at_offset(disc(masses.0, radii.0), disc(masses.1, radii.1), DVec2::new(a, b), 0.0)
             };
             let offset = share * hit.contact_distance();

@@ -2,10 +2,10 @@
 
 use glam::DVec2;
 
-use crate::numbers::{four_figures, true_minus};
+use crate::numbers::{figures, four_figures, true_minus};
 
 /// A number below this fraction of its scale is shown as 0.
-const NOISE: f64 = 1e-9;
+pub(super) const NOISE: f64 = 1e-9;
 
 /// A number to four significant digits with a proper minus sign.
 pub(crate) fn number(x: f64) -> String {
@@ -25,6 +25,35 @@ pub(super) fn factor(x: f64, scale: f64) -> String {
     } else {
         text
     }
+}
+
+/// The factors of a result as they are printed: with four figures, or with as many more as are
+/// needed for the printed factors to give the printed result. A result that is rounding noise
+/// relative to `scale` is 0.
+pub(super) fn factors<const N: usize>(
+    values: [f64; N],
+    scale: f64,
+    result: impl Fn([f64; N]) -> f64,
+) -> [String; N] {
+    /// With more figures, the result depends on rounding noise.
+    const MOST: u8 = 10;
+    let printed = |values| beside(result(values), scale);
+    let wanted = printed(values);
+    let texts = |count| values.map(|x| figures(x, count));
+    let gives = |texts: &[String; N]| {
+        let read = texts
+            .each_ref()
+            .map(|text| text.parse().unwrap_or(f64::NAN));
+        printed(read) == wanted
+    };
+    let texts = (4..MOST)
+        .map(texts)
+        .find(gives)
+        .unwrap_or_else(|| texts(MOST));
+    texts.map(|text| match text.starts_with('-') {
+        true => format!("({})", true_minus(&text)),
+        false => text,
+    })
 }
 
 /// The components of a vector; those that are rounding noise relative to its length or `scale` are

@@ -1,7 +1,7 @@
-//! The working for smooth discs: resolve along n and t, collide along n, add the components.
+//! The working for discs that slip: resolve along n and t, collide along n, add the components.
 
 use super::number::{beside, factor, number, vector};
-use super::{WorkedStep, directions, grams, speed_scale};
+use super::{WorkedStep, directions, grams, rough, speed_scale};
 use crate::physics::units::g_from_kg;
 use crate::physics::{Collision, CollisionOutcome};
 use glam::DVec2;
@@ -10,13 +10,14 @@ pub(super) fn steps(c: &Collision, after: &CollisionOutcome) -> Vec<WorkedStep> 
     let (Some(n), Some(t)) = (after.normal, after.tangent) else {
         return Vec::new();
     };
-    vec![
-        split(c, n, t),
-        along(c, after, n),
-        across(c, t),
-        together(c, after, n, t),
-        directions(c, after),
-    ]
+    let mut steps = vec![split(c, n, t), along(c, after, n)];
+    if c.rims.friction > 0.0 {
+        steps.extend(rough::steps(c, after, t));
+    } else {
+        steps.push(across(c, t));
+    }
+    steps.extend([together(c, after, n, t), directions(c, after)]);
+    steps
 }
 
 fn split(c: &Collision, n: DVec2, t: DVec2) -> WorkedStep {
@@ -34,13 +35,18 @@ fn split(c: &Collision, n: DVec2, t: DVec2) -> WorkedStep {
         let how = "To find n, turn the direction of u₁ − u₂ clockwise by α.";
         ("", "", how)
     };
+    let forces = if c.rims.friction > 0.0 {
+        "The discs push each other apart along the line through their centres, and friction acts \
+         at right angles to it. So there are two directions: along n the discs collide, and along \
+         the tangent t the rims rub."
+    } else {
+        "Smooth discs exert forces on each other only along the line through their centres. So \
+         there are two independent directions: along n the discs collide, and along the tangent t \
+         no force acts."
+    };
     WorkedStep {
         title: "Resolve each velocity along n and along t",
-        why: format!(
-            "Smooth discs exert forces on each other only along the line through their centres. \
-             So there are two independent directions: along n the discs collide, and along the \
-             tangent t no force acts. {how}"
-        ),
+        why: format!("{forces} {how}"),
         lines: vec![
             format!("n{n_form} = {}", vector(n, 1.0)),
             format!("t{t_form} = {}", vector(t, 1.0)),
@@ -63,6 +69,7 @@ fn along(c: &Collision, after: &CollisionOutcome, n: DVec2) -> WorkedStep {
     let (v1n, v2n) = (after.v1.dot(n), after.v2.dot(n));
     let (v1n, v2n) = (beside(v1n, scale), beside(v2n, scale));
     let impulse = number(g_from_kg(after.impulse));
+    let name = if c.rims.friction > 0.0 { "Jₙ" } else { "J" };
     WorkedStep {
         title: "Along n: a head-on collision in one dimension",
         why: "Momentum along n is conserved, and the speed of separation along n is e times the \
@@ -77,7 +84,7 @@ fn along(c: &Collision, after: &CollisionOutcome, n: DVec2) -> WorkedStep {
             format!(
                 "    = [({m2} − {e} × {m1}) × {f2} + {lively} × {m1} × {f1}] / {total} = {v2n} m/s"
             ),
-            format!("impulse  J = m₂ (v₂ₙ − u₂ₙ) = {impulse} g m/s"),
+            format!("impulse  {name} = m₂ (v₂ₙ − u₂ₙ) = {impulse} g m/s"),
         ],
     }
 }

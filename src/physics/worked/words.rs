@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::number::{beside, degrees, number};
-use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
+use super::rough;
+use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting, Rims};
 
 /// How close to 90° counts as a right angle, in radians.
 const SQUARE: f64 = 1e-9;
@@ -21,6 +22,13 @@ pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {
                            line of impact, so nothing changes."
             .to_owned(),
         Meeting::Hit if c.bond == Bond::Stick => stuck(after),
+        Meeting::Hit if !c.rims.is_plain() => [
+            target(c, after),
+            striker(c, after),
+            rough::in_words(c, after),
+            parting(c, after),
+        ]
+        .join(" "),
         Meeting::Hit => [target(c, after), striker(c, after), parting(c, after)].join(" "),
     }
 }
@@ -50,10 +58,13 @@ fn target(c: &Collision, after: &CollisionOutcome) -> String {
         _ if after.v2.length() <= 0.0 => "The target is brought to rest.".to_owned(),
         Some(angle) => {
             let course = course(angle, "right", "left", "the striker's");
-            let pushed = if c.u2.length() <= 0.0 {
-                "was at rest and is pushed along the line of impact; it "
-            } else {
-                ""
+            let pushed = match (c.u2.length() <= 0.0, after.friction_impulse != 0.0) {
+                (true, false) => "was at rest and is pushed along the line of impact; it ",
+                (true, true) => {
+                    "was at rest, is pushed along the line of impact and dragged to one side of it \
+                     by friction; it "
+                }
+                (false, _) => "",
             };
             format!("The target {pushed}leaves at {speed} m/s, {course}.")
         }
@@ -100,6 +111,17 @@ fn parting(c: &Collision, after: &CollisionOutcome) -> String {
         return String::new();
     };
     let parted = format!("The angle between their paths is {}", degrees(separation));
+    if after.friction_impulse != 0.0 {
+        let rims = Rims::default();
+        let smooth = Collision { rims, ..*c }.outcome().separation;
+        return match smooth {
+            Some(smooth) => format!(
+                "{parted}; with smooth rims it would be {}.",
+                degrees(smooth)
+            ),
+            None => format!("{parted}."),
+        };
+    }
     let head_on = c.offset.abs() <= 0.0;
     if c.u2.length() > 0.0 {
         let seen = Frame::Target.view(c).outcome().separation;

@@ -151,6 +151,7 @@ const fn spelling(letter: char) -> Option<&'static str> {
         'ₓ' => " x",
         'ᵧ' => " y",
         'ₛ' => " s",
+        'ᵣ' => " r",
         '⟂' | '⊥' => " perpendicular",
         '½' => "one half ",
         '¼' => "one quarter ",
