@@ -11,7 +11,7 @@ use glam::DVec2;
 use super::Disc;
 use super::angle::{angle_between, signed_angle};
 use super::capture::capture;
-use super::impact::{Contact, kinetic_energy};
+use super::impact::{Contact, kinetic_energy, reduced_mass};
 use super::rims::{self, Rims};
 use super::units::rad_from_deg;
 
@@ -193,6 +193,13 @@ impl Collision {
         let relative = self.relative_velocity();
         self.normal()
             .map(|n| rims::slip(self.discs(), relative, self.rims.spins, n))
+    }
+
+    /// Whether friction stops the slip before the contact ends.
+    pub(crate) fn rub_stops(&self) -> bool {
+        let mu = reduced_mass(self.striker.mass, self.target.mass);
+        let needed = mu * self.slip().unwrap_or_default().abs() / 3.0;
+        needed <= self.rims.friction * self.outcome().impulse
     }
 
     /// The throw δ in radians: the angle from the line of impact to the velocity that the

@@ -43,6 +43,17 @@ impl Frame {
     }
 }
 
+impl Collision {
+    /// Scattering angle Θ in radians of discs that do not stick, in the centre-of-mass frame;
+    /// `None` for a miss, or if both discs stop.
+    pub(crate) fn cm_deflection(&self) -> Option<f64> {
+        if self.rims.friction > 0.0 {
+            return Frame::CentreOfMass.view(self).outcome().theta1;
+        }
+        cm_scattering_angle(self.alpha()?, self.restitution)
+    }
+}
+
 /// Scattering angle Θ in radians of both discs in the centre-of-mass frame, in
 /// (−π, π], positive anticlockwise, for smooth discs with this coefficient of restitution.
 ///

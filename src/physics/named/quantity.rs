@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::DVec2;
 
-use super::super::frames::cm_scattering_angle;
 use super::super::impact::kinetic_energy;
 use super::super::resting_target::{LargestDeflection, mass_ratio_from_angles};
 use super::super::units::{deg_from_rad, g_from_kg, mm_from_m};
@@ -47,6 +46,7 @@ const ENERGY: Unit = Unit("mJ", 1, 1e3);
 /// Formulas give momentum in g m/s.
 const MOMENTUM: Unit = Unit("g m/s", 1, 1.0);
 const RATE: Unit = Unit("1/s", 1, 1.0);
+const SPIN: Unit = Unit("rad/s", 1, 1.0);
 const SHARE: Unit = Unit("", 3, 1.0);
 const RATIO: Unit = Unit("", 2, 1.0);
 
@@ -66,7 +66,7 @@ impl Unit {
 
 impl Quantity {
     /// All quantities, in the order of the table in `docs/lessons.md`.
-    pub(crate) const ALL: [Self; 55] = [
+    pub(crate) const ALL: [Self; 63] = [
         SPEED.of("u", "u", |c, _| Some(c.u1.length())),
         SPEED.of("v1", "v₁", |_, o| Some(o.v1.length())),
         SPEED.of("v2", "v₂", |_, o| Some(o.v2.length())),
@@ -146,6 +146,16 @@ impl Quantity {
             separation_from(Frame::Target, c)
         }),
         RATE.of("turns", "turns", |_, o| Some(o.spin / TAU)),
+        RATIO.of("rim_friction", "μᵣ", |c, _| Some(c.rims.friction)),
+        SPEED.of("slip", "uₛ", |c, _| c.slip()),
+        MOMENTUM.of("friction_impulse", "Jₜ", |_, o| {
+            Some(g_from_kg(o.friction_impulse))
+        }),
+        ANGLE.of("throw_deg", "δ", |c, _| c.throw()),
+        SPIN.of("spin1", "ω₁", |c, _| Some(c.rims.spins[0])),
+        SPIN.of("spin2", "ω₂", |c, _| Some(c.rims.spins[1])),
+        SPIN.of("spin1_after", "ω₁′", |_, o| Some(o.spins[0])),
+        SPIN.of("spin2_after", "ω₂′", |_, o| Some(o.spins[1])),
     ];
 
     /// The quantity of this name.
@@ -189,8 +199,7 @@ fn drift(c: &Collision) -> DVec2 {
 }
 
 fn cm_angle(c: &Collision) -> Option<f64> {
-    let turned = cm_scattering_angle(c.alpha()?, c.restitution);
-    turned.filter(|_| c.bond == Bond::Slip)
+    c.cm_deflection().filter(|_| c.bond == Bond::Slip)
 }
 
 fn separation_from(frame: Frame, c: &Collision) -> Option<f64> {
@@ -271,6 +280,28 @@ mod tests {
             ("offset_share", "", 0.5),
             ("energy_before_mj", "", 120.0),
             ("cm_speed", marbles, 1.0),
+            ("slip", "", 2.0),
+            ("throw_deg", "", 0.0),
+            (
+                "throw_deg",
+                "rim_friction=0.05",
+                0.05_f64.atan().to_degrees(),
+            ),
+            // The slip stops: tan δ = tan 30° / 6.
+            (
+                "throw_deg",
+                "rim_friction=1",
+                (0.75_f64.sqrt() / 9.0).atan().to_degrees(),
+            ),
+            ("friction_impulse", "rim_friction=1", 5.0),
+            ("spin2_after", "rim_friction=1", -400.0 / 9.0),
+            (
+                "spin1_after",
+                "rim_friction=1 spin1=5",
+                5.0 - 400.0 / 9.0 - 5.0 / 3.0,
+            ),
+            // Θ in the centre-of-mass frame from the velocities: friction opposes the slip.
+            ("cm_angle_deg", "rim_friction=0", 120.0),
         ] {
             let value = of(name, fields).unwrap();
             assert!((value - expected).abs() < 1e-6, "{name} {fields}: {value}");

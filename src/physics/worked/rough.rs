@@ -56,7 +56,7 @@ fn impulse(c: &Collision, after: &CollisionOutcome, t: DVec2) -> WorkedStep {
     ));
     let verdict = match slip.abs() <= 0.0 {
         true => "there is no slip, so no friction acts",
-        false if needed <= limit => "the limit is not reached: the rims stop slipping",
+        false if c.rub_stops() => "the limit is not reached: the rims stop slipping",
         false => "the limit is reached first: the rims still slip at the end",
     };
     let impulse = number(g_from_kg(after.friction_impulse));

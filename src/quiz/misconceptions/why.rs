@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::{explain, reasoning};
-use crate::numbers::fixed;
-use crate::physics::{Collision, Meeting};
+use crate::numbers::{degrees, fixed};
+use crate::physics::{Collision, Meeting, Rims};
 use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
 
 /// Explains where two smooth discs go, starting from the player's prediction if there is one: a
@@ -13,6 +13,9 @@ pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) 
     if collision.outcome().meeting != Meeting::Hit {
         let text = "The discs only graze each other: no force acts, and both move on as before.";
         return ("", text.into());
+    }
+    if collision.rims.friction > 0.0 {
+        return ("", rough(collision));
     }
     if collision.u2 != DVec2::ZERO {
         return ("", both_moving(collision));
@@ -29,6 +32,37 @@ pub(crate) fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String
     let answer = Answer::new(Response::Rays(rays), Confidence::ThinkSo);
     let explanation = explain(&hit.into(), &answer);
     (explanation.title, explanation.text)
+}
+
+/// Explains what friction between the rims changes, with the numbers of the collision.
+fn rough(collision: &Collision) -> String {
+    let outcome = collision.outcome();
+    let rims = Rims::default();
+    let smooth = Collision { rims, ..*collision }.outcome();
+    if outcome.friction_impulse == 0.0 {
+        return "The rims do not slip past each other at the contact, so friction does nothing: \
+                the discs leave as if their rims were smooth."
+            .into();
+    }
+    let stops = match collision.rub_stops() {
+        true => "stops the slip",
+        false => "is not enough to stop the slip",
+    };
+    let apart = match (smooth.separation, outcome.separation) {
+        (Some(smooth), Some(rough)) => format!(
+            " The angle between the paths is {}; with smooth rims it would be {}.",
+            degrees(rough),
+            degrees(smooth)
+        ),
+        _ => String::new(),
+    };
+    let throw = degrees(collision.throw().unwrap_or_default().abs());
+    format!(
+        "Friction acts along t, against the slip of {} m/s, and {stops}. It throws the coin off \
+         the line of impact by δ = {throw}, and it turns both discs in the same sense, as gears \
+         turn each other's rims.{apart}",
+        fixed(collision.slip().unwrap_or_default().abs(), 2)
+    )
 }
 
 /// Explains where two moving discs go, with the numbers of the collision.

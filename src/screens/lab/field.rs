@@ -25,6 +25,9 @@ impl FormFields for LabSettings {
         if self.setup.bond == Bond::Stick {
             let restitution = &mut fields[CollisionField::Restitution as usize];
             restitution.locked = Some("Discs that stick do not rebound, whatever e is.");
+            for field in fields.iter_mut().skip(CollisionField::RimFriction as usize) {
+                field.locked = Some("Discs that stick do not slip: set the contact to slip.");
+            }
         }
         if self.mystery.as_ref().is_some_and(Mystery::is_open) {
             fields[CollisionField::CoinMass as usize].shown = "? g".into();
@@ -56,6 +59,24 @@ mod tests {
         settings.set(CollisionField::Contact as usize, 1.0);
         let locked = settings.field(CollisionField::Restitution).locked;
         assert!(locked.is_some_and(|why| why.contains("stick")));
+        let locked = settings.field(CollisionField::RimFriction).locked;
+        assert!(locked.is_some_and(|why| why.contains("slip")));
         assert_eq!(settings.field(CollisionField::CoinMass).locked, None);
+    }
+
+    #[test]
+    fn spins_can_be_set_once_the_rims_have_friction() {
+        let mut settings = LabSettings::default();
+        let spin = CollisionField::StrikerSpin as usize;
+        assert_eq!(settings.fields().len(), spin);
+        settings.set(CollisionField::RimFriction as usize, 0.2);
+        settings.set(spin, -30.0);
+        settings.set(spin + 1, 12.5);
+        assert_eq!(settings.fields().len(), spin + 2);
+        let rims = settings.setup.collision().rims;
+        assert_eq!((rims.friction, rims.spins), (0.2, [-30.0, 12.5]));
+        // A spin stays visible, so that it can be set to 0.
+        settings.set(CollisionField::RimFriction as usize, 0.0);
+        assert_eq!(settings.fields().len(), spin + 2);
     }
 }

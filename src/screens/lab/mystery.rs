@@ -2,7 +2,7 @@
 
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
-use crate::physics::{Bond, CollisionOutcome, CollisionSpec};
+use crate::physics::{Bond, CollisionOutcome, CollisionSpec, Rims};
 use crate::widgets::Role;
 use crate::widgets::input::{CollisionField, EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::panel::Panel;
@@ -32,6 +32,7 @@ impl Mystery {
         setup.restitution = 1.0;
         setup.bond = Bond::Slip;
         setup.target_speed = 0.0;
+        setup.rims = Rims::default();
         Self::default()
     }
 
@@ -41,11 +42,12 @@ impl Mystery {
     }
 
     /// The settings that cannot be changed until the coin has been weighed.
-    pub(super) const LOCKED: [CollisionField; 4] = [
+    pub(super) const LOCKED: [CollisionField; 5] = [
         CollisionField::CoinMass,
         CollisionField::Restitution,
         CollisionField::Contact,
         CollisionField::CoinSpeed,
+        CollisionField::RimFriction,
     ];
 
     /// The keys that enter the mass while the collision is watched. The keys for a sign or a point

@@ -7,7 +7,6 @@ use ratatui::layout::Rect;
 
 use super::{Lab, LabAction, LabPhase};
 use crate::lessons::FigureKind;
-use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
 use crate::screens::{Context, View};
@@ -18,7 +17,7 @@ use crate::widgets::hit::{
 };
 use crate::widgets::input::{CollisionField, SettingsForm};
 use crate::widgets::panel::Panel;
-use crate::widgets::panels::{reason, said_and_true, separation};
+use crate::widgets::panels::{reason, rim_facts, said_and_true, separation};
 use crate::widgets::{Look, RayInput, Role, areas, shown};
 
 /// The picture, and the panel beside it.
@@ -77,6 +76,7 @@ pub(super) fn hit_area(lab: &Lab, picture: Rect, cx: &Context) -> Rect {
 fn has_curves(lab: &Lab, picture: Rect) -> bool {
     let collision = lab.settings.setup.collision();
     let plain = collision.bond == Bond::Slip && collision.u2 == DVec2::ZERO;
+    let plain = plain && collision.rims.friction <= 0.0;
     plain && collision.alpha().is_some() && picture.height >= ROOM_FOR_CURVES
 }
 
@@ -232,6 +232,7 @@ fn answers<A>(watch: &Watch, panel: &mut Panel<A>) {
         let kept = 100.0 * outcome.energy_after / outcome.energy_before;
         panel.fact("energy kept", format!("{kept:.1} %"));
     }
+    rim_facts(watch.collision(), panel);
 }
 
 fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
@@ -253,10 +254,7 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
             panel.fact(format!("{disc} {name}"), speed);
         }
     }
-    let turned = collision
-        .alpha()
-        .and_then(|alpha| cm_scattering_angle(alpha, collision.restitution));
-    if let Some(turned) = turned
+    if let Some(turned) = collision.cm_deflection()
         && collision.bond == Bond::Slip
     {
         let turned = format!("{:.1}°", turned.to_degrees().abs());
@@ -292,6 +290,12 @@ fn from_target<A>(watch: &Watch, panel: &mut Panel<A>) {
             format!("{:.2} m/s", seen.v1.length()),
             "Here the coin is at rest at first. The centre of mass moves at V throughout; stuck \
              together, the two can only rotate about it.",
+        ),
+        _ if watch.collision().rims.friction > 0.0 => (
+            "separation here",
+            seen.separation.map_or("none".into(), apart),
+            "Here the coin is at rest before the collision. With smooth rims, equal masses and \
+             e = 1 the paths would be at 90° in this frame; friction changes that angle.",
         ),
         _ => (
             "separation here",

@@ -3,7 +3,9 @@
 use glam::DVec2;
 
 use super::Face;
-use crate::numbers::{Intermediate, true_minus};
+use crate::numbers::{Intermediate, significant, true_minus};
+use crate::physics::impact::reduced_mass;
+use crate::physics::units::g_from_kg;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
@@ -25,6 +27,8 @@ pub(crate) enum ExplanationStep {
     Line,
     /// The initial velocities, resolved along n and t.
     Split,
+    /// Friction between the rims: the slip, and the impulse along t.
+    Friction,
     /// The target's final velocity.
     Coin,
     /// The striker's final velocity.
@@ -35,12 +39,15 @@ pub(crate) enum ExplanationStep {
 
 impl ExplanationStep {
     /// The steps of a collision, in order.
-    pub(super) const fn of(meeting: Meeting, bond: Bond) -> &'static [Self] {
-        use ExplanationStep::{Coin, Contact, Line, Split, Striker, Whole};
-        match (meeting, bond) {
+    pub(super) fn of(collision: &Collision, outcome: &CollisionOutcome) -> &'static [Self] {
+        use ExplanationStep::{Coin, Contact, Friction, Line, Split, Striker, Whole};
+        match (outcome.meeting, collision.bond) {
             (Meeting::Miss, _) => &[Whole],
             (Meeting::Graze, _) => &[Contact, Line, Whole],
             (Meeting::Hit, Bond::Stick) => &[Contact, Line, Split, Whole],
+            (Meeting::Hit, Bond::Slip) if collision.rims.friction > 0.0 => {
+                &[Contact, Line, Split, Friction, Coin, Striker, Whole]
+            }
             (Meeting::Hit, Bond::Slip) => &[Contact, Line, Split, Coin, Striker, Whole],
         }
     }
@@ -50,6 +57,7 @@ impl ExplanationStep {
             Self::Contact => "contact",
             Self::Line => "line of impact",
             Self::Split => "the components",
+            Self::Friction => "friction at the rims",
             Self::Coin => "the struck disc",
             Self::Striker => "the striking disc",
             Self::Whole => "the result",
@@ -96,7 +104,7 @@ impl<'a> StepWords<'a> {
 
     /// The number of a step, the number of steps, and its name.
     pub(super) fn heading(&self, step: ExplanationStep) -> String {
-        let steps = ExplanationStep::of(self.outcome.meeting, self.collision.bond);
+        let steps = ExplanationStep::of(self.collision, self.outcome);
         let number = steps.iter().position(|it| *it == step).map_or(1, |i| i + 1);
         let name = match step {
             ExplanationStep::Coin => format!("what the {} gets", self.names[1]),
@@ -124,12 +132,20 @@ impl<'a> StepWords<'a> {
                                      only. These rims are joined, so a force acts along t as well."
                     .into()
             }
+            ExplanationStep::Line if self.is_rough() => {
+                "The line of impact n joins the two centres: along n the discs push each other \
+                 apart. The tangent t is at right angles to it: the rims slide past each other \
+                 along t, and friction acts."
+                    .into()
+            }
             ExplanationStep::Line => {
                 "The line of impact n joins the two centres: the force acts only along \
                            n. The tangent t is at right angles to it."
                     .into()
             }
+            ExplanationStep::Split if self.is_rough() => self.split_rough(),
             ExplanationStep::Split => self.split(sticks),
+            ExplanationStep::Friction => self.friction(),
             ExplanationStep::Coin => self.coin(),
             ExplanationStep::Striker => self.striker(),
             ExplanationStep::Whole => String::new(),
@@ -140,6 +156,47 @@ impl<'a> StepWords<'a> {
     /// laboratory-frame names.
     fn is_plain(&self) -> bool {
         self.frame == Frame::Laboratory && self.collision.u2 == DVec2::ZERO
+    }
+
+    fn is_rough(&self) -> bool {
+        self.collision.rims.friction > 0.0
+    }
+
+    fn split_rough(&self) -> String {
+        let slip = speed(self.collision.slip().unwrap_or_default());
+        format!(
+            "So resolve the velocities. The components along n change as for smooth discs. Along \
+             t the two rims slide past each other at uₛ = {slip}, spins included."
+        )
+    }
+
+    /// Friction's impulse: how large it can be, and how much stops the slip.
+    fn friction(&self) -> String {
+        let (collision, outcome) = (self.collision, self.outcome);
+        let slip = collision.slip().unwrap_or_default().abs();
+        if is_none(slip) {
+            return "The rims do not slip past each other, so there is no friction, Jₜ = 0, and the \
+                    spins do not change."
+                .into();
+        }
+        let discs = collision.discs();
+        let mu = reduced_mass(discs[0].mass, discs[1].mass);
+        let limit = collision.rims.friction * outcome.impulse;
+        let stops = mu * slip / 3.0;
+        let [limit_text, stops_text] = [limit, stops].map(|it| significant(g_from_kg(it)));
+        let end = match collision.rub_stops() {
+            true => format!("So the slip stops: Jₜ = {stops_text} g m/s."),
+            false => format!("So Jₜ = {limit_text} g m/s, and the rims slip to the end."),
+        };
+        let [one, other] = outcome.spins.map(|spin| significant(spin.abs()));
+        let spins = match one == other {
+            true => format!("The discs now spin at {one} rad/s."),
+            false => format!("The discs now spin at {one} and {other} rad/s."),
+        };
+        format!(
+            "Friction opposes the slip. Its impulse is at most μᵣJₙ = {limit_text} g m/s; {stops_text} \
+             g m/s would stop the slip. {end} {spins}"
+        )
     }
 
     fn parts(&self, v: DVec2) -> Parts {
@@ -178,7 +235,7 @@ impl<'a> StepWords<'a> {
     fn coin(&self) -> String {
         let name = self.names[1];
         let (u1, v2) = (self.parts(self.collision.u1), self.parts(self.outcome.v2));
-        if !self.is_plain() {
+        if !self.is_plain() || self.is_rough() {
             return self.changed(1, &format!("What the {name} gets"));
         }
         let share = match is_none(v2.n - u1.n) {
@@ -197,7 +254,7 @@ impl<'a> StepWords<'a> {
     fn striker(&self) -> String {
         let name = self.names[0];
         let v1 = self.parts(self.outcome.v1);
-        if !self.is_plain() {
+        if !self.is_plain() || self.is_rough() {
             return self.changed(0, &format!("What the {name} keeps"));
         }
         let whole = speed(v1.n.hypot(v1.t));
@@ -250,6 +307,11 @@ impl<'a> StepWords<'a> {
         let before = self.parts([self.collision.u1, self.collision.u2][body]);
         let after = self.parts([self.outcome.v1, self.outcome.v2][body]);
         let keeps = match is_none(after.t) {
+            _ if !is_none(after.t - before.t) => format!(
+                "Friction changes the component along t from {} to {}.",
+                sideways(before.t),
+                sideways(after.t)
+            ),
             true => "The component along t is zero, before and after.".to_owned(),
             false => format!("The component along t stays at {}.", speed(after.t)),
         };
@@ -268,6 +330,14 @@ fn is_none(v: f64) -> bool {
 
 fn speed(v: f64) -> String {
     format!("{:.2} m/s", v.abs())
+}
+
+/// A component along t.
+fn sideways(v: f64) -> String {
+    match is_none(v) {
+        true => "zero".into(),
+        false => true_minus(&format!("{v:.2} m/s")),
+    }
 }
 
 /// A component along n, with its direction in words.
@@ -297,7 +367,7 @@ fn names(faces: [Face; 2]) -> [&'static str; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::Disc;
+    use crate::physics::{Disc, Rims};
 
     fn words(collision: &Collision, frame: Frame, step: ExplanationStep) -> String {
         let outcome = collision.outcome();
@@ -352,11 +422,41 @@ mod tests {
             Frame::Laboratory,
             Face::STRIKER_AND_COIN,
         );
-        for step in ExplanationStep::of(Meeting::Hit, Bond::Slip) {
+        for step in ExplanationStep::of(&collision, &outcome) {
             let words = all.of(*step).split_whitespace().count() as f64;
             // 200 words per minute is fast reading.
             assert!(all.hold(*step) >= f64::max(5.0, words / 200.0 * 60.0));
         }
+    }
+
+    /// Jₙ = 51.96 g m/s, so at most 2.598 g m/s; 7.5 g × 2 m/s / 3 would stop the slip.
+    #[test]
+    fn the_step_about_friction_has_the_numbers_of_the_closed_form() {
+        let rough = |friction, step| {
+            let rims = Rims {
+                friction,
+                spins: [0.0; 2],
+            };
+            let collision = Collision {
+                rims,
+                ..hit(15.0, 15.0, 30.0)
+            };
+            words(&collision, Frame::Laboratory, step)
+        };
+        let said = rough(0.05, ExplanationStep::Friction);
+        for part in [
+            "at most μᵣJₙ = 2.60 g m/s; 5.00 g m/s would stop",
+            "Jₜ = 2.60 g m/s, and the rims slip",
+            "spin at 23.1 rad/s",
+        ] {
+            assert!(said.contains(part), "{said}");
+        }
+        let said = rough(0.2, ExplanationStep::Friction);
+        assert!(said.contains("the slip stops: Jₜ = 5.00 g m/s"), "{said}");
+        let said = rough(0.2, ExplanationStep::Striker);
+        assert!(said.contains("from 2.00 m/s to 1.67 m/s"), "{said}");
+        let said = rough(0.2, ExplanationStep::Coin);
+        assert!(said.contains("from zero to 0.33 m/s"), "{said}");
     }
 
     #[test]

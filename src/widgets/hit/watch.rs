@@ -11,7 +11,7 @@ use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::{AimTask, Rays};
-use crate::widgets::panels::{impact_angle, masses, offset, separation};
+use crate::widgets::panels::{impact_angle, masses, offset, rim_facts, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
 /// The fraction of the shot's duration by which `<` and `>` scrub.
@@ -85,7 +85,7 @@ impl Watch {
         let (contact, end) = times(&collision);
         let outcome = collision.outcome();
         let (frame, faces) = (Frame::Laboratory, Face::STRIKER_AND_COIN);
-        let steps = ExplanationStep::of(outcome.meeting, collision.bond);
+        let steps = ExplanationStep::of(&collision, &outcome);
         let words = StepWords::new(&collision, &outcome, frame, faces);
         let holds = steps.iter().map(|step| words.hold(*step)).collect();
         Self {
@@ -247,6 +247,7 @@ impl Watch {
             return false;
         }
         separation(&self.collision, panel);
+        rim_facts(&self.collision, panel);
         panel.gap();
         let seen = match self.frame {
             Frame::Laboratory => return true,

@@ -34,6 +34,12 @@ pub(crate) enum CollisionField {
     CoinSpeed,
     /// Initial direction of the coin.
     CoinAim,
+    /// Coefficient of friction between the rims.
+    RimFriction,
+    /// Spin of the striker; shown if the rims have friction or a disc spins.
+    StrikerSpin,
+    /// Spin of the coin; shown like the striker's.
+    CoinSpin,
 }
 
 type Row = FieldRow<CollisionSpec>;
@@ -139,6 +145,27 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
         shown: |spec| fixed(spec.target_deg, 0) + "°",
         put: |spec, degrees| spec.target_deg = wrap_degrees(degrees),
     },
+    Row {
+        name: "rim friction μᵣ",
+        about: "coefficient of friction between the rims; 0: smooth; the board itself has smooth rims",
+        value: |spec| FieldValue::number(spec.rims.friction, within("rim_friction"), 0.05, ""),
+        shown: |spec| fixed(spec.rims.friction, 2),
+        put: |spec, friction| spec.rims.friction = friction,
+    },
+    Row {
+        name: "striker spin",
+        about: "the striker's spin before the collision; + anticlockwise",
+        value: |spec| FieldValue::number(spec.rims.spins[0], within("spin1"), 10.0, " rad/s"),
+        shown: |spec| fixed(spec.rims.spins[0], 1) + " rad/s",
+        put: |spec, spin| spec.rims.spins[0] = spin,
+    },
+    Row {
+        name: "coin spin",
+        about: "the coin's spin before the collision; + anticlockwise",
+        value: |spec| FieldValue::number(spec.rims.spins[1], within("spin2"), 10.0, " rad/s"),
+        shown: |spec| fixed(spec.rims.spins[1], 1) + " rad/s",
+        put: |spec, spin| spec.rims.spins[1] = spin,
+    },
 ];
 
 impl CollisionField {
@@ -154,9 +181,14 @@ impl CollisionField {
     }
 }
 
-/// All settings with their current values, in the order of [`CollisionField`].
+/// All settings with their current values, in the order of [`CollisionField`]. Without friction a
+/// spin changes nothing, so the spins, which are last, are left out.
 pub(crate) fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
-    ROWS.iter().map(|row| row.field(spec)).collect()
+    let shown = match spec.rims.is_plain() {
+        true => CollisionField::StrikerSpin as usize,
+        false => ROWS.len(),
+    };
+    ROWS[..shown].iter().map(|row| row.field(spec)).collect()
 }
 
 /// Sets the field at an index, like [`CollisionField::set`].
@@ -220,6 +252,8 @@ mod tests {
         for at in 0..ROWS.len() {
             for wild in [-1e9, -0.0, 0.0, 1e9, 37.25] {
                 let mut spec = CollisionSpec::default();
+                spec.rims.friction = 0.2;
+                spec.rims.spins = [1.0; 2];
                 set_at(at, &mut spec, wild);
                 let field = &collision_fields(&spec)[at];
                 let (value, (low, high)) = match field.value {

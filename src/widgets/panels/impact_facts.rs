@@ -1,6 +1,7 @@
 //! The facts of an impact, one per row: the point of impact, the discs, the angle between the
 //! paths, and the explanation.
 
+use crate::numbers::{fixed, true_minus};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::physics::{Bond, Collision, Meeting};
 use crate::widgets::Role;
@@ -48,6 +49,23 @@ pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
         format!("{:.1}°", deg_from_rad(angle))
     });
     panel.fact("separation", separation);
+}
+
+/// Writes the throw and the spins before and after, if the rims have friction or a disc spins.
+pub(crate) fn rim_facts<A>(collision: &Collision, panel: &mut Panel<A>) {
+    if collision.rims.is_plain() {
+        return;
+    }
+    let outcome = collision.outcome();
+    if let Some(throw) = collision.throw() {
+        let throw = deg_from_rad(throw.abs());
+        panel.fact("throw δ", format!("{throw:.1}°"));
+    }
+    for (body, name) in ["striker ω₁", "coin ω₂"].into_iter().enumerate() {
+        let [before, after] =
+            [collision.rims.spins, outcome.spins].map(|spins| fixed(spins[body], 1));
+        panel.fact(name, true_minus(&format!("{before} → {after} rad/s")));
+    }
 }
 
 /// Writes the explanation of the directions: a title, which may be empty, and the text below it.

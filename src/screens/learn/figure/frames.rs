@@ -3,7 +3,6 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Collision, Frame};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::Picture;
@@ -55,9 +54,7 @@ pub(super) fn lay_out(
 /// V, which relates the two pictures, and the scattering angle Θ.
 fn revealed(collision: &Collision) -> [String; 2] {
     let speed = collision.centre_of_mass_velocity().length();
-    let angle = collision
-        .alpha()
-        .and_then(|alpha| cm_scattering_angle(alpha, collision.restitution));
+    let angle = collision.cm_deflection();
     let turn = match (angle, collision.bond) {
         (Some(_), Bond::Stick) => "they stick".into(),
         (Some(angle), Bond::Slip) => format!("Θ = {:.1}°", angle.to_degrees().abs()),

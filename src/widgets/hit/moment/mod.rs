@@ -2,6 +2,7 @@
 
 mod axes;
 mod discs;
+mod rims;
 mod split;
 mod velocities;
 
@@ -121,6 +122,7 @@ impl Moment<'_> {
         }
         for (body, at) in now.into_iter().enumerate() {
             self.disc(&mut sketch.picture, body, at);
+            self.mark(&mut sketch.picture, body, at, time);
         }
         let before = self.before();
         let after = self.after(time);
@@ -148,6 +150,9 @@ impl Moment<'_> {
         {
             sketch.wanted_way(wanted);
         }
+        if step == Some(ExplanationStep::Friction) {
+            self.friction(&mut sketch);
+        }
         let scale = ArrowScale::fit(&self.stage, before, after);
         if split.is_none() && self.shows(Overlay::Velocities) {
             let at = if met { self.stage.centres } else { now };
@@ -159,6 +164,9 @@ impl Moment<'_> {
                 self.split_before(&mut sketch, &scale, (0, centre), before[0], axes);
             }
             self.departures(&mut sketch, &scale, [before, after], now);
+        }
+        if step.is_some_and(|step| split.is_none() && step != ExplanationStep::Line) {
+            self.spins(&mut sketch, now);
         }
         if met && self.watch.outcome.hit() {
             sketch.picture.reserve(DVec2::ZERO);

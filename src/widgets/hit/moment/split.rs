@@ -88,7 +88,8 @@ impl Moment<'_> {
         sketch.split(scale, (body, root), NamedVelocity { name, v, role }, &parts);
     }
 
-    /// Draws a final velocity with its components; the component along t is unchanged.
+    /// Draws a final velocity with its components; without friction the component along t is
+    /// unchanged and keeps its name.
     fn split_after(
         &self,
         sketch: &mut Sketch,
@@ -98,7 +99,10 @@ impl Moment<'_> {
         axes: [DVec2; 2],
     ) {
         let whole = self.velocity_after(body, v);
-        let [mut along, across] = self.parts_before(body, v, axes);
+        let [mut along, mut across] = self.parts_before(body, v, axes);
+        if self.watch.outcome.friction_impulse != 0.0 {
+            across.name = part_name(&whole.name, 'ₜ');
+        }
         along.name = match scale.is_still(across.v) {
             true => whole.name.clone(),
             false => part_name(&whole.name, 'ₙ'),

@@ -1,0 +1,127 @@
+//! Spins and friction at the rims: a mark on each disc, arrows for the spins, and the impulses along
+//! the tangent.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::DVec2;
+
+use super::Moment;
+use crate::numbers::{fixed, significant, true_minus};
+use crate::physics::units::g_from_kg;
+use crate::widgets::Role;
+use crate::widgets::hit::explanation_step::ExplanationStep;
+use crate::widgets::hit::sketch::Sketch;
+use crate::widgets::picture::{Pen, Picture};
+
+/// The mark on a disc, from the rim inwards to this fraction of the radius.
+const MARK: f64 = 0.6;
+/// The radius of the arrow of a spin, in radii of the disc.
+const TURN: f64 = 0.8;
+/// The angle of the arrow of the faster spin, in radians.
+const LONGEST_TURN: f64 = 0.6 * PI;
+/// The length of the arrows of friction's impulse, in radii of the larger disc. It shows only the
+/// direction, because Jₜ is small compared with Jₙ.
+const IMPULSE: f64 = 1.2;
+
+impl Moment<'_> {
+    /// Whether the discs have marks: if they spin or can be set spinning.
+    fn has_marks(&self) -> bool {
+        !self.stage.collision.rims.is_plain()
+    }
+
+    /// The spins before the contact, or after it once friction has been explained.
+    fn spins_now(&self) -> [f64; 2] {
+        match self.watch.step() >= Some(ExplanationStep::Friction) {
+            true => self.watch.outcome.spins,
+            false => self.stage.collision.rims.spins,
+        }
+    }
+
+    /// The direction of the mark of a disc: at the contact, both marks point up.
+    fn mark_angle(&self, body: usize, time: f64) -> f64 {
+        let since = time - self.watch.clock.contact;
+        let spins = match since > 0.0 {
+            true => self.watch.outcome.spins,
+            false => self.stage.collision.rims.spins,
+        };
+        FRAC_PI_2 + spins[body] * since
+    }
+
+    /// Draws the mark of a disc, which turns with it.
+    pub(super) fn mark(&self, picture: &mut Picture, body: usize, at: DVec2, time: f64) {
+        if !self.has_marks() {
+            return;
+        }
+        let direction = DVec2::from_angle(self.mark_angle(body, time));
+        let radius = self.stage.radius(body);
+        let inner = at + MARK * radius * direction;
+        picture.line(
+            inner,
+            at + radius * direction,
+            Pen::new(Role::Contact).bold(),
+        );
+    }
+
+    /// Draws the spin of each disc as an arrow around its centre, with its value beside the disc.
+    pub(super) fn spins(&self, sketch: &mut Sketch, now: [DVec2; 2]) {
+        if !self.has_marks() {
+            return;
+        }
+        let spins = self.spins_now();
+        let fastest = spins[0].abs().max(spins[1].abs());
+        for (body, spin) in spins.into_iter().enumerate() {
+            let (at, radius) = (now[body], self.stage.radius(body));
+            let name = ["ω₁", "ω₂"][body];
+            let value = true_minus(&fixed(spin, 1));
+            let outwards = self.stage.centres[body].try_normalize().unwrap_or(DVec2::X);
+            let anchor = at + radius * outwards;
+            sketch
+                .label(
+                    format!("{name} = {value} rad/s"),
+                    anchor,
+                    outwards,
+                    Role::Arc,
+                )
+                .short(format!("{name} = {value}"));
+            if spin == 0.0 {
+                continue;
+            }
+            // The arrow is on the far side from the contact, away from the velocities.
+            let middle = outwards.to_angle();
+            let turn = LONGEST_TURN * spin / fastest;
+            let (start, end) = (middle - turn / 2.0, middle + turn / 2.0);
+            let pen = Pen::new(Role::Arc);
+            sketch.picture.arc(at, TURN * radius, start, end, pen);
+            let point = |angle: f64| at + TURN * radius * DVec2::from_angle(angle);
+            sketch
+                .picture
+                .arrow(point(end - 0.35 * spin.signum()), point(end), pen);
+        }
+    }
+
+    /// Draws friction's impulse on each disc, at the point of contact along the tangent.
+    pub(super) fn friction(&self, sketch: &mut Sketch) {
+        let outcome = &self.watch.outcome;
+        let Some((n, t)) = outcome.normal.zip(outcome.tangent) else {
+            return;
+        };
+        if outcome.friction_impulse == 0.0 {
+            return;
+        }
+        let value = significant(g_from_kg(outcome.friction_impulse.abs()));
+        let on_target = outcome.friction_impulse.signum() * t;
+        let unit = self.stage.unit();
+        let discs = [
+            (-on_target, -n, Role::StrikerOut, "on the striker"),
+            (on_target, n, Role::CoinOut, "on the coin"),
+        ];
+        for (way, side, role, whose) in discs {
+            let from = 0.15 * unit * side;
+            let tip = from + IMPULSE * unit * way;
+            sketch.picture.arrow(from, tip, Pen::new(role).bold());
+            sketch
+                .label(format!("Jₜ {whose} = {value} g m/s"), tip, way, role)
+                .short("Jₜ");
+        }
+    }
+}
