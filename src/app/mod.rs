@@ -566,7 +566,7 @@ impl App {
         self.stack.push(match route {
             Route::Home => hosted(Home::ask(cx)),
             Route::Lab => hosted(Lab::resume(cx)),
-            Route::LabOf { setup } => hosted(Lab::of(setup)),
+            Route::LabOf { setup, hidden } => hosted(Lab::of(setup, hidden)),
             Route::Learn => hosted(Contents::new(cx)),
             Route::Glossary => hosted(GlossaryScreen::default()),
             Route::Chapter { number } => match Reading::new(number, cx) {

@@ -32,9 +32,13 @@ impl Data {
                 }
             }
             "lab" if value.is_empty() => Route::Lab,
-            "lab" => Route::LabOf {
-                setup: CollisionSpec::from_link(value)?,
-            },
+            "lab" => {
+                let shown = value.strip_suffix(HIDE).map(|it| it.trim_end_matches(','));
+                Route::LabOf {
+                    setup: CollisionSpec::from_link(shown.unwrap_or(value))?,
+                    hidden: shown.is_some(),
+                }
+            }
             "foil" if value.is_empty() => Route::Foil,
             "foil" => {
                 let page = value
@@ -91,6 +95,9 @@ impl Data {
     }
 }
 
+/// The last part of a link to the lab that hides the outcome.
+const HIDE: &str = "hide";
+
 /// Separates the address of a round from the answers given in the round.
 const ANSWERS: &str = "&said=";
 
@@ -110,7 +117,12 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
     match route {
         Route::Home => String::new(),
         Route::Lab => "lab".into(),
-        Route::LabOf { setup } => named("lab", &setup.to_link()),
+        Route::LabOf { setup, hidden } => {
+            let hide = hidden.then(|| HIDE.to_owned());
+            let parts = [Some(setup.to_link()).filter(|it| !it.is_empty()), hide];
+            let parts: Vec<_> = parts.into_iter().flatten().collect();
+            named("lab", &parts.join(","))
+        }
         Route::Learn => "learn".into(),
         Route::Glossary => "glossary".into(),
         Route::Chapter { number } => named("lesson", chapter(*number)),
@@ -209,6 +221,8 @@ mod tests {
             "home",
             "lab",
             "lab=m2:5.5,b:12,e:0.8",
+            "lab=m2:5.5,b:12,e:0.8,hide",
+            "lab=hide",
             "learn",
             "lesson=the-line-of-impact",
             "lesson=the-line-of-impact:3",

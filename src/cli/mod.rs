@@ -45,6 +45,7 @@ use crate::class::{JoinCode, team_names};
 use crate::files::{
     Document, LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json,
 };
+use crate::physics::CollisionSpec;
 use crate::quiz::{Code, concepts};
 use crate::screens::{KeptSettings, Route, code_of, host_of};
 use crate::shells::host::HostOptions;
@@ -73,6 +74,8 @@ Examples:
   carrom                       open the game
   carrom learn 2               read the second chapter
   carrom lab                   go straight to the lab
+  carrom lab --set m2=5.5,b=12 --hide
+                               exactly this hit, its outcome hidden until you predict it
   carrom quiz --code mixed-7   a round of the quiz, the same for everyone with this code
   carrom class --teams Ants,Bees --palette light
                                a round for a class, on a projector
@@ -148,7 +151,14 @@ enum OpenCommand {
         chapter: Option<String>,
     },
     /// Open the lab: set up a glancing collision, predict where both discs will go, and see why
-    Lab,
+    Lab {
+        /// The hit to set up, such as m1=15,m2=5.5,b=12,e=0.8 (carrom guide start)
+        #[arg(long, value_name = "FIELD=NUMBER,..", value_parser = read_hit)]
+        set: Option<CollisionSpec>,
+        /// Hide the outcome of this hit until it has been predicted
+        #[arg(long, requires = "set")]
+        hide: bool,
+    },
     /// Open the foil: beams of particles, from the carrom board to the atom
     Foil,
     /// Open the quiz and choose a round (--seed N starts the ten hits of that seed at once)
@@ -202,6 +212,15 @@ enum OpenCommand {
     },
 }
 
+/// Reads a hit for the lab; a colon is accepted too, as in links.
+fn read_hit(text: &str) -> Result<CollisionSpec, String> {
+    let read = CollisionSpec::from_link(&text.replace('=', ":"));
+    read.map_err(|expected| match expected.contains("expected") {
+        true => expected,
+        false => format!("expected {}", expected.replace(':', "=")),
+    })
+}
+
 /// Reads a typed address of a class.
 fn read_host(address: &str) -> Result<String, String> {
     match host_of(address) {
@@ -234,7 +253,14 @@ impl OpenCommand {
     fn route(&self, data: &Data, options: &GlobalOptions) -> Result<Route, String> {
         Ok(match self {
             Self::Learn { chapter } => named(data, "learn", chapter.as_deref())?,
-            Self::Lab => Route::Lab,
+            Self::Lab { set: None, .. } => Route::Lab,
+            Self::Lab {
+                set: Some(setup),
+                hide,
+            } => Route::LabOf {
+                setup: *setup,
+                hidden: *hide,
+            },
             Self::Quiz { code } => Route::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
             },

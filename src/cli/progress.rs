@@ -82,7 +82,8 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
             true => Value::Null,
             false => games(&player, &mut store)?,
         };
-        let text = json(&history.attempts, next.as_deref(), games);
+        let (attempts, observed) = (&history.attempts, &history.observations);
+        let text = json(attempts, observed, next.as_deref(), games);
         text.map_err(|reason| anyhow!(reason))? + "\n"
     };
     Ok(print(text.as_bytes())?)
@@ -118,9 +119,11 @@ fn reports(
     for player in players {
         let kept = kept(player, store)?;
         let own = history.attempts.iter().filter(|it| it.player == *player);
+        let seen = { history.observations.iter() }.filter(|it| it.player == *player);
         let history = History {
             attempts: own.cloned().collect(),
-            ..history.clone()
+            observations: seen.cloned().collect(),
+            calendar: history.calendar.clone(),
         };
         let next = next(&history, &kept, options);
         all.push((player, history, kept, next));

@@ -11,7 +11,7 @@ use crate::game::{Game, SavedGame};
 use crate::gradebook::HandIn;
 use crate::lessons::{Bookmark, Forget};
 use crate::levels::Starred;
-use crate::progress::{Attempt, Calendar};
+use crate::progress::{Attempt, Calendar, NotedHit, Observation};
 
 /// A request to the store, with its ticket.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +60,14 @@ pub enum StoreRequest {
     /// Save an answer, with the time. The answer should be saved before the explanation is shown,
     /// so nothing is drawn until then, unless saving takes a long time.
     Record(Box<Attempt>),
+    /// Save what a player saw in a hit, with the time.
+    Observe(Box<Observation>),
+    /// Add a hit to this player's notebook of the lab, with the time.
+    NoteHit(String, Box<NotedHit>),
+    /// List the latest hits in this player's notebook.
+    Notebook(String),
+    /// Delete all hits in this player's notebook.
+    ClearNotebook(String),
     /// Save the stars of a level that this player has won.
     Star(String, Starred),
     /// Load this player's answers, or everyone's if there is no name.
@@ -94,7 +102,7 @@ pub struct StoreAnswer {
     pub ticket: u64,
     /// The reply to the request.
     pub done: StoreReply,
-    /// The number of answers, stars and bookmarks that could not be saved so far. They will
+    /// The number of answers, stars, bookmarks and hits that could not be saved so far. They will
     /// be saved in order as soon as possible.
     pub unsaved: usize,
     /// Something else that the player should know.
@@ -120,11 +128,13 @@ pub enum StoreReply {
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars, the bookmark or the settings have been saved, after everything that
+    /// The answer, the stars, the bookmark, the hit or the settings have been saved, after everything that
     /// was pending before them.
     Noted(Result<(), String>),
     /// The answers so far.
     Recalled(Result<Box<History>, String>),
+    /// The hits in the notebook, in the order in which they were made.
+    Notebook(Result<Vec<NotedHit>, String>),
     /// The levels that were won.
     Stars(Result<Vec<Starred>, String>),
     /// The bookmarks, by the ids of the chapters.
@@ -142,11 +152,13 @@ pub struct KnownPlayer {
     pub last: Option<Date>,
 }
 
-/// A player's answers so far.
+/// A player's answers and observations so far.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     /// All answers, in the order in which they were given.
     pub attempts: Vec<Attempt>,
+    /// All observations of hits, in the order in which they were made.
+    pub observations: Vec<Observation>,
     /// The current time, and the player's calendar days.
     pub calendar: Calendar,
 }
@@ -187,7 +199,8 @@ impl StoreCall {
                 Stars(_) => StoreReply::Stars(Err(reason)),
                 Marks(_) => StoreReply::Marks(Err(reason)),
                 Players => StoreReply::Players(Err(reason)),
-                Record(_) | Star(..) | Mark { .. } | Forget(..) | KeepSettings(_) | Retry => {
+                Notebook(_) => StoreReply::Notebook(Err(reason)),
+                Observe(_) | NoteHit(..) | ClearNotebook(_) | Record(_) | Star(..) | Mark { .. } | Forget(..) | KeepSettings(_) | Retry => {
                     StoreReply::Noted(Err(reason))
                 }
             },

@@ -5,7 +5,10 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::attempt::{ROUND, figures_text};
-use super::{Attempt, TABLE, Tally, beliefs, calibration, topics};
+use super::observation::observations_json;
+use super::{
+    Attempt, Observation, ObservationCounts, TABLE, Tally, beliefs, calibration, topics,
+};
 use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
@@ -100,15 +103,25 @@ pub fn utc(time_s: i64) -> Option<String> {
     (time_s >= 0).then(|| time.to_string())
 }
 
-/// The attempts as the text of one JSON object, with a summary, the player's next step, and the
-/// results of the games at the table.
+/// The attempts and observations as the text of one JSON object, with a summary, the player's next
+/// step, and the results of the games at the table.
 ///
 /// # Errors
 /// The reason if a value cannot be written, which does not happen in practice.
-pub fn json(attempts: &[Attempt], next: Option<&str>, games: Value) -> Result<String, String> {
+pub fn json(
+    attempts: &[Attempt],
+    observed: &[Observation],
+    next: Option<&str>,
+    games: Value,
+) -> Result<String, String> {
     let mut summary = summary(attempts, next);
     summary["games"] = games;
-    let all = All { summary, attempts };
+    summary["observations"] = ObservationCounts::new(observed).json();
+    let all = All {
+        summary,
+        attempts,
+        observations: observations_json(observed),
+    };
     let mut text = Vec::new();
     write_json(&mut text, &all).map_err(|error| error.to_string())?;
     String::from_utf8(text).map_err(|error| error.to_string())
@@ -119,6 +132,7 @@ struct All<'a> {
     summary: Value,
     #[serde(serialize_with = "rows")]
     attempts: &'a [Attempt],
+    observations: Value,
 }
 
 /// Serializes attempts one by one, because there may be very many.
@@ -208,7 +222,7 @@ mod tests {
     use crate::files::is_invisible;
 
     fn read(attempts: &[Attempt]) -> Value {
-        serde_json::from_str(&json(attempts, None, Value::Null).unwrap()).unwrap()
+        serde_json::from_str(&json(attempts, &[], None, Value::Null).unwrap()).unwrap()
     }
 
     #[test]

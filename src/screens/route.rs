@@ -16,6 +16,8 @@ pub enum Route {
     LabOf {
         /// The collision.
         setup: CollisionSpec,
+        /// Whether its outcome is hidden until the player has predicted it.
+        hidden: bool,
     },
     /// The contents of the lessons.
     Learn,

@@ -1,5 +1,5 @@
 //! Stored data. Saved games, class rounds, exports and hand-ins have one file each; answers, levels
-//! won and bookmarks are in a database.
+//! won, bookmarks and the lab's notebook are in a database.
 //!
 //! Several copies of carrom may keep their games in one folder, any of them may be killed at any
 //! moment, and any file may be damaged or belong to another program. So:
@@ -31,7 +31,7 @@ use crate::game::{Game, SavedGame};
 use crate::gradebook::HandIn;
 use crate::messages::{History, KnownPlayer, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::numbers::counted;
-use crate::progress::{Attempt, Calendar};
+use crate::progress::{Calendar, NotedHit};
 use crate::quiz::concepts::Library;
 use crate::screens::KeptSettings;
 use database::Database;
@@ -59,6 +59,9 @@ fn is_note(request: &StoreRequest) -> bool {
     matches!(
         request,
         StoreRequest::Record(_)
+            | StoreRequest::Observe(_)
+            | StoreRequest::NoteHit(..)
+            | StoreRequest::ClearNotebook(_)
             | StoreRequest::Star(..)
             | StoreRequest::Mark { .. }
             | StoreRequest::Forget(..)
@@ -239,6 +242,7 @@ impl Store {
             StoreRequest::Recall(player) => StoreReply::Recalled(self.recall(player.as_deref())),
             StoreRequest::Stars(player) => StoreReply::Stars(self.progress.stars(player)),
             StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
+            StoreRequest::Notebook(player) => StoreReply::Notebook(self.notebook(player)),
             StoreRequest::Players => StoreReply::Players(self.players()),
             StoreRequest::KeepSettings(text) => StoreReply::Noted(self.keep_settings(text)),
             StoreRequest::Retry => StoreReply::Noted(self.flush()),
@@ -330,12 +334,16 @@ impl Store {
         Ok(folder.unwrap_or_default().display().to_string())
     }
 
-    /// Stores an action of the player, after all earlier ones that are not stored yet. An answer
-    /// gets the current time.
+    /// Stores an action of the player, after all earlier ones that are not stored yet. An answer, an
+    /// observation and a hit get the current time.
     fn note(&mut self, note: &StoreRequest) -> Result<(), String> {
         let mut note = note.clone();
-        if let StoreRequest::Record(attempt) = &mut note {
-            attempt.time_s = self.calendar().now_s;
+        let now_s = self.calendar().now_s;
+        match &mut note {
+            StoreRequest::Record(attempt) => attempt.time_s = now_s,
+            StoreRequest::Observe(observation) => observation.time_s = now_s,
+            StoreRequest::NoteHit(_, hit) => hit.time_s = now_s,
+            _ => {}
         }
         self.unsaved.push_back(note);
         self.flush()
@@ -350,6 +358,9 @@ impl Store {
             let progress = &mut self.progress;
             match oldest {
                 StoreRequest::Record(attempt) => progress.record(attempt),
+                StoreRequest::Observe(observation) => progress.observe(observation),
+                StoreRequest::NoteHit(player, hit) => progress.note_hit(player, hit),
+                StoreRequest::ClearNotebook(player) => progress.clear_notebook(player),
                 StoreRequest::Star(player, starred) => progress.star(player, starred),
                 StoreRequest::Mark {
                     player,
@@ -377,17 +388,34 @@ impl Store {
 
     fn recall(&mut self, player: Option<&str>) -> Result<Box<History>, String> {
         let mut attempts = self.progress.attempts(player)?;
-        // Answers that are not stored yet count too.
-        let unsaved = self.unsaved.iter().filter_map(|note| match note {
-            StoreRequest::Record(attempt) => Some(attempt.as_ref()),
-            _ => None,
-        });
-        let of_player = |it: &&Attempt| player.is_none_or(|player| player == it.player);
-        attempts.extend(unsaved.filter(of_player).cloned());
+        let mut observations = self.progress.observations(player)?;
+        // Those that are not stored yet count too.
+        let is_of = |name: &str| player.is_none_or(|player| player == name);
+        for note in &self.unsaved {
+            match note {
+                StoreRequest::Record(it) if is_of(&it.player) => attempts.push(*it.clone()),
+                StoreRequest::Observe(it) if is_of(&it.player) => observations.push(*it.clone()),
+                _ => {}
+            }
+        }
         Ok(Box::new(History {
             attempts,
+            observations,
             calendar: self.calendar(),
         }))
+    }
+
+    /// The hits in a player's notebook, with those that are not stored yet.
+    fn notebook(&mut self, player: &str) -> Result<Vec<NotedHit>, String> {
+        let mut hits = self.progress.notebook(player)?;
+        for note in &self.unsaved {
+            match note {
+                StoreRequest::NoteHit(name, hit) if name == player => hits.push(*hit.clone()),
+                StoreRequest::ClearNotebook(name) if name == player => hits.clear(),
+                _ => {}
+            }
+        }
+        Ok(hits)
     }
 
     fn players(&mut self) -> Result<Vec<KnownPlayer>, String> {

@@ -310,6 +310,7 @@ fn the_report_lists_chapters_as_learn_does() {
     ]);
     let history = History {
         attempts: vec![attempt("Ada", 1)],
+        observations: Vec::new(),
         calendar: Calendar::default(),
     };
     let report = with_marks("Ada", &history, &[], &marks);
@@ -337,6 +338,7 @@ fn a_mean_error_requires_three_angles() {
         });
         History {
             attempts: attempts.collect(),
+            observations: Vec::new(),
             calendar: Calendar::default(),
         }
     };

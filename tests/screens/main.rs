@@ -14,6 +14,7 @@ mod key_tables;
 mod lab;
 mod learn;
 mod levels;
+mod notebook;
 mod path;
 mod quiz;
 mod quiz_kinds;

@@ -298,6 +298,9 @@ fn changes(request: &StoreRequest) -> bool {
         | R::NoteClass { .. }
         | R::RemoveClass(_)
         | R::Record(_)
+        | R::Observe(_)
+        | R::NoteHit(..)
+        | R::ClearNotebook(_)
         | R::Star(..)
         | R::Mark { .. }
         | R::Forget(..)
@@ -311,6 +314,7 @@ fn changes(request: &StoreRequest) -> bool {
         | R::ExportClass(_)
         | R::KeepHandIn(_)
         | R::Recall(_)
+        | R::Notebook(_)
         | R::Stars(_)
         | R::Players
         | R::Marks(_) => false,

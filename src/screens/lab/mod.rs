@@ -3,6 +3,7 @@
 
 mod field;
 mod mystery;
+mod notebook;
 mod pieces;
 mod view;
 
@@ -11,8 +12,9 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, Settings, View};
-use crate::messages::{Key, Mouse, MouseKind};
+use crate::messages::{Input, Key, Mouse, MouseKind, StoreRequest};
 use crate::physics::{CollisionSpec, Frame};
+use crate::progress::NotedHit;
 use crate::quiz::{Rays, RaysGrade};
 use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at};
 use crate::widgets::input::{
@@ -21,6 +23,7 @@ use crate::widgets::input::{
 use crate::widgets::{Outcome, RayInput};
 
 use mystery::Mystery;
+use notebook::{Notebook, NotebookAction};
 
 pub(crate) use field::LabSettings;
 
@@ -34,6 +37,8 @@ pub(crate) struct Lab {
     live: bool,
     /// Whether the set-up comes from another screen and is not saved for the next visit.
     lent: bool,
+    /// Whether a link hides the outcome until the player has predicted it.
+    hidden: bool,
 }
 
 /// The phase of the lab.
@@ -45,6 +50,8 @@ enum LabPhase {
     /// Predicting where both discs will go.
     Predict(RayInput),
     Watch(Box<Watch>),
+    /// Looking at earlier hits.
+    Notebook(Box<Notebook>),
 }
 
 /// The key actions in the lab.
@@ -67,6 +74,10 @@ pub(crate) enum LabAction {
     Live,
     /// restore the initial settings
     Reset,
+    /// open the notebook: all your hits as a table, and as a plot
+    OpenNotebook,
+    /// look at the hits in the notebook
+    Notebook(NotebookAction),
     /// predict where the two discs will go
     Say(RayAction),
     /// enter the mass of the mystery coin
@@ -80,11 +91,12 @@ pub(crate) enum LabAction {
 }
 
 impl Lab {
-    /// The lab with a collision set up.
-    pub(crate) fn of(setup: CollisionSpec) -> Self {
+    /// The lab with a collision set up, whose outcome may be hidden.
+    pub(crate) fn of(setup: CollisionSpec, hidden: bool) -> Self {
         let mut lab = Self::default();
         lab.settings.setup = setup;
         lab.lent = true;
+        lab.hidden = hidden;
         lab
     }
 
@@ -96,10 +108,15 @@ impl Lab {
         }
     }
 
-    /// Whether the picture may be live: after enough correct predictions, and without a mystery
-    /// coin.
+    /// Whether the picture may be live: after enough correct predictions, and unless it would show
+    /// the mass of a mystery coin or a hidden outcome.
     fn may_live(&self, cx: &Context) -> bool {
-        cx.settings.predicted >= Settings::ENOUGH_PREDICTED && !self.hides_mass()
+        cx.settings.predicted >= Settings::ENOUGH_PREDICTED && !self.hides_mass() && !self.hidden
+    }
+
+    /// Whether a prediction is required before the shot.
+    fn predicts(&self, cx: &Context) -> bool {
+        self.hidden || cx.settings.predict && !self.is_live(cx)
     }
 
     /// Whether the picture is live.
@@ -114,7 +131,7 @@ impl Lab {
 
     /// Goes from aiming to predicting, or to the shot if no prediction is required.
     fn go(&mut self, cx: &mut Context) {
-        if cx.settings.predict && !self.is_live(cx) {
+        if self.predicts(cx) {
             let side = self.settings.setup.collision().side();
             self.phase = LabPhase::Predict(RayInput::new(side));
         } else {
@@ -128,6 +145,12 @@ impl Lab {
         if said.is_some_and(|said| RaysGrade::new(&said, &truth).is_right()) {
             cx.settings.predicted = Settings::ENOUGH_PREDICTED.min(cx.settings.predicted + 1);
         }
+        if !self.hides_mass() {
+            let hit = NotedHit::new(self.settings.setup, said);
+            let player = cx.settings.player.clone();
+            cx.ask(StoreRequest::NoteHit(player, Box::new(hit)));
+        }
+        self.hidden = false;
         let watch = Watch::new(collision, said, cx.settings.pace());
         self.phase = LabPhase::Watch(Box::new(watch));
     }
@@ -158,6 +181,7 @@ impl Screen for Lab {
             true => Route::Lab,
             false => Route::LabOf {
                 setup: self.settings.setup,
+                hidden: self.hidden,
             },
         }
     }
@@ -175,12 +199,15 @@ impl Screen for Lab {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<LabAction> {
-        use LabAction::{Back, Contact, Go, Live, MysteryCoin, NextSet, Predict, Reset, SetUp};
+        use LabAction::{
+            Back, Contact, Go, Live, MysteryCoin, NextSet, OpenNotebook, Predict, Reset, SetUp,
+        };
         let key = Key::Char;
         let table = KeyTable::new("lab");
-        let go = match cx.settings.predict {
-            true if !self.is_live(cx) => "predict",
-            _ => "shoot",
+        let go = if self.predicts(cx) {
+            "predict"
+        } else {
+            "shoot"
         };
         match &self.phase {
             LabPhase::Aim => table
@@ -197,11 +224,18 @@ impl Screen for Lab {
                         .is_none(),
                 )
                 .on(key('m'), MysteryCoin, "mystery coin")
+                .on(notebook::KEY, OpenNotebook, "notebook")
+                .when(!self.hidden)
                 .on(key('v'), Live, if self.may_live(cx) { "live" } else { "" })
+                .when(!self.hidden)
                 .on(Key::Escape, Back, "back")
                 .when(!self.form.is_typing())
                 .on(key('p'), Predict, "")
+                .when(!self.hidden)
                 .on(key('r'), Reset, ""),
+            LabPhase::Notebook(notebook) => table
+                .with(notebook.keys(), LabAction::Notebook)
+                .on(Key::Escape, SetUp, "back"),
             LabPhase::Predict(rays) => table
                 .with(rays.keys("next, then shoot"), LabAction::Say)
                 .on(Key::Escape, SetUp, "back"),
@@ -266,6 +300,22 @@ impl Screen for Lab {
             (LabPhase::Watch(_), LabAction::Weigh(action)) => {
                 settings.mystery.iter_mut().for_each(|it| it.act(action));
             }
+            (_, LabAction::OpenNotebook) => {
+                form.commit(settings);
+                self.phase = LabPhase::Notebook(Box::new(Notebook::ask(cx)));
+            }
+            (LabPhase::Notebook(notebook), LabAction::Notebook(NotebookAction::Clear)) => {
+                return notebook.ask_to_clear();
+            }
+            (LabPhase::Notebook(notebook), LabAction::Notebook(action)) => {
+                if let Outcome::Done(Some(setup)) = notebook.act(action, cx) {
+                    *settings = LabSettings {
+                        setup,
+                        mystery: None,
+                    };
+                    self.phase = LabPhase::Aim;
+                }
+            }
             (_, LabAction::SetUp) => self.phase = LabPhase::Aim,
             (_, LabAction::Back) => {
                 if !self.lent {
@@ -273,6 +323,22 @@ impl Screen for Lab {
                 }
                 return Next::Back;
             }
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn confirmed(&mut self, _cleared: LabAction, cx: &mut Context) -> Next {
+        if let LabPhase::Notebook(notebook) = &mut self.phase {
+            notebook.clear(cx);
+        }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match (input, &mut self.phase) {
+            (Input::Kept(answer), LabPhase::Notebook(notebook)) => notebook.take(answer),
+            (Input::Exported(exported), _) => cx.notify_of_export("table of your hits", exported),
             _ => return Next::Ignored,
         }
         Next::Stay
@@ -299,6 +365,7 @@ impl Screen for Lab {
                     .set(CollisionField::Offset as usize, offset_mm);
             }
             LabPhase::Predict(rays) => point_at(picture, &collision, rays, mouse.place(), pressed),
+            LabPhase::Notebook(_) => return Next::Ignored,
             LabPhase::Watch(_) if !pressed => return Next::Ignored,
             LabPhase::Watch(watch) if watch.clock().is_over() => self.phase = LabPhase::Aim,
             LabPhase::Watch(watch) => watch.act(WatchAction::GoOn),
@@ -313,6 +380,7 @@ impl Screen for Lab {
                 self.form.step_at(speed, f64::from(-by), &mut self.settings);
             }
             LabPhase::Predict(_) => return Next::Ignored,
+            LabPhase::Notebook(notebook) => notebook.wheel(by),
             LabPhase::Watch(watch) => watch.act(WatchAction::Step(-by)),
         }
         Next::Stay

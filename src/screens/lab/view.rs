@@ -5,7 +5,7 @@ use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Lab, LabAction, LabPhase};
+use super::{Lab, LabAction, LabPhase, notebook};
 use crate::lessons::FigureKind;
 use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
@@ -45,6 +45,7 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
             prediction(lab, rays),
         )
         .dragging(RayInput::DRAG),
+        LabPhase::Notebook(notebook) => notebook::view(notebook, LabAction::Notebook),
         LabPhase::Watch(watch) => View::drawn(
             watch.slowed_title(),
             |area| watch.picture(area),
@@ -54,6 +55,9 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
 }
 
 const DRAG: &str = "Drag the coin up or down to set the offset.";
+
+/// The note in a lab whose outcome a link hides.
+const HIDDEN: &str = "The outcome of this hit is hidden until you have predicted it.";
 
 /// The smallest number of rows of a picture with room for the curves.
 const ROOM_FOR_CURVES: u16 = 18;
@@ -110,6 +114,9 @@ fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
         vec![("set it", set)]
     } else if live {
         vec![("watch it", LabAction::Go), ("live off", LabAction::Live)]
+    } else if lab.hidden {
+        panel.paragraph(HIDDEN, Role::Text);
+        vec![("now predict both paths", LabAction::Go)]
     } else if !cx.settings.predict {
         vec![
             ("shoot", LabAction::Go),

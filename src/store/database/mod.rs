@@ -1,4 +1,5 @@
-//! Stores every answer, every level won and every bookmark in an SQLite database.
+//! Stores every answer, every level won, every bookmark and every hit of the lab's notebook in an
+//! SQLite database.
 //!
 //! Several copies of carrom may use the database at once, any of them may be killed at any moment,
 //! and the file may be damaged or of another version. So:
@@ -20,6 +21,7 @@ mod backup;
 mod bookmarks;
 mod bytes;
 mod error;
+mod hits;
 mod limits;
 mod mend;
 mod pages;

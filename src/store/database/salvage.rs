@@ -322,6 +322,8 @@ fn things(table: &str) -> (&str, &str) {
         "star" => ("level won", "levels won"),
         "bookmark" => ("chapter begun", "chapters begun"),
         "page_seen" => ("page read", "pages read"),
+        "lab_hit" => ("hit in the notebook", "hits in the notebook"),
+        "observation" => ("observation", "observations"),
         other => (other, other),
     }
 }

@@ -18,10 +18,11 @@ use super::limits;
 use crate::files::escape_control;
 
 /// The steps; step n, counted from 1, leads to version n.
-const STEPS: [&str; 3] = [
+const STEPS: [&str; 4] = [
     include_str!("schema-1.sql"),
     include_str!("schema-2.sql"),
     include_str!("schema-3.sql"),
+    include_str!("schema-4.sql"),
 ];
 
 /// The first bytes of every SQLite database.

@@ -17,7 +17,9 @@ const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER
 
 const PLAYERS: &str = "SELECT player, max(time_s) AS last_s FROM \
                        (SELECT player, time_s FROM attempt UNION ALL \
-                       SELECT player, NULL FROM star UNION ALL SELECT player, NULL FROM bookmark) \
+                       SELECT player, NULL FROM star UNION ALL SELECT player, NULL FROM bookmark \
+                       UNION ALL SELECT player, NULL FROM lab_hit \
+                       UNION ALL SELECT player, NULL FROM observation) \
                        GROUP BY player ORDER BY last_s DESC, player";
 
 impl Database {
@@ -44,15 +46,20 @@ impl Database {
         player: Option<&str>,
     ) -> Result<Vec<Attempt>, String> {
         let (attempts, misfits) = self.look_up(|transaction| attempts(transaction, player))?;
+        self.report_misfits(misfits, "answer", "that fit no question");
+        Ok(attempts)
+    }
+
+    /// Leaves a notice, once, that this many rows do not fit.
+    pub(super) fn report_misfits(&mut self, misfits: usize, what: &str, why: &str) {
         if misfits > 0 && !self.reported_misfits && self.notice.is_none() {
             self.reported_misfits = true;
             self.notice = Some(format!(
-                "carrom left out {} in {NAME} that fit no question. Damage, or another \
-                 program, has changed the file.",
-                counted(misfits, "answer"),
+                "carrom left out {} in {NAME} {why}. Damage, or another program, has changed the \
+                 file.",
+                counted(misfits, what),
             ));
         }
-        Ok(attempts)
     }
 
     /// Stores a player's stars for a level, unless there are already as many.
@@ -131,7 +138,7 @@ pub(super) fn attempts(
 
 /// Whether a row cannot be read because carrom cannot have written it. One damaged row must not
 /// hide the others.
-fn is_nonsense(error: &rusqlite::Error) -> bool {
+pub(super) fn is_nonsense(error: &rusqlite::Error) -> bool {
     use rusqlite::Error::{FromSqlConversionFailure, IntegralValueOutOfRange, InvalidColumnType};
     matches!(
         error,
@@ -140,7 +147,7 @@ fn is_nonsense(error: &rusqlite::Error) -> bool {
 }
 
 /// A string, even if its bytes are damaged.
-struct LossyText(String);
+pub(super) struct LossyText(pub(super) String);
 
 impl FromSql for LossyText {
     fn column_result(value: ValueRef<'_>) -> FromSqlResult<Self> {

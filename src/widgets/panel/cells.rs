@@ -358,7 +358,11 @@ impl PlacedBlock<'_> {
     fn write(&self, lines: &mut Lines, take: &mut TakeTarget) {
         let from = lines.written();
         match self.content {
-            Content::Table { columns, rows } => return write_table(columns, rows, lines, take),
+            Content::Table {
+                columns,
+                rows,
+                leaves,
+            } => return write_table(columns, rows, *leaves, lines, take),
             Content::Prompts(prompts) => return write_prompts(prompts, &self.keys, lines, take),
             Content::Tabs { names, open } => return write_tabs(names, *open, lines, take),
             Content::Grid { cells, chosen } => return write_grid(cells, *chosen, lines, take),
@@ -659,10 +663,12 @@ const ENTRY: usize = 15;
 const WIDE_TABLE: u16 = 72;
 
 /// Writes a table: its headings, and one line per row. If there is room, there are gaps before
-/// numbers, and between numbers and the text after them.
+/// numbers, and between numbers and the text after them. A table that `leaves` rows free shows only
+/// the part around its chosen row.
 fn write_table(
     columns: &[TableColumn],
     rows: &[TableRow<()>],
+    leaves: Option<u16>,
     lines: &mut Lines,
     take: &mut TakeTarget,
 ) {
@@ -704,7 +710,12 @@ fn write_table(
         |charset| recorded(&heads, Role::Dim, charset),
         |lines| lines.line(&head, Role::Dim),
     );
-    for (own, row) in rows.iter().enumerate() {
+    let most = leaves.map(|leaves| usize::from(lines.whole().saturating_sub(leaves + 1).max(3)));
+    let most = most.unwrap_or(rows.len());
+    let chosen = rows.iter().position(|row| row.chosen).unwrap_or(0);
+    let first = chosen.saturating_sub(most / 2);
+    let first = first.min(rows.len().saturating_sub(most));
+    for (own, row) in rows.iter().enumerate().skip(first).take(most) {
         let (mark, role) = row.role.of_choice(row.chosen);
         let from = lines.written();
         let cells: Vec<_> = row.cells.iter().map(String::as_str).collect();

@@ -169,6 +169,9 @@ enum Content {
     Table {
         columns: Vec<TableColumn>,
         rows: Vec<TableRow<()>>,
+        /// The rows of the panel that a long table leaves free: it shows only the part around the
+        /// chosen row.
+        leaves: Option<u16>,
     },
     /// The possible next actions, the most likely first.
     Prompts(Vec<String>),
@@ -634,9 +637,33 @@ impl<A> Panel<A> {
 
     /// Adds a table with column headings, in which either every row can be chosen or none can.
     pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
+        self.push_table(columns, rows, None);
+    }
+
+    /// Adds a table that may be longer than the panel: then only the part around the chosen row is
+    /// shown, and these rows of the panel stay free for other blocks.
+    pub(crate) fn long_table(
+        &mut self,
+        columns: Vec<TableColumn>,
+        rows: Vec<TableRow<A>>,
+        leaves: u16,
+    ) {
+        self.push_table(columns, rows, Some(leaves));
+    }
+
+    fn push_table(
+        &mut self,
+        columns: Vec<TableColumn>,
+        rows: Vec<TableRow<A>>,
+        leaves: Option<u16>,
+    ) {
         let (rows, actions): (_, Vec<_>) = rows.into_iter().map(TableRow::apart).unzip();
-        let actions = actions.into_iter().flatten();
-        self.push_with(Content::Table { columns, rows }, actions);
+        let content = Content::Table {
+            columns,
+            rows,
+            leaves,
+        };
+        self.push_with(content, actions.into_iter().flatten());
     }
 
     /// Adds a possible next action: a short description without the key, and the action.

@@ -288,7 +288,10 @@ impl Reading {
         match figure.foil_page() {
             None => {
                 let setup = figure.setup();
-                Next::Open(Route::LabOf { setup })
+                Next::Open(Route::LabOf {
+                    setup,
+                    hidden: false,
+                })
             }
             // The lab would show the answer.
             Some(_) if self.is_asking() => {

@@ -1,0 +1,299 @@
+//! What a player saw in a hit, before its angles were shown.
+//!
+//! An observation is kept apart from the answers: it is no evidence for a misconception, and does
+//! not count in any topic. About one in five observations of a demonstration in physics lectures
+//! differs from what happened (Miller, Lasry, Chu & Mazur 2013, *Phys. Rev. ST Phys. Educ. Res.* 9,
+//! 020113).
+
+use serde_json::{Value, json};
+
+use super::utc;
+use crate::numbers::counted;
+use crate::physics::units::rad_from_deg;
+use crate::quiz::Rays;
+
+/// An observation, with the prediction made before it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Observation {
+    /// The time in seconds since the start of 1970 (UTC), set by the store; `None` if it is
+    /// unknown.
+    pub time_s: Option<i64>,
+    /// The player's name.
+    pub player: String,
+    /// Where the hit was observed.
+    pub place: ObservationPlace,
+    /// The prediction.
+    pub said: Rays,
+    /// What happened.
+    pub truth: Rays,
+    /// What the player saw.
+    pub seen: Rays,
+}
+
+/// Where a hit was observed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ObservationPlace {
+    /// In the lab.
+    Lab,
+    /// In the quiz.
+    Quiz,
+}
+
+/// An observation is right if both rays are within this angle of the true ones: an eye is less
+/// exact than a calculation.
+const SEEN_DEG: f64 = 10.0;
+/// A prediction can be told apart from what happened if it is at least this far off.
+const APART_DEG: f64 = 20.0;
+/// The number of latest observations, of those that can show it, that are looked at.
+const LATEST: usize = 10;
+/// The smallest number of observations closer to the prediction that is reported.
+const ENOUGH: usize = 3;
+
+impl Observation {
+    /// Whether the player saw what happened.
+    pub fn is_right(&self) -> bool {
+        is_close(&self.seen, &self.truth)
+    }
+
+    /// Whether the prediction was right, by the measure of an observation.
+    pub fn was_expected(&self) -> bool {
+        is_close(&self.said, &self.truth)
+    }
+
+    /// Whether the prediction was so far off that an observation can follow it.
+    fn can_follow(&self) -> bool {
+        self.said.gap(&self.truth) >= rad_from_deg(APART_DEG)
+    }
+
+    /// Whether the observation is wrong, and closer to the prediction than to what happened.
+    pub fn follows_prediction(&self) -> bool {
+        self.can_follow()
+            && !self.is_right()
+            && self.seen.gap(&self.said) < self.seen.gap(&self.truth)
+    }
+
+    /// The observation and the prediction in a sentence or two.
+    pub(crate) fn words(&self) -> &'static str {
+        match (self.was_expected(), self.is_right()) {
+            (true, true) => "You predicted it, and you saw it.",
+            (false, true) => {
+                "Your prediction was off, but you saw what really happened. That is how a \
+                 prediction is tested."
+            }
+            (_, false) if self.follows_prediction() => {
+                "You saw something closer to your prediction than to what happened. That is \
+                 common: it is easy to see what you expect. Watch the collision once more."
+            }
+            (_, false) => {
+                "What you saw differs from what happened by more than 10°. Watch the collision \
+                 once more."
+            }
+        }
+    }
+}
+
+fn is_close(rays: &Rays, truth: &Rays) -> bool {
+    rays.gap(truth) <= rad_from_deg(SEEN_DEG)
+}
+
+/// How many of a player's observations are right, and how many follow the prediction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct ObservationCounts {
+    /// All observations.
+    pub all: usize,
+    /// Those that are right.
+    pub right: usize,
+    /// Those that are wrong although the prediction was right.
+    pub only_predicted: usize,
+    /// Those that are right although the prediction was wrong.
+    pub only_seen: usize,
+    /// Those that are wrong and closer to the prediction than to what happened.
+    pub follow: usize,
+    /// Of the latest ten after predictions at least 20° off: how many there are, and how many of
+    /// them follow the prediction.
+    pub latest: (usize, usize),
+}
+
+impl ObservationCounts {
+    /// The counts of some observations, the latest last.
+    pub fn new<'a>(observations: impl IntoIterator<Item = &'a Observation> + Clone) -> Self {
+        let all = || observations.clone().into_iter();
+        let count = |is: fn(&Observation) -> bool| all().filter(|it| is(it)).count();
+        let clear: Vec<_> = all().filter(|it| it.can_follow()).collect();
+        let latest = &clear[clear.len().saturating_sub(LATEST)..];
+        let follow = latest.iter().filter(|it| it.follows_prediction()).count();
+        Self {
+            all: all().count(),
+            right: count(Observation::is_right),
+            only_predicted: count(|it| it.was_expected() && !it.is_right()),
+            only_seen: count(|it| !it.was_expected() && it.is_right()),
+            follow: count(Observation::follows_prediction),
+            latest: (latest.len(), follow),
+        }
+    }
+
+    /// Whether the player tends to see what they expect: at least three of the latest ten
+    /// observations that can show it follow the prediction, and more than half of them.
+    pub fn sees_what_is_expected(&self) -> bool {
+        let (clear, follow) = self.latest;
+        follow >= ENOUGH && 2 * follow > clear
+    }
+
+    /// The counts in sentences; empty without observations.
+    pub fn words(&self) -> Vec<String> {
+        if self.all == 0 {
+            return Vec::new();
+        }
+        let (all, right) = (counted(self.all, "observation"), self.right);
+        let mut words = vec![format!(
+            "What you saw, before the angles were shown: {right} of {all} within 10° of what \
+             happened."
+        )];
+        if self.only_seen > 0 {
+            words.push(format!(
+                "After {} your observation was right although your prediction was not.",
+                counted(self.only_seen, "hit")
+            ));
+        }
+        if self.sees_what_is_expected() {
+            let (clear, follow) = self.latest;
+            words.push(format!(
+                "In {follow} of the latest {clear} hits that differed clearly from your \
+                 prediction, what you saw was closer to the prediction. That happens to many \
+                 people, and it helps to know it: watch one disc at a time, and decide where it \
+                 went before you think of your prediction."
+            ));
+        }
+        words
+    }
+
+    /// The counts for other programs.
+    pub(crate) fn json(&self) -> Value {
+        let (clear, follow) = self.latest;
+        json!({
+            "made": self.all,
+            "right": self.right,
+            "wrong_after_right_prediction": self.only_predicted,
+            "right_after_wrong_prediction": self.only_seen,
+            "closer_to_prediction": self.follow,
+            "latest_clear": clear,
+            "latest_closer_to_prediction": follow,
+            "sees_what_is_expected": self.sees_what_is_expected(),
+        })
+    }
+}
+
+/// Observations for other programs, in their order.
+pub(crate) fn observations_json(observations: &[Observation]) -> Value {
+    let one = |it: &Observation| {
+        json!({
+            "time": it.time_s.and_then(utc),
+            "player": it.player,
+            "place": <&str>::from(it.place),
+            "prediction": it.said.json(),
+            "truth": it.truth.json(),
+            "observation": it.seen.json(),
+            "right": it.is_right(),
+        })
+    };
+    observations.iter().map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{Rng, RngExt};
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::SeedableRng;
+
+    use super::*;
+
+    fn rays(theta1: f64, theta2: f64) -> Rays {
+        Rays::new(theta1.to_radians(), theta2.to_radians())
+    }
+
+    fn observation(said: Rays, truth: Rays, seen: Rays) -> Observation {
+        Observation {
+            time_s: None,
+            player: "Ada".into(),
+            place: ObservationPlace::Lab,
+            said,
+            truth,
+            seen,
+        }
+    }
+
+    #[test]
+    fn a_wrong_prediction_is_kept_apart_from_a_wrong_observation() {
+        let truth = rays(60.0, 30.0);
+        let off = rays(30.0, 60.0);
+        for (said, seen, words) in [
+            (truth, truth, "predicted it, and you saw it"),
+            (off, rays(63.0, 24.0), "you saw what really happened"),
+            (off, rays(32.0, 55.0), "closer to your prediction"),
+            (truth, rays(20.0, 30.0), "differs from what happened"),
+            (off, rays(100.0, 10.0), "differs from what happened"),
+        ] {
+            let it = observation(said, truth, seen);
+            assert!(it.words().contains(words), "{} {words}", it.words());
+        }
+        let counts = ObservationCounts::new(&[
+            observation(off, truth, truth),
+            observation(truth, truth, off),
+            observation(off, truth, off),
+        ]);
+        assert_eq!((counts.all, counts.right, counts.follow), (3, 1, 1));
+        assert_eq!((counts.only_seen, counts.only_predicted), (1, 1));
+        assert!(!counts.sees_what_is_expected());
+        assert!(ObservationCounts::default().words().is_empty());
+    }
+
+    /// The number of simulated students, of `students`, about whom the report says after any of
+    /// their 20 observations that they see what they expect. `follows` is the share of hits in which
+    /// a student sees the prediction; otherwise they see what happened. Both with a normal error of
+    /// `sigma_deg` in each ray.
+    fn named(students: u64, follows: f64, sigma_deg: f64) -> f64 {
+        let mut dice = Pcg64Mcg::seed_from_u64(7);
+        let mut count = 0;
+        for _ in 0..students {
+            let mut seen = Vec::new();
+            let mut is_named = false;
+            for _ in 0..20 {
+                let theta1 = dice.random_range(20.0..70.0);
+                let truth = rays(theta1, 90.0 - theta1);
+                // The commonest mistake: the angles exchanged, or divided equally.
+                let said = match dice.random_bool(0.5) {
+                    true => rays(90.0 - theta1, theta1),
+                    false => rays(45.0, 45.0),
+                };
+                let believed = if dice.random_bool(follows) { said } else { truth };
+                let [e1, e2] = [(); 2].map(|()| rad_from_deg(sigma_deg * normal(&mut dice)));
+                let [a, b] = [believed.striker.unwrap() + e1, believed.target.unwrap() + e2];
+                seen.push(observation(said, truth, Rays::new(a, b)));
+                is_named |= ObservationCounts::new(&seen).sees_what_is_expected();
+            }
+            count += u64::from(is_named);
+        }
+        count as f64 / students as f64
+    }
+
+    /// A number from the standard normal distribution (Box–Muller).
+    fn normal(dice: &mut impl Rng) -> f64 {
+        let [u, v] = [dice.random_range(1e-12..1.0_f64), dice.random_range(0.0..1.0)];
+        (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
+    }
+
+    /// The rates are quoted in `docs/judging.md`.
+    #[test]
+    fn a_student_who_sees_what_they_expect_is_recognised_and_others_are_not() {
+        let exact = named(2000, 0.0, 5.0);
+        let rough = named(2000, 0.0, 10.0);
+        let usual = named(2000, 0.2, 5.0);
+        let expects = named(2000, 1.0, 5.0);
+        println!("named: {exact} with 5°, {rough} with 10°, {usual} of 20 %, {expects} of all");
+        assert!(exact < 0.001, "{exact}");
+        assert!(rough < 0.05, "{rough}");
+        assert!(usual < 0.15, "{usual}");
+        assert!(expects > 0.99, "{expects}");
+    }
+}

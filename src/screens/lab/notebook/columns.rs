@@ -1,0 +1,203 @@
+//! The columns of the notebook.
+
+use std::sync::LazyLock;
+
+use crate::numbers::{fixed, tidy, true_minus};
+use crate::physics::named::Quantity;
+use crate::physics::{Collision, CollisionSpec};
+use crate::progress::NotedHit;
+use crate::quiz::Ray;
+use crate::widgets::brief;
+use crate::widgets::input::{CollisionField, FieldValue};
+
+/// A column: what it shows of a hit.
+#[derive(Debug)]
+pub(super) struct NotebookColumn {
+    /// Its heading in a file, with the unit.
+    pub(super) id: &'static str,
+    /// Its heading on the screen.
+    pub(super) symbol: &'static str,
+    /// Its unit on the screen; may be empty.
+    pub(super) unit: &'static str,
+    decimals: usize,
+    pub(super) of: ColumnSource,
+}
+
+/// Where the values of a column come from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum ColumnSource {
+    Setting(CollisionField),
+    /// A predicted angle, in degrees with the signs of the screen.
+    Said(Ray),
+    /// A true angle, in degrees with the signs of the screen.
+    True(Ray),
+    /// A quantity that follows from the settings.
+    Result(Quantity),
+}
+
+use ColumnSource::{Result, Said, Setting, True};
+
+/// The settings: the name in a file, the symbol, the unit, the decimals and the setting.
+type SettingRow = (&'static str, &'static str, &'static str, usize, CollisionField);
+
+const SETTINGS: [SettingRow; 12] = [
+    ("b_mm", "b", "mm", 1, CollisionField::Offset),
+    ("alpha_deg", "α", "°", 1, CollisionField::ImpactAngle),
+    ("m1_g", "m₁", "g", 1, CollisionField::StrikerMass),
+    ("m2_g", "m₂", "g", 1, CollisionField::CoinMass),
+    ("e", "e", "", 2, CollisionField::Restitution),
+    ("contact", "contact", "", 0, CollisionField::Contact),
+    ("u1_m_s", "u₁", "m/s", 2, CollisionField::Speed),
+    ("aim_deg", "aim", "°", 0, CollisionField::Aim),
+    ("u2_m_s", "u₂", "m/s", 2, CollisionField::CoinSpeed),
+    ("aim2_deg", "aim₂", "°", 0, CollisionField::CoinAim),
+    ("r1_mm", "r₁", "mm", 2, CollisionField::StrikerRadius),
+    ("r2_mm", "r₂", "mm", 2, CollisionField::CoinRadius),
+];
+
+/// The results: the name in a file, and the name of the quantity.
+const RESULTS: [(&str, &str); 13] = [
+    ("v1_m_s", "v1"),
+    ("v2_m_s", "v2"),
+    ("separation_deg", "separation_deg"),
+    ("px_before_g_m_s", "px"),
+    ("py_before_g_m_s", "py"),
+    ("p1x_g_m_s", "p1x"),
+    ("p1y_g_m_s", "p1y"),
+    ("p2x_g_m_s", "p2x"),
+    ("p2y_g_m_s", "p2y"),
+    ("px_after_g_m_s", "px_after"),
+    ("py_after_g_m_s", "py_after"),
+    ("energy_before_mj", "energy_before_mj"),
+    ("energy_after_mj", "energy_after_mj"),
+];
+
+const ANGLES: [(&str, &str, ColumnSource); 4] = [
+    ("said_theta1_deg", "said θ₁", Said(Ray::Striker)),
+    ("said_theta2_deg", "said θ₂", Said(Ray::Target)),
+    ("theta1_deg", "θ₁", True(Ray::Striker)),
+    ("theta2_deg", "θ₂", True(Ray::Target)),
+];
+
+static COLUMNS: LazyLock<Vec<NotebookColumn>> = LazyLock::new(|| {
+    let settings = SETTINGS.map(|(id, symbol, unit, decimals, field)| NotebookColumn {
+        id,
+        symbol,
+        unit,
+        decimals,
+        of: Setting(field),
+    });
+    let angles = ANGLES.map(|(id, symbol, of)| NotebookColumn {
+        id,
+        symbol,
+        unit: "°",
+        decimals: 1,
+        of,
+    });
+    let results = RESULTS.into_iter().filter_map(|(id, name)| {
+        let quantity = Quantity::named(name)?;
+        Some(NotebookColumn {
+            id,
+            symbol: quantity.symbol,
+            unit: quantity.unit,
+            decimals: quantity.decimals,
+            of: Result(quantity),
+        })
+    });
+    settings.into_iter().chain(angles).chain(results).collect()
+});
+
+impl NotebookColumn {
+    /// All columns, in their order.
+    pub(super) fn all() -> &'static [Self] {
+        &COLUMNS
+    }
+
+    /// The index of the column with this name in a file.
+    pub(super) fn index(id: &str) -> usize {
+        Self::all().iter().position(|it| it.id == id).unwrap_or(0)
+    }
+
+    /// The column with this name in a file.
+    pub(super) fn named(id: &str) -> &'static Self {
+        &Self::all()[Self::index(id)]
+    }
+
+    /// Whether it has numbers that can be plotted.
+    pub(super) fn is_number(&self) -> bool {
+        self.of != Setting(CollisionField::Contact)
+    }
+
+    /// The setting that it shows, if it shows one.
+    pub(super) fn setting(&self) -> Option<CollisionField> {
+        match self.of {
+            Setting(field) => Some(field),
+            _ => None,
+        }
+    }
+
+    /// Its symbol and unit.
+    pub(super) fn name(&self) -> String {
+        match self.unit {
+            "" => self.symbol.to_owned(),
+            unit => format!("{} ({unit})", self.symbol),
+        }
+    }
+
+    /// The number of a hit; `None` if there is none.
+    pub(super) fn value(&self, hit: &NotedHit) -> Option<f64> {
+        match self.of {
+            Said(ray) => angle(&hit.setup.collision(), hit.said.as_ref()?.get(ray)),
+            _ => self.exact(&hit.setup),
+        }
+    }
+
+    /// The exact number for these settings: for a predicted angle, the true one.
+    pub(super) fn exact(&self, setup: &CollisionSpec) -> Option<f64> {
+        let collision = setup.collision();
+        match self.of {
+            // The form shows a miss as a graze.
+            Setting(CollisionField::ImpactAngle) => Some(collision.alpha()?.to_degrees()),
+            Setting(field) => match field.field(setup).value {
+                FieldValue::Number { value, .. } => Some(value),
+                FieldValue::Choice { .. } => None,
+            },
+            Said(ray) | True(ray) => {
+                let outcome = collision.outcome();
+                angle(&collision, [outcome.theta1, outcome.theta2][ray as usize])
+            }
+            Result(quantity) => quantity.of(&collision),
+        }
+    }
+
+    /// The cell of a hit on the screen.
+    pub(super) fn shown(&self, hit: &NotedHit) -> String {
+        match self.value(hit) {
+            Some(value) => true_minus(&fixed(value, self.decimals)),
+            None => self.word(hit),
+        }
+    }
+
+    /// The cell of a hit in a file, with all digits.
+    pub(super) fn cell(&self, hit: &NotedHit) -> String {
+        match self.value(hit) {
+            Some(value) => (tidy(value) + 0.0).to_string(),
+            None => self.word(hit),
+        }
+    }
+
+    /// The word for a hit without a number here.
+    fn word(&self, hit: &NotedHit) -> String {
+        match self.of {
+            Said(_) if hit.said.is_none() => String::new(),
+            Said(_) | True(_) => brief(None),
+            Setting(field @ CollisionField::Contact) => field.field(&hit.setup).shown,
+            _ => String::new(),
+        }
+    }
+}
+
+/// An angle in degrees with the sign that it has on the screen.
+fn angle(collision: &Collision, angle: Option<f64>) -> Option<f64> {
+    Some(collision.side() * angle?.to_degrees() + 0.0)
+}

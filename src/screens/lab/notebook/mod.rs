@@ -1,0 +1,215 @@
+//! The lab's notebook: every hit as a row of a table, and any two columns as a plot.
+
+mod columns;
+mod plot;
+mod view;
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use crate::files::csv_table;
+use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::physics::CollisionSpec;
+use crate::progress::{NotedHit, utc};
+use crate::screens::{Confirmation, Context, Next};
+use crate::widgets::Outcome;
+use crate::widgets::input::{KeyTable, ListAction, ListView};
+
+use columns::NotebookColumn;
+pub(super) use view::view;
+
+/// The file name of the exported table.
+const FILE: &str = "carrom-notebook.csv";
+
+/// The open notebook.
+#[derive(Debug, Clone)]
+pub(super) struct Notebook {
+    hits: Hits,
+    list: ListView,
+    /// Whether the plot is shown instead of the table.
+    plots: bool,
+    /// The columns on the two axes, as indices of the [columns](NotebookColumn::all).
+    axes: [usize; 2],
+}
+
+/// The hits, once they have been loaded.
+#[derive(Debug, Clone)]
+enum Hits {
+    /// They have been requested with this ticket.
+    Asked(u64),
+    /// They cannot be loaded, for this reason.
+    Unknown(String),
+    Known(Vec<NotedHit>),
+}
+
+/// The key actions in the notebook.
+#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum NotebookAction {
+    /// choose a hit, or set it up again
+    List(ListAction),
+    /// switch between the table and the plot
+    Plot,
+    /// plot another column along the axis to the right
+    Across(isize),
+    /// plot another column along the axis upwards
+    Up(isize),
+    /// export all hits as a table for a spreadsheet
+    Export,
+    /// delete all hits in the notebook
+    Clear,
+}
+
+impl Notebook {
+    /// The notebook, requested from the store.
+    pub(super) fn ask(cx: &mut Context) -> Self {
+        let player = cx.settings.player.clone();
+        Self {
+            hits: Hits::Asked(cx.ask(StoreRequest::Notebook(player))),
+            list: ListView::at(usize::MAX),
+            plots: false,
+            axes: ["alpha_deg", "theta1_deg"].map(NotebookColumn::index),
+        }
+    }
+
+    /// Takes an answer of the store, if it belongs to the request.
+    pub(super) fn take(&mut self, answer: &StoreAnswer) {
+        if let (Hits::Asked(ticket), StoreReply::Notebook(hits)) = (&self.hits, &answer.done)
+            && *ticket == answer.ticket
+        {
+            self.hits = match hits {
+                Ok(hits) => Hits::Known(hits.clone()),
+                Err(reason) => Hits::Unknown(reason.clone()),
+            };
+        }
+    }
+
+    /// The hits in the order in which they were made; none before they are loaded.
+    fn hits(&self) -> &[NotedHit] {
+        match &self.hits {
+            Hits::Known(hits) => hits,
+            Hits::Asked(_) | Hits::Unknown(_) => &[],
+        }
+    }
+
+    /// The index of the chosen hit, and the hit.
+    fn chosen(&self) -> Option<(usize, &NotedHit)> {
+        let at = self.list.chosen(self.hits().len());
+        Some((at, self.hits().get(at)?))
+    }
+
+    fn axes(&self) -> [&'static NotebookColumn; 2] {
+        self.axes.map(|at| &NotebookColumn::all()[at])
+    }
+
+    pub(super) fn keys(&self) -> KeyTable<NotebookAction> {
+        use NotebookAction::{Across, Clear, Export, List, Plot, Up};
+        let some = !self.hits().is_empty();
+        let other = if self.plots { "table" } else { "plot" };
+        KeyTable::new("notebook")
+            .with(ListView::keys("set it up again"), List)
+            .when(some)
+            .on('g', Plot, other)
+            .when(some)
+            .by(['x', 'X'], Across, [1, -1], "across")
+            .when(self.plots)
+            .by(['y', 'Y'], Up, [1, -1], "up")
+            .when(self.plots)
+            .on('e', Export, "export")
+            .when(some)
+            .on('C', Clear, "clear")
+            .when(some)
+    }
+
+    /// Carries out an action; `Done` with the settings of a hit that is to be set up again.
+    pub(super) fn act(
+        &mut self,
+        action: NotebookAction,
+        cx: &mut Context,
+    ) -> Outcome<Option<CollisionSpec>> {
+        match action {
+            NotebookAction::List(action) => {
+                let count = self.hits().len();
+                if let Outcome::Done(at) = self.list.act(action, count) {
+                    return Outcome::Done(self.hits().get(at).map(|hit| hit.setup));
+                }
+            }
+            NotebookAction::Plot => self.plots ^= true,
+            NotebookAction::Across(by) => self.turn(0, by),
+            NotebookAction::Up(by) => self.turn(1, by),
+            NotebookAction::Export => match self.csv() {
+                Ok(text) => cx.export(FILE.into(), text),
+                Err(reason) => cx.notify(format!("The table could not be written: {reason}")),
+            },
+            NotebookAction::Clear => return Outcome::Ignored,
+        }
+        Outcome::Used
+    }
+
+    /// Puts another column that can be plotted on an axis.
+    fn turn(&mut self, axis: usize, by: isize) {
+        let count = NotebookColumn::all().len() as isize;
+        let mut at = self.axes[axis];
+        for _ in 0..count {
+            at = (at as isize + by).rem_euclid(count) as usize;
+            if NotebookColumn::all()[at].is_number() {
+                break;
+            }
+        }
+        self.axes[axis] = at;
+    }
+
+    /// The question before the notebook is cleared.
+    pub(super) fn ask_to_clear(&self) -> Next {
+        let what = match self.hits().len() {
+            1 => "The hit in your notebook".to_owned(),
+            count => format!("All {count} hits in your notebook"),
+        };
+        let text = format!("{what} will be deleted, here and on the disk. Export them first if you want to keep them.");
+        Next::Confirm(Confirmation::new(text, "clear the notebook", "keep it"))
+    }
+
+    /// Deletes all hits, now that the player has agreed.
+    pub(super) fn clear(&mut self, cx: &mut Context) {
+        cx.ask(StoreRequest::ClearNotebook(cx.settings.player.clone()));
+        self.hits = Hits::Known(Vec::new());
+        self.plots = false;
+    }
+
+    /// All hits as a table for a spreadsheet, with all digits.
+    fn csv(&self) -> Result<String, String> {
+        let columns = NotebookColumn::all();
+        let heads: Vec<&str> = ["hit", "time"]
+            .into_iter()
+            .chain(columns.iter().map(|column| column.id))
+            .chain(["link"])
+            .collect();
+        let row = |(number, hit): (usize, &NotedHit)| {
+            let time = hit.time_s.and_then(utc).unwrap_or_default();
+            let cells = columns.iter().map(|column| column.cell(hit));
+            [number.to_string(), time]
+                .into_iter()
+                .chain(cells)
+                .chain([link(&hit.setup)])
+                .collect()
+        };
+        let rows: Vec<Vec<String>> = (1..).zip(self.hits()).map(row).collect();
+        csv_table(&heads, &rows)
+    }
+
+    /// The keys of the mouse wheel.
+    pub(super) fn wheel(&mut self, by: i8) {
+        let count = self.hits().len();
+        self.list.act(ListAction::Choose(by.into()), count);
+    }
+}
+
+/// The address of a hit, as in a link.
+fn link(setup: &CollisionSpec) -> String {
+    match setup.to_link() {
+        usual if usual.is_empty() => "lab".into(),
+        link => format!("lab={link}"),
+    }
+}
+
+/// The key that opens the notebook.
+pub(super) const KEY: Key = Key::Char('n');

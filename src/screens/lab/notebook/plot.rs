@@ -1,0 +1,188 @@
+//! Two columns of the notebook against each other, over the exact curve.
+
+use glam::{DVec2, dvec2};
+use ratatui::layout::Rect;
+
+use super::Notebook;
+use super::columns::{ColumnSource, NotebookColumn};
+use crate::physics::CollisionSpec;
+use crate::progress::NotedHit;
+use crate::widgets::input::{CollisionField, FieldValue};
+use crate::widgets::picture::{Pen, Picture};
+use crate::widgets::plot::{Axis, Plot};
+use crate::widgets::{Charset, Look, Role};
+
+/// The number of pieces of the curve.
+const PIECES: u32 = 360;
+
+/// The plot of the chosen columns: a point for each hit, over the exact curve for the other
+/// settings of the chosen hit.
+pub(super) fn picture(notebook: &Notebook, area: Rect, look: &Look) -> Picture {
+    let hits = notebook.hits();
+    let axes = notebook.axes();
+    let point = |hit: &NotedHit| Some(dvec2(axes[0].value(hit)?, axes[1].value(hit)?));
+    let chosen = notebook.chosen();
+    let curve = chosen.map_or_else(Vec::new, |(_, hit)| curve(axes, &hit.setup, hits));
+    let all = curve.iter().copied().chain(hits.iter().filter_map(point));
+    let all: Vec<DVec2> = all.filter(|at| at.is_finite()).collect();
+    let [x, y] = [0, 1].map(|axis| {
+        let values = all.iter().map(|at| at[axis]);
+        let (from, to) = ends(values);
+        Axis::linear(axes[axis].name(), from, to)
+    });
+    let mut plot = Plot::new(area, *look, x, y);
+    plot.curve(curve, Pen::new(Role::StrikerOut));
+    let signs = match look.charset {
+        Charset::Ascii => ['o', 'O'],
+        Charset::Unicode => ['○', '●'],
+    };
+    for hit in hits {
+        if let Some(at) = point(hit) {
+            plot.mark(at, signs[0], Role::CoinOut);
+        }
+    }
+    if let Some(at) = chosen.and_then(|(_, hit)| point(hit)) {
+        plot.mark(at, signs[1], Role::Title);
+    }
+    plot.picture()
+}
+
+/// The setting that the curve of two columns varies: one of theirs, otherwise the impact angle.
+pub(super) fn varied(axes: [&NotebookColumn; 2]) -> CollisionField {
+    let own = axes.iter().find_map(|column| column.setting());
+    own.unwrap_or(CollisionField::ImpactAngle)
+}
+
+/// The exact values of both columns while one setting varies. The others are those of `setup`.
+fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -> Vec<DVec2> {
+    let field = varied(axes);
+    let (from, to) = range(field, setup, hits);
+    let at = |i: u32| {
+        let mut spec = *setup;
+        field.set(&mut spec, from + (to - from) * f64::from(i) / f64::from(PIECES));
+        let [x, y] = axes.map(|column| column.exact(&spec).unwrap_or(f64::NAN));
+        dvec2(x, y)
+    };
+    (0..=PIECES).map(at).collect()
+}
+
+/// The range over which the curve varies a setting: all collisions for an angle, an offset and e,
+/// otherwise a little more than the range of the hits.
+fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f64, f64) {
+    let FieldValue::Number { range, .. } = field.field(setup).value else {
+        return (0.0, 0.0);
+    };
+    let is_left = hits.iter().any(|hit| hit.setup.offset_mm() < 0.0);
+    let from_left = |most: f64| if is_left { (-most, most) } else { (0.0, most) };
+    match field {
+        CollisionField::ImpactAngle => from_left(90.0),
+        CollisionField::Offset => from_left(setup.contact_distance_mm()),
+        CollisionField::Restitution => range,
+        CollisionField::Aim | CollisionField::CoinAim => (-180.0, 180.0),
+        _ => {
+            let values = hits.iter().filter_map(|hit| match field.field(&hit.setup).value {
+                FieldValue::Number { value, .. } => Some(value),
+                FieldValue::Choice { .. } => None,
+            });
+            let most = values.fold(0.0, f64::max);
+            (range.0, (1.5 * most).clamp(range.0, range.1))
+        }
+    }
+}
+
+/// The ends of an axis for these values: 0 is included if it is not far away.
+fn ends(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
+    let least = values.clone().fold(f64::INFINITY, f64::min);
+    let most = values.fold(f64::NEG_INFINITY, f64::max);
+    if !(least.is_finite() && most.is_finite()) {
+        return (0.0, 1.0);
+    }
+    let from = if least > 0.0 && least < 0.6 * most { 0.0 } else { least };
+    let width = most - from;
+    // A constant, apart from rounding.
+    if width <= 1e-6 * most.abs().max(1e-6) {
+        let margin = 0.1 * most.abs().max(1.0);
+        return (from - margin, most + margin);
+    }
+    (from, most + 0.02 * width)
+}
+
+/// The plot in sentences.
+pub(super) fn in_words(notebook: &Notebook) -> Vec<String> {
+    let [x, y] = notebook.axes();
+    let points = notebook.hits().iter().filter(|hit| {
+        let has = |column: &NotebookColumn| column.value(hit).is_some();
+        has(x) && has(y)
+    });
+    vec![format!(
+        "A plot of {} against {}, with {} points and the exact curve for the chosen hit.",
+        y.symbol,
+        x.symbol,
+        points.count()
+    )]
+}
+
+/// The sentence below the plot about its curve.
+pub(super) fn about_curve(notebook: &Notebook) -> String {
+    let axes = notebook.axes();
+    let field = varied(axes);
+    let name = NotebookColumn::all().iter().find(|it| it.of == ColumnSource::Setting(field));
+    let symbol = name.map_or("α", |it| it.symbol);
+    format!(
+        "The line is exact: it varies {symbol} and keeps the other settings of the chosen hit. A \
+         point with other settings may lie beside it."
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use strum::VariantArray;
+
+    use super::*;
+
+    /// Every setting has a column.
+    #[test]
+    fn every_setting_can_be_plotted() {
+        for field in CollisionField::VARIANTS {
+            let column = NotebookColumn::all().iter().find(|it| it.setting() == Some(*field));
+            assert!(column.is_some(), "{field:?}");
+        }
+    }
+
+    /// Each hit lies on the curve for its own settings, whatever is plotted.
+    #[test]
+    fn the_curve_passes_through_the_chosen_hit() {
+        let hit = |link| NotedHit::new(CollisionSpec::from_link(link).unwrap(), None);
+        let hits = [
+            hit("m2:5.5,b:12,e:0.8,u:3"),
+            hit("b:-9,u2:1.5,dir2:30"),
+            hit("m1:20,m2:40,r1:12.4,r2:15.6,b:20"),
+            hit("b:11,stick:true"),
+        ];
+        let numbers = || NotebookColumn::all().iter().filter(|it| it.is_number());
+        for it in &hits {
+            for x in numbers() {
+                for y in numbers() {
+                    let near = [x, y].map(|column| column.exact(&it.setup));
+                    let [Some(at_x), Some(at_y)] = near else {
+                        continue;
+                    };
+                    let curve = curve([x, y], &it.setup, &hits);
+                    let size = |axis: usize| {
+                        let (from, to) = ends(curve.iter().map(|at| at[axis]));
+                        to - from
+                    };
+                    let size = dvec2(size(0), size(1));
+                    let gap = curve.windows(2).map(|ends| {
+                        let [a, b] = [ends[0], ends[1]].map(|at| (at - dvec2(at_x, at_y)) / size);
+                        let along = b - a;
+                        let share = (-a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                        (a + if share.is_nan() { 0.0 } else { share } * along).length()
+                    });
+                    let gap = gap.fold(f64::INFINITY, f64::min);
+                    assert!(gap < 0.02, "{} against {}: {gap}", y.id, x.id);
+                }
+            }
+        }
+    }
+}

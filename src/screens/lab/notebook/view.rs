@@ -1,0 +1,153 @@
+//! The view of the notebook.
+
+use super::columns::NotebookColumn;
+use super::{Hits, Notebook, NotebookAction, link, plot};
+use crate::physics::CollisionSpec;
+use crate::progress::NotedHit;
+use crate::screens::View;
+use crate::widgets::input::ListAction;
+use crate::widgets::panel::{Panel, TableColumn, TableRow};
+use crate::widgets::{Look, Role, SplitLayout, sheet};
+
+/// The largest width of the table with its frame, in columns.
+const WIDEST: u16 = 160;
+/// The rows that the table leaves for what follows.
+const BELOW: u16 = 4;
+
+/// The table, or the plot with the chosen hit beside it.
+pub(in crate::screens::lab) fn view<'s, A: Copy>(
+    notebook: &'s Notebook,
+    wrap: impl Fn(NotebookAction) -> A,
+) -> View<'s, A> {
+    let mut panel = Panel::new("notebook");
+    if !notebook.plots {
+        panel.part(wrap, |panel| table(notebook, panel));
+        return View::alone(|room| SplitLayout::text_of(room, WIDEST), panel);
+    }
+    panel.part(wrap, |panel| beside_plot(notebook, panel));
+    let [x, y] = notebook.axes();
+    View::picture(
+        format!("{} against {}", y.symbol, x.symbol),
+        |area, buf, look: &Look| {
+            sheet::next_picture_shows(|| plot::in_words(notebook));
+            plot::picture(notebook, area, look).draw(buf, look);
+        },
+        panel,
+    )
+}
+
+fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
+    match &notebook.hits {
+        Hits::Asked(_) => return panel.paragraph("Loading …", Role::Dim),
+        Hits::Unknown(reason) => {
+            let text = format!("Your notebook cannot be loaded: {reason}.");
+            return panel.paragraph(text, Role::Warn);
+        }
+        Hits::Known(hits) if hits.is_empty() => {
+            let text = "There is nothing here yet: every hit that you make in the lab becomes a \
+                        row, with its settings, your prediction and the result. The hits with an \
+                        open mystery coin are left out.";
+            return panel.paragraph(text, Role::Text);
+        }
+        Hits::Known(_) => {}
+    }
+    let number = |id, width, room| {
+        let column = NotebookColumn::named(id);
+        (TableColumn::numbers(column.symbol, width).from(room), vec![column])
+    };
+    let pair = |head: &str, ids: [&str; 2], width| {
+        let columns = ids.map(NotebookColumn::named);
+        (TableColumn::numbers(head, width), columns.into())
+    };
+    let (heads, shown): (Vec<_>, Vec<Vec<&NotebookColumn>>) = [
+        number("b_mm", 5, 0),
+        number("alpha_deg", 5, 85),
+        number("m1_g", 5, 0),
+        number("m2_g", 5, 0),
+        number("e", 4, 0),
+        number("u1_m_s", 5, 93),
+        pair("said S    C", ["said_theta1_deg", "said_theta2_deg"], 11),
+        pair("true S    C", ["theta1_deg", "theta2_deg"], 11),
+        pair("v₁   v₂", ["v1_m_s", "v2_m_s"], 9),
+        number("energy_before_mj", 8, 114),
+        number("energy_after_mj", 7, 114),
+        number("px_after_g_m_s", 8, 136),
+        number("py_after_g_m_s", 8, 136),
+    ]
+    .into_iter()
+    .unzip();
+    let columns = [TableColumn::numbers("hit", 3)].into_iter().chain(heads);
+    let cell = |hit: &NotedHit, columns: &[&NotebookColumn]| {
+        let each = columns.iter().map(|column| format!("{:>5}", column.shown(hit)));
+        each.collect::<Vec<_>>().join(" ")
+    };
+    let (at, _) = notebook.chosen().unzip();
+    let row = |(number, hit): (usize, &NotedHit)| TableRow {
+        cells: std::iter::once((number + 1).to_string())
+            .chain(shown.iter().map(|columns| cell(hit, columns)))
+            .collect(),
+        role: Role::Text,
+        chosen: Some(number) == at,
+        action: Some(NotebookAction::List(ListAction::Point(number))),
+    };
+    let rows = notebook.hits().iter().enumerate().map(row).collect();
+    panel.long_table(columns.collect(), rows, BELOW);
+    panel.gap();
+    panel.prompts([
+        ("plot two columns", NotebookAction::Plot),
+        ("export as CSV", NotebookAction::Export),
+        ("clear the notebook", NotebookAction::Clear),
+        ("set the chosen hit up again", NotebookAction::List(ListAction::Open)),
+    ]);
+}
+
+/// The axes, and everything about the chosen hit.
+fn beside_plot(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
+    let [x, y] = notebook.axes();
+    panel.row(
+        ("across", Role::Text),
+        (x.name(), Role::Key),
+        false,
+        NotebookAction::Across(1),
+    );
+    panel.row(
+        ("up", Role::Text),
+        (y.name(), Role::Key),
+        false,
+        NotebookAction::Up(1),
+    );
+    panel.prompts([
+        ("another column across", NotebookAction::Across(1)),
+        ("another column up", NotebookAction::Up(1)),
+    ]);
+    let Some((at, hit)) = notebook.chosen() else {
+        return;
+    };
+    panel.gap();
+    panel.heading(format!("Hit {} of {}", at + 1, notebook.hits().len()));
+    for column in [x, y] {
+        let value = column.shown(hit);
+        let shown = match (value.as_str(), column.unit) {
+            ("", _) => "none".into(),
+            (value, "°") => format!("{value}°"),
+            (value, unit) => format!("{value} {unit}"),
+        };
+        panel.fact(column.symbol, shown);
+    }
+    panel.gap();
+    panel.paragraph(plot::about_curve(notebook), Role::Dim);
+    panel.worth(1, |panel| {
+        panel.gap();
+        share(&hit.setup, panel);
+    });
+}
+
+/// The commands and links that open exactly this hit.
+fn share(setup: &CollisionSpec, panel: &mut Panel<NotebookAction>) {
+    let settings = setup.to_link().replace(':', "=");
+    let set = match settings.as_str() {
+        "" => "carrom lab".to_owned(),
+        settings => format!("carrom lab --set {settings}"),
+    };
+    panel.code("This hit for a friend", set, link(setup));
+}
