@@ -35,6 +35,21 @@ pub enum FigureKind {
     },
     /// The worked solution for numbers that the student sets.
     Solve,
+    /// The force of the contact plotted against time, with the impulse as its area.
+    Force {
+        /// How long the contact lasts, in milliseconds.
+        time_ms: f64,
+    },
+    /// The momenta of two discs that coalesce, tip to tail.
+    Coalesce,
+    /// The momenta of the pieces of a body that explodes: the reverse of two discs that coalesce.
+    Explosion {
+        /// The mass of a third piece in grams, if the body was at rest and the shot's discs are its
+        /// other two pieces.
+        third_g: Option<f64>,
+    },
+    /// The energy of the motion of the centre of mass and of the relative motion, as bars.
+    Parts,
     /// Particles passing a centre of repulsion.
     Foil {
         /// The page of the foil: 1 for a particle, 2 for a beam, 3 for the counts of 1913.
@@ -67,6 +82,9 @@ pub struct Figure {
 }
 
 impl FigureKind {
+    /// The shortest and the longest contact that a figure shows, in milliseconds.
+    pub(crate) const CONTACT_MS: (f64, f64) = (0.3, 1.5);
+
     /// Whether the figure shows the collision itself, so that rays can be turned in it.
     pub fn is_hit(self) -> bool {
         matches!(self, Self::Lab | Self::Split { .. })
@@ -95,6 +113,13 @@ impl Figure {
             }
             FigureKind::Worked { blank } => {
                 *blank = words.number("blank", 1.0, 9.0)?.map(|step| step as usize);
+            }
+            FigureKind::Force { time_ms } => {
+                let (least, most) = FigureKind::CONTACT_MS;
+                *time_ms = words.number("time_ms", least, most)?.unwrap_or(0.6);
+            }
+            FigureKind::Explosion { third_g } => {
+                *third_g = words.number("third_g", 0.1, 1000.0)?;
             }
             FigureKind::Foil {
                 page,

@@ -67,14 +67,14 @@ const OF_MISCONCEPTIONS: &str = "
     not a fraction of 90°, is the sine of α | offset-as-angle
     e = 0.8, e = 0, coefficient of restitution, e = 1, with a loss, is lost | lossless
     rebounds, the striker stops | always-stops
-    components along x, arrow | scalar-momentum
+    components along x, arrow, two vectors | scalar-momentum
     speeds do not | speeds-add
     momentum is conserved for any e, all the momentum, total momentum. a collision does not change | momentum-lost
     each momentum changes | each-keeps-momentum
     the total may be zero | gone-at-rest
     energy is not momentum | momentum-as-energy
     no components | energy-components
-    with a full rebound it is twice as large | sticking-hits-harder
+    with a full rebound it is twice as large, a ball that rebounds | sticking-hits-harder
     equally hard, impulses are equal | heavier-pushes-harder
     head-on formulas, for a head-on collision they were | one-line-formula
     sin alpha, cos alpha, cos^2 alpha, sin theta_1, cos theta_1, u_1n, along t | sine-cosine
@@ -85,7 +85,7 @@ const OF_MISCONCEPTIONS: &str = "
     m_1 - m_2, m_1 + m_2, m_1/m_2, m_1 / m_2, e m_2, three times the mass | upside-down
     rebounds, heavier, heavy striker | heavy-rebounds
     small angles are common | counts-reversed
-    b/(r_1 + r_2), half of d | direct-for-inverse
+    b/(r_1 + r_2), half of d, half of the force | direct-for-inverse
     greatest angle | beyond-largest
     along t, coefficient of restitution, common motion, e m_2 | loss-on-everything
     relative velocities, 1 - e^2 | e-as-energy
@@ -101,6 +101,9 @@ const OF_MISCONCEPTIONS: &str = "
     came back | never-back
     at rest | coin-at-rest
     2 alpha, 2α, 2 theta_2 | double-angle-forgotten
+    shorter time | force-as-impulse
+    twice the time | time-as-impulse
+    negligible | friction-in-contact
 ";
 
 /// A page about what the questions on a topic ask for contains one of these phrases, in the same
@@ -135,6 +138,7 @@ const OF_TOPICS: &str = "
     both, frame, along n, along t | both-moving
     frame, centre of mass, offset | centre-of-mass frames
     momentum, impulse | momentum
+    impulse, force | impulse
 ";
 
 /// A kind of wrong answer: the misconception, if a known one leads to it, the topic, and the names

@@ -35,6 +35,7 @@ fn there_are_at_least_forty_levels_in_the_expected_packs() {
             "combinations",
             "design",
             "two-ideas",
+            "impulse-and-energy",
         ]
     );
 }

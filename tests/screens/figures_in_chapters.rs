@@ -376,6 +376,51 @@ fn claims() -> Vec<Claim> {
         "At e = 0 it keeps [half] of its component along n",
         along(&soft) / came,
     );
+
+    // 13: the force of a contact.
+    let impulse = after(15.0, 15.0, 4.0, 0.0, 1.0).impulse;
+    let average = |seconds: f64| impulse / seconds;
+    let in_grams = 1000.0 * impulse;
+    claim(13, "In SI units it is [0.060] kg m/s", impulse);
+    claim(13, "0.060 kg m/s, or [0.060] N s:", impulse);
+    claim(13, "Use SI units: [0.060] N s", impulse);
+    claim(13, "0.060 N s and [0.0006] s.", 0.6 / 1000.0);
+    claim(13, "F is [0.060] N s divided by 0.0006 s", impulse);
+    claim(13, "N s divided by [0.0006] s:", 0.6 / 1000.0);
+    claim(
+        13,
+        "0.0006 s: [100] N, the weight of about 10 kg.",
+        average(0.6e-3),
+    );
+    claim(
+        13,
+        "the weight of about [10] kg.",
+        average(0.6e-3) / 9.80665,
+    );
+    // The curve is half of a sine: its average is 2/π of its height.
+    let greatest = average(0.6e-3) * std::f64::consts::FRAC_PI_2;
+    claim(13, "At its greatest the force is [157] N.", greatest);
+    claim(13, "[half] of the time, twice the force", 0.3 / 0.6);
+    claim(
+        13,
+        "half of the time, [twice] the force",
+        average(0.3e-3) / average(0.6e-3),
+    );
+    claim(13, "twice the force, [200] N.", average(0.3e-3));
+    claim(13, "So the impulse is [120] g m/s", 15.0 * 8.0);
+    claim(13, "by [8] m/s.", 4.0 + 4.0);
+    claim(
+        13,
+        "to −4 m/s, by 8 m/s. So the impulse is [120] g m/s",
+        2.0 * in_grams,
+    );
+    let friction = 0.12 * 9.80665 * 0.015;
+    claim(13, "a force of about [0.018] N.", friction);
+    claim(13, "[0.018] N is about 6000 times smaller", friction);
+    let smaller = average(0.6e-3) / friction;
+    claim(13, "0.018 N is about [6000] times smaller", smaller);
+    claim(13, "than the average force of [100] N", average(0.6e-3));
+    claim(13, "friction takes [18] g m/s", 1000.0 * friction);
     claims
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::DVec2;
 
-use super::super::impact::kinetic_energy;
+use super::super::impact::{kinetic_energy, reduced_mass};
 use super::super::resting_target::{LargestDeflection, mass_ratio_from_angles};
 use super::super::units::{deg_from_rad, g_from_kg, mm_from_m};
 use super::super::{Bond, Collision, CollisionOutcome, Disc, Frame, RestingTarget};
@@ -45,6 +45,8 @@ const LENGTH: Unit = Unit("mm", 1, mm_from_m(1.0));
 const ENERGY: Unit = Unit("mJ", 1, 1e3);
 /// Formulas give momentum in g m/s.
 const MOMENTUM: Unit = Unit("g m/s", 1, 1.0);
+/// Formulas give mass in grams.
+const MASS: Unit = Unit("g", 1, 1.0);
 const RATE: Unit = Unit("1/s", 1, 1.0);
 const SPIN: Unit = Unit("rad/s", 1, 1.0);
 const SHARE: Unit = Unit("", 3, 1.0);
@@ -66,7 +68,7 @@ impl Unit {
 
 impl Quantity {
     /// All quantities, in the order of the table in `docs/lessons.md`.
-    pub(crate) const ALL: [Self; 63] = [
+    pub(crate) const ALL: [Self; 69] = [
         SPEED.of("u", "u", |c, _| Some(c.u1.length())),
         SPEED.of("v1", "v₁", |_, o| Some(o.v1.length())),
         SPEED.of("v2", "v₂", |_, o| Some(o.v2.length())),
@@ -133,6 +135,22 @@ impl Quantity {
         }),
         MOMENTUM.of("p2", "p₂", |c, o| Some(momentum(c.target, o.v2).length())),
         MOMENTUM.of("impulse", "J", |_, o| Some(g_from_kg(o.impulse))),
+        SPEED.of("relative_speed", "u₁ − u₂", |c, _| {
+            Some(c.relative_velocity().length())
+        }),
+        MASS.of("reduced_mass_g", "μ", |c, _| {
+            Some(g_from_kg(reduced_mass(c.striker.mass, c.target.mass)))
+        }),
+        ENERGY.of("cm_energy_mj", "½MV²", |c, _| Some(cm_energy(c))),
+        ENERGY.of("relative_energy_mj", "½μ(u₁ − u₂)²", |c, o| {
+            Some(o.energy_before - cm_energy(c))
+        }),
+        ENERGY.of("relative_after_mj", "½μ(v₁ − v₂)²", |c, o| {
+            Some(o.energy_after - cm_energy(c))
+        }),
+        SHARE.of("relative_share", "share of the energy", |c, o| {
+            Some(1.0 - cm_energy(c) / o.energy_before)
+        }),
         SPEED.of("cm_speed", "V", |c, _| Some(drift(c).length())),
         ANGLE.of("cm_angle_deg", "Θ", |c, _| cm_angle(c)),
         SPEED.of("u1_cm", "u₁*", |c, _| Some((c.u1 - drift(c)).length())),
@@ -165,7 +183,10 @@ impl Quantity {
 
     /// Whether it is a part of a whole, from 0 to 1.
     pub(crate) fn is_part_of_whole(&self) -> bool {
-        matches!(self.name, "energy1_share" | "energy2_share" | "lost_share")
+        matches!(
+            self.name,
+            "energy1_share" | "energy2_share" | "lost_share" | "relative_share"
+        )
     }
 
     /// The value in the quantity's unit; `None` if it is undefined, such as the direction of a disc
@@ -196,6 +217,11 @@ fn both(c: &Collision, v1: DVec2, v2: DVec2) -> DVec2 {
 
 fn drift(c: &Collision) -> DVec2 {
     c.centre_of_mass_velocity()
+}
+
+/// ½MV² in joules: the energy that no collision can lose.
+fn cm_energy(c: &Collision) -> f64 {
+    kinetic_energy(c.striker.mass + c.target.mass, drift(c))
 }
 
 fn cm_angle(c: &Collision) -> Option<f64> {
@@ -302,6 +328,17 @@ mod tests {
             ),
             // Θ in the centre-of-mass frame from the velocities: friction opposes the slip.
             ("cm_angle_deg", "rim_friction=0", 120.0),
+            ("relative_speed", "target_speed=3 target_deg=90", 5.0),
+            ("reduced_mass_g", marbles, 40.0 / 3.0),
+            // 90 mJ: ½ · 60 g · 1² and ½ · 40/3 g · 3².
+            ("cm_energy_mj", marbles, 30.0),
+            ("relative_energy_mj", marbles, 60.0),
+            ("relative_share", marbles, 2.0 / 3.0),
+            (
+                "relative_after_mj",
+                "m1_g=20 m2_g=40 speed=3 alpha_deg=0 restitution=0.5",
+                15.0,
+            ),
         ] {
             let value = of(name, fields).unwrap();
             assert!((value - expected).abs() < 1e-6, "{name} {fields}: {value}");

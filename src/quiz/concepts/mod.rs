@@ -119,7 +119,10 @@ impl Topic {
     /// The families that codes such as `read-abd-7` draw from.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
-        families.retain(|family| *family != Family::Ideas);
+        // The topics that only later questions ask about have no older codes.
+        if families != [Family::Ideas] {
+            families.retain(|family| *family != Family::Ideas);
+        }
         families
     }
 }

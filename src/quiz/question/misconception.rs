@@ -106,6 +106,12 @@ pub enum Misconception {
     CoinAtRest,
     /// The impact angle is subtracted once instead of twice.
     DoubleAngleForgotten,
+    /// The larger force is taken to have the larger impulse, whatever its time.
+    ForceAsImpulse,
+    /// The longer contact is taken to have the larger impulse, whatever its force.
+    TimeAsImpulse,
+    /// Friction with the board is taken to change the momentum noticeably during a contact.
+    FrictionInContact,
 }
 
 impl Misconception {
@@ -137,7 +143,10 @@ impl Misconception {
             | Self::GoneAtRest
             | Self::MomentumAsEnergy
             | Self::EnergyComponents
-            | Self::StickingHitsHarder => None,
+            | Self::StickingHitsHarder
+            | Self::ForceAsImpulse
+            | Self::TimeAsImpulse
+            | Self::FrictionInContact => None,
             _ => Some(self),
         }
     }

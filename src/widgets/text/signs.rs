@@ -33,7 +33,7 @@ pub(crate) const fn greek(letter: char) -> Option<&'static str> {
         'ψ' => "psi",
         'ω' => "omega",
         'Γ' => "Gamma",
-        'Δ' => "Delta",
+        'Δ' => "Delta ",
         'Θ' => "Theta",
         'Λ' => "Lambda",
         'Σ' => "Sigma",

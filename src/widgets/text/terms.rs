@@ -5,9 +5,9 @@ use std::ops::Range;
 use super::wrap::width;
 
 /// Units, as they are written in either charset.
-const UNITS: [&str; 21] = [
-    "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "J", "mJ", "eV",
-    "keV", "MeV", "deg", "%", "turns",
+const UNITS: [&str; 23] = [
+    "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "ms", "N", "J",
+    "mJ", "eV", "keV", "MeV", "deg", "%", "turns",
 ];
 
 /// Functions of an angle or of a number.

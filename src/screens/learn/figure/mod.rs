@@ -1,7 +1,11 @@
 //! The figure of a page: its view, its keys and its mouse actions.
 
+mod contact;
+mod dial;
 mod foil;
 mod frames;
+mod momenta;
+mod parts;
 mod shots;
 mod triangle;
 pub(super) mod words;
@@ -29,6 +33,8 @@ use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput, curves, svg};
 
+use contact::ContactForce;
+use dial::Dial;
 use worked::WorkedFigure;
 
 /// The number of steps, or of degrees, by which `<` and `>` change a setting.
@@ -42,6 +48,10 @@ pub(crate) enum FigureAction {
     Alpha(i8),
     /// set α for a head-on or a grazing collision
     AlphaEnd(i8),
+    /// change what the figure shows: e, an angle or the time of the contact
+    Dial(i8),
+    /// set it to its smallest or its largest value
+    DialEnd(u8),
     /// step through the working
     Step(isize),
     /// set the numbers in the working
@@ -82,8 +92,9 @@ impl LiveFigure {
             figure.shot = figure.after;
         }
         let given = figure.shot.collision();
-        let collision = match alpha_deg {
-            Some(alpha_deg) if figure.own => given.with_alpha(rad_from_deg(alpha_deg)),
+        let collision = match (alpha_deg, figure.kind) {
+            (Some(alpha_deg), _) if figure.own => given.with_alpha(rad_from_deg(alpha_deg)),
+            (_, FigureKind::Explosion { third_g: None }) => momenta::moving_to_the_right(given),
             _ => given,
         };
         let mut shown = Self {
@@ -189,7 +200,7 @@ impl LiveFigure {
 
     /// Whether the figure uses arrow keys, so that keys go to it first.
     pub(super) fn is_set_by_keys(&self) -> bool {
-        self.has_alpha() || self.is_text()
+        self.has_alpha() || self.dial().is_some() || self.is_text()
     }
 
     /// Whether the figure is text rather than a picture.
@@ -223,6 +234,30 @@ impl LiveFigure {
         drawn_against_it && !self.hidden
     }
 
+    /// What the student sets in this figure, if it is not α.
+    fn dial(&self) -> Option<Dial> {
+        Dial::of(self.figure.kind, &self.collision).filter(|_| !self.hidden)
+    }
+
+    fn set_dial(&mut self, value: f64) {
+        let Some(dial) = self.dial() else {
+            return;
+        };
+        let value = dial.nearest(value);
+        let collision = &mut self.collision;
+        match &mut self.figure.kind {
+            FigureKind::Force { time_ms } => *time_ms = value,
+            FigureKind::Parts => collision.restitution = value,
+            FigureKind::Explosion { third_g: None } => momenta::turn_pieces(collision, value),
+            _ => momenta::turn_second(collision, value),
+        }
+    }
+
+    /// The collision that the lab shows in full size; none for an explosion.
+    pub(super) fn is_for_the_lab(&self) -> bool {
+        !matches!(self.figure.kind, FigureKind::Explosion { .. })
+    }
+
     pub(super) fn title(&self) -> String {
         if self.hidden && self.covers_outcome() {
             return "before the hit".into();
@@ -245,6 +280,11 @@ impl LiveFigure {
                 }
             }
             FigureKind::Shots { space, .. } => shots::title(space).into(),
+            FigureKind::Force { .. } => "the force of the contact".into(),
+            FigureKind::Coalesce | FigureKind::Explosion { .. } => {
+                "the momenta, tip to tail".into()
+            }
+            FigureKind::Parts => "the energy in two parts".into(),
         }
     }
 
@@ -256,8 +296,22 @@ impl LiveFigure {
 
     /// The keys that control the figure.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
-        use FigureAction::{Alpha, AlphaEnd, Foil};
+        use FigureAction::{Alpha, AlphaEnd, DialEnd, Foil};
         let keys = KeyTable::new("figure");
+        let dial = |dial: Dial| {
+            (keys.clone())
+                .by(
+                    [Key::Left, Key::Right],
+                    FigureAction::Dial,
+                    [-1, 1],
+                    dial.name,
+                )
+                .or([
+                    ('<', FigureAction::Dial(-LEAP)),
+                    ('>', FigureAction::Dial(LEAP)),
+                ])
+                .by([Key::Home, Key::End], DialEnd, [0, 1], "")
+        };
         let alpha = (keys.clone())
             .by([Key::Left, Key::Right], Alpha, [-1, 1], "α")
             .or([('<', Alpha(-LEAP)), ('>', Alpha(LEAP))])
@@ -282,7 +336,7 @@ impl LiveFigure {
             FigureState::Worked(worked) => worked.keys(&self.collision),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
             FigureState::Plain if self.has_alpha() => alpha,
-            FigureState::Plain => keys,
+            FigureState::Plain => self.dial().map_or(keys.clone(), dial),
         }
     }
 
@@ -293,6 +347,14 @@ impl LiveFigure {
                 self.set_alpha((self.alpha_deg() + f64::from(by)).round());
             }
             (FigureAction::AlphaEnd(alpha_deg), _) => self.set_alpha(alpha_deg.into()),
+            (FigureAction::Dial(by), _) => {
+                let dial = self.dial();
+                dial.iter().for_each(|it| self.set_dial(it.stepped(by)));
+            }
+            (FigureAction::DialEnd(end), _) => {
+                let dial = self.dial();
+                dial.iter().for_each(|it| self.set_dial(it.at(end.into())));
+            }
             (action, FigureState::Worked(worked)) => worked.act(action, &mut self.collision),
             (FigureAction::Watch(action), FigureState::Hits(hits)) => {
                 hits.iter_mut().for_each(|watch| watch.act(action));
@@ -345,6 +407,13 @@ impl LiveFigure {
                     self.set_alpha(alpha.round());
                 }
                 return alpha.is_some();
+            }
+            // The dial runs from the left edge of the picture to the right one.
+            FigureState::Plain if held => {
+                let dial = self.dial();
+                let share = f64::from(cell.0 - area.x) / f64::from(area.width.max(2) - 1);
+                dial.iter().for_each(|it| self.set_dial(it.at(share)));
+                return dial.is_some();
             }
             FigureState::Hits(_) => match mouse.kind {
                 MouseKind::ScrollUp => Some(Key::Char('.')),
@@ -422,6 +491,30 @@ impl LiveFigure {
             (_, FigureKind::Shots { space, beyond_deg }) => {
                 let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
                 vec![shots::lay_out(space, beyond, area, buf, look)]
+            }
+            (_, FigureKind::Force { time_ms }) => {
+                let force = ContactForce::new(&self.collision, time_ms);
+                vec![force.lay_out(self.hidden, area, buf, look)]
+            }
+            (_, FigureKind::Coalesce | FigureKind::Explosion { .. }) => {
+                let (kind, hidden) = (self.figure.kind, self.hidden);
+                vec![momenta::lay_out(
+                    kind,
+                    &self.collision,
+                    hidden,
+                    area,
+                    buf,
+                    look,
+                )]
+            }
+            (_, FigureKind::Parts) => {
+                vec![parts::lay_out(
+                    &self.collision,
+                    self.hidden,
+                    area,
+                    buf,
+                    look,
+                )]
             }
             // A worked solution is text.
             (FigureState::Worked(_), _) => vec![],

@@ -2,6 +2,9 @@
 
 use glam::DVec2;
 
+use super::contact::ContactForce;
+use super::momenta;
+use super::parts::Parts;
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
 use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
@@ -36,6 +39,11 @@ pub(in crate::screens::learn) fn describe(
                 .into(),
         ],
         FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, revealed),
+        FigureKind::Force { time_ms } => force(&collision, time_ms, revealed),
+        FigureKind::Coalesce | FigureKind::Explosion { .. } => {
+            momenta_in_words(figure.kind, &collision, revealed)
+        }
+        FigureKind::Parts => parts_in_words(&collision, revealed),
         // These figures are text already.
         FigureKind::Worked { .. } | FigureKind::Solve => Vec::new(),
         kind => {
@@ -126,6 +134,74 @@ fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
             "{} % of them are deflected by more than {beyond_deg}°.",
             significant(100.0 * share)
         ));
+    }
+    lines
+}
+
+/// The force of a contact against time, and the average force in shorter and longer ones.
+fn force(collision: &Collision, time_ms: f64, revealed: bool) -> Vec<String> {
+    let time = |ms: f64| with_unit(&significant(ms), "ms");
+    let mut lines = vec![format!(
+        "Figure: the force of a contact plotted against time, a hump that lasts {}.",
+        time(time_ms)
+    )];
+    if revealed {
+        let impulse = significant(g_from_kg(collision.outcome().impulse));
+        lines.push(format!(
+            "The area under the curve is the impulse, {impulse} g m/s, however long the contact lasts."
+        ));
+        lines.extend([0.3, 0.6, 0.9, 1.2, 1.5].map(|ms| {
+            let force = ContactForce::new(collision, ms);
+            let [average, greatest] = [force.average(), force.greatest()].map(significant);
+            format!(
+                "In a contact of {} the average force is {average} N, the greatest {greatest} N.",
+                time(ms)
+            )
+        }));
+    }
+    lines
+}
+
+/// The momenta that are given, and their sum at several angles.
+fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> Vec<String> {
+    let [given, result] = momenta::words(kind, collision);
+    let about = match kind {
+        FigureKind::Explosion { .. } => "the momenta of the pieces of a body that explodes",
+        _ => "the momenta of two discs before they coalesce, and of both together",
+    };
+    let mut lines = vec![format!("Figure: {about}, as arrows tip to tail. {given}.")];
+    if revealed {
+        lines.push(format!("{result}."));
+    }
+    if revealed && kind == FigureKind::Coalesce {
+        lines.extend([0, 45, 90, 135, 180].map(|angle| {
+            let mut turned = *collision;
+            momenta::turn_second(&mut turned, angle.into());
+            let v = speed(turned.centre_of_mass_velocity());
+            format!("At {angle}° to each other, they move on at {v}.")
+        }));
+    }
+    lines
+}
+
+/// The two parts of the energy, and what is left of the second at several values of e.
+fn parts_in_words(collision: &Collision, revealed: bool) -> Vec<String> {
+    let energies =
+        |parts: &Parts| [parts.of_centre, parts.relative[0], parts.relative[1]].map(significant);
+    let [kept, before, _] = energies(&Parts::new(collision));
+    let mut lines = vec![format!(
+        "Figure: the kinetic energy of two discs as a bar in two parts. Before the collision, the \
+         motion of the centre of mass has {kept} mJ and the relative motion {before} mJ."
+    )];
+    if revealed {
+        lines.extend([1.0, 0.75, 0.5, 0.25, 0.0].map(|restitution| {
+            let [kept, _, after] = energies(&Parts::new(&Collision {
+                restitution,
+                ..*collision
+            }));
+            let e = significant(restitution);
+            format!("At e = {e}, {kept} mJ and {after} mJ are left.")
+        }));
     }
     lines
 }

@@ -406,7 +406,7 @@ impl Screen for Reading {
             .or([(Key::BackTab, Switch)])
             .when(has_figure)
             .on(Key::Char('o'), FullSize, full_size)
-            .when(has_figure)
+            .when(self.figure().is_some_and(LiveFigure::is_for_the_lab))
             .on(Key::Char('e'), Export, "export")
             .when(has_figure)
             .each([(Key::PageUp, Page(-1)), (Key::PageDown, Page(1))], "")

@@ -103,6 +103,8 @@ mod tests {
             ),
             ("60.0 g m/s", "60.0 gram metres per second"),
             ("(60, 0) g m/s", "(60, 0) gram metres per second"),
+            ("0.060 N s", "0.060 newton seconds"),
+            ("in 0.6 ms: 100 N", "in 0.6 milliseconds: 100 newtons"),
             ("in g m/s?", "in gram metres per second?"),
             ("(1, −1) m/s", "(1, minus 1) metres per second"),
             ("44.4 rad/s", "44.4 radians per second"),

@@ -1,7 +1,7 @@
 //! Units as they are read aloud and as they are typed.
 
 /// The units as they are written in text, with their singular and plural names.
-const UNITS: [(&str, &str, &str); 18] = [
+const UNITS: [(&str, &str, &str); 20] = [
     ("m/s", "metre per second", "metres per second"),
     ("rad/s", "radian per second", "radians per second"),
     ("mm", "millimetre", "millimetres"),
@@ -16,6 +16,8 @@ const UNITS: [(&str, &str, &str); 18] = [
     ("fm", "femtometre", "femtometres"),
     ("µm", "micrometre", "micrometres"),
     ("s", "second", "seconds"),
+    ("ms", "millisecond", "milliseconds"),
+    ("N", "newton", "newtons"),
     ("°", "degree", "degrees"),
     ("deg", "degree", "degrees"),
     ("%", "percent", "percent"),
@@ -40,9 +42,13 @@ pub(super) fn spell(text: &str) -> String {
     while let Some(token) = tokens.next() {
         let (bare, stop) = without_stop(token);
         let next = tokens.peek().map(|next| without_stop(next).0);
-        let speed_follows = stop.is_empty() && next == Some("m/s");
+        let is_factor = match bare {
+            "g" | "kg" => next == Some("m/s"),
+            "N" => next == Some("s"),
+            _ => false,
+        };
         let name = match (count, bare) {
-            (_, "g" | "kg") if speed_follows => {
+            _ if is_factor && stop.is_empty() => {
                 // The number refers to the whole unit: "gram metres per second".
                 words.extend(name(bare, Count::One).map(str::to_owned));
                 continue;

@@ -1,0 +1,156 @@
+//! The force of one contact against time.
+//!
+//! The rims are springs that are stiffer while they expand (1/e² times as stiff): the force rises
+//! as a quarter of a sine and falls as another quarter, which takes e times as long. The area is
+//! J, and the average force 2/π of the greatest, whatever e is.
+
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+
+use glam::dvec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::lessons::FigureKind;
+use crate::numbers::significant;
+use crate::physics::Collision;
+use crate::physics::units::g_from_kg;
+use crate::widgets::picture::{LabelSide, Pen, Picture};
+use crate::widgets::plot::{Axis, Plot};
+use crate::widgets::{Lines, Look, Role, areas};
+
+/// The force during a contact.
+pub(super) struct ContactForce {
+    /// J in N s.
+    impulse: f64,
+    restitution: f64,
+    /// How long the contact lasts, in milliseconds.
+    time_ms: f64,
+}
+
+impl ContactForce {
+    pub(super) fn new(collision: &Collision, time_ms: f64) -> Self {
+        Self {
+            impulse: collision.outcome().impulse,
+            restitution: collision.restitution,
+            time_ms,
+        }
+    }
+
+    /// The average force in newtons.
+    pub(super) fn average(&self) -> f64 {
+        1e3 * self.impulse / self.time_ms
+    }
+
+    /// The greatest force in newtons.
+    pub(super) fn greatest(&self) -> f64 {
+        self.average() / FRAC_2_PI
+    }
+
+    /// The force at a time in milliseconds, in newtons.
+    fn at(&self, ms: f64) -> f64 {
+        let compression = self.time_ms / (1.0 + self.restitution);
+        let left = self.time_ms - compression;
+        let phase = match ms {
+            _ if !(0.0..=self.time_ms).contains(&ms) => return 0.0,
+            ms if ms <= compression => ms / compression,
+            ms => (self.time_ms - ms) / left,
+        };
+        self.greatest() * (phase * FRAC_PI_2).sin()
+    }
+
+    /// The impulse, the time and the greatest force.
+    fn words(&self) -> [String; 2] {
+        let [grams, newtons] = [g_from_kg(self.impulse), self.impulse].map(significant);
+        let [time, greatest] = [self.time_ms, self.greatest()].map(significant);
+        [
+            format!("J = {grams} g m/s = {newtons} N s"),
+            format!("Contact: {time} ms, at most {greatest} N"),
+        ]
+    }
+
+    /// The plot; without numbers while they are hidden.
+    pub(super) fn lay_out(
+        &self,
+        hidden: bool,
+        area: Rect,
+        buf: &mut Buffer,
+        look: &Look,
+    ) -> Picture {
+        let [area, below] = areas::upper(area, area.height.saturating_sub(2));
+        let (shortest, longest) = FigureKind::CONTACT_MS;
+        let most = 1.05
+            * Self {
+                time_ms: shortest,
+                ..*self
+            }
+            .greatest();
+        let time = Axis::linear("time (ms)", 0.0, longest).every(0.3);
+        let mut plot = Plot::new(
+            area,
+            *look,
+            time,
+            Axis::linear("force (N)", 0.0, most.max(1.0)),
+        );
+        let columns = u32::from(plot.paper().width.max(2)) - 1;
+        let at = |columns_in: f64| longest * columns_in / f64::from(columns);
+        for column in 1..columns {
+            // A value is in the middle of its column.
+            let [from, middle, to] = [-0.5, 0.0, 0.5].map(|by| at(f64::from(column) + by));
+            let force = self.at(middle);
+            if force > plot.least_clear() {
+                plot.bar(from, to, force, Role::Trail);
+            }
+        }
+        plot.function(
+            |ms| (ms <= self.time_ms).then(|| self.at(ms)),
+            Pen::new(Role::CoinOut),
+        );
+        if !hidden {
+            let average = self.average();
+            let corners = [(0.0, average), (self.time_ms, average), (self.time_ms, 0.0)];
+            plot.curve(
+                corners.map(|(ms, force)| dvec2(ms, force)),
+                Pen::new(Role::Aim).dotted(),
+            );
+            let end = dvec2(self.time_ms, average);
+            let sides = [LabelSide::Right, LabelSide::AboveRight, LabelSide::Above];
+            plot.label(
+                &format!("F = {} N", significant(average)),
+                end,
+                &sides,
+                Role::Text,
+            );
+            let mut lines = Lines::new(below, buf, *look);
+            self.words()
+                .iter()
+                .for_each(|line| lines.line(line, Role::Text));
+        }
+        plot.picture()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::CollisionSpec;
+
+    #[test]
+    fn the_area_is_the_impulse_whatever_the_hardness_and_the_restitution() {
+        for restitution in [0.0, 0.3, 0.8, 1.0] {
+            let collision = CollisionSpec {
+                restitution,
+                ..CollisionSpec::default()
+            };
+            for time_ms in [0.3, 0.7, 1.5] {
+                let force = ContactForce::new(&collision.collision(), time_ms);
+                let pieces = 20_000;
+                let width = time_ms / f64::from(pieces);
+                let middle = |i| force.at((f64::from(i) + 0.5) * width);
+                let area: f64 = (0..pieces).map(middle).sum::<f64>() * width / 1e3;
+                assert!((area / force.impulse - 1.0).abs() < 1e-6, "{area}");
+                let highest = (0..pieces).map(middle).fold(0.0, f64::max);
+                assert!((highest / force.greatest() - 1.0).abs() < 1e-3);
+            }
+        }
+    }
+}

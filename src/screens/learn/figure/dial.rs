@@ -1,0 +1,55 @@
+//! What a student sets in a figure, other than α.
+
+use super::momenta;
+use crate::lessons::FigureKind;
+use crate::numbers::tidy;
+use crate::physics::Collision;
+
+/// A value between two ends, set in steps.
+pub(super) struct Dial {
+    /// The name in the line of keys.
+    pub(super) name: &'static str,
+    value: f64,
+    ends: (f64, f64),
+    step: f64,
+}
+
+impl Dial {
+    /// The dial of a kind of figure, if it has one.
+    pub(super) fn of(kind: FigureKind, collision: &Collision) -> Option<Self> {
+        let (name, value, ends, step) = match kind {
+            FigureKind::Force { time_ms } => ("time", time_ms, FigureKind::CONTACT_MS, 0.1),
+            FigureKind::Parts => ("e", collision.restitution, (0.0, 1.0), 0.05),
+            FigureKind::Coalesce | FigureKind::Explosion { .. } => (
+                "angle",
+                momenta::angle_deg(kind, collision),
+                (0.0, 180.0),
+                5.0,
+            ),
+            _ => return None,
+        };
+        Some(Self {
+            name,
+            value,
+            ends,
+            step,
+        })
+    }
+
+    /// The value after some steps.
+    pub(super) fn stepped(&self, by: i8) -> f64 {
+        self.value + f64::from(by) * self.step
+    }
+
+    /// The value at a share of the way from the smallest to the largest.
+    pub(super) fn at(&self, share: f64) -> f64 {
+        let (least, most) = self.ends;
+        least + share * (most - least)
+    }
+
+    /// The possible value nearest to this one.
+    pub(super) fn nearest(&self, value: f64) -> f64 {
+        let (least, most) = self.ends;
+        tidy((value / self.step).round() * self.step).clamp(least, most)
+    }
+}

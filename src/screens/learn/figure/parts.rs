@@ -1,0 +1,127 @@
+//! The kinetic energy of two discs in two parts, before and after: that of the motion of their
+//! centre of mass, which no collision changes, and that of their relative motion.
+
+use glam::{DVec2, dvec2};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::numbers::significant;
+use crate::physics::impact::kinetic_energy;
+use crate::physics::{Bond, Collision};
+use crate::widgets::picture::{LabelSide, Pen, Picture, View};
+use crate::widgets::{Lines, Look, Role, areas};
+
+/// The left and the right edge of each bar, in a picture that is 10 wide.
+const BARS: [(f64, f64); 2] = [(0.8, 4.4), (5.6, 9.2)];
+
+/// The parts in millijoules.
+pub(super) struct Parts {
+    pub(super) of_centre: f64,
+    /// Before and after the collision.
+    pub(super) relative: [f64; 2],
+}
+
+impl Parts {
+    pub(super) fn new(collision: &Collision) -> Self {
+        let total = collision.striker.mass + collision.target.mass;
+        let of_centre = kinetic_energy(total, collision.centre_of_mass_velocity());
+        let outcome = collision.outcome();
+        let relative = [outcome.energy_before, outcome.energy_after].map(|it| it - of_centre);
+        Self {
+            of_centre: 1e3 * of_centre,
+            // Rounding must not make "−0.00" of a part that is lost completely.
+            relative: relative.map(|it| (1e3 * it).max(0.0)),
+        }
+    }
+
+    /// The parts before, and what the collision changes.
+    pub(super) fn words(&self, collision: &Collision) -> [String; 2] {
+        let [before, after] = self.relative.map(significant);
+        let kept = significant(self.of_centre);
+        let e = match collision.bond {
+            Bond::Stick => "They stick".to_owned(),
+            Bond::Slip => format!("e = {}", significant(collision.restitution)),
+        };
+        let lost = significant(self.relative[0] - self.relative[1]);
+        [
+            format!("Before: {kept} mJ and {before} mJ"),
+            format!("{e}: {kept} mJ and {after} mJ, so {lost} mJ lost"),
+        ]
+    }
+}
+
+/// The bars, with the energy that is lost as an outline; only the bar before while it is `hidden`.
+pub(super) fn lay_out(
+    collision: &Collision,
+    hidden: bool,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) -> Picture {
+    let parts = Parts::new(collision);
+    let [area, below] = areas::upper(area, area.height.saturating_sub(2));
+    let all = (parts.of_centre + parts.relative[0]).max(1e-9);
+    let view = View::stretch(area, dvec2(0.0, -0.12 * all), dvec2(10.0, 1.05 * all));
+    let mut picture = Picture::new(view);
+    let bars = BARS
+        .into_iter()
+        .zip(["before", "after"])
+        .zip(parts.relative);
+    for (((left, right), name), relative) in bars.take(if hidden { 1 } else { 2 }) {
+        let middle = 0.5 * (left + right);
+        let mut part = |from: f64, size: f64, text: &str, role: Role| {
+            if size > 0.01 * all {
+                let [low, high] = [dvec2(left, from), dvec2(right, from + size)];
+                picture.fill(low, high, role);
+                picture.rectangle(low, high, Pen::new(role));
+                let centre = dvec2(middle, from + 0.5 * size);
+                picture.label(text, centre, &[LabelSide::Over], Role::Text);
+            }
+        };
+        part(0.0, parts.of_centre, "½MV²", Role::Incoming);
+        part(parts.of_centre, relative, "relative", Role::CoinOut);
+        let top = parts.of_centre + relative;
+        if all - top > 0.01 * all {
+            picture.rectangle(
+                dvec2(left, top),
+                dvec2(right, all),
+                Pen::new(Role::Warn).dotted(),
+            );
+            let centre = dvec2(middle, 0.5 * (top + all));
+            picture.label("lost", centre, &[LabelSide::Over], Role::Warn);
+        }
+        picture.text(DVec2::new(middle, -0.06 * all), name, Role::Dim);
+    }
+    let mut lines = Lines::new(below, buf, *look);
+    for line in parts
+        .words(collision)
+        .iter()
+        .take(if hidden { 1 } else { 2 })
+    {
+        lines.line(line, Role::Text);
+    }
+    picture
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::CollisionSpec;
+
+    /// In a head-on collision the relative part falls to e² of its value.
+    #[test]
+    fn only_the_relative_part_is_lost() {
+        for restitution in [0.0, 0.5, 1.0] {
+            let shot = CollisionSpec {
+                m2_g: 40.0,
+                restitution,
+                target_speed: 1.0,
+                target_deg: 180.0,
+                ..CollisionSpec::default()
+            };
+            let parts = Parts::new(&shot.collision().with_alpha(0.0));
+            let [before, after] = parts.relative;
+            assert!((after - restitution * restitution * before).abs() < 1e-9);
+        }
+    }
+}
