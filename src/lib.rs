@@ -47,6 +47,8 @@
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)
+//!   measure/       a filmed collision: reading its tracks, fitting them, what follows with
+//!                  uncertainties
 //!   beams/         particles simulated by the million and counted; Geiger and Marsden's
 //!                  own counts  (data: assets/)
 //!   ─────────────────────────────────────────────────────────────
@@ -78,6 +80,7 @@ pub mod game;
 pub mod gradebook;
 pub mod lessons;
 pub mod levels;
+pub mod measure;
 pub mod messages;
 pub(crate) mod numbers;
 pub mod paper;

@@ -13,6 +13,7 @@ mod keys;
 mod lesson;
 mod level;
 mod man;
+mod measure;
 mod misconceptions;
 mod new;
 mod options;
@@ -95,6 +96,7 @@ Examples:
   carrom glossary impulse      a term of mechanics, explained in one sentence
   carrom --charset ascii       for terminals and fonts without Unicode
   carrom solve --alpha-deg 30  solve a collision, step by step
+  carrom measure tracks.txt    analyse a filmed collision, with uncertainties
   carrom level check mine.toml check whether your own level can be won
   carrom replay game.toml      replay an exported game, bit for bit
   carrom lesson check mine     check your own chapters
@@ -117,6 +119,7 @@ enum Command {
     Open(OpenCommand),
     Solve(solve::Args),
     Simulate(simulate::Args),
+    Measure(measure::Args),
     Replay(replay::Args),
     #[command(subcommand)]
     Level(level::Command),
@@ -424,6 +427,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Solve(args)) if args.plain => solve::plain(args),
         Some(Command::Solve(args)) => return solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
+        Some(Command::Measure(args)) => measure::run(args, &cli.options),
         Some(Command::Replay(args)) => replay::run(args),
         Some(Command::Level(command)) => level::run(command, &cli.options),
         Some(Command::Lesson(command)) => lesson::run(command, &cli.options),

@@ -26,6 +26,7 @@ mod clean;
 pub mod gradebook;
 mod guide;
 mod markdown;
+mod measured;
 mod page;
 pub mod report;
 pub mod worksheet;
@@ -33,6 +34,7 @@ pub mod worksheet;
 pub use clean::clean;
 pub(crate) use guide::guide_page;
 pub use markdown::Markdown;
+pub use measured::measured_html;
 pub use page::{Paper, html_page};
 
 use crate::widgets::picture::Picture;

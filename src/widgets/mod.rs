@@ -11,6 +11,7 @@
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    hit      the picture of a collision, with its clock, layers and frames
 //!    board    a picture of the board
+//!    measured a picture of a measured collision
 //!    tracks   a picture of paths past a nucleus
 //!    plot     a picture of curves, bars and points over two axes
 //! ──────────────────────────────────────────────────────────────────────────────────────
@@ -35,6 +36,7 @@ pub(crate) mod curves;
 pub(crate) mod hit;
 pub(crate) mod ink;
 pub mod input;
+mod measured;
 pub(crate) mod panel;
 pub(crate) mod panels;
 pub mod picture;
@@ -51,6 +53,7 @@ pub(crate) use answer::{Asking, AskingAction, lettered};
 pub use ink::gallery::gather;
 pub(crate) use input::{NumberEntry, NumberInput, RayInput, brief};
 pub use input::{Outcome, shown};
+pub(crate) use measured::{measured_picture, measured_words};
 pub use panels::SplitLayout;
 pub use svg::painted::{PaintedCell, PaintedPicture, glyph_shape, inks, painted};
 pub use text::bar;

@@ -1,0 +1,492 @@
+//! The fit to both tracks: which motion the data ask for, the noise, and what follows for any
+//! quantity.
+
+use std::f64::consts::PI;
+
+use super::contact::{FEWEST, guesses, leg, refuse_exchanged};
+use super::model::{
+    CHANNELS, Matrix, Model, Normal, PARAMETERS, State, Vector, descend, dot,
+};
+use super::student::{beyond_f, beyond_t, t_beyond};
+use super::track::{LEGS, Leg, Point, Track, thinned};
+use super::{Fault, SlowingDown};
+
+/// A straight line is rejected in favour of slowing down if chance alone would improve the fit this
+/// much in less than one of a hundred measurements.
+pub const LEVEL: f64 = 0.01;
+/// The standard uncertainty of the sum of two radii, as measured with a calliper, in metres.
+const RADII_SIGMA: f64 = 1e-4;
+/// A quantity below this number of standard uncertainties has no direction, and nothing can be
+/// divided by it.
+const CLEAR: f64 = 4.0;
+/// The distance of the centres at contact contradicts the radii beyond this number of uncertainties.
+const CONTRADICTS: f64 = 3.0;
+/// The probability of a standard normal variable beyond ±1.
+pub(super) const ONE_SIGMA: f64 = 0.317_310_507_862_914;
+
+/// A quantity with its uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value, in SI units and radians.
+    pub value: f64,
+    /// The standard deviation.
+    pub deviation: f64,
+    /// The degrees of freedom of the standard deviation.
+    pub freedom: f64,
+}
+
+impl Estimate {
+    /// Half the width of the interval that covers the truth in 68 % of all measurements: the
+    /// standard deviation, widened by Student's t if there are few points.
+    pub fn uncertainty(&self) -> f64 {
+        self.deviation * t_beyond(ONE_SIGMA, self.freedom)
+    }
+
+    /// Half the width of the 95 % interval.
+    pub fn uncertainty95(&self) -> f64 {
+        self.deviation * t_beyond(0.05, self.freedom)
+    }
+
+    /// The distance from a value in uncertainties.
+    pub fn sigmas(&self, from: f64) -> f64 {
+        (self.value - from).abs() / self.uncertainty().max(f64::MIN_POSITIVE)
+    }
+
+    /// The probability of a distance from a true value that is at least this large.
+    pub fn chance(&self, truth: f64) -> f64 {
+        beyond_t((self.value - truth).abs() / self.deviation.max(f64::MIN_POSITIVE), self.freedom)
+    }
+
+    /// Whether the value is clearly not zero.
+    pub(super) fn is_clear(&self) -> bool {
+        self.value.abs() > CLEAR * self.uncertainty()
+    }
+}
+
+/// The test that decides between straight lines and slowing down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlowingTest {
+    /// The F ratio.
+    pub f: f64,
+    /// The probability of a ratio this large by chance.
+    pub p: f64,
+    /// Whether both bodies slow down as fitted (and not speed up).
+    pub is_slowing: bool,
+}
+
+/// What the radii say about the distance of the centres at contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Apart {
+    /// The distance found from the tracks alone.
+    pub found: Estimate,
+    /// The sum of the radii, in metres.
+    pub radii: f64,
+    /// Whether the two agree, and the sum has been used to find the contact.
+    pub agrees: bool,
+}
+
+/// The fit to both tracks.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    pub(crate) state: State,
+    pub(crate) model: Model,
+    /// The standard deviation of the noise in x and y of each body, in metres.
+    pub noise: [f64; CHANNELS],
+    /// The test, if one was made.
+    pub test: Option<SlowingTest>,
+    /// The distance at contact, if the radii are known.
+    pub apart: Option<Apart>,
+    /// How far neighbouring residuals are alike, in standard deviations of chance.
+    pub alike: f64,
+    /// The number of points of each body before and after the contact.
+    pub counts: [[usize; 2]; 2],
+    /// The longest time without a point of one of the bodies around the contact, and the usual
+    /// time between points, in seconds.
+    pub gap: (f64, f64),
+    normal: Normal,
+    weights: [f64; CHANNELS],
+    covariance: Matrix,
+    freedom: [f64; CHANNELS],
+}
+
+impl Fit {
+    /// Fits two tracks with the sum of the radii, if it is known.
+    ///
+    /// # Errors
+    /// If the tracks contain no measurable collision.
+    pub(super) fn new(
+        tracks: &[Track; 2],
+        radii: Option<f64>,
+        slowing: SlowingDown,
+    ) -> Result<Self, Fault> {
+        refuse_exchanged(tracks)?;
+        let guesses = guesses(tracks)?;
+        let middle = guesses.first().map_or(0.0, State::time);
+        let thin = tracks.each_ref().map(|track| thinned(&track.points, middle));
+        let points = [thin[0].as_slice(), thin[1].as_slice()];
+        let (mut fit, test) = Self::of_points(&guesses, points, slowing)?;
+        fit.test = test;
+        if !fit.is_collision() {
+            return Err(Fault::new(
+                "expected a collision, found two paths without a clear change of velocity: the \
+                 bodies miss each other, or the noise hides the contact",
+            ));
+        }
+        fit.use_radii(radii, points);
+        fit.alike = alike(&fit, points);
+        let time = fit.state.time();
+        for (body, track) in tracks.iter().enumerate() {
+            for side in LEGS {
+                fit.counts[body][side as usize] = leg(&track.points, time, side).len();
+            }
+            if let Some(side) = LEGS.iter().find(|it| fit.counts[body][**it as usize] < FEWEST) {
+                let count = fit.counts[body][*side as usize];
+                let side = if *side == Leg::Before { "before" } else { "after" };
+                return Err(Fault::new(format!(
+                    "expected at least {FEWEST} points of {} {side} the contact at {time:.3} s, \
+                     found {count}",
+                    track.name
+                )));
+            }
+        }
+        fit.gap = gap(tracks, time);
+        Ok(fit)
+    }
+
+    fn of_points(
+        guesses: &[State],
+        points: [&[Point]; 2],
+        slowing: SlowingDown,
+    ) -> Result<(Self, Option<SlowingTest>), Fault> {
+        let unfit = || {
+            Fault::new(
+                "expected tracks that determine both velocities and the contact, found too few \
+                 points or none that move",
+            )
+        };
+        let straight = Model::default();
+        let starts: Vec<_> = guesses.iter().flat_map(|it| around(it, points)).collect();
+        let straight = Self::best(&starts, &straight, points).ok_or_else(unfit)?;
+        if slowing == SlowingDown::Never {
+            return Ok((straight, None));
+        }
+        let moves = |fit: &Self, body, side| {
+            let speed = fit.estimate(|state| Some(state.velocity(body, side).length()));
+            speed.is_some_and(|it| it.is_clear())
+        };
+        let mut model = straight.model;
+        for body in 0..2 {
+            let [before, after] = LEGS.map(|side| moves(&straight, body, side));
+            // A body that stops soon after the contact moves clearly only before it.
+            model.slows[body] = [before, before || after];
+        }
+        let starts: Vec<_> = guesses.iter().chain([&straight.state]).collect();
+        let mut slow = None;
+        for _ in 0..=2 {
+            let starts: Vec<_> = starts.iter().flat_map(|it| slower(it, &model, points)).collect();
+            slow = Self::best(&starts, &model, points).filter(|it| it.freedom() >= 1.0);
+            let mut slowing = (0..2).filter(|body| model.slows[*body][0]);
+            // Straight lines through a path that slows down make a body at rest seem to move.
+            let at_rest = match &slow {
+                Some(fit) => slowing.find(|body| !moves(fit, *body, Leg::Before)),
+                None => slowing.min_by(|a, b| {
+                    let speed = |body: &usize| straight.state.velocity(*body, Leg::Before).length();
+                    speed(a).total_cmp(&speed(b))
+                }),
+            };
+            let Some(body) = at_rest else { break };
+            model.slows[body] = [false, moves(&straight, body, Leg::After)];
+        }
+        let Some(slow) = slow else {
+            return Ok((straight, None));
+        };
+        let model = slow.model;
+        let again = descend(straight.state, &straight.model, &slow.weights, points);
+        let (state, normal) = again.ok_or_else(unfit)?;
+        let chi2 = slow.normal.chi2(&slow.state, &slow.model, &slow.weights);
+        let more = normal.chi2(&state, &straight.model, &slow.weights) - chi2;
+        let (rates, freedom) = (model.rates().max(1) as f64, slow.freedom());
+        let f = (more / rates) / (chi2 / freedom);
+        let test = SlowingTest {
+            f,
+            p: beyond_f(f, rates, freedom),
+            is_slowing: (0..2).all(|body| slow.state.slowing(body) >= 0.0),
+        };
+        let slows = slowing == SlowingDown::Always || test.p < LEVEL;
+        Ok((if slows { slow } else { straight }, Some(test)))
+    }
+
+    /// The best fit from any of these starts, with the noise estimated from its residuals.
+    fn best(starts: &[State], model: &Model, points: [&[Point]; 2]) -> Option<Self> {
+        let fits = starts.iter().filter_map(|start| {
+            let (state, normal) = descend(*start, model, &[1.0; CHANNELS], points)?;
+            let chi2 = normal.chi2(&state, model, &[1.0; CHANNELS]);
+            Some((state, chi2))
+        });
+        let (state, _) = fits.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Self::weighted(state, model, [1.0; CHANNELS], points)
+    }
+
+    /// The fit near a state, in which each channel is weighted by its own noise.
+    fn weighted(
+        mut state: State,
+        model: &Model,
+        mut weights: [f64; CHANNELS],
+        points: [&[Point]; 2],
+    ) -> Option<Self> {
+        const ROUNDS: usize = 4;
+        let mut last = None;
+        for _ in 0..ROUNDS {
+            let (next, normal) = descend(state, model, &weights, points)?;
+            state = next;
+            let covariance = normal.covariance(&state, model, &weights)?;
+            let used = normal.used(&covariance, &weights);
+            // Positions printed to a few figures have at least this noise.
+            let least = 1e-9 * extent(points);
+            let mut freedom = [0.0; CHANNELS];
+            let mut noise = [0.0; CHANNELS];
+            for channel in 0..CHANNELS {
+                freedom[channel] = normal.count[channel] - used[channel];
+                if freedom[channel] < 0.5 {
+                    return None;
+                }
+                let variance = normal.squares[channel] / freedom[channel];
+                noise[channel] = variance.sqrt().max(least);
+            }
+            weights = noise.map(|sigma| 1.0 / (sigma * sigma));
+            last = Some((normal, freedom, noise));
+        }
+        let (normal, freedom, noise) = last?;
+        let covariance = normal.covariance(&state, model, &weights)?;
+        Some(Self {
+            state,
+            model: *model,
+            noise,
+            test: None,
+            apart: None,
+            alike: 0.0,
+            counts: [[0; 2]; 2],
+            gap: (0.0, 0.0),
+            normal,
+            weights,
+            covariance,
+            freedom,
+        })
+    }
+
+    /// Uses the sum of the radii to find the contact, unless the tracks contradict it.
+    fn use_radii(&mut self, radii: Option<f64>, points: [&[Point]; 2]) {
+        let between = |state: &State| Some(state.centre(0).distance(state.centre(1)));
+        let (Some(radii), Some(found)) = (radii, self.estimate(between)) else {
+            return;
+        };
+        let sigma = found.uncertainty().hypot(RADII_SIGMA);
+        let model = Model {
+            apart: Some((radii, RADII_SIGMA)),
+            ..self.model
+        };
+        let agrees = (found.value - radii).abs() <= CONTRADICTS * sigma;
+        let better = agrees.then(|| Self::weighted(self.state, &model, self.weights, points));
+        let apart = Apart {
+            found,
+            radii,
+            agrees: matches!(better, Some(Some(_))),
+        };
+        if let Some(Some(better)) = better {
+            let test = self.test;
+            *self = Self { test, ..better };
+        }
+        self.apart = Some(apart);
+    }
+
+    /// Whether the relative velocity changes clearly.
+    fn is_collision(&self) -> bool {
+        let relative = |state: &State, leg| state.velocity(0, leg) - state.velocity(1, leg);
+        let change = |state: &State| relative(state, Leg::Before) - relative(state, Leg::After);
+        let along = change(&self.state).normalize_or_zero();
+        let change = self.estimate(|state| Some(change(state).dot(along)));
+        change.is_some_and(|change| change.is_clear())
+    }
+
+    fn freedom(&self) -> f64 {
+        self.freedom.iter().sum()
+    }
+
+    /// A quantity that follows from the state, with its uncertainty by linear propagation; `None`
+    /// if it is not defined.
+    pub(super) fn estimate(&self, of: impl Fn(&State) -> Option<f64>) -> Option<Estimate> {
+        self.propagate(of, |difference| difference)
+    }
+
+    /// The same for an angle in radians, which may pass ±π.
+    pub(super) fn estimate_angle(&self, of: impl Fn(&State) -> Option<f64>) -> Option<Estimate> {
+        self.propagate(of, |difference| (difference + PI).rem_euclid(2.0 * PI) - PI)
+    }
+
+    fn propagate(
+        &self,
+        of: impl Fn(&State) -> Option<f64>,
+        difference: impl Fn(f64) -> f64,
+    ) -> Option<Estimate> {
+        let value = of(&self.state).filter(|value| value.is_finite())?;
+        let gradient = self.gradient(&of, &difference)?;
+        let reach: Vector = self.covariance.map(|row| dot(&row, &gradient));
+        let variance = dot(&gradient, &reach).max(0.0);
+        // Welch and Satterthwaite: each channel's share of the variance has its own freedom.
+        let mut spread = 0.0;
+        for channel in 0..CHANNELS {
+            let share = self.weights[channel] * self.normal.form(channel, &reach);
+            spread += share * share / self.freedom[channel];
+        }
+        let most = self.freedom();
+        let freedom = if spread > 0.0 { (variance * variance / spread).max(1.0) } else { most };
+        Some(Estimate {
+            value,
+            deviation: variance.sqrt(),
+            freedom,
+        })
+    }
+
+    /// The probability that two quantities which are truly zero are at least this far from it.
+    pub(super) fn chance_of_zero(
+        &self,
+        of: [&dyn Fn(&State) -> Option<f64>; 2],
+    ) -> Option<f64> {
+        let [a, b] = of.map(|of| self.estimate(of));
+        let (a, b) = (a?, b?);
+        let [first, second] = of.map(|of| self.gradient(&of, &|difference| difference));
+        let (first, second) = (first?, second?);
+        let reach: Vector = self.covariance.map(|row| dot(&row, &first));
+        let both = dot(&second, &reach);
+        let [va, vb] = [a, b].map(|it| it.deviation * it.deviation);
+        let determinant = va * vb - both * both;
+        let distance = vb * a.value * a.value - 2.0 * both * a.value * b.value + va * b.value * b.value;
+        let freedom = a.freedom.min(b.freedom);
+        (determinant > 0.0).then(|| beyond_f(0.5 * distance / determinant, 2.0, freedom))
+    }
+
+    fn gradient(
+        &self,
+        of: &impl Fn(&State) -> Option<f64>,
+        difference: &impl Fn(f64) -> f64,
+    ) -> Option<Vector> {
+        let mut gradient = [0.0; PARAMETERS];
+        for (i, slope) in gradient.iter_mut().enumerate() {
+            *slope = self.slope(i, of, difference)?;
+        }
+        Some(gradient)
+    }
+
+    fn slope(
+        &self,
+        parameter: usize,
+        of: &impl Fn(&State) -> Option<f64>,
+        difference: &impl Fn(f64) -> f64,
+    ) -> Option<f64> {
+        let step = 0.1 * self.covariance[parameter][parameter].max(0.0).sqrt();
+        if step <= 0.0 {
+            return Some(0.0);
+        }
+        let moved = |by: f64| {
+            let mut state = self.state;
+            state.0[parameter] += by;
+            of(&state)
+        };
+        Some(difference(moved(step)? - moved(-step)?) / (2.0 * step))
+    }
+
+    /// The residuals of a body's points as multiples of the noise: the time, x and y.
+    pub(super) fn residuals(&self, body: usize, points: &[Point]) -> Vec<(f64, [f64; 2])> {
+        let missed = |point: &Point| {
+            let missed = point.at - self.state.at(body, point.t, &self.model);
+            let noise = &self.noise[2 * body..];
+            let root = point.weight.sqrt();
+            (point.t, [root * missed.x / noise[0], root * missed.y / noise[1]])
+        };
+        points.iter().map(missed).collect()
+    }
+}
+
+/// Starts a little earlier and later than a guess: the fit could otherwise end in a time at which
+/// a row changes sides.
+fn around(guess: &State, points: [&[Point]; 2]) -> Vec<State> {
+    let times: Vec<f64> = points.iter().flat_map(|it| it.iter().map(|point| point.t)).collect();
+    let longest = times.iter().fold(f64::MIN, |a, b| a.max(*b));
+    let shortest = times.iter().fold(f64::MAX, |a, b| a.min(*b));
+    let step = (longest - shortest) / points[0].len().max(2) as f64;
+    let mut starts = Vec::new();
+    for by in [-1.0, 0.0, 1.0] {
+        let mut start = *guess;
+        start.set_time(guess.time() + by * step);
+        starts.push(start);
+    }
+    starts
+}
+
+/// Starts for legs that slow down: from little to a stop soon after the contact.
+fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> Vec<State> {
+    let duration = |body: usize| {
+        let last = points[body].last().map_or(0.0, |point| point.t);
+        (last - start.time()).max(1e-9)
+    };
+    let slowed = |share: f64| {
+        let mut state = *start;
+        for body in (0..2).filter(|body| model.slows(*body)) {
+            let moves_after = model.slows[body][1];
+            let side = if moves_after { Leg::After } else { Leg::Before };
+            let speed = start.velocity(body, side).length();
+            let rate = share * speed / duration(body);
+            // The same distance in the same time, from the speed at contact.
+            let first = if share < 2.0 { 1.0 + 0.5 * share } else { (2.0 * share).sqrt() };
+            state.set_slowing(body, rate);
+            if moves_after {
+                state.set_velocity(body, Leg::After, first * start.velocity(body, Leg::After));
+            }
+        }
+        state
+    };
+    [0.1, 1.0, 4.0].map(slowed).to_vec()
+}
+
+/// The size of the region that the tracks cover, in metres.
+fn extent(points: [&[Point]; 2]) -> f64 {
+    let all = || points.iter().flat_map(|it| it.iter().map(|point| point.at));
+    let Some(first) = all().next() else { return 0.0 };
+    let low = all().fold(first, |a, b| a.min(b));
+    let high = all().fold(first, |a, b| a.max(b));
+    low.distance(high)
+}
+
+/// How far neighbouring residuals are alike (von Neumann's ratio, as a normal variable). Bent paths,
+/// a third body, a cushion and smoothed tracking make them alike.
+fn alike(fit: &Fit, points: [&[Point]; 2]) -> f64 {
+    let (mut products, mut count) = (0.0, 0.0);
+    for (body, points) in points.into_iter().enumerate() {
+        for side in LEGS {
+            let residuals = fit.residuals(body, leg(points, fit.state.time(), side));
+            for pair in residuals.windows(2) {
+                let [(_, a), (_, b)] = pair else { continue };
+                products += a[0] * b[0] + a[1] * b[1];
+                count += 2.0;
+            }
+        }
+    }
+    // Fitting a line makes neighbours slightly unlike, by about one pair per parameter.
+    (products + PARAMETERS as f64 * 0.5) / f64::max(count, 1.0).sqrt()
+}
+
+/// The longest time without a point around the contact, and the median time between points.
+fn gap(tracks: &[Track; 2], time: f64) -> (f64, f64) {
+    let mut longest = 0.0_f64;
+    let mut steps = Vec::new();
+    for track in tracks {
+        let before = leg(&track.points, time, Leg::Before).last();
+        let after = leg(&track.points, time, Leg::After).first();
+        if let (Some(before), Some(after)) = (before, after) {
+            longest = longest.max(after.t - before.t);
+        }
+        steps.extend(track.points.windows(2).filter_map(|pair| Some(pair.last()?.t - pair.first()?.t)));
+    }
+    steps.sort_by(f64::total_cmp);
+    (longest, steps.get(steps.len() / 2).copied().unwrap_or(0.0))
+}

@@ -1,0 +1,57 @@
+//! A measurement as one JSON object.
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::fit::LEVEL;
+use super::{LineFrom, Measurement, QUANTITIES, Unit};
+
+#[derive(Serialize)]
+struct Quantity {
+    value: f64,
+    /// Half the width of the 68 % interval.
+    uncertainty: f64,
+    interval_95: [f64; 2],
+    degrees_of_freedom: f64,
+}
+
+impl Measurement {
+    /// Everything as JSON. A quantity that is not defined has only the reason, as `unknown`.
+    pub fn json(&self) -> Value {
+        let mut quantities = Map::new();
+        for quantity in &QUANTITIES {
+            let unit = quantity.unit;
+            let value = match self.estimate(quantity) {
+                Ok(it) => {
+                    let reach = it.uncertainty95();
+                    json!(Quantity {
+                        value: unit.from_si(it.value),
+                        uncertainty: unit.from_si(it.uncertainty()),
+                        interval_95: [it.value - reach, it.value + reach].map(|x| unit.from_si(x)),
+                        degrees_of_freedom: it.freedom,
+                    })
+                }
+                Err(reason) => json!({ "unknown": reason }),
+            };
+            quantities.insert(format!("{}{}", quantity.id, unit.ending()), value);
+        }
+        let noise = self.fit.noise.map(|noise| Unit::Length.from_si(noise));
+        let test = self.fit.test.map(|test| json!({ "f": test.f, "p": test.p, "level": LEVEL }));
+        json!({
+            "bodies": self.names(),
+            "points": self.fit.counts,
+            "noise_mm": [noise[..2], noise[2..]],
+            "slows": (0..2).map(|body| self.fit.model.slows(body)).collect::<Vec<_>>(),
+            "slowing_test": test,
+            "line_of_impact_from": match self.known.line {
+                LineFrom::Centres => "centres",
+                LineFrom::Impulse => "impulse",
+            },
+            "masses_assumed_equal": !self.known.are_given,
+            "predicted_with_restitution": self.given.restitution,
+            "quantities": quantities,
+            "sentences": self.sentences(),
+            "warnings": self.warnings(),
+        })
+    }
+}

@@ -1,0 +1,159 @@
+//! A measured collision: the tracks of two bodies from a film, fitted and compared with the exact
+//! prediction, everything with its uncertainty.
+//!
+//! [`read`] reads the tracks, [`Measurement::new`] analyses them. Uncertainties follow from the
+//! scatter of the points about the fitted paths; `coverage` checks with simulated measurements that
+//! the stated intervals contain the truth as often as they say.
+
+mod contact;
+mod fit;
+mod json;
+mod model;
+mod quantities;
+mod read;
+mod student;
+mod track;
+mod words;
+
+#[cfg(test)]
+mod coverage;
+#[cfg(test)]
+mod simulated;
+
+use crate::files::FileError;
+
+pub use fit::{Apart, Estimate, Fit, LEVEL, SlowingTest};
+pub(crate) use model::State;
+pub use quantities::LineFrom;
+pub(crate) use quantities::{Known, QUANTITIES, Quantity, Unit, line};
+pub use read::{LARGEST, Reading, read};
+pub use track::{Leg, Point, Track};
+pub use words::{Row, Section};
+
+/// Whether legs may slow down.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::EnumString, strum::VariantNames)]
+#[strum(serialize_all = "kebab-case")]
+pub enum SlowingDown {
+    /// If the data ask for it.
+    #[default]
+    Auto,
+    /// Always; the uncertainties are larger, but not even a small deceleration distorts anything.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// What is known besides the tracks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Given {
+    /// Both masses in kilograms.
+    pub masses: Option<[f64; 2]>,
+    /// Both radii in metres.
+    pub radii: Option<[f64; 2]>,
+    /// The coefficient of restitution of the prediction.
+    pub restitution: f64,
+    /// Whether legs may slow down.
+    pub slowing: SlowingDown,
+}
+
+impl Default for Given {
+    fn default() -> Self {
+        Self {
+            masses: None,
+            radii: None,
+            restitution: 1.0,
+            slowing: SlowingDown::Auto,
+        }
+    }
+}
+
+/// Why tracks cannot be measured.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct Fault {
+    line: Option<u32>,
+    message: String,
+}
+
+impl Fault {
+    fn new(message: impl Into<String>) -> Self {
+        Self {
+            line: None,
+            message: message.into(),
+        }
+    }
+
+    fn on(line: u32, message: impl Into<String>) -> Self {
+        Self {
+            line: Some(line),
+            message: message.into(),
+        }
+    }
+
+    /// This fault as an error of a file.
+    pub fn of_file(self, name: &str) -> FileError {
+        match self.line {
+            Some(line) => FileError::on_line(name, line as usize, self.message),
+            None => FileError::of_file(name, self.message),
+        }
+    }
+}
+
+/// An analysed collision.
+#[derive(Debug, Clone)]
+pub struct Measurement {
+    /// The tracks.
+    pub tracks: [Track; 2],
+    /// What is known besides the tracks.
+    pub given: Given,
+    pub(crate) fit: Fit,
+    pub(crate) known: Known,
+}
+
+impl Measurement {
+    /// Analyses two tracks.
+    ///
+    /// # Errors
+    /// If they contain no measurable collision.
+    pub fn new(tracks: [Track; 2], given: Given) -> Result<Self, Fault> {
+        let radii = given.radii.map(|radii| radii.iter().sum());
+        let fit = Fit::new(&tracks, radii, given.slowing)?;
+        let known = Known::new(&given, &fit);
+        Ok(Self {
+            tracks,
+            given,
+            fit,
+            known,
+        })
+    }
+
+    /// The names of the bodies.
+    pub(crate) fn names(&self) -> [&str; 2] {
+        self.tracks.each_ref().map(|track| track.name.as_str())
+    }
+
+    /// The estimate of a quantity, or why there is none.
+    pub(crate) fn estimate(&self, quantity: &Quantity) -> Result<Estimate, String> {
+        quantities::measured(quantity, &self.fit, &self.known, self.names())
+    }
+
+    /// A quantity by its name.
+    fn quantity(&self, id: &str) -> Option<(&'static Quantity, Result<Estimate, String>)> {
+        let quantity = QUANTITIES.iter().find(|quantity| quantity.id == id)?;
+        Some((quantity, self.estimate(quantity)))
+    }
+
+    /// The motion that follows from the state before the contact alone.
+    pub(crate) fn predicted(&self) -> Option<State> {
+        let [v1, v2] = quantities::predicted(&self.fit.state, &self.known)?;
+        let mut state = self.fit.state;
+        state.set_velocity(0, Leg::After, v1);
+        state.set_velocity(1, Leg::After, v2);
+        Some(state)
+    }
+}
+
+/// A count of points.
+fn plural(count: usize, what: &str) -> String {
+    crate::numbers::counted(count, what)
+}

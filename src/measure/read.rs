@@ -1,0 +1,620 @@
+//! Reads tracks: what Tracker exports or copies, and any other table of numbers.
+//!
+//! Tracker (physlets.org/tracker) writes one track as a line with its name, a line with the heads
+//! `t`, `x`, `y`, and rows separated by tabs. Several tracks begin with `#multi:`; then the names
+//! stand above the first column of each track. Tabs, semicolons, commas and spaces separate the
+//! columns, and a comma may be the decimal sign unless it separates them.
+
+use glam::dvec2;
+
+use super::track::{Point, Track};
+use crate::files::{FileError, FileErrors, Source, quoted, short_name};
+
+/// The largest file in bytes: a million rows with full precision have about 100 MB.
+pub const LARGEST: usize = 1 << 28;
+/// The lines at the start of a file that may come before the first row of numbers.
+const MOST_HEADS: usize = 100;
+/// The number of errors after which reading stops.
+const MOST_ERRORS: usize = 20;
+/// The largest time in seconds and coordinate in metres.
+const MOST: f64 = 1e6;
+/// The longest name of a body, in letters.
+const LONGEST_NAME: usize = 24;
+
+/// How to read a file.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Reading {
+    /// The columns of the time, and of x and y of each body, by their heads or numbers; empty to
+    /// find them by their heads.
+    pub columns: Vec<String>,
+    /// The metres per unit of x and of y where the heads give no unit, or pixels.
+    pub scale: Option<[f64; 2]>,
+}
+
+/// Reads the two tracks in one file, or one track in each of two: each file by its name and bytes.
+///
+/// # Errors
+/// What was expected and found, with line and column.
+pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], FileErrors> {
+    let mut tracks = Vec::new();
+    let mut last = "";
+    for (name, bytes) in files {
+        let found = one_file(name, bytes, reading)?;
+        if files.len() > 1 && found.len() != 1 {
+            let message = format!("expected one track in each of two files, found {}", found.len());
+            return Err(FileError::of_file(name, message).into());
+        }
+        tracks.extend(found);
+        last = name;
+    }
+    let names: Vec<_> = tracks.iter().map(|track| track.name.clone()).collect();
+    let message = match <[Track; 2]>::try_from(tracks) {
+        Ok(mut two) => {
+            if two[0].name == two[1].name {
+                two[0].name = "body 1".into();
+                two[1].name = "body 2".into();
+            }
+            return Ok(two);
+        }
+        Err(_) if names.len() < 2 => format!(
+            "expected two bodies, found only {}: give the file of the other body too, or export \
+             both tracks together",
+            names.first().map_or("one", String::as_str)
+        ),
+        Err(_) => format!(
+            "expected two bodies, found {} ({}): choose two with --columns, by the numbers of the \
+             columns, such as 1,2,3,4,5",
+            names.len(),
+            names.join(", ")
+        ),
+    };
+    Err(FileError::of_file(last, message).into())
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, PartialEq)]
+enum Role {
+    Time,
+    /// A coordinate (0 for x, 1 for y) of a body.
+    Coordinate(String, usize),
+}
+
+/// A column in use.
+#[derive(Debug, Clone)]
+struct Column {
+    index: usize,
+    head: String,
+    factor: f64,
+}
+
+impl Column {
+    /// The position of this column in a message.
+    fn place(&self) -> String {
+        match self.head.is_empty() {
+            true => format!("column {}", self.index + 1),
+            false => format!("column {} ({})", self.index + 1, short_name(&self.head, LONGEST_NAME)),
+        }
+    }
+}
+
+/// The columns of a file.
+struct Table {
+    time: Column,
+    bodies: Vec<(String, [Column; 2])>,
+}
+
+/// The lines before the first row of numbers, the separator, and where the rows begin.
+struct Opening<'a> {
+    names: Vec<&'a str>,
+    heads: Vec<&'a str>,
+    width: usize,
+    separator: u8,
+    line: usize,
+    /// The number of lines before the first row.
+    skipped: usize,
+}
+
+fn one_file(name: &str, bytes: &[u8], reading: &Reading) -> Result<Vec<Track>, FileErrors> {
+    let source = Source::of_bytes(name, bytes, LARGEST)?;
+    let opening = opening(&source)?;
+    let table = table(name, &opening, reading)?;
+    rows(source, &opening, &table)
+}
+
+fn is_comment(line: &str) -> bool {
+    line.starts_with(['#', '%']) || line.starts_with("//")
+}
+
+fn opening<'a>(source: &Source<'a>) -> Result<Opening<'a>, FileError> {
+    let mut before: Vec<&str> = Vec::new();
+    let mut first = None;
+    for (skipped, (number, line)) in source.lines().take(MOST_HEADS).enumerate() {
+        if line.trim().is_empty() || is_comment(line.trim_start()) || line.starts_with("sep=") {
+            continue;
+        }
+        first.get_or_insert((number, line));
+        let Some(separator) = separator(line) else {
+            before.push(line);
+            continue;
+        };
+        let fields = |line: &'a str| fields(line, separator);
+        return Ok(Opening {
+            heads: before.last().map_or(Vec::new(), |line| fields(line)),
+            names: match before.as_slice() {
+                [.., names, _] => fields(names),
+                _ => Vec::new(),
+            },
+            width: fields(line).len(),
+            separator,
+            line: number,
+            skipped,
+        });
+    }
+    let message = "expected rows of a time and coordinates, separated by commas, semicolons, tabs \
+                   or spaces";
+    Err(match first {
+        Some((number, line)) => {
+            source.error_on(number, format!("{message}, found {}", quoted(line.trim())))
+        }
+        None => source.error_on(1, format!("{message}, found none")),
+    })
+}
+
+/// The separator with which a line is a row of at least three numbers.
+fn separator(line: &str) -> Option<u8> {
+    b"\t;, ".iter().copied().find(|&separator| {
+        let numbers = fields(line, separator).into_iter().filter(|field| number(field).is_some());
+        numbers.count() >= 3
+    })
+}
+
+/// The fields of a line, without spaces and quotation marks around them.
+fn fields(line: &str, separator: u8) -> Vec<&str> {
+    let mut fields = Vec::new();
+    split(line, separator, &mut fields);
+    fields
+}
+
+/// Adds the fields of a line to `fields`.
+fn split<'a>(line: &'a str, separator: u8, fields: &mut Vec<&'a str>) {
+    let mut quoted = false;
+    let split = line.split(move |letter: char| {
+        quoted ^= letter == '"';
+        !quoted && letter == char::from(separator)
+    });
+    let trimmed = split.map(|field| field.trim().trim_matches('"'));
+    match separator {
+        b' ' => fields.extend(trimmed.filter(|field| !field.is_empty())),
+        _ => fields.extend(trimmed),
+    }
+}
+
+/// A number with a decimal point or comma. It may be infinite or NaN.
+fn number(field: &str) -> Option<f64> {
+    match field.contains(',') {
+        false => field.parse().ok(),
+        true => field.replacen(',', ".", 1).parse().ok(),
+    }
+}
+
+/// The name of a column in a simple form, and its unit: `x_{1} (cm)` is "x1" and "cm".
+fn head(text: &str) -> (String, Option<String>) {
+    let known = |unit: &str| length_unit(unit).is_some() || time_unit(unit).is_some();
+    let text = text.trim().trim_matches('"');
+    let (name, unit) = if let Some((name, rest)) = text.split_once(['(', '[']) {
+        (name, Some(rest.trim_end_matches([')', ']', ' '])))
+    } else if let Some((name, unit)) = text.rsplit_once(['/', '_', ' ']).filter(|it| known(it.1)) {
+        (name, Some(unit))
+    } else {
+        (text, None)
+    };
+    let plain = name.chars().filter(|letter| letter.is_alphanumeric());
+    (plain.collect::<String>().to_lowercase(), unit.map(str::to_owned))
+}
+
+/// The metres of a unit of length; 0 for pixels, whose size is not in the file.
+fn length_unit(unit: &str) -> Option<f64> {
+    Some(match unit {
+        "m" => 1.0,
+        "dm" => 0.1,
+        "cm" => 0.01,
+        "mm" => 0.001,
+        "px" | "pixel" | "pixels" => 0.0,
+        _ => return None,
+    })
+}
+
+fn time_unit(unit: &str) -> Option<f64> {
+    match unit {
+        "s" => Some(1.0),
+        "ms" => Some(0.001),
+        _ => None,
+    }
+}
+
+/// What a head says that its column holds; `name` is that of the body in the line above.
+fn role(plain: &str, name: &str) -> Option<Role> {
+    if matches!(plain, "t" | "time" | "zeit" | "temps" | "tiempo" | "tempo" | "tid") {
+        return Some(Role::Time);
+    }
+    let of = |letter: char| {
+        let numbered = |rest: &&str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
+        plain.strip_prefix(letter).or_else(|| plain.strip_suffix(letter).filter(numbered))
+    };
+    let (key, axis) = of('x').map(|key| (key, 0)).or_else(|| of('y').map(|key| (key, 1)))?;
+    let body = match (name.is_empty(), key.is_empty()) {
+        (_, true) => name.to_owned(),
+        (true, false) => format!("body {}", key.to_uppercase()),
+        (false, false) => format!("{name} {key}"),
+    };
+    Some(Role::Coordinate(body, axis))
+}
+
+fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, FileError> {
+    let refuse = |message: String| FileError::on_line(file, opening.line, message);
+    let roles = match reading.columns.as_slice() {
+        [] => found(opening),
+        chosen => self::chosen(opening, chosen).map_err(refuse)?,
+    };
+    let mut time = None;
+    let mut bodies: Vec<(String, [Option<Column>; 2])> = Vec::new();
+    for (index, role) in roles {
+        let text = opening.heads.get(index).copied().unwrap_or_default();
+        let unit = head(text).1;
+        let column = |factor| Column {
+            index,
+            head: text.to_owned(),
+            factor,
+        };
+        let place = column(1.0).place();
+        match role {
+            Role::Time => {
+                let factor = match unit.as_deref() {
+                    None => Some(1.0),
+                    Some(unit) => time_unit(unit),
+                };
+                let expected = || {
+                    let found = quoted(unit.as_deref().unwrap_or_default());
+                    refuse(format!("{place}: expected a time in s or ms, found {found}"))
+                };
+                time.get_or_insert(column(factor.ok_or_else(expected)?));
+            }
+            Role::Coordinate(body, axis) => {
+                let scale = reading.scale.map(|scale| scale[axis]);
+                let factor = match (unit.as_deref(), scale) {
+                    (None, scale) => scale.unwrap_or(1.0),
+                    (Some(unit), scale) => match (length_unit(unit), scale) {
+                        (Some(factor), _) if factor > 0.0 => factor,
+                        (Some(_), Some(scale)) => scale,
+                        (Some(_), None) => {
+                            return Err(refuse(format!(
+                                "{place}: expected --scale with the millimetres of a pixel, \
+                                 because this column is in pixels"
+                            )));
+                        }
+                        (None, _) => {
+                            let found = quoted(unit);
+                            return Err(refuse(format!(
+                                "{place}: expected a length in m, dm, cm, mm or px, found {found}"
+                            )));
+                        }
+                    },
+                };
+                let at = bodies.iter().position(|(name, _)| *name == body).unwrap_or_else(|| {
+                    bodies.push((body, [None, None]));
+                    bodies.len() - 1
+                });
+                if let Some((_, columns)) = bodies.get_mut(at) {
+                    columns[axis].get_or_insert(column(factor));
+                }
+            }
+        }
+    }
+    let heads = || match opening.heads.as_slice() {
+        [] => format!("no heads over {} columns", opening.width),
+        heads => quoted(&heads.join(" ")),
+    };
+    let time = time.ok_or_else(|| {
+        refuse(format!("expected a column t (or choose it with --columns), found {}", heads()))
+    })?;
+    let mut whole = Vec::new();
+    for (number, (name, columns)) in (1..).zip(bodies) {
+        let name = match short_name(&name, LONGEST_NAME) {
+            empty if empty.is_empty() => format!("body {number}"),
+            name => name,
+        };
+        match columns {
+            [Some(x), Some(y)] => whole.push((name, [x, y])),
+            [x, _] => {
+                let (found, lacks) = if x.is_some() { ("x", "y") } else { ("y", "x") };
+                return Err(refuse(format!(
+                    "expected a column {lacks} of {name}, found only {found}"
+                )));
+            }
+        }
+    }
+    if whole.is_empty() {
+        let found = heads();
+        return Err(refuse(format!(
+            "expected columns x and y (or choose them with --columns), found {found}"
+        )));
+    }
+    Ok(Table {
+        time,
+        bodies: whole,
+    })
+}
+
+/// The columns by their heads; five or three columns without heads are in the usual order.
+fn found(opening: &Opening) -> Vec<(usize, Role)> {
+    if opening.heads.is_empty() {
+        return match opening.width {
+            3 | 5 => in_order(&(0..opening.width).collect::<Vec<_>>()),
+            _ => Vec::new(),
+        };
+    }
+    // Names stand above the first column of each track.
+    let mut name = "";
+    let heads = opening.heads.iter().enumerate();
+    let roles = heads.filter_map(|(index, text)| {
+        if let Some(above) = opening.names.get(index).filter(|above| !above.is_empty()) {
+            name = above;
+        }
+        Some((index, role(&head(text).0, name)?))
+    });
+    roles.collect()
+}
+
+fn in_order(columns: &[usize]) -> Vec<(usize, Role)> {
+    let roles = columns.iter().enumerate().map(|(place, &index)| match place.checked_sub(1) {
+        None => (index, Role::Time),
+        Some(place) => {
+            let body = format!("body {}", place / 2 + 1);
+            (index, Role::Coordinate(body, place % 2))
+        }
+    });
+    roles.collect()
+}
+
+/// The columns as chosen by the user.
+fn chosen(opening: &Opening, chosen: &[String]) -> Result<Vec<(usize, Role)>, String> {
+    if !matches!(chosen.len(), 3 | 5) {
+        return Err(format!(
+            "expected five columns after --columns (t,x1,y1,x2,y2), or three for a file with one \
+             body, found {}",
+            chosen.len()
+        ));
+    }
+    let mut columns = Vec::new();
+    for name in chosen {
+        let number = name.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+        let is_head = |text: &&str| text.eq_ignore_ascii_case(name) || head(text).0 == head(name).0;
+        let named = opening.heads.iter().position(|text| is_head(&text));
+        let width = opening.width.max(opening.heads.len());
+        match number.filter(|index| *index < width).or(named) {
+            Some(index) => columns.push(index),
+            None => {
+                let found = quoted(name);
+                return Err(format!(
+                    "expected the head of a column or a number from 1 to {width}, found {found}"
+                ));
+            }
+        }
+    }
+    Ok(in_order(&columns))
+}
+
+fn rows(source: Source, opening: &Opening, table: &Table) -> Result<Vec<Track>, FileErrors> {
+    let named = table.bodies.iter().map(|(name, _)| Track {
+        name: name.clone(),
+        points: Vec::new(),
+    });
+    let mut tracks: Vec<_> = named.collect();
+    let mut found = Vec::new();
+    let mut last = f64::NEG_INFINITY;
+    let mut errors = 0;
+    for (line, text) in source.lines().skip(opening.skipped) {
+        if errors == MOST_ERRORS {
+            break;
+        }
+        if text.trim_start().is_empty() || is_comment(text.trim_start()) {
+            continue;
+        }
+        found.clear();
+        split(text, opening.separator, &mut found);
+        if found.iter().all(|field| field.is_empty()) {
+            continue;
+        }
+        let field = |column: &Column| found.get(column.index).copied();
+        let made = row(table, field, &mut last, |body, t, at| {
+            if let Some(track) = tracks.get_mut(body) {
+                track.points.push(Point {
+                    t,
+                    at,
+                    weight: 1.0,
+                    line: u32::try_from(line).unwrap_or(u32::MAX),
+                });
+            }
+        });
+        errors += usize::from(source.accept(line, made).is_none());
+    }
+    source.finish(Some(tracks))
+}
+
+/// Reads a row: each body that has a point there.
+fn row<'a>(
+    table: &Table,
+    field: impl Fn(&Column) -> Option<&'a str>,
+    last: &mut f64,
+    mut add: impl FnMut(usize, f64, glam::DVec2),
+) -> Result<(), String> {
+    let Some(t) = value(&table.time, field(&table.time))? else {
+        return Err(format!("{}: expected a time, found nothing", table.time.place()));
+    };
+    if t <= *last {
+        return Err(format!(
+            "{}: expected a time after {last} s, found {t} s",
+            table.time.place()
+        ));
+    }
+    *last = t;
+    for (body, (name, [x, y])) in table.bodies.iter().enumerate() {
+        match (value(x, field(x))?, value(y, field(y))?) {
+            (Some(x), Some(y)) => add(body, t, dvec2(x, y)),
+            (None, None) => {}
+            (one, _) => {
+                let lacking = if one.is_some() { y } else { x };
+                return Err(format!(
+                    "{}: expected both coordinates of {name} or neither, found one",
+                    lacking.place()
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The value of a field in SI units; `None` if it is empty.
+fn value(column: &Column, field: Option<&str>) -> Result<Option<f64>, String> {
+    let Some(text) = field.filter(|text| !text.is_empty()) else {
+        return Ok(None);
+    };
+    match number(text).map(|number| number * column.factor) {
+        Some(value) if value.abs() <= MOST => Ok(Some(value)),
+        Some(value) if value.is_finite() => Err(format!(
+            "{}: expected a number of at most {MOST:e}, found {text}",
+            column.place()
+        )),
+        _ => Err(format!(
+            "{}: expected a number, or nothing for a missing point, found {}",
+            column.place(),
+            quoted(text)
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tracks(text: &str) -> Result<[Track; 2], String> {
+        with(text, &Reading::default())
+    }
+
+    fn with(text: &str, reading: &Reading) -> Result<[Track; 2], String> {
+        read(&[("a.txt", text.as_bytes())], reading).map_err(|errors| errors.to_string())
+    }
+
+    fn chosen(columns: &str, scale: Option<[f64; 2]>) -> Reading {
+        Reading {
+            columns: columns.split(',').filter(|it| !it.is_empty()).map(str::to_owned).collect(),
+            scale,
+        }
+    }
+
+    /// The first and the last point of each body, as t, x, y, line.
+    fn ends(tracks: &[Track; 2]) -> Vec<[f64; 4]> {
+        let ends = tracks.iter().flat_map(|track| [track.points.first(), track.points.last()]);
+        let numbers = ends.flatten().map(|it| [it.t, it.at.x, it.at.y, f64::from(it.line)]);
+        numbers.collect()
+    }
+
+    #[test]
+    fn tracker_files_of_two_bodies_are_read() {
+        let text = "#multi:\n\tmass A\t\tmass B\t\t\nt\tx\ty\tx\ty\t\n0.000E0\t1.0\t2.0\t3.0\t4.0\t\n\
+                    3.3E-2\t1.5\t2.5\t\t\t\n6.7E-2\t2.0\t3.0\t5.0\t6.0\t\n";
+        let tracks = tracks(text).unwrap();
+        assert_eq!(tracks.each_ref().map(|it| it.name.as_str()), ["mass A", "mass B"]);
+        assert_eq!(tracks.each_ref().map(|it| it.points.len()), [3, 2]);
+        let last = [[0.067, 2.0, 3.0, 6.0], [0.067, 5.0, 6.0, 6.0]];
+        let ends = ends(&tracks);
+        assert_eq!([ends[1], ends[3]], last);
+    }
+
+    #[test]
+    fn tracker_files_of_one_body_each_are_put_together() {
+        let [a, b] = ["mass_A\nt\tx\ty\n0\t1\t2\n1\t2\t3\n", "mass_B\nt\tx\ty\n0\t5\t6\n"];
+        let both = [("a", a.as_bytes()), ("b", b.as_bytes())];
+        let tracks = read(&both, &Reading::default()).unwrap();
+        assert_eq!(tracks[1].name, "mass_B");
+        assert_eq!(tracks[0].points.len() + tracks[1].points.len(), 3);
+        let one = read(&both[..1], &Reading::default()).unwrap_err();
+        assert!(one.to_string().contains("found only mass_A"), "{one}");
+    }
+
+    #[test]
+    fn separators_decimal_commas_comments_and_units_are_understood() {
+        let same = [[0.0, 0.01, 0.02, 2.0], [0.1, 0.015, 0.025, 3.0]];
+        for text in [
+            "t (s),x1 (cm),y1 (cm),x2 (cm),y2 (cm)\n0,1,2,3,4\n0.1,1.5,2.5,3,4\n",
+            "t;x_1/mm;y_1/mm;x_2/mm;y_2/mm\n0;10;20;30;40\n0,1;15,0;25;30;40\n",
+            "time_ms\txA [cm]\tyA [cm]\txB [cm]\tyB [cm]\n0\t1\t2\t3\t4\n100\t1,5\t2,5\t3\t4\n",
+            "t x1_m y1_m x2_m y2_m\n0  0,01 0,02  0,03 0,04\n0,1 0,015 0,025 0,03 0,04\n",
+            "t,\"x1 (cm)\",\"y1 (cm)\",x2 (cm),y2 (cm)\n0,1,2,3,4\n\"0,1\",\"1,5\",\"2,5\",3,4\n",
+            "t,x1 cm,y1 cm,x2 cm,y2 cm\r\n0,1,2,3,4\r\n0.1,1.5,2.5,3,4\r\n",
+        ] {
+            let tracks = tracks(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+            for (found, expected) in ends(&tracks).iter().zip(same) {
+                let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12);
+                assert!(near, "{text}: {found:?}");
+            }
+        }
+        let text = "# filmed on Monday\n% by Ada\n\n0 1 2 3 4\n# a pause\n1 1 2 3 4\n";
+        assert_eq!(ends(&tracks(text).unwrap())[1], [1.0, 1.0, 2.0, 6.0]);
+    }
+
+    #[test]
+    fn columns_are_chosen_by_head_or_number_and_pixels_are_scaled() {
+        let text = "frame;t;xA (px);yA (px);xB (px);yB (px)\n0;0;1;2;3;4\n1;1;1;2;3;4\n";
+        let refused = tracks(text).unwrap_err();
+        assert!(refused.contains("a.txt:2: column 3 (xA (px)): expected --scale"), "{refused}");
+        for columns in ["", "t,xA,yA,xB,yB", "2,3,4,5,6"] {
+            let tracks = with(text, &chosen(columns, Some([0.001, -0.002]))).unwrap();
+            assert_eq!(ends(&tracks)[0], [0.0, 0.001, -0.004, 2.0]);
+        }
+        let refused = with(text, &chosen("t,x,y,z,q", None)).unwrap_err();
+        assert!(refused.contains("a number from 1 to 6, found \"x\""), "{refused}");
+        let refused = with(text, &chosen("t,xA", None)).unwrap_err();
+        assert!(refused.contains("expected five columns"), "{refused}");
+    }
+
+    #[test]
+    fn faults_are_reported_with_line_and_column() {
+        let rows = |rows: &str| format!("t,x1,y1,x2,y2\n0,1,2,3,4\n{rows}\n");
+        for (text, expected) in [
+            (rows("1,a,2,3,4"), "a.txt:3: column 2 (x1): expected a number, or nothing for a \
+                missing point, found \"a\""),
+            (rows("1,1,2,NaN,4"), "a.txt:3: column 4 (x2): expected a number, or nothing for a \
+                missing point, found \"NaN\""),
+            (rows("1,1,2,1e9,4"), "a.txt:3: column 4 (x2): expected a number of at most 1e6"),
+            (rows("1,1,,3,4"), "a.txt:3: column 3 (y1): expected both coordinates of body 1"),
+            (rows("0,1,2,3,4"), "a.txt:3: column 1 (t): expected a time after 0 s, found 0 s"),
+            (rows("1,1,2,3,4\n0.5,1,2,3,4"), "a.txt:4: column 1 (t): expected a time after 1 s"),
+            (rows(",1,2,3,4"), "a.txt:3: column 1 (t): expected a time, found nothing"),
+            (rows("1,1,2,3"), "a.txt:3: column 5 (y2): expected both coordinates of body 2"),
+            ("".into(), "a.txt:1: expected rows of a time and coordinates"),
+            ("hello\nworld\n".into(), "a.txt:1: expected rows of a time and coordinates, separated \
+                by commas, semicolons, tabs or spaces, found \"hello\""),
+            ("x1,y1,x2,y2\n1,2,3,4\n".into(), "a.txt:2: expected a column t"),
+            ("t,x1,y1,x2\n0,1,2,3\n".into(), "a.txt:2: expected a column y of body 2, found only x"),
+            ("t,a,b,c\n0,1,2,3\n".into(), "a.txt:2: expected columns x and y"),
+            ("0,1,2,3\n".into(), "found no heads over 4 columns"),
+            ("t,x1 (in),y1,x2,y2\n0,1,2,3,4\n".into(), "column 2 (x1 (in)): expected a length in"),
+            ("t (h),x1,y1,x2,y2\n0,1,2,3,4\n".into(), "column 1 (t (h)): expected a time in s or ms"),
+            ("t,x1,y1,x2,y2,x3,y3\n0,1,2,3,4,5,6\n".into(), "a.txt: expected two bodies, found 3 \
+                (body 1, body 2, body 3): choose two"),
+        ] {
+            let error = tracks(&text).unwrap_err();
+            assert!(error.contains(expected), "{text}\n{error}\n{expected}");
+        }
+        let many = rows(&"1,a,2,3,4\n".repeat(99));
+        assert!(tracks(&many).unwrap_err().lines().count() <= 21);
+        assert!(read(&[("a", b"\xff\xfe0")], &Reading::default()).is_err());
+    }
+
+    #[test]
+    fn other_columns_of_tracker_are_ignored() {
+        let text = "mass A\tmass A\nt\tx\ty\tv_{x}\tpixelx\tx2\ty2\tframe\n0\t1\t2\t9\t9\t3\t4\t0\n";
+        assert_eq!(tracks(text).unwrap()[1].points[0].at, dvec2(3.0, 4.0));
+    }
+}

@@ -1,0 +1,106 @@
+//! Simulated measurements.
+
+use glam::{DVec2, dvec2};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::model::{Model, State};
+use super::{Point, Track};
+
+/// A collision and how it is filmed. Lengths are in metres.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Film {
+    pub(super) masses: [f64; 2],
+    pub(super) radii: [f64; 2],
+    pub(super) u: [DVec2; 2],
+    /// The impact angle.
+    pub(super) alpha: f64,
+    pub(super) restitution: f64,
+    /// The coefficient of friction of the rims.
+    pub(super) rim: f64,
+    /// The deceleration of both bodies.
+    pub(super) slowing: f64,
+    /// Frames a second.
+    pub(super) rate: f64,
+    /// Frames before and after the contact.
+    pub(super) frames: [usize; 2],
+    /// The noise of a point, in pixels, and the size of a pixel along x and y.
+    pub(super) noise: f64,
+    pub(super) pixel: DVec2,
+}
+
+impl Film {
+    /// The collision, with the contact at `time`. Solid discs with rough rims, without spin before:
+    /// friction stops the slip if it can.
+    pub(super) fn truth(&self, time: f64) -> State {
+        let [m1, m2] = self.masses;
+        let w = self.u[0] - self.u[1];
+        let n = DVec2::from_angle(w.to_angle() - self.alpha);
+        let t = n.perp();
+        let mu = m1 * m2 / (m1 + m2);
+        let normal = (1.0 + self.restitution) * mu * w.dot(n);
+        let slip = w.dot(t);
+        let tangential = slip.signum() * (self.rim * normal).min(mu * slip.abs() / 3.0);
+        let impulse = normal * n + tangential * t;
+        let first = dvec2(0.31, 0.22);
+        let centres = [first, first + (self.radii[0] + self.radii[1]) * n];
+        let v = [self.u[0] - impulse / m1, self.u[1] + impulse / m2];
+        let velocities = [[self.u[0], v[0]], [self.u[1], v[1]]];
+        State::new(time, centres, velocities, [self.slowing; 2])
+    }
+
+    /// A model of its motion.
+    pub(super) fn model(&self) -> Model {
+        Model {
+            slows: [[self.slowing > 0.0; 2]; 2],
+            apart: None,
+        }
+    }
+
+    /// The truth and the tracks of a film with this seed.
+    pub(super) fn shot(&self, seed: u64) -> (State, [Track; 2]) {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let within: f64 = random.random();
+        let truth = self.truth((self.frames[0] as f64 - 1.0 + within) / self.rate);
+        let model = self.model();
+        let tracks = [0, 1].map(|body| {
+            let count = self.frames[0] + self.frames[1];
+            let points = (0..count).map(|frame| {
+                let t = frame as f64 / self.rate;
+                let missed = dvec2(normal(&mut random), normal(&mut random)) * self.noise;
+                Point {
+                    t,
+                    at: truth.at(body, t, &model) + missed * self.pixel,
+                    weight: 1.0,
+                    line: frame as u32 + 4,
+                }
+            });
+            Track {
+                name: format!("mass {}", ["A", "B"][body]),
+                points: points.collect(),
+            }
+        });
+        (truth, tracks)
+    }
+}
+
+/// A standard normal variable (Box and Muller).
+pub(super) fn normal(random: &mut impl Rng) -> f64 {
+    let (a, b): (f64, f64) = (random.random(), random.random());
+    (-2.0 * (1.0 - a).ln()).sqrt() * (std::f64::consts::TAU * b).cos()
+}
+
+/// A puck of 30 g that hits another at rest, filmed at 60 frames a second.
+pub(super) const PUCKS: Film = Film {
+    masses: [0.030, 0.030],
+    radii: [0.025, 0.025],
+    u: [dvec2(0.8, 0.1), DVec2::ZERO],
+    alpha: 0.5,
+    restitution: 0.9,
+    rim: 0.0,
+    slowing: 0.0,
+    rate: 60.0,
+    frames: [20, 24],
+    noise: 0.5,
+    pixel: DVec2::splat(0.001),
+};

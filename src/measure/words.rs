@@ -1,0 +1,586 @@
+//! A measurement in words: rows of numbers with their uncertainties, sentences to quote, warnings.
+
+use glam::DVec2;
+
+use super::fit::{Estimate, LEVEL};
+use super::model::State;
+use super::quantities::{changed, predicted};
+use super::student::t_beyond;
+use super::{LineFrom, Measurement, SlowingDown, Unit};
+use crate::numbers::{capital, fixed, four_figures};
+
+/// Below these probabilities a difference is called neither agreement nor disagreement, and
+/// disagreement: two and three standard deviations.
+const DOUBTFUL: f64 = 0.05;
+const IMPOSSIBLE: f64 = 0.003;
+/// Neighbouring residuals are alike beyond chance from this number of standard deviations.
+const ALIKE: f64 = 4.0;
+
+/// A name and what was found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Row {
+    /// The name.
+    pub name: String,
+    /// The numbers with their units, or why there are none.
+    pub text: String,
+}
+
+/// Rows under a title.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Section {
+    /// The title.
+    pub title: &'static str,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+fn row(name: impl Into<String>, text: impl Into<String>) -> Row {
+    Row {
+        name: name.into(),
+        text: text.into(),
+    }
+}
+
+/// The decimals for an uncertainty: one figure, or two if the first is a 1.
+fn decimals(uncertainty: f64) -> usize {
+    if !(uncertainty > 0.0 && uncertainty.is_finite()) {
+        return 4;
+    }
+    let exponent = uncertainty.log10().floor();
+    let first = (uncertainty / 10_f64.powf(exponent)).round();
+    let digits = if first < 2.0 { 1.0 - exponent } else { -exponent };
+    digits.clamp(0.0, 9.0) as usize
+}
+
+/// A value with its uncertainty, without a unit.
+fn bare(estimate: &Estimate, unit: Unit) -> [String; 2] {
+    let uncertainty = unit.from_si(estimate.uncertainty());
+    let decimals = decimals(uncertainty);
+    [unit.from_si(estimate.value), uncertainty].map(|x| fixed(x, decimals))
+}
+
+/// A value with its uncertainty: "87° ± 3°", "1.02 ± 0.03 m/s".
+pub(crate) fn printed(estimate: &Estimate, unit: Unit) -> String {
+    let [value, uncertainty] = bare(estimate, unit);
+    match unit {
+        Unit::Angle => format!("{value}° ± {uncertainty}°"),
+        Unit::Percent => format!("{value} % ± {uncertainty} %"),
+        Unit::Number => format!("{value} ± {uncertainty}"),
+        _ => format!("{value} ± {uncertainty} {}", unit.sign()),
+    }
+}
+
+/// A number of standard uncertainties: "1.3 σ".
+pub(crate) fn sigmas(number: f64) -> String {
+    match number < 100.0 {
+        true => format!("{number:.1} σ"),
+        false => "more than 100 σ".into(),
+    }
+}
+
+/// Compares a measured value with an exact one. An agreement says little if the 95 % interval
+/// reaches further than `wide`.
+fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) -> String {
+    let number = |x: f64| match unit {
+        Unit::Angle => format!("{}°", fixed(unit.from_si(x), 0)),
+        Unit::Percent => format!("{} %", fixed(unit.from_si(x), 0)),
+        _ => four_figures(unit.from_si(x)),
+    };
+    let (found, expected) = (printed(estimate, unit), number(exact));
+    let far = sigmas(estimate.sigmas(exact));
+    let chance = estimate.chance(exact);
+    if chance < IMPOSSIBLE {
+        return format!("{what}: {found} disagrees with {expected} ({far}).");
+    }
+    if chance < DOUBTFUL {
+        return format!(
+            "{what}: {found} is {far} from {expected}, too far to agree and too near to disagree."
+        );
+    }
+    let reach = estimate.uncertainty95();
+    let doubt = match reach > wide {
+        true => {
+            let ends = [estimate.value - reach, estimate.value + reach];
+            let [low, high] = ends.map(|end| match unit {
+                Unit::Number => fixed(end, 1),
+                _ => number(end),
+            });
+            format!(" It says little: anything from {low} to {high} would agree too.")
+        }
+        false => String::new(),
+    };
+    format!("{what}: {found} agrees with {expected} ({far}).{doubt}")
+}
+
+impl Measurement {
+    /// A quantity by its name, as text.
+    fn text_of(&self, id: &str) -> String {
+        match self.quantity(id) {
+            Some((quantity, Ok(estimate))) => printed(&estimate, quantity.unit),
+            Some((_, Err(reason))) => reason,
+            None => String::new(),
+        }
+    }
+
+    fn estimate_of(&self, id: &str) -> Option<Estimate> {
+        self.quantity(id)?.1.ok()
+    }
+
+    /// A vector: "(1.02 ± 0.01, 0.30 ± 0.01) m/s".
+    fn vector(&self, x: &str, y: &str) -> String {
+        match (self.quantity(x), self.quantity(y)) {
+            (Some((quantity, Ok(x))), Some((_, Ok(y)))) => {
+                let [x, y] = [x, y].map(|it| bare(&it, quantity.unit).join(" ± "));
+                format!("({x}, {y}) {}", quantity.unit.sign())
+            }
+            (Some((_, Err(reason))), _) => reason,
+            _ => String::new(),
+        }
+    }
+
+    /// All results, in the order of a lab report.
+    pub fn sections(&self) -> Vec<Section> {
+        let names = self.names();
+        let fit = &self.fit;
+        let noise = |body: usize| {
+            let [x, y] = [0, 1].map(|axis| Unit::Length.from_si(fit.noise[2 * body + axis]));
+            format!("{} mm in x, {} mm in y", four_figures(round2(x)), four_figures(round2(y)))
+        };
+        let counts = |body: usize| {
+            let [before, after] = fit.counts[body];
+            format!("{before} points before the contact, {after} after it; noise {}", noise(body))
+        };
+        let mut data: Vec<_> = (0..2).map(|body| row(names[body], counts(body))).collect();
+        data.push(row("contact", format!("at {}", self.text_of("contact_time"))));
+        data.push(row("legs", self.legs()));
+        data.extend(self.distance().map(|text| row("distance of the centres", text)));
+        let velocity = |name: &str, body: usize, id: &str| {
+            let name = format!("{name} {}", names[body]);
+            let parts = self.vector(&format!("{id}_x"), &format!("{id}_y"));
+            let size = match self.quantity(id) {
+                Some((_, Ok(_))) => {
+                    let direction = self.text_of(&format!("{id}_direction"));
+                    format!(", {} at {direction}", self.text_of(id))
+                }
+                _ => format!("; {}", self.text_of(id).replace("not defined: ", "")),
+            };
+            row(name, parts + &size)
+        };
+        let mut velocities = vec![
+            velocity("u₁", 0, "u1"),
+            velocity("u₂", 1, "u2"),
+            velocity("v₁", 0, "v1"),
+            velocity("v₂", 1, "v2"),
+        ];
+        for (body, name) in names.iter().enumerate() {
+            if fit.model.slows(body) {
+                let id = ["deceleration1", "deceleration2"][body];
+                velocities.push(row(format!("deceleration {name}"), self.text_of(id)));
+            }
+        }
+        let named = |ids: &[&str]| -> Vec<Row> {
+            let rows = ids.iter().filter_map(|id| {
+                let (quantity, _) = self.quantity(id)?;
+                Some(row(quantity.name, self.text_of(id)))
+            });
+            rows.collect()
+        };
+        let mut geometry = named(&["line_of_impact"]);
+        for row in &mut geometry {
+            row.text += match self.known.line {
+                LineFrom::Centres => ", from the centres at contact",
+                LineFrom::Impulse => ", from the change of the relative velocity",
+            };
+        }
+        geometry.extend(named(&[
+            "offset",
+            "alpha",
+            "restitution",
+            "impulse_ratio",
+            "theta1",
+            "theta2",
+            "between",
+            "mass_ratio",
+        ]));
+        let mut kept = vec![
+            row("momentum before", self.vector("p_before_x", "p_before_y")),
+            row("momentum after", self.vector("p_after_x", "p_after_y")),
+        ];
+        kept.extend(named(&["p_change_along", "p_change_across"]));
+        kept.extend(named(&["energy_before", "energy_after", "energy_kept"]));
+        let compared = [
+            ("v₁ along x", "v1_x"),
+            ("v₁ along y", "v1_y"),
+            ("v₂ along x", "v2_x"),
+            ("v₂ along y", "v2_y"),
+        ];
+        let predicted = compared.map(|(name, id)| {
+            let text = match (
+                self.estimate_of(id),
+                self.quantity(&format!("predicted_{id}")),
+                self.estimate_of(&format!("residual_{id}")),
+            ) {
+                (Some(found), Some((_, Ok(expected))), Some(missed)) => format!(
+                    "{}, predicted {}, difference {} ({})",
+                    printed(&found, Unit::Speed),
+                    bare(&expected, Unit::Speed).join(" ± "),
+                    bare(&missed, Unit::Speed).join(" ± "),
+                    sigmas(missed.sigmas(0.0)),
+                ),
+                (_, Some((_, Err(reason))), _) => reason,
+                _ => "not defined for this collision".into(),
+            };
+            row(name, text)
+        });
+        vec![
+            Section {
+                title: "Tracks",
+                rows: data,
+            },
+            Section {
+                title: "Velocities at contact",
+                rows: velocities,
+            },
+            Section {
+                title: "Collision",
+                rows: geometry,
+            },
+            Section {
+                title: "Momentum and energy",
+                rows: kept,
+            },
+            Section {
+                title: "Prediction from the state before",
+                rows: predicted.to_vec(),
+            },
+        ]
+    }
+
+    /// Which motion was fitted, and why.
+    fn legs(&self) -> String {
+        let slows = (0..2).any(|body| self.fit.model.slows(body));
+        let kind = if slows { "constant deceleration" } else { "straight lines" };
+        let Some(test) = &self.fit.test else {
+            return match self.given.slowing {
+                SlowingDown::Never => format!("{kind}, as chosen"),
+                _ => format!("{kind}: too few points to find a deceleration"),
+            };
+        };
+        let p = match test.p < 1e-4 {
+            true => "p < 0.0001".into(),
+            false => format!("p = {}", fixed(test.p, if test.p < 0.01 { 4 } else { 2 })),
+        };
+        let found = format!("F = {}, {p}", four_figures(round2(test.f)));
+        match (self.given.slowing, slows) {
+            (SlowingDown::Always, _) => format!("{kind}, as chosen ({found})"),
+            (_, true) => format!(
+                "{kind}: straight lines fit worse than chance allows ({found}; the limit is \
+                 {LEVEL})"
+            ),
+            (_, false) => format!(
+                "{kind}: a deceleration does not improve the fit clearly ({found}; the limit is \
+                 {LEVEL})"
+            ),
+        }
+    }
+
+    /// The distance of the centres at contact, and the radii.
+    fn distance(&self) -> Option<String> {
+        let apart = self.fit.apart?;
+        let found = printed(&apart.found, Unit::Length);
+        let radii = four_figures(Unit::Length.from_si(apart.radii));
+        let far = sigmas(apart.found.sigmas(apart.radii));
+        Some(match apart.agrees {
+            true => format!("{found} from the tracks, {radii} mm from the radii ({far})"),
+            false => format!("{found} from the tracks, but {radii} mm from the radii ({far})"),
+        })
+    }
+
+    /// What the measurement says, in sentences to quote.
+    pub fn sentences(&self) -> Vec<String> {
+        let mut sentences = Vec::new();
+        let is_square = self.known.masses[0] == self.known.masses[1]
+            && self.quantity("u2").is_some_and(|(_, speed)| speed.is_err());
+        match self.quantity("between") {
+            Some((_, Ok(between))) if is_square && self.given.restitution >= 1.0 => {
+                let exact = 90_f64.to_radians();
+                let wide = 20_f64.to_radians();
+                sentences.push(compared("Angle between the paths", &between, exact, Unit::Angle, wide));
+            }
+            Some((_, Ok(between))) => {
+                let missed = self.fit.estimate_angle(|state| {
+                    let [v1, v2] = predicted(state, &self.known)?;
+                    let found = |v1: DVec2, v2: DVec2| v1.angle_to(v2).abs();
+                    let [w1, w2] = [0, 1].map(|body| state.velocity(body, super::Leg::After));
+                    Some(found(w1, w2) - found(v1, v2))
+                });
+                if let Some(missed) = missed {
+                    let exact = Estimate {
+                        value: between.value,
+                        ..missed
+                    };
+                    let expected = between.value - missed.value;
+                    let wide = 20_f64.to_radians();
+                    sentences.push(compared(
+                        "Angle between the paths",
+                        &exact,
+                        expected,
+                        Unit::Angle,
+                        wide,
+                    ));
+                }
+            }
+            Some((_, Err(reason))) => {
+                sentences.push(format!("Angle between the paths: {reason}."));
+            }
+            None => {}
+        }
+        sentences.extend(self.momentum_sentence());
+        match self.quantity("restitution") {
+            Some((_, Ok(e))) => {
+                let what = "Coefficient of restitution";
+                sentences.push(compared(what, &e, self.given.restitution, Unit::Number, 0.3));
+            }
+            Some((_, Err(reason))) => {
+                sentences.push(format!("Coefficient of restitution: {reason}."));
+            }
+            None => {}
+        }
+        if let Some(kept) = self.estimate_of("energy_kept") {
+            let what = "Kinetic energy kept";
+            sentences.push(compared(what, &kept, 1.0, Unit::Percent, 0.3));
+        }
+        sentences.push(self.friction_sentence());
+        sentences.extend(self.largest_residual());
+        sentences
+    }
+
+    /// "Momentum agrees within 4 %: 1.3 σ."
+    fn momentum_sentence(&self) -> Option<String> {
+        let along = match self.quantity("p_change_along")? {
+            (_, Ok(along)) => along,
+            (_, Err(reason)) => return Some(format!("Momentum: {reason}.")),
+        };
+        let part = |state: &State, axis: usize| Some(changed(state, &self.known)?[axis]);
+        let change = changed(&self.fit.state, &self.known)?.length();
+        let p = self.fit.chance_of_zero([&|state| part(state, 0), &|state| part(state, 1)])?;
+        let far = sigmas(t_beyond(p, 1e9));
+        let share = Unit::Percent.from_si(change);
+        let share = fixed(share, if share < 1.0 { 1 } else { 0 });
+        Some(if p < IMPOSSIBLE {
+            format!("Momentum disagrees: it changed by {share} % ({far}).")
+        } else if p < DOUBTFUL {
+            format!(
+                "Momentum changed by {share} %: {far}, too much to agree and too little to disagree."
+            )
+        } else if along.uncertainty95() > 0.25 {
+            let reach = fixed(Unit::Percent.from_si(along.uncertainty95()), 0);
+            format!(
+                "Momentum agrees within {share} %: {far}. It says little: a change of {reach} % \
+                 would hardly be noticed."
+            )
+        } else {
+            format!("Momentum agrees within {share} %: {far}.")
+        })
+    }
+
+    /// The friction of the rims, or a bound.
+    fn friction_sentence(&self) -> String {
+        let ratio = match self.quantity("impulse_ratio") {
+            Some((_, Ok(ratio))) => ratio,
+            Some((_, Err(reason))) => return format!("Friction of the rims: {reason}."),
+            None => return String::new(),
+        };
+        // One-sided, 95 %.
+        let reach = ratio.deviation * t_beyond(0.1, ratio.freedom);
+        let size = ratio.value.abs();
+        let found = printed(&ratio, Unit::Number);
+        if ratio.chance(0.0) < DOUBTFUL {
+            let least = fixed((size - reach).max(0.0), 2);
+            format!(
+                "Friction of the rims: the tangential impulse is {found} of the normal one, so the \
+                 coefficient of friction is at least {least} (95 %)."
+            )
+        } else {
+            let most = fixed(size + reach, 2);
+            format!(
+                "Friction of the rims: none found ({found}); if the rims slipped, the coefficient \
+                 of friction is below {most} (95 %)."
+            )
+        }
+    }
+
+    /// The largest of the four differences from the prediction.
+    fn largest_residual(&self) -> Option<String> {
+        let ids = ["residual_v1_x", "residual_v1_y", "residual_v2_x", "residual_v2_y"];
+        let all = ids.iter().filter_map(|id| Some((id, self.estimate_of(id)?)));
+        let (_, largest) = all.max_by(|a, b| a.1.sigmas(0.0).total_cmp(&b.1.sigmas(0.0)))?;
+        let e = four_figures(self.given.restitution);
+        // With four differences, one of 2.5 σ is no surprise.
+        let chance = (4.0 * largest.chance(0.0)).min(1.0);
+        let verdict = if chance < IMPOSSIBLE {
+            "disagrees with"
+        } else if chance < DOUBTFUL {
+            "is near the limit of agreement with"
+        } else {
+            "agrees with"
+        };
+        let how = match self.known.line {
+            LineFrom::Centres => "",
+            LineFrom::Impulse => {
+                " Without the radii, the line of impact comes from the outcome, so only a part of \
+                 the prediction is tested."
+            }
+        };
+        Some(format!(
+            "The outcome {verdict} the prediction for smooth rims and e = {e}: the largest of four \
+             differences is {} ({}).{how}",
+            printed(&largest, Unit::Speed),
+            sigmas(largest.sigmas(0.0)),
+        ))
+    }
+
+    /// What the reader has to know before believing the numbers.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        let fit = &self.fit;
+        if self.given.masses.is_none() {
+            warnings.push(
+                "The masses are assumed to be equal; give them with --m1-g and --m2-g.".to_owned(),
+            );
+        }
+        if fit.alike > ALIKE {
+            warnings.push(
+                "Neighbouring points miss the fitted paths in the same direction: the paths bend, a \
+                 third body or a cushion interferes, or the tracking was smoothed. The true \
+                 uncertainties are larger than stated."
+                    .to_owned(),
+            );
+        }
+        if let Some(apart) = fit.apart.filter(|apart| !apart.agrees) {
+            warnings.push(format!(
+                "The tracks contradict the radii: at contact the centres are {} apart, but the radii \
+                 add up to {} mm. Check the scale, whether x and y have the same scale, whether the \
+                 marks are at the centres, and parallax. The radii are not used.",
+                printed(&apart.found, Unit::Length),
+                four_figures(Unit::Length.from_si(apart.radii)),
+            ));
+        }
+        let (gap, step) = fit.gap;
+        if gap > 3.5 * step {
+            warnings.push(format!(
+                "Frames are missing around the contact: there is no point for {} s, {} times the \
+                 usual step.",
+                four_figures(round2(gap)),
+                fixed(gap / step, 0),
+            ));
+        }
+        if let Some(e) = self.estimate_of("restitution")
+            && e.value > 1.0
+            && e.chance(1.0) < IMPOSSIBLE
+        {
+            warnings.push(
+                "e is greater than 1, which no collision of two passive bodies can give: check the \
+                 scale, the frame rate and the tracks around the contact."
+                    .to_owned(),
+            );
+        }
+        let slows = (0..2).any(|body| fit.model.slows(body));
+        match &fit.test {
+            Some(test) if slows && !test.is_slowing => warnings.push(
+                "A body speeds up: the surface is not level, the camera moves, or the paths are seen \
+                 at an angle."
+                    .to_owned(),
+            ),
+            Some(test) if !slows && test.p < 0.2 && self.given.slowing == SlowingDown::Auto => {
+                warnings.push(
+                    "A small deceleration is possible and would distort the velocities; --slowing \
+                     always allows for it, with larger uncertainties."
+                        .to_owned(),
+                );
+            }
+            _ => {}
+        }
+        warnings
+    }
+
+    /// Everything as text.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for section in self.sections() {
+            text += &format!("{}\n", section.title);
+            for Row { name, text: found } in section.rows {
+                text += &format!("  {name:28}{found}\n");
+            }
+            text.push('\n');
+        }
+        text += "In words\n";
+        for sentence in self.sentences() {
+            text += &format!("  {}\n", capital(&sentence));
+        }
+        let warnings = self.warnings();
+        if !warnings.is_empty() {
+            text += "\nBefore you trust it\n";
+            for warning in warnings {
+                text += &format!("  {warning}\n");
+            }
+        }
+        text
+    }
+}
+
+/// Two significant figures.
+fn round2(x: f64) -> f64 {
+    format!("{x:.1e}").parse().unwrap_or(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn estimate(value: f64, uncertainty: f64) -> Estimate {
+        Estimate {
+            value,
+            deviation: uncertainty,
+            freedom: 1e9,
+        }
+    }
+
+    #[test]
+    fn the_uncertainty_decides_the_figures() {
+        for (value, uncertainty, text) in [
+            (0.9234, 0.0312, "0.92 ± 0.03"),
+            (0.9234, 0.0142, "0.923 ± 0.014"),
+            (1.0, 0.0960, "1.00 ± 0.10"),
+            (123.4, 21.0, "123 ± 21"),
+            (123.4, 34.0, "123 ± 34"),
+            (-0.001, 0.2, "0.0 ± 0.2"),
+        ] {
+            assert_eq!(printed(&estimate(value, uncertainty), Unit::Number), text);
+        }
+        let angle = estimate(87_f64.to_radians(), 3_f64.to_radians());
+        assert_eq!(printed(&angle, Unit::Angle), "87° ± 3°");
+    }
+
+    #[test]
+    fn agreement_is_right_in_words() {
+        let words = |by: f64| {
+            let sigma = 3_f64.to_radians();
+            let angle = estimate(90_f64.to_radians() - by * sigma, sigma);
+            compared("Angle", &angle, 90_f64.to_radians(), Unit::Angle, 0.5)
+        };
+        assert_eq!(words(0.3), "Angle: 89° ± 3° agrees with 90° (0.3 σ).");
+        assert_eq!(words(1.0), "Angle: 87° ± 3° agrees with 90° (1.0 σ).");
+        assert_eq!(
+            words(2.0),
+            "Angle: 84° ± 3° is 2.0 σ from 90°, too far to agree and too near to disagree."
+        );
+        assert_eq!(words(6.0), "Angle: 72° ± 3° disagrees with 90° (6.0 σ).");
+        let wide = estimate(1.6, 0.7);
+        assert_eq!(
+            compared("e", &wide, 1.0, Unit::Number, 0.3),
+            "e: 1.6 ± 0.7 agrees with 1 (0.9 σ). It says little: anything from 0.2 to 3.0 would \
+             agree too."
+        );
+    }
+}

@@ -1,0 +1,58 @@
+//! The report on a measured collision.
+
+use maud::html;
+use ratatui::layout::Rect;
+
+use super::{Paper, clean, html_page, svg};
+use crate::measure::Measurement;
+use crate::widgets::{measured_picture, measured_words};
+
+const STYLE: &str = "
+h2 { margin: 5mm 0 1.5mm }
+td { padding: 0.6mm 3mm 0.6mm 0; vertical-align: top; border-bottom: 0.3mm solid var(--faint) }
+td:first-child { width: 36%; color: var(--dim) }
+figure { margin: 4mm 0 }
+figcaption { color: var(--dim); margin-top: 1.5mm }
+ul { padding-left: 5mm }
+li { margin: 1mm 0 }
+.warn { border-left: 1mm solid var(--accent); padding-left: 4mm }
+";
+/// The size of the picture in columns and rows.
+const AREA: Rect = Rect::new(0, 0, 90, 28);
+/// The maximum number of columns of the name of a file.
+const NAME: usize = 80;
+
+/// The report on a measurement of these files as HTML.
+pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
+    let picture = svg(&measured_words(measurement), &measured_picture(AREA, measurement));
+    let warnings = measurement.warnings();
+    let files: Vec<_> = files.iter().map(|name| clean(name, NAME)).collect();
+    let sheet = html! {
+        p.dim { "carrom · a measured collision" }
+        h1 { bdi { (files.join(", ")) } }
+        figure {
+            (picture)
+            figcaption {
+                "Points: the tracks. Solid lines: the fitted paths. Dashed: predicted from the state \
+                 before the contact. Dotted: the line of impact."
+            }
+        }
+        h2 { "In words" }
+        ul { @for sentence in measurement.sentences() { li { (sentence) } } }
+        @if !warnings.is_empty() {
+            h2 { "Before you trust it" }
+            ul.warn { @for warning in warnings { li { (warning) } } }
+        }
+        @for section in measurement.sections() {
+            h2 { (section.title) }
+            table {
+                @for row in section.rows { tr { td { (row.name) } td { (row.text) } } }
+            }
+        }
+        p.dim {
+            "± is the 68 % interval, from the scatter of the points about the fitted paths; masses and \
+             scale are taken as exact."
+        }
+    };
+    html_page("A measured collision", STYLE, Paper::A4, [sheet])
+}

@@ -1,0 +1,83 @@
+//! The picture of a measured collision: its points, the fitted paths and the predicted ones.
+
+use glam::DVec2;
+use ratatui::layout::Rect;
+
+use super::Role;
+use super::picture::{LabelSide, Pen, Picture, View};
+use crate::measure::{Known, Leg, LineFrom, Measurement, line};
+
+/// The maximum number of points of a leg that are drawn.
+const MOST_POINTS: usize = 150;
+/// The roles of each body: its points before and after, and itself.
+const ROLES: [[Role; 3]; 2] = [
+    [Role::Incoming, Role::StrikerOut, Role::Striker],
+    [Role::CoinOut, Role::CoinOut, Role::Coin],
+];
+
+/// The picture of a measurement in an area.
+pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture {
+    let fit = &measurement.fit;
+    let (state, model) = (&fit.state, &fit.model);
+    let radii = measurement.given.radii.unwrap_or([0.0; 2]);
+    let mut low = DVec2::INFINITY;
+    let mut high = DVec2::NEG_INFINITY;
+    for track in &measurement.tracks {
+        for point in &track.points {
+            (low, high) = (low.min(point.at), high.max(point.at));
+        }
+    }
+    for (body, radius) in radii.iter().enumerate() {
+        let centre = state.centre(body);
+        (low, high) = (low.min(centre - *radius), high.max(centre + *radius));
+    }
+    let margin = 0.06 * low.distance(high).max(1e-9);
+    let view = View::fit(area, low - margin, high + margin);
+    let mut picture = Picture::new(view);
+    for (body, track) in measurement.tracks.iter().enumerate() {
+        let [before, after, disc] = ROLES[body];
+        let centre = state.centre(body);
+        let ends = (track.points.first(), track.points.last());
+        let (Some(first), Some(last)) = ends else { continue };
+        let start = state.at(body, first.t, model);
+        let fitted = state.at(body, last.t, model);
+        picture.line(start, centre, Pen::new(Role::Trail));
+        picture.line(centre, fitted, Pen::new(Role::Trail));
+        if let Some(predicted) = measurement.predicted() {
+            let end = predicted.at(body, last.t, model);
+            picture.line(centre, end, Pen::new(Role::Predicted).dashed());
+        }
+        let step = track.points.len().div_ceil(2 * MOST_POINTS).max(1);
+        for point in track.points.iter().step_by(step) {
+            let role = if point.t < state.time() { before } else { after };
+            picture.dot(point.at, Pen::new(role));
+        }
+        if radii[body] > 0.0 {
+            picture.ring(centre, radii[body], disc, (['1', '2'][body], centre));
+        }
+        let (sign, out) = (["₁", "₂"][body], state.velocity(body, Leg::After));
+        picture.label(format!("v{sign} {}", track.name), last.at, &LabelSide::towards(out), after);
+        let into = state.velocity(body, Leg::Before);
+        if start.distance(centre) > margin {
+            picture.label(format!("u{sign}"), start, &LabelSide::towards(-into), before);
+        }
+    }
+    let known: &Known = &measurement.known;
+    let along = line(state, known);
+    let reach = match known.line {
+        LineFrom::Centres => 1.6 * radii[0].max(radii[1]),
+        LineFrom::Impulse => 1.5 * margin,
+    };
+    let pen = Pen::new(Role::LineOfImpact).dotted();
+    picture.line(state.centre(0) - reach * along, state.centre(1) + reach * along, pen);
+    picture
+}
+
+/// The picture in words.
+pub(crate) fn measured_words(measurement: &Measurement) -> String {
+    let [first, second] = measurement.names();
+    format!(
+        "The measured points of {first} and {second} before and after their contact, the fitted \
+         paths, the paths predicted from the state before (dashed) and the line of impact (dotted)"
+    )
+}
