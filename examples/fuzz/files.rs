@@ -229,7 +229,7 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
                 let attempts = &history.attempts;
                 assert!(attempts.iter().all(|it| it.fault().is_none()));
                 csv(attempts)?;
-                json(attempts, None, serde_json::Value::Null)?;
+                json(attempts, &[], None, serde_json::Value::Null)?;
                 HandIn::new("Ada", "", attempts.clone()).text()?;
             }
         }

@@ -28,9 +28,10 @@ pub(super) struct TeamReport {
 }
 
 impl TeamReport {
-    /// The percentage of strokes that pocketed a piece of the team; `None` without strokes.
-    pub(super) fn share(&self) -> Option<u32> {
-        (100 * self.pocketing + self.strokes / 2).checked_div(self.strokes)
+    /// The percentage of strokes that pocketed a piece of the team, as shown.
+    pub(super) fn share(&self) -> String {
+        let share = (100 * self.pocketing + self.strokes / 2).checked_div(self.strokes);
+        share.map_or_else(|| "none".into(), |percent| format!("{percent} %"))
     }
 }
 

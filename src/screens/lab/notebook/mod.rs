@@ -178,11 +178,10 @@ impl Notebook {
     /// All hits as a table for a spreadsheet, with all digits.
     fn csv(&self) -> Result<String, String> {
         let columns = NotebookColumn::all();
-        let heads: Vec<&str> = ["hit", "time"]
+        let heads = ["hit", "time"]
             .into_iter()
             .chain(columns.iter().map(|column| column.id))
-            .chain(["link"])
-            .collect();
+            .chain(["link"]);
         let row = |(number, hit): (usize, &NotedHit)| {
             let time = hit.time_s.and_then(utc).unwrap_or_default();
             let cells = columns.iter().map(|column| column.cell(hit));
@@ -193,7 +192,7 @@ impl Notebook {
                 .collect()
         };
         let rows: Vec<Vec<String>> = (1..).zip(self.hits()).map(row).collect();
-        csv_table(&heads, &rows)
+        csv_table(heads, &rows)
     }
 
     /// The keys of the mouse wheel.

@@ -152,9 +152,7 @@ impl ActiveGame {
             panel.fact("hand of the people", <&str>::from(self.hand()));
         }
         panel.fact("strokes", both(|team| team.strokes.to_string()));
-        let share = |percent| format!("{percent} %");
-        let pocketing = both(|team| team.share().map_or_else(|| "none".into(), share));
-        panel.fact("pocketing", pocketing);
+        panel.fact("pocketing", both(TeamReport::share));
         panel.fact("striker fell", both(|team| team.fouls.to_string()));
         panel.fact("coins put back", both(|team| team.put_back.to_string()));
         if Team::BOTH.iter().any(|team| report.teams[*team].hints > 0) {
