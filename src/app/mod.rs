@@ -99,6 +99,7 @@ pub struct App {
     /// Whether the player has been notified that earlier answers could not be loaded, or that
     /// settings cannot be saved: one notice is enough.
     reported_store: bool,
+    has_quit: bool,
 }
 
 impl App {
@@ -123,6 +124,7 @@ impl App {
             unsaved: 0,
             retry: Retry::default(),
             reported_store: false,
+            has_quit: false,
         };
         match route {
             Route::Level { .. } => app.open(Route::Levels),
@@ -165,6 +167,11 @@ impl App {
         let top = self.stack.last().map(|screen| screen.route(cx));
         let address = top.map_or_else(String::new, |route| route::address(&route, cx));
         (address, self.stack.len())
+    }
+
+    /// Whether the player has quit. After that, the app expects no inputs.
+    pub fn has_quit(&self) -> bool {
+        self.has_quit
     }
 
     /// The player's settings.
@@ -219,7 +226,7 @@ impl App {
                 // The first screen's requests.
                 return self.context.take_asked();
             }
-            Input::Key(Key::Ctrl('c')) => return self.leave(),
+            Input::Key(Key::Ctrl('c')) => self.leave(),
             // The screen that made the request waits for the result, even if a layer covers it.
             Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
                 return self.pass_down(input);
@@ -302,10 +309,11 @@ impl App {
 
     /// Leaves the program, or asks first if something is not saved yet; a second request to leave
     /// is carried out without asking.
-    fn leave(&mut self) -> Vec<Effect> {
+    fn leave(&mut self) {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
         if self.unsaved == 0 || self.layers.iter().any(is_asked) {
-            return vec![Effect::Quit];
+            self.has_quit = true;
+            return;
         }
         let things = match self.unsaved {
             1 => "One change is not saved yet and will be".to_owned(),
@@ -314,7 +322,6 @@ impl App {
         let question = format!("{things} lost if carrom cannot save before it closes. Leave?");
         let question = Confirmation::new(question, "leave", "stay");
         self.layers.push(AppLayer::Leave(question));
-        vec![]
     }
 
     /// The time until the next retry of a failed save.
@@ -454,7 +461,10 @@ impl App {
             Outcome::Done(done) => match (self.layers.pop(), done) {
                 (_, LayerDone::Closed) => vec![],
                 (_, LayerDone::LookUp(route)) => self.look_up(route),
-                (Some(AppLayer::Leave(_)), LayerDone::Agreed) => vec![Effect::Quit],
+                (Some(AppLayer::Leave(_)), LayerDone::Agreed) => {
+                    self.has_quit = true;
+                    vec![]
+                }
                 (_, LayerDone::Agreed) => self.with_screen(|screen, cx| screen.confirmed(cx)),
             },
         }
@@ -503,16 +513,15 @@ impl App {
             return vec![];
         };
         let next = act(screen.as_mut(), &mut self.context);
-        let mut effects = self.follow(next);
+        self.follow(next);
         if let Some(reported) = self.context.take_notice() {
             self.notify(reported);
         }
-        effects.extend(self.context.take_asked());
-        effects
+        self.context.take_asked()
     }
 
     /// Carries out actions that all screens share.
-    fn share(&mut self, action: SharedAction) -> Vec<Effect> {
+    fn share(&mut self, action: SharedAction) {
         let settings = &mut self.context.settings;
         match action {
             SharedAction::Help => {
@@ -523,15 +532,14 @@ impl App {
             SharedAction::Charset => settings.charset = settings.charset.other(),
             SharedAction::Theme => settings.palette = settings.palette.next(),
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
-            SharedAction::Back => return self.follow(Next::Back),
-            SharedAction::Quit => return self.leave(),
+            SharedAction::Back => self.follow(Next::Back),
+            SharedAction::Quit => self.leave(),
             // The screen has already scrolled.
             SharedAction::Scroll(_) => {}
         }
-        vec![]
     }
 
-    fn follow(&mut self, next: Next) -> Vec<Effect> {
+    fn follow(&mut self, next: Next) {
         match next {
             Next::Ignored | Next::Stay => {}
             Next::Open(route) => self.open(route),
@@ -543,15 +551,15 @@ impl App {
                 self.stack.pop();
                 if self.stack.is_empty() {
                     self.open(Route::Home);
-                    return self.leave();
+                    self.leave();
+                } else {
+                    self.resume();
                 }
-                self.resume();
             }
             Next::Confirm(question) => self.layers.push(AppLayer::Confirm(question)),
-            Next::Shared(action) => return self.share(action),
-            Next::Quit => return self.leave(),
+            Next::Shared(action) => self.share(action),
+            Next::Quit => self.leave(),
         }
-        vec![]
     }
 
     /// Notifies the screen on top that it is visible again.

@@ -5,8 +5,6 @@ use super::{HostCall, JoinCall, StoreCall};
 /// Something that only the outside world can do.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
-    /// Leave the program.
-    Quit,
     /// Read or change stored data, and return the
     /// [`StoreAnswer`](super::StoreAnswer) as an input.
     Keep(StoreCall),

@@ -31,7 +31,6 @@ pub struct Headless {
     app: App,
     terminal: Terminal<TestBackend>,
     store: Store,
-    quit: bool,
     exports: Vec<(String, String)>,
     host_calls: Vec<HostCall>,
     join_calls: Vec<JoinCall>,
@@ -51,7 +50,6 @@ impl Headless {
             app,
             terminal,
             store,
-            quit: false,
             exports: Vec::new(),
             host_calls: Vec::new(),
             join_calls: Vec::new(),
@@ -72,7 +70,7 @@ impl Headless {
 
     /// Whether the app has quit. After that it ignores every input.
     pub fn has_quit(&self) -> bool {
-        self.quit
+        self.app.has_quit()
     }
 
     /// Stops the store's clock at this time, in seconds since the start of 1970.
@@ -111,7 +109,7 @@ impl Headless {
 
     /// Activates the target with this index in [`App::targets`].
     pub fn choose(&mut self, target: usize) {
-        if !self.quit {
+        if !self.has_quit() {
             let effects = self.app.choose(target);
             self.carry_out(effects);
         }
@@ -171,7 +169,7 @@ impl Headless {
     /// has stopped.
     pub fn settle(&mut self, limit: Duration) -> bool {
         self.pass(limit);
-        self.quit || self.app.wake().is_none()
+        self.has_quit() || self.app.wake().is_none()
     }
 
     /// Draws the screen and returns its cells.
@@ -199,14 +197,9 @@ impl AppHolder for Headless {
         &mut self.app
     }
 
-    fn has_quit(&self) -> bool {
-        self.quit
-    }
-
     fn carry_out(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
-                Effect::Quit => self.quit = true,
                 Effect::Keep(request) => {
                     let answer = self.store.answer(&request);
                     self.input(&Input::Kept(Box::new(answer)));

@@ -14,15 +14,12 @@ pub trait AppHolder {
     /// The app, for inputs.
     fn app_mut(&mut self) -> &mut App;
 
-    /// Whether the player has quit. After that the app gets no inputs.
-    fn has_quit(&self) -> bool;
-
     /// Carries out the app's requests.
     fn carry_out(&mut self, effects: Vec<Effect>);
 
     /// Passes on one input.
     fn input(&mut self, input: &Input) {
-        if !self.has_quit() {
+        if !self.app().has_quit() {
             let effects = self.app_mut().update(input);
             self.carry_out(effects);
         }
@@ -31,7 +28,7 @@ pub trait AppHolder {
     /// Advances time in the steps that the app requires.
     fn pass(&mut self, time: Duration) {
         let mut left = time;
-        while !self.has_quit() && !left.is_zero() {
+        while !self.app().has_quit() && !left.is_zero() {
             let Some(wake) = self.app().wake() else {
                 return;
             };

@@ -44,7 +44,6 @@ pub struct Shell {
     keeping: PageStorage,
     downloads: Vec<Download>,
     calls: Vec<JoinCall>,
-    quit: bool,
     opening: Opening,
     /// Writes the screen as lines, in plain mode only.
     reader: Option<PlainReader>,
@@ -90,7 +89,6 @@ impl Shell {
             keeping,
             downloads: Vec::new(),
             calls: Vec::new(),
-            quit: false,
             opening: opening.clone(),
             reader: None,
         };
@@ -260,7 +258,7 @@ impl Shell {
             wake_ms: self.app.wake().map(|wake| wake.as_secs_f64() * 1e3),
             keep: self.keeping.is_to_keep(),
             unsaved: self.keeping.unsaved(),
-            quit: self.quit,
+            quit: self.app.has_quit(),
             address,
             depth,
             calls: self.calls.drain(..).map(call).collect(),
@@ -449,14 +447,9 @@ impl AppHolder for Shell {
         &mut self.app
     }
 
-    fn has_quit(&self) -> bool {
-        self.quit
-    }
-
     fn carry_out(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
-                Effect::Quit => self.quit = true,
                 Effect::Keep(call) => {
                     if let Some(answer) = self.keeping.ask(&call) {
                         self.input(&Input::Kept(Box::new(answer)));

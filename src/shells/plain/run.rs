@@ -50,7 +50,6 @@ pub fn run(
             drop(to_client.send(Heard::Input(Input::Joined(news))));
         }),
         sender: sender.clone(),
-        quit: false,
     };
     let (more, wanted) = mpsc::channel();
     let listen = move || listen(input, &wanted, &sender);
@@ -88,7 +87,7 @@ fn talk(
         let _ = more.send(());
     };
     want();
-    while !held.quit {
+    while !held.app.has_quit() {
         let next = wait(news, held.app.wake());
         held.pass(last.elapsed());
         last = Instant::now();
@@ -110,7 +109,7 @@ fn talk(
             Some(Heard::Ended) => return say(output, &reader.end(held)),
             None => reader.news_of_time(held),
         };
-        if !held.quit {
+        if !held.app.has_quit() {
             say(output, &lines)?;
         }
     }
@@ -149,7 +148,6 @@ struct PlainApp {
     host: Host,
     client: Client,
     sender: Sender<Heard>,
-    quit: bool,
 }
 
 impl AppHolder for PlainApp {
@@ -161,14 +159,9 @@ impl AppHolder for PlainApp {
         &mut self.app
     }
 
-    fn has_quit(&self) -> bool {
-        self.quit
-    }
-
     fn carry_out(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
-                Effect::Quit => self.quit = true,
                 Effect::Keep(call) => {
                     let answer = self.store.answer(&call);
                     self.input(&Input::Kept(Box::new(answer)));

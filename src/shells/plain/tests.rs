@@ -91,7 +91,7 @@ fn a_requested_text_is_accepted_unchanged() {
         let mut held = Headless::from(app);
         reader.begin(&mut held);
         reader.hear(text, &mut held);
-        assert!(!held.has_quit(), "{text}");
+        assert!(!held.app().has_quit(), "{text}");
         let said = reader.hear("repeat", &mut held).join("\n");
         let spoken = read(text);
         assert!(said.contains(&format!(": {spoken}")), "{text}:\n{said}");

@@ -41,6 +41,7 @@ pub use surroundings::{charset, check, depth};
 
 use crate::app::App;
 use crate::messages::{Effect, Input};
+use crate::shells::AppHolder;
 use crate::shells::client::Client;
 use crate::shells::host::{Host, HostOptions};
 use crate::store::Store;
@@ -154,14 +155,9 @@ struct TerminalRun {
     pace: Pace,
 }
 
-/// Whether to continue the run.
-type Flow = std::ops::ControlFlow<Ending>;
-
 impl TerminalRun {
     fn play(mut self) -> Result<Ending, TerminalError> {
-        if let Flow::Break(ending) = self.fit_again()? {
-            return Ok(ending);
-        }
+        self.fit_again()?;
         loop {
             if self.guard.holds() && self.pace.is_due(Instant::now()) {
                 self.pace.drawn(Instant::now());
@@ -169,21 +165,22 @@ impl TerminalRun {
             }
             let mut first = self.wait()?;
             let effects = self.pace.live(&mut self.app, Instant::now());
-            if let Flow::Break(ending) = self.carry_out(&effects) {
-                return Ok(ending);
-            }
+            self.carry_out(effects);
             // Handles all waiting messages before one frame; if they keep coming, a frame is drawn
             // now and then.
             let start = Instant::now();
-            while start.elapsed() < UNSEEN
+            while !self.app.has_quit()
+                && start.elapsed() < UNSEEN
                 && let Some(message) = first.take().or_else(|| self.messages.try_recv().ok())
             {
-                if !self.inbox.take(&message) {
-                    continue;
-                }
-                if let Flow::Break(ending) = self.take(message)? {
+                if self.inbox.take(&message)
+                    && let Some(ending) = self.take(message)?
+                {
                     return Ok(ending);
                 }
+            }
+            if self.app.has_quit() {
+                return Ok(Ending::Quit);
             }
         }
     }
@@ -207,63 +204,52 @@ impl TerminalRun {
         }
     }
 
-    fn take(&mut self, message: Message) -> Result<Flow, TerminalError> {
-        Ok(match message {
-            Message::Input(Input::Resize(columns, rows)) => {
-                self.pace.outdated();
-                self.fit(columns, rows)?
-            }
-            Message::Input(input) => {
-                let effects = self.app.update(&input);
-                self.pace.outdated();
-                self.carry_out(&effects)
-            }
+    /// Handles a message; returns how the run ends if a signal ends it.
+    fn take(&mut self, message: Message) -> Result<Option<Ending>, TerminalError> {
+        self.pace.outdated();
+        match message {
+            Message::Input(Input::Resize(columns, rows)) => self.fit(columns, rows)?,
+            Message::Input(input) => self.input(&input),
             Message::Hosted => {
                 let news = self.host.take_news();
-                let effects = self.app.update(&Input::Hosted(news));
-                self.pace.outdated();
-                self.carry_out(&effects)
+                self.input(&Input::Hosted(news));
             }
             Message::Lost(error) => return Err(TerminalError::Read(error)),
             #[cfg(unix)]
-            Message::Blocks(blocks) => {
-                self.app.settings_mut().known_blocks = blocks;
-                self.pace.outdated();
-                Flow::Continue(())
-            }
+            Message::Blocks(blocks) => self.app.settings_mut().known_blocks = blocks,
             #[cfg(unix)]
-            Message::Leave(signal) => Flow::Break(Ending::Signal(signal)),
+            Message::Leave(signal) => return Ok(Some(Ending::Signal(signal))),
             #[cfg(unix)]
             Message::Stop => {
                 if signals::can_stop() {
                     self.guard.give_back();
                     signals::stop();
                 }
-                Flow::Continue(())
             }
             #[cfg(unix)]
             Message::Continue => {
                 self.guard.take_again().map_err(TerminalError::SetUp)?;
                 self.pace = Pace::new(Instant::now());
-                self.fit_again()?
+                self.fit_again()?;
             }
-        })
+        }
+        Ok(None)
     }
 
     /// Fits the picture to the terminal's current size.
-    fn fit_again(&mut self) -> Result<Flow, TerminalError> {
+    fn fit_again(&mut self) -> Result<(), TerminalError> {
         let size = self.screen.size().map_err(TerminalError::SetUp)?;
         self.fit(size.width, size.height)
     }
 
     /// Fits the picture to a terminal of this size and draws all of it again.
-    fn fit(&mut self, columns: u16, rows: u16) -> Result<Flow, TerminalError> {
+    fn fit(&mut self, columns: u16, rows: u16) -> Result<(), TerminalError> {
         let area = drawn(columns, rows);
         // `clear` cannot be used: it requests the cursor's position, and the reply goes to the
         // reader.
         self.screen.resize(area).map_err(TerminalError::Write)?;
-        let effects = self.app.update(&Input::Resize(area.width, area.height));
-        Ok(self.carry_out(&effects))
+        self.input(&Input::Resize(area.width, area.height));
+        Ok(())
     }
 
     fn draw(&mut self) -> io::Result<()> {
@@ -273,28 +259,34 @@ impl TerminalRun {
         queue!(self.screen.backend_mut(), EndSynchronizedUpdate)?;
         Write::flush(self.screen.backend_mut())
     }
+}
 
-    fn carry_out(&mut self, effects: &[Effect]) -> Flow {
-        let mut flow = Flow::Continue(());
+impl AppHolder for TerminalRun {
+    fn app(&self) -> &App {
+        &self.app
+    }
+
+    fn app_mut(&mut self) -> &mut App {
+        &mut self.app
+    }
+
+    fn carry_out(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
-                Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Keep(request) => {
-                    if self.store_worker.ask(request, &self.sender) {
-                        // This input causes no further effects.
-                        self.app.update(&Input::Saving(request.ticket));
+                    if self.store_worker.ask(&request, &self.sender) {
+                        self.input(&Input::Saving(request.ticket));
                     }
                 }
-                Effect::Host(call) => self.host.call(call),
-                Effect::Join(call) => self.client.call(call),
+                Effect::Host(call) => self.host.call(&call),
+                Effect::Join(call) => self.client.call(&call),
                 Effect::Export { name, content } => {
-                    let exported = Input::Exported(export(name, content));
+                    let exported = Input::Exported(export(&name, &content));
                     // If nobody receives it, nobody is waiting for it.
                     let _ = self.sender.send(Message::Input(exported));
                 }
             }
         }
-        flow
     }
 }
 
