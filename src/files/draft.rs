@@ -17,30 +17,21 @@ pub(crate) const UNFINISHED: &str = ".new-";
 pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
-    /// Writes text to a new file in `folder`, and syncs it to the disk. The umask decides who may
-    /// read it.
+    /// Writes text to a new file in `folder`, and syncs it to the disk. If it is `private` and the
+    /// system has permissions, only this user can ever read it; otherwise the umask decides.
     ///
     /// # Errors
     /// If the file cannot be written completely; it is then removed.
-    pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
-        Self::write_with_mode(folder, text, 0o666)
-    }
-
-    /// Like [`Self::write`], but only this user can ever read the file, if the system has such
-    /// permissions.
-    ///
-    /// # Errors
-    /// As for [`Self::write`].
-    pub(crate) fn write_private(folder: &Path, text: &str) -> io::Result<Self> {
-        Self::write_with_mode(folder, text, 0o600)
-    }
-
     #[cfg_attr(not(unix), allow(unused_variables, reason = "only Unix has modes"))]
-    fn write_with_mode(folder: &Path, text: &str, mode: u32) -> io::Result<Self> {
+    pub(crate) fn write(folder: &Path, text: &str, private: bool) -> io::Result<Self> {
         let mut builder = Builder::new();
         builder.prefix(UNFINISHED);
         #[cfg(unix)]
-        builder.permissions(fs::Permissions::from_mode(mode));
+        builder.permissions(fs::Permissions::from_mode(if private {
+            0o600
+        } else {
+            0o666
+        }));
         let mut file = builder.tempfile_in(folder)?;
         file.write_all(text.as_bytes())?;
         file.as_file().sync_all()?;

@@ -54,7 +54,10 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
                 let place = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
                 let folder = folder(&place);
                 made.make(folder)?;
-                drafts.push((UnplacedFile::write(folder, text).map_err(failed)?, place));
+                drafts.push((
+                    UnplacedFile::write(folder, text, false).map_err(failed)?,
+                    place,
+                ));
             }
         }
     }

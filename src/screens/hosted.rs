@@ -320,7 +320,7 @@ impl<S: Screen> Hosted<S> {
             // beside pages.
             let is_followed = |it: &Shown| {
                 let placed = &it.placed;
-                let is_list = placed.is_list() || placed.pages().is_some();
+                let is_list = placed.is_list || placed.pages().is_some();
                 is_list || !has_picture && placed.chosen().is_some()
             };
             let is_long = under.map(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));

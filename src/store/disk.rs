@@ -44,10 +44,7 @@ impl Disk {
 
     /// Writes a text completely to a temporary file in the folder.
     fn draft(&self, text: &str) -> io::Result<UnplacedFile> {
-        match self.private {
-            true => UnplacedFile::write_private(&self.folder, text),
-            false => UnplacedFile::write(&self.folder, text),
-        }
+        UnplacedFile::write(&self.folder, text, self.private)
     }
 
     fn path(&self, name: &str) -> PathBuf {

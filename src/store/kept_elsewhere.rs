@@ -18,7 +18,6 @@ const EXPORTS: &str = "exports/";
 impl Store {
     /// A store in memory that starts with these files, the latest last. A damaged database is kept
     /// under another name, and its readable rows are copied into a new one.
-    #[must_use]
     pub fn of_files(files: &[FileBytes]) -> Self {
         let mut store = Self::in_memory();
         store.renew(files);

@@ -130,7 +130,6 @@ impl Round {
     /// topic, difficulty and form but other numbers; a question in words is replaced by another
     /// about the same subject, or has its choices in another order. Versions are numbered from 1,
     /// which is the round itself; the same number gives the same version.
-    #[must_use]
     pub fn version(&self, number: u64) -> Self {
         let Code { course, seed } = &self.code;
         if number < 2 {

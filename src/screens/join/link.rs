@@ -26,7 +26,7 @@ pub(super) struct Link {
     /// The number of failed attempts since the last message from the host.
     tries: u32,
     /// Why the host has not let the pupil in yet.
-    held_up: Option<Refusal>,
+    pub(super) held_up: Option<Refusal>,
     /// The number of the last vote on this device.
     n: u64,
     /// A vote that the host has not confirmed yet, and whether it was sent on this connection.
@@ -87,11 +87,6 @@ impl Link {
     /// Whether the screen shows the current state.
     pub(super) fn is_in(&self) -> bool {
         self.state == LinkState::In
-    }
-
-    /// Why the host has not let the pupil in yet, if it gave a reason.
-    pub(super) fn held_up(&self) -> Option<Refusal> {
-        self.held_up
     }
 
     /// Whether a vote has not been confirmed yet.

@@ -354,7 +354,7 @@ impl Screen for Join {
             match &self.link {
                 Some(link) => {
                     panel.paragraph("Joining the class ..", Role::Text);
-                    if let Some(why) = link.held_up() {
+                    if let Some(why) = link.held_up {
                         panel.gap();
                         panel.paragraph(why.words(), Role::Warn);
                     }

@@ -215,12 +215,6 @@ fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinActi
     panel.gap();
 }
 
-/// Whether the state of the vote appears above the question, and stays there: all pupils must see
-/// that their votes have arrived, however long the text is.
-fn is_explained_first(joined: &JoinedClass, link: &Link) -> bool {
-    link.is_sending() || joined.state.misfit || joined.has_voted()
-}
-
 /// The state of the vote, if there is one.
 fn standing(
     joined: &JoinedClass,
@@ -260,7 +254,9 @@ fn write_answer(
             panel.gap();
         }
     };
-    let is_first = is_explained_first(joined, link);
+    // The state of the vote stays above the question: all pupils must see that their votes have
+    // arrived, however long the text is.
+    let is_first = link.is_sending() || joined.state.misfit || joined.has_voted();
     if is_first {
         write_standing(panel);
         panel.pin();

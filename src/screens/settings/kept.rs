@@ -42,7 +42,6 @@ impl KeptSettings {
 
     /// The given settings, overridden by the saved ones. A screen without colours stays without
     /// them.
-    #[must_use]
     pub fn over(&self, settings: Settings) -> Settings {
         let depth = settings.depth;
         let mut over = settings;

@@ -70,6 +70,6 @@ fn report(info: &PanicHookInfo) -> String {
 fn save(folder: &Path, report: &str) -> io::Result<PathBuf> {
     fs::create_dir_all(folder)?;
     let path = folder.join(FILE);
-    UnplacedFile::write(folder, report)?.replace(&path)?;
+    UnplacedFile::write(folder, report, false)?.replace(&path)?;
     Ok(path)
 }

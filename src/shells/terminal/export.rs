@@ -20,7 +20,7 @@ pub(in crate::shells) fn write(name: &str, content: &str) -> Result<String, Stri
 /// Writes the file; `None` if files with all the tried names exist.
 fn write_beside(name: &str, content: &str) -> io::Result<Option<String>> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "txt"));
-    let draft = UnplacedFile::write(Path::new("."), content)?;
+    let draft = UnplacedFile::write(Path::new("."), content, false)?;
     for number in 1..=MOST {
         let name = match number {
             1 => format!("{stem}.{ending}"),

@@ -118,8 +118,8 @@ fn salvaged(folder: &Path, damaged: &Path, draft: &Path) -> Result<Saved, Databa
     let version = version_of_damaged(&Connection::open(damaged)?)?;
     let mut new = Connection::open(draft)?;
     let mut saved = refilled(&mut new, version, File::open(damaged)?)?;
-    if !saved.damaged().is_empty() {
-        saved.copy = backup::fill_in(&new, folder, version, saved.damaged())?;
+    if !saved.damaged.is_empty() {
+        saved.copy = backup::fill_in(&new, folder, version, &saved.damaged)?;
     }
     schema::prepare(&mut new)?;
     schema::check(&new)?;

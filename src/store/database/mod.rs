@@ -154,7 +154,10 @@ impl Database {
         let mut was_mended = false;
         loop {
             let tried = match self.try_once(behavior, &act) {
-                Err(trouble) if trouble.is_forbidden() && is_look_up(behavior) => {
+                Err(trouble)
+                    if trouble.is_forbidden()
+                        && matches!(behavior, TransactionBehavior::Deferred) =>
+                {
                     self.look_only(&act, trouble)
                 }
                 tried => tried,
@@ -291,10 +294,6 @@ fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience
 }
 
-fn is_look_up(behavior: TransactionBehavior) -> bool {
-    matches!(behavior, TransactionBehavior::Deferred)
-}
-
 /// Fails if the path has something that cannot be a database for this version of carrom. It is read
 /// as an ordinary file, because SQLite would wait for a pipe, and would create files beside a file
 /// that is not a database.
@@ -306,7 +305,7 @@ fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
         Ok(about) if about.len() > 0 => match schema::version_in_header(path) {
             // If the tables are those of a known version, the format number is damaged.
             Some(found)
-                if is_newer(&found)
+                if found > schema::VERSION
                     && !unchanged::examine(path).is_err_and(|trouble| trouble.is_damage()) =>
             {
                 Err(DatabaseError::Newer(found))
@@ -316,10 +315,6 @@ fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
         },
         _ => Ok(()),
     }
-}
-
-fn is_newer(version: &i64) -> bool {
-    *version > schema::VERSION
 }
 
 /// The file name of the database.
@@ -344,7 +339,7 @@ fn size(path: &Path) -> u64 {
 /// Whether a folder has room for the files that SQLite creates beside a database.
 fn has_room(folder: &Path) -> bool {
     // The index of the log alone takes up 32 KiB.
-    let tried = UnplacedFile::write(folder, &" ".repeat(1 << 16));
+    let tried = UnplacedFile::write(folder, &" ".repeat(1 << 16), false);
     !tried.is_err_and(|error| error::is_full(&error))
 }
 

@@ -23,7 +23,7 @@ pub(super) struct Saved {
     /// The rows saved from each table, in the order in which the tables were created.
     tables: RowCounts,
     /// The tables that have lost rows.
-    damaged: Vec<String>,
+    pub(super) damaged: Vec<String>,
     /// The number of answers that are known to be lost.
     lost_answers: usize,
     /// Whether more answers may be lost.
@@ -260,11 +260,6 @@ impl Saved {
         }
         self.lost_answers = known.difference(&saved).count();
         Ok(())
-    }
-
-    /// The tables that have lost rows.
-    pub(super) fn damaged(&self) -> &[String] {
-        &self.damaged
     }
 
     /// Sentences about what was saved and what was lost.

@@ -223,7 +223,7 @@ impl AnswerInput {
     /// The next prompt and its label; `last` is the label for giving the answer.
     pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
-            (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning() == Ray::Striker => {
+            (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning == Ray::Striker => {
                 format!("next, the {target}")
             }
             _ => last.to_owned(),

@@ -12,7 +12,6 @@ use crate::widgets::{Look, sheet};
 
 /// The picture of a question, with only the given information and the answer so far; `None` for a
 /// question without a picture.
-#[must_use]
 pub(crate) fn question_picture(
     area: Rect,
     question: &Question,

@@ -220,7 +220,7 @@ fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
             continue;
         };
         let (direction, [rim, tip]) = sketch.stage.ray(ray, angle);
-        let pen = match ray == rays.turning() {
+        let pen = match ray == rays.turning {
             true => Pen::new(Role::Predicted).bold(),
             false => Pen::new(Role::Predicted).dashed(),
         };
@@ -247,7 +247,7 @@ pub(crate) fn point_at(
         tip.unwrap_or(stage.centres[ray as usize]).distance(at)
     };
     let ray = if !choose {
-        rays.turning()
+        rays.turning
     } else if distance(Ray::Striker) <= distance(Ray::Target) {
         Ray::Striker
     } else {

@@ -155,7 +155,6 @@ pub(super) fn eighths(from: f64, to: f64, column: f64) -> u8 {
 }
 
 /// The token of a disc that is too small to be round.
-#[must_use]
 pub(crate) const fn token(role: Role, charset: Charset) -> &'static str {
     match (role, charset) {
         (Role::Striker, _) => "(S)",

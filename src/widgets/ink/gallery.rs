@@ -31,7 +31,6 @@ pub struct DrawnPicture {
 
 impl DrawnPicture {
     /// The area that it fills.
-    #[must_use]
     pub fn area(&self) -> Rect {
         self.cells.area
     }

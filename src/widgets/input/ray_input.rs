@@ -24,7 +24,7 @@ const TOO_LARGE: &str = "Please give an angle from −180° to 180°.";
 pub struct RayInput {
     /// The predictions; `Some(None)` for a disc that stays still.
     angles_deg: [Option<Option<f64>>; 2],
-    turning: Ray,
+    pub(crate) turning: Ray,
     /// The ray to predict, if only one is required.
     only: Option<Ray>,
     side: f64,
@@ -121,11 +121,6 @@ impl RayInput {
     /// Whether a ray is set.
     pub(crate) fn is_said(&self, ray: Ray) -> bool {
         self.angles_deg[ray as usize].is_some()
-    }
-
-    /// The ray that keys turn.
-    pub(crate) fn turning(&self) -> Ray {
-        self.turning
     }
 
     /// The keys of the input; `next` is the label of Enter.
@@ -354,7 +349,7 @@ mod tests {
         assert_eq!(press(&mut rays, "\n\n\n"), Outcome::Used);
         assert_eq!(rays.said(), None);
         assert_eq!(press(&mut rays, "\t30\n"), Outcome::Used);
-        assert_eq!(rays.turning(), Ray::Striker);
+        assert_eq!(rays.turning, Ray::Striker);
         assert_eq!(press(&mut rays, "60\n\n"), Outcome::Done(()));
     }
 
@@ -392,10 +387,10 @@ mod tests {
     fn an_angle_of_more_than_180_degrees_is_refused() {
         let mut rays = RayInput::new(1.0);
         assert_eq!(press(&mut rays, "99999\n"), Outcome::Used);
-        assert_eq!((rays.turning(), rays.refused), (Ray::Striker, true));
+        assert_eq!((rays.turning, rays.refused), (Ray::Striker, true));
         assert!(!rays.is_said(Ray::Striker));
         press(&mut rays, "-180\n");
         assert_eq!(rays.angle_deg(Ray::Striker), Some(-180.0));
-        assert_eq!((rays.turning(), rays.refused), (Ray::Target, false));
+        assert_eq!((rays.turning, rays.refused), (Ray::Target, false));
     }
 }

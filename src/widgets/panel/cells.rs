@@ -33,7 +33,7 @@ pub(crate) struct Placed<'p> {
     /// The rows of the chosen item.
     chosen: Option<Range<u16>>,
     /// Whether the chosen item belongs to a list, rather than being a setting.
-    is_list: bool,
+    pub(crate) is_list: bool,
     /// The rows of the area in which the panel was laid out.
     whole: u16,
     /// The pages in large letters, if the panel is read page by page.
@@ -288,11 +288,6 @@ impl<'p> Placed<'p> {
     /// The row of the chosen item.
     pub(crate) fn chosen(&self) -> Option<u16> {
         self.chosen.as_ref().map(|rows| rows.start)
-    }
-
-    /// Whether the chosen item belongs to a list.
-    pub(crate) fn is_list(&self) -> bool {
-        self.is_list
     }
 
     /// The scroll position while the player does not scroll: if there is not room for everything,
@@ -754,7 +749,7 @@ fn write_prompts(
     };
     let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
-    let rows = lines.wrapped(&sentences.join(" "));
+    let rows = lines.hung("", &sentences.join(" ")).1;
     // The rows differ from the text only in spaces, so only the other characters are counted.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let mut end = 0;

@@ -354,7 +354,7 @@ impl PageLayout {
 /// The first layout with the fewest pages; a page that ends early counts twice. The search stops at
 /// a layout with a single page.
 fn fewest_pages(all: impl Iterator<Item = SetPages>) -> Option<SetPages> {
-    let cost = |it: &SetPages| it.pages() + usize::from(it.pages.ends_early());
+    let cost = |it: &SetPages| it.pages() + usize::from(it.pages.ends_early);
     let mut best: Option<SetPages> = None;
     for placed in all {
         if placed.pages() == 1 {

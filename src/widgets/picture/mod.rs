@@ -149,7 +149,6 @@ pub struct Picture {
 
 impl Picture {
     /// An empty picture over the area of `view`.
-    #[must_use]
     pub fn new(view: View) -> Self {
         Self {
             area: view.area(),
@@ -166,13 +165,11 @@ impl Picture {
     }
 
     /// The area that it fills.
-    #[must_use]
     pub fn area(&self) -> Rect {
         self.area
     }
 
     /// The mapping from the world to its cells.
-    #[must_use]
     pub const fn view(&self) -> &View {
         &self.view
     }
@@ -307,7 +304,6 @@ impl Picture {
 
 impl Body {
     /// A disc without a ring around it.
-    #[must_use]
     pub const fn new(at: DVec2, radius: f64, role: Role, letter: char) -> Self {
         Self {
             at,

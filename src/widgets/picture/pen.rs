@@ -54,7 +54,6 @@ pub struct Pen {
 
 impl Pen {
     /// A thin, unbroken pen on the role's own layer.
-    #[must_use]
     pub const fn new(role: Role) -> Self {
         Self {
             role,

@@ -23,7 +23,6 @@ impl View {
     /// An undistorted view with `centre` in the middle of the area's middle cell, so that
     /// horizontal and vertical lines through it follow the cells. A `metres_per_column` that is
     /// not positive is replaced by 1.
-    #[must_use]
     pub fn new(area: Rect, centre: DVec2, metres_per_column: f64) -> Self {
         let scale = positive(metres_per_column);
         Self {
@@ -36,7 +35,6 @@ impl View {
 
     /// The largest undistorted view that shows the whole rectangle between two opposite corners of
     /// the world.
-    #[must_use]
     pub fn fit(area: Rect, corner: DVec2, opposite: DVec2) -> Self {
         let size = (opposite - corner).abs();
         // The room on the narrower side of the middle limits the scale.
@@ -59,7 +57,6 @@ impl View {
 
     /// A view with a separate scale for each axis, for plots: the corners of the world's rectangle
     /// are in the middles of the area's corner cells.
-    #[must_use]
     pub fn stretch(area: Rect, bottom_left: DVec2, top_right: DVec2) -> Self {
         let cells = dvec2(f64::from(area.width), f64::from(area.height)) - DVec2::ONE;
         let size = top_right - bottom_left;
@@ -75,32 +72,27 @@ impl View {
     }
 
     /// The area of the screen that it covers.
-    #[must_use]
     pub const fn area(&self) -> Rect {
         self.area
     }
 
     /// World units per column.
-    #[must_use]
     pub const fn per_column(&self) -> f64 {
         self.per_cell.x
     }
 
     /// World units per row.
-    #[must_use]
     pub const fn per_row(&self) -> f64 {
         self.per_cell.y
     }
 
     /// Converts a point in world coordinates to cell coordinates.
-    #[must_use]
     pub fn to_cell(&self, world: DVec2) -> DVec2 {
         let away = (world - self.centre) / self.per_cell;
         self.middle + dvec2(away.x, -away.y)
     }
 
     /// Converts a point in cell coordinates to world coordinates.
-    #[must_use]
     pub fn to_world(&self, cell: DVec2) -> DVec2 {
         let away = cell - self.middle;
         self.centre + dvec2(away.x, -away.y) * self.per_cell
@@ -108,7 +100,6 @@ impl View {
 
     /// The cell of a point in the world, as (column, row) on the screen, or `None` outside the
     /// area.
-    #[must_use]
     pub fn cell_at(&self, world: DVec2) -> Option<(u16, u16)> {
         let cell = self.to_cell(world);
         let inside = cell.x >= f64::from(self.area.left())
@@ -119,7 +110,6 @@ impl View {
     }
 
     /// The point in the world in the middle of a cell, for a click on the cell.
-    #[must_use]
     pub fn world_at(&self, column: u16, row: u16) -> DVec2 {
         self.to_world(dvec2(f64::from(column) + 0.5, f64::from(row) + 0.5))
     }

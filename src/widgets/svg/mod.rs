@@ -124,7 +124,6 @@ pub struct Svg {
 impl Svg {
     /// A picture whose area begins in the corner of the screen. `words` is its text alternative. At
     /// a `scale` of 1, letters are 14 CSS pixels high.
-    #[must_use]
     pub(crate) fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
         Self {
             words: words.to_owned(),
@@ -142,13 +141,11 @@ impl Svg {
     }
 
     /// The text alternative.
-    #[must_use]
     pub(crate) fn words(&self) -> &str {
         &self.words
     }
 
     /// The picture as an SVG file with an opaque background.
-    #[must_use]
     pub fn file(&self) -> String {
         let paper = self.paper;
         let [width, height] = self.size;

@@ -36,7 +36,6 @@ pub struct PaintedPicture {
 
 /// The cells of a screen, row by row, and the pictures that were drawn in it. In ASCII there are
 /// only cells.
-#[must_use]
 pub fn painted(
     screen: &Buffer,
     pictures: &[DrawnPicture],
@@ -75,7 +74,6 @@ pub fn painted(
 }
 
 /// The colour of each role, 0xRRGGBB.
-#[must_use]
 pub fn inks(theme: &Theme) -> Vec<(Role, u32)> {
     let ink = |role: &Role| (*role, code(theme.rgb(*role)));
     Role::ALL.iter().map(ink).collect()
@@ -83,7 +81,6 @@ pub fn inks(theme: &Theme) -> Vec<(Role, u32)> {
 
 /// The shape of a glyph: an SVG path in a cell of 9 by 18, and its opacity from 0 to 1. `None` if
 /// the glyph is written as a letter.
-#[must_use]
 pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
     let mut path = String::new();
     let strength = shape::strength(symbol);

@@ -11,7 +11,6 @@ use super::{Charset, blocks::LEFT};
 /// assert_eq!(bar(0.6, 10, Charset::Ascii), "######....");
 /// assert_eq!(bar(0.6, 10, Charset::Unicode), "██████░░░░");
 /// ```
-#[must_use]
 pub fn bar(share: f64, width: u16, charset: Charset) -> String {
     let share = if share > 0.0 { share.min(1.0) } else { 0.0 };
     let width = usize::from(width);

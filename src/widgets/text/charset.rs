@@ -38,7 +38,6 @@ impl Charset {
     /// assert_eq!(Charset::Ascii.text("θ₁ = 60°"), "theta1 = 60 deg");
     /// assert_eq!(Charset::Unicode.text("θ₁ = 60°"), "θ₁ = 60°");
     /// ```
-    #[must_use]
     pub fn text(self, text: &str) -> Cow<'_, str> {
         if self == Self::Unicode {
             return with_minus_signs(text);

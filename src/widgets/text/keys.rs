@@ -15,7 +15,6 @@ use crate::widgets::{Charset, Role, Theme};
 /// let line = key_line(&hints, 80, Charset::Ascii, &Theme::default());
 /// assert_eq!(line.to_string(), " Space again  . , step  ? help");
 /// ```
-#[must_use]
 pub fn key_line(
     hints: &[(&str, &str)],
     width: u16,

@@ -94,11 +94,6 @@ impl<'a> Lines<'a> {
         self.look.charset
     }
 
-    /// The rows of a [`Lines::paragraph`] with this text.
-    pub(crate) fn wrapped(&self, text: &str) -> Vec<String> {
-        self.hung("", text).1
-    }
-
     /// The number of rows left.
     pub(crate) fn left(&self) -> u16 {
         self.area.height.saturating_sub(self.written)
@@ -369,7 +364,7 @@ impl<'a> Lines<'a> {
     }
 
     /// The width of a mark, and the rows of the text after it.
-    fn hung(&self, mark: &str, text: &str) -> (u16, Vec<String>) {
+    pub(crate) fn hung(&self, mark: &str, text: &str) -> (u16, Vec<String>) {
         let indent = self.width_of(mark) as u16;
         let width = self.area.width.saturating_sub(1 + indent).into();
         (indent, text::wrap(&self.look.charset.text(text), width))

@@ -77,26 +77,22 @@ pub struct Theme {
 
 impl Theme {
     /// A theme of `palette` for a terminal with `depth` colours.
-    #[must_use]
     pub const fn new(palette: Palette, depth: Depth) -> Self {
         Self { palette, depth }
     }
 
     /// Whether no colour is used at all.
-    #[must_use]
     pub(crate) fn is_mono(self) -> bool {
         self.palette == Palette::Mono || self.depth == Depth::None
     }
 
     /// Whether a disc of this role is only a rim: black coins, if there is no colour to distinguish
     /// them from white ones.
-    #[must_use]
     pub(crate) fn is_hollow(self, role: Role) -> bool {
         self.is_mono() && role == Role::Black
     }
 
     /// The style of plain text on the background, with which a screen is cleared.
-    #[must_use]
     pub fn base(self) -> Style {
         if self.is_mono() {
             return Style::new();
@@ -107,7 +103,6 @@ impl Theme {
     }
 
     /// The colour and weight of a thing with this role. The background is not changed.
-    #[must_use]
     pub fn style(self, role: Role) -> Style {
         if self.is_mono() {
             return Style::new().add_modifier(role.mono_modifier());
@@ -126,7 +121,6 @@ impl Theme {
 
     /// [`Theme::style`], faded towards the background: 0 is fresh, 1 is nearly invisible. `age` is
     /// clamped to 0 to 1.
-    #[must_use]
     pub(crate) fn faded(self, role: Role, age: f64) -> Style {
         let age = if age > 0.0 { age.min(1.0) } else { 0.0 };
         if age < 1.0 / 64.0 {
@@ -145,7 +139,6 @@ impl Theme {
     }
 
     /// The style of a cell that a disc of this role covers completely.
-    #[must_use]
     pub fn fill(self, role: Role) -> Style {
         if self.is_mono() {
             return Style::new();
@@ -155,7 +148,6 @@ impl Theme {
     }
 
     /// The style of a letter or a line on a disc of this role.
-    #[must_use]
     pub fn on(self, role: Role) -> Style {
         if self.is_hollow(role) {
             return Style::new();
@@ -172,7 +164,6 @@ impl Theme {
     }
 
     /// [`Theme::on`] for marks that should not dominate the disc: geometry drawn over it.
-    #[must_use]
     pub(crate) fn faintly_on(self, role: Role) -> Style {
         if self.is_mono() || self.depth == Depth::Ansi16 {
             return self.on(role);
@@ -182,7 +173,6 @@ impl Theme {
     }
 
     /// The colour of a role alone; [`Color::Reset`] in monochrome.
-    #[must_use]
     pub fn colour(self, role: Role) -> Color {
         if self.is_mono() {
             Color::Reset

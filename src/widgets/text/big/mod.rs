@@ -70,7 +70,6 @@ enum Ink {
 impl Big {
     /// A name or a heading in the largest letters that fit into this many columns and rows, broken
     /// at spaces; `None` if it does not fit at all or has letters without a large form.
-    #[must_use]
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
         let sizes = LetterSize::of_name(charset);
@@ -79,7 +78,6 @@ impl Big {
 
     /// Several names in letters of one size, each in one line of at most four rows; `None` in the
     /// same cases as for [`Self::fit`].
-    #[must_use]
     pub(crate) fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
         Self::of_one_size(texts, LetterSize::of_name(charset), columns, charset, fits)
@@ -167,13 +165,11 @@ impl Big {
         self.lines.iter().take_while(fits).count()
     }
 
-    #[must_use]
     pub(crate) fn columns(&self) -> u16 {
         let widest = self.lines.iter().map(|line| line.columns).max();
         u16::try_from(widest.unwrap_or(0)).unwrap_or(u16::MAX)
     }
 
-    #[must_use]
     pub(crate) fn rows(&self) -> u16 {
         let end = self.lines.last().map_or(0, |line| line.rows.end);
         u16::try_from(end).unwrap_or(u16::MAX)

@@ -13,7 +13,7 @@ use crate::widgets::{Look, Role};
 pub(crate) struct BigPages {
     pages: Vec<BigPage>,
     /// Whether a page ends early, before a word that is too long for its lines.
-    ends_early: bool,
+    pub(crate) ends_early: bool,
 }
 
 /// The contents of a page.
@@ -88,11 +88,6 @@ impl BigPages {
             }
         }
         Some(Self { pages, ends_early })
-    }
-
-    /// Whether a page ends early, before a word that is too long for its lines.
-    pub(crate) fn ends_early(&self) -> bool {
-        self.ends_early
     }
 
     /// The number of pages.

@@ -5,8 +5,8 @@ use crate::widgets::text;
 /// Rows of the same width, one of which is the baseline.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct FormulaBlock {
-    rows: Vec<String>,
-    base: usize,
+    pub(super) rows: Vec<String>,
+    pub(super) base: usize,
 }
 
 impl FormulaBlock {
@@ -32,14 +32,6 @@ impl FormulaBlock {
 
     pub(super) fn height(&self) -> usize {
         self.rows.len()
-    }
-
-    pub(super) fn base(&self) -> usize {
-        self.base
-    }
-
-    pub(super) fn into_rows(self) -> Vec<String> {
-        self.rows
     }
 
     /// Whether the baseline ends in a letter.

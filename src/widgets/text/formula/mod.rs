@@ -18,9 +18,8 @@ use crate::lessons::formula::{Formula, Node, subscript, superscript};
 ///     ["     a + b ", "x = -------", "       3   "],
 /// );
 /// ```
-#[must_use]
 pub fn set(formula: &Formula, charset: Charset) -> Vec<String> {
-    Setter { charset }.row(formula).into_rows()
+    Setter { charset }.row(formula).rows
 }
 
 /// Sets formulas in a charset.
@@ -85,7 +84,7 @@ impl Setter {
                 _ => middle,
             };
             let rows = (0..inside.height()).map(|i| row(i).to_owned());
-            FormulaBlock::of(rows, inside.base())
+            FormulaBlock::of(rows, inside.base)
         });
         left.beside(inside).beside(&right)
     }
@@ -99,9 +98,9 @@ impl Setter {
         };
         let last = inside.height() - 1;
         let left = (0..=last).map(|i| if i == last { hook } else { side }.to_owned());
-        let left = FormulaBlock::of(left, inside.base());
+        let left = FormulaBlock::of(left, inside.base);
         let roofed = FormulaBlock::line(&roof).over(inside);
-        left.beside(&roofed.with_base(inside.base() + 1))
+        left.beside(&roofed.with_base(inside.base + 1))
     }
 
     /// Superscripts and subscripts: in the row itself if Unicode has letters for them, otherwise
