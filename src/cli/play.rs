@@ -34,7 +34,7 @@ pub(super) fn run(
         depth: terminal::depth(env),
     };
     let seed = options.seed.unwrap_or_else(any_seed);
-    let app =
+    let mut app =
         app(screen, options, options.data_dir().as_deref(), auto, seed).map_err(Failure::input)?;
     let store = options.store().with_own(app.own());
     let host = screen.map_or_else(|| host_options(None, None), OpenCommand::host_options);
@@ -45,6 +45,7 @@ pub(super) fn run(
             .map_err(|error| anyhow!(error))?;
         return Ok(ExitCode::SUCCESS);
     }
+    app.settings_mut().sees = true;
     Ok(match terminal::run(app, store, host)? {
         Ending::Quit => ExitCode::SUCCESS,
         // A shell reports the same status for a process that was ended by a signal.

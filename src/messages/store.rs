@@ -200,9 +200,15 @@ impl StoreCall {
                 Marks(_) => StoreReply::Marks(Err(reason)),
                 Players => StoreReply::Players(Err(reason)),
                 Notebook(_) => StoreReply::Notebook(Err(reason)),
-                Observe(_) | NoteHit(..) | ClearNotebook(_) | Record(_) | Star(..) | Mark { .. } | Forget(..) | KeepSettings(_) | Retry => {
-                    StoreReply::Noted(Err(reason))
-                }
+                Observe(_)
+                | NoteHit(..)
+                | ClearNotebook(_)
+                | Record(_)
+                | Star(..)
+                | Mark { .. }
+                | Forget(..)
+                | KeepSettings(_)
+                | Retry => StoreReply::Noted(Err(reason)),
             },
             unsaved: 0,
             notice: None,

@@ -6,9 +6,7 @@ use serde_json::{Value, json};
 
 use super::attempt::{ROUND, figures_text};
 use super::observation::observations_json;
-use super::{
-    Attempt, Observation, ObservationCounts, TABLE, Tally, beliefs, calibration, topics,
-};
+use super::{Attempt, Observation, ObservationCounts, TABLE, Tally, beliefs, calibration, topics};
 use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};

@@ -117,14 +117,14 @@ pub struct ObservationCounts {
 
 impl ObservationCounts {
     /// The counts of some observations, the latest last.
-    pub fn new<'a>(observations: impl IntoIterator<Item = &'a Observation> + Clone) -> Self {
-        let all = || observations.clone().into_iter();
+    pub fn new(observations: &[Observation]) -> Self {
+        let all = || observations.iter();
         let count = |is: fn(&Observation) -> bool| all().filter(|it| is(it)).count();
         let clear: Vec<_> = all().filter(|it| it.can_follow()).collect();
         let latest = &clear[clear.len().saturating_sub(LATEST)..];
         let follow = latest.iter().filter(|it| it.follows_prediction()).count();
         Self {
-            all: all().count(),
+            all: observations.len(),
             right: count(Observation::is_right),
             only_predicted: count(|it| it.was_expected() && !it.is_right()),
             only_seen: count(|it| !it.was_expected() && it.is_right()),
@@ -147,22 +147,21 @@ impl ObservationCounts {
         }
         let (all, right) = (counted(self.all, "observation"), self.right);
         let mut words = vec![format!(
-            "What you saw, before the angles were shown: {right} of {all} within 10° of what \
-             happened."
+            "Seen before the angles were shown: {right} of {all} within 10° of what happened."
         )];
         if self.only_seen > 0 {
             words.push(format!(
-                "After {} your observation was right although your prediction was not.",
+                "After {} the observation was right although the prediction was not.",
                 counted(self.only_seen, "hit")
             ));
         }
         if self.sees_what_is_expected() {
             let (clear, follow) = self.latest;
             words.push(format!(
-                "In {follow} of the latest {clear} hits that differed clearly from your \
-                 prediction, what you saw was closer to the prediction. That happens to many \
-                 people, and it helps to know it: watch one disc at a time, and decide where it \
-                 went before you think of your prediction."
+                "In {follow} of the latest {clear} hits that differed clearly from the \
+                 prediction, the observation was closer to the prediction. That happens to many \
+                 people, and knowing it helps: watch one disc at a time, and decide where it went \
+                 before you think of the prediction."
             ));
         }
         words
@@ -266,9 +265,16 @@ mod tests {
                     true => rays(90.0 - theta1, theta1),
                     false => rays(45.0, 45.0),
                 };
-                let believed = if dice.random_bool(follows) { said } else { truth };
+                let believed = if dice.random_bool(follows) {
+                    said
+                } else {
+                    truth
+                };
                 let [e1, e2] = [(); 2].map(|()| rad_from_deg(sigma_deg * normal(&mut dice)));
-                let [a, b] = [believed.striker.unwrap() + e1, believed.target.unwrap() + e2];
+                let [a, b] = [
+                    believed.striker.unwrap() + e1,
+                    believed.target.unwrap() + e2,
+                ];
                 seen.push(observation(said, truth, Rays::new(a, b)));
                 is_named |= ObservationCounts::new(&seen).sees_what_is_expected();
             }
@@ -279,7 +285,10 @@ mod tests {
 
     /// A number from the standard normal distribution (Box–Muller).
     fn normal(dice: &mut impl Rng) -> f64 {
-        let [u, v] = [dice.random_range(1e-12..1.0_f64), dice.random_range(0.0..1.0)];
+        let [u, v] = [
+            dice.random_range(1e-12..1.0_f64),
+            dice.random_range(0.0..1.0),
+        ];
         (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
     }
 

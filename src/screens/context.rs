@@ -12,7 +12,7 @@ use super::settings::{KeptSettings, Settings};
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
 use crate::messages::{Effect, HostCall, JoinCall, StoreCall, StoreRequest};
-use crate::progress::Attempt;
+use crate::progress::{Attempt, Observation};
 use crate::quiz::concepts::Library;
 use crate::widgets::{PictureSizes, Room};
 
@@ -111,6 +111,7 @@ impl Context {
         if name != self.settings.player {
             self.settings.player = name;
             self.settings.predicted = 0;
+            self.settings.watched = 0;
             self.book.close();
             self.shelf.forget();
         }
@@ -148,6 +149,11 @@ impl Context {
     /// Saves an answer before anything that follows from it is shown.
     pub fn record(&mut self, attempt: Attempt) {
         self.ask(StoreRequest::Record(Box::new(attempt)));
+    }
+
+    /// Saves what the player saw.
+    pub fn observe(&mut self, observation: Observation) {
+        self.ask(StoreRequest::Observe(Box::new(observation)));
     }
 
     /// Requests that this text be written to a file with this name.

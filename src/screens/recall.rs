@@ -2,6 +2,7 @@
 
 use super::Context;
 use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
+use crate::progress::Observation;
 use crate::widgets::Role;
 
 /// The player's record, if it has been loaded.
@@ -42,6 +43,14 @@ impl Recall {
                 Some((message, Role::Warn))
             }
             Self::Known(_) => None,
+        }
+    }
+
+    /// What was seen in hits, as far as it is known.
+    pub(super) fn observations(&self) -> &[Observation] {
+        match self {
+            Self::Known(history) => &history.observations,
+            Self::Asked(_) | Self::Unknown(_) => &[],
         }
     }
 

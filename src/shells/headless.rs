@@ -9,7 +9,8 @@ use ratatui::buffer::Buffer;
 use super::AppHolder;
 use crate::app::App;
 use crate::messages::{
-    Effect, HostCall, Input, JoinCall, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest,
+    Effect, History, HostCall, Input, JoinCall, Key, Mouse, MouseKind, StoreCall, StoreReply,
+    StoreRequest,
 };
 use crate::progress::Attempt;
 use crate::store::Store;
@@ -80,10 +81,15 @@ impl Headless {
 
     /// The stored answers in order; empty if they cannot be read.
     pub fn attempts(&mut self) -> Vec<Attempt> {
+        self.history().attempts
+    }
+
+    /// The stored answers and observations; empty if they cannot be read.
+    pub fn history(&mut self) -> History {
         let request = StoreRequest::Recall(None);
         match self.store.answer(&StoreCall { ticket: 0, request }).done {
-            StoreReply::Recalled(Ok(history)) => history.attempts,
-            _ => Vec::new(),
+            StoreReply::Recalled(Ok(history)) => *history,
+            _ => History::default(),
         }
     }
 

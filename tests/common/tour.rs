@@ -60,6 +60,13 @@ const TO_THE_SECOND: &str =
 const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>\
                           <Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>";
 
+/// Makes two hits in the lab, then opens the notebook.
+const NOTEBOOK: &str =
+    "<Enter>60<Enter>30<Enter><Escape>5<Enter><Enter>60<Enter>30<Enter><Escape>n";
+const PLOT: &str = "<Enter>60<Enter>30<Enter><Escape>5<Enter><Enter>60<Enter>30<Enter><Escape>ng";
+/// Predicts a hit, and watches it to its end.
+const SEEN: &str = "<Enter>60<Enter>30<Enter><Enter><Enter>";
+
 /// Predicts both paths correctly three times, then opens the live picture.
 const THREE_RIGHT: &str = "<Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape>v";
 
@@ -105,6 +112,21 @@ pub(crate) const TOUR: &[TourStop] = &[
         "lab",
         "m<Enter>60<Enter>30<Enter><End>5",
     ),
+    moment("lab, the notebook", "lab", NOTEBOOK),
+    moment("lab, a plot of the notebook", "lab", PLOT),
+    moment("lab, an empty notebook", "lab", "n"),
+    moment("lab, a hidden outcome", "hidden-lab", ""),
+    moment(
+        "lab, watching to see",
+        "seen-lab",
+        "<Enter>60<Enter>30<Enter>",
+    ),
+    moment("lab, what was seen", "seen-lab", SEEN),
+    moment(
+        "lab, what was seen compared",
+        "seen-lab",
+        "<Enter>30<Enter>60<Enter><Enter><Enter>32<Enter>57<Enter><End>",
+    ),
     moment("foil, tracks", "foil", ""),
     moment("foil, counts", "foil", "<Tab>"),
     moment(
@@ -128,6 +150,11 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("quiz, how sure", "quiz 7", "60<Enter>30<Enter>"),
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
     moment("quiz, explained", "quiz 7", "60<Enter>30<Enter>2<End>"),
+    moment(
+        "quiz, what was seen",
+        "seen-quiz 7",
+        "60<Enter>30<Enter>2<Enter><Enter>",
+    ),
     moment("quiz, looking back", "quiz from-angle2-7", LOOKING_BACK),
     moment(
         "quiz, the misconceptions found",
@@ -286,10 +313,19 @@ impl TourStop {
             }
             _ => {}
         }
+        let (place, sees) = match place.strip_prefix("seen-") {
+            Some(place) => (place, true),
+            None => (place, settings.sees),
+        };
+        let settings = Settings { sees, ..settings };
         let place = match place {
             "learn" => Route::Learn,
             "chapter" => Route::Chapter { number: number() },
             "lab" => Route::Lab,
+            "hidden-lab" => Route::LabOf {
+                setup: Default::default(),
+                hidden: true,
+            },
             "foil" => Route::Foil,
             "quiz" => Route::Quiz {
                 code: Code::parse(rest),

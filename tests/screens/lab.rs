@@ -190,3 +190,61 @@ fn the_set_up_of_the_lab_is_saved_but_not_that_of_a_chapter() {
     game.press("7<Enter><Escape><Escape><Escape>l");
     assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());
 }
+
+/// The lab for somebody who watches the pictures.
+fn watched_lab() -> Headless {
+    let settings = Settings {
+        sees: true,
+        ..Settings::default()
+    };
+    Headless::new(App::new(Route::Lab, settings, 1), 100, 30)
+}
+
+#[test]
+fn what_was_seen_is_asked_before_any_angle_and_kept_apart_from_the_answers() {
+    let mut game = watched_lab();
+    game.press("<Enter>30<Enter>60<Enter>");
+    for _ in 0..100 {
+        let screen = game.screen();
+        for number in ["v1", "v2", "30.0", "60.0", "theta"] {
+            assert!(!screen.contains(number), "{number}\n{screen}");
+        }
+        if screen.contains("What did you see?") {
+            break;
+        }
+        game.pass(Duration::from_millis(50));
+    }
+    // Nothing is filled in, and Enter alone gives no answer.
+    let screen = game.screen();
+    assert!(screen.matches(" _ ").count() >= 2, "{screen}");
+    game.press("<Enter><Enter>");
+    assert!(game.screen().contains("What did you see?"));
+    game.press("32<Enter>57<Enter><End>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("you saw") && screen.contains("32.0, 57.0"),
+        "{screen}"
+    );
+    assert!(screen.contains("closer to your"), "{screen}");
+    let history = game.history();
+    assert_eq!(history.attempts, []);
+    let [seen] = &history.observations[..] else {
+        panic!("{:?}", history.observations);
+    };
+    assert!(seen.follows_prediction() && !seen.is_right() && !seen.was_expected());
+    assert!((seen.truth.striker.unwrap().to_degrees() - 60.0).abs() < 1e-9);
+}
+
+#[test]
+fn what_was_seen_can_be_skipped_and_switched_off() {
+    let mut game = watched_lab();
+    game.press("<Enter>60<Enter>30<Enter>s");
+    assert!(game.settle(LONG));
+    assert!(game.screen().contains("energy kept"), "{}", game.screen());
+    assert_eq!(game.history().observations, []);
+    game.press("<Escape>");
+    game.app_mut().settings_mut().observe = false;
+    game.press("<Enter>60<Enter>30<Enter>");
+    assert!(game.settle(LONG));
+    assert!(game.screen().contains("energy kept"), "{}", game.screen());
+}

@@ -39,7 +39,10 @@ fn twenty_hits_are_kept_plotted_exported_and_cleared() {
     let mut game = lab(&folder);
     game.press("n");
     let screen = game.screen();
-    assert!(screen.contains(">  20") && screen.contains("80.0"), "{screen}");
+    assert!(
+        screen.contains(">  20") && screen.contains("80.0"),
+        "{screen}"
+    );
     game.press("<Home>");
     assert!(game.screen().contains(">   1"), "{}", game.screen());
 
@@ -78,7 +81,10 @@ fn twenty_hits_are_kept_plotted_exported_and_cleared() {
 
     game.press("<Escape>g");
     let plot = game.screen();
-    assert!(plot.contains("against") && plot.matches('o').count() >= 19, "{plot}");
+    assert!(
+        plot.contains("against") && plot.matches('o').count() >= 19,
+        "{plot}"
+    );
     game.press("yyyyX");
     assert_ne!(game.screen(), plot);
 
@@ -87,11 +93,19 @@ fn twenty_hits_are_kept_plotted_exported_and_cleared() {
     game.press("<Escape>");
     assert!(game.screen().contains("Hit 1 of 20"), "{}", game.screen());
     game.press("C<Enter>");
-    assert!(game.screen().contains("nothing here yet"), "{}", game.screen());
+    assert!(
+        game.screen().contains("nothing here yet"),
+        "{}",
+        game.screen()
+    );
     drop(game);
     let mut game = lab(&folder);
     game.press("n");
-    assert!(game.screen().contains("nothing here yet"), "{}", game.screen());
+    assert!(
+        game.screen().contains("nothing here yet"),
+        "{}",
+        game.screen()
+    );
 }
 
 #[test]
@@ -105,13 +119,21 @@ fn a_hit_of_the_notebook_can_be_set_up_again() {
 fn each_player_has_their_own_notebook_and_a_mystery_coin_is_left_out() {
     let mut game = Headless::from(App::new(Route::Lab, Settings::default(), 1));
     game.press("m<Enter>60<Enter>30<Enter><Escape>n");
-    assert!(game.screen().contains("nothing here yet"), "{}", game.screen());
+    assert!(
+        game.screen().contains("nothing here yet"),
+        "{}",
+        game.screen()
+    );
     game.press("<Escape>r<Enter>60<Enter>30<Enter><Escape>n");
     assert!(game.screen().contains(">   1"), "{}", game.screen());
     game.press("<Escape>");
     game.app_mut().settings_mut().player = "Bo".into();
     game.press("n");
-    assert!(game.screen().contains("nothing here yet"), "{}", game.screen());
+    assert!(
+        game.screen().contains("nothing here yet"),
+        "{}",
+        game.screen()
+    );
 }
 
 /// The words that the page receives.
@@ -135,7 +157,16 @@ fn a_hidden_outcome_stays_hidden_until_it_has_been_predicted() {
     let mut game = Headless::new(App::new(route, settings, 1), 80, 24);
     // The exact outcome of this hit: θ1 = 17.9…°, θ2 = 23.6°.
     let outcome = ["v1", "v2", "energy kept", "separation"];
-    for keys in ["", "v", "p", "n", "<Enter>", "50<Enter>", "<Escape>", "<Enter>50<Enter>40"] {
+    for keys in [
+        "",
+        "v",
+        "p",
+        "n",
+        "<Enter>",
+        "50<Enter>",
+        "<Escape>",
+        "<Enter>50<Enter>40",
+    ] {
         game.press(keys);
         let screen = game.screen();
         for text in outcome {

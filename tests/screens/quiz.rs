@@ -504,3 +504,33 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn what_was_seen_in_a_question_is_no_answer_and_no_evidence() {
+    let play = |sees: bool| {
+        let settings = Settings {
+            sees,
+            ..Settings::default()
+        };
+        let place = Route::Quiz {
+            code: Some(Code::hits(7)),
+        };
+        let mut game = Headless::new(App::new(place, settings, 7), 100, 30);
+        game.press("60<Enter>30<Enter>2");
+        if sees {
+            // The points and the answers appear only afterwards; a reload goes on to them.
+            assert!(!game.screen().contains("right  code"), "{}", game.screen());
+            assert!(game.app().address().0.ends_with(';'));
+            game.press("<Enter><Enter>45<Enter>45<Enter>");
+        }
+        game.press("<End>");
+        assert_eq!(game.screen().contains("you saw"), sees, "{}", game.screen());
+        game.history()
+    };
+    let (with, without) = (play(true), play(false));
+    assert_eq!(with.attempts, without.attempts);
+    assert_eq!(
+        (with.observations.len(), without.observations.len()),
+        (1, 0)
+    );
+}

@@ -370,7 +370,7 @@ fn a_call_is_saved_as_an_answer_of_the_only_player() {
     assert_eq!((answer.number, answer.seed), (1, SEED));
     assert!(answer.topic.starts_with("heavier-striker"), "{answer:?}");
     assert!(answer.fault().is_none() && !answer.right);
-    let printed = carrom::progress::json(&answers, None, serde_json::Value::Null).unwrap();
+    let printed = carrom::progress::json(&answers, &[], None, serde_json::Value::Null).unwrap();
     let printed: serde_json::Value = serde_json::from_str(&printed).unwrap();
     assert_eq!(printed["attempts"][0]["family"], "table");
     assert_eq!(printed["summary"]["calls"]["made"], 1);

@@ -23,6 +23,7 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
             depth: Depth::True,
             palette: palette(opening.light),
             reduced_motion: opening.still,
+            sees: !opening.simulated,
             ..Settings::default()
         }),
         seed: opening.seed,

@@ -93,6 +93,9 @@ fn columns(report: &Report) -> Markup {
                 (picture("errors"))
                 section { (listed("Topics", &report.topics, "No quiz questions yet.", topics)) }
                 section { (beliefs(report)) }
+                @if !report.seen.is_empty() {
+                    section { h2 { "What was seen" } p { (report.seen.join(" ")) } }
+                }
                 section { (listed("Levels", &report.packs, "No stars yet.", packs)) }
             }
             div {

@@ -87,6 +87,10 @@ fn tables(report: &Report, document: &mut Markdown) {
              better than guessing does."
         ));
     }
+    if !report.seen.is_empty() {
+        document.heading(2, "What was seen");
+        document.paragraph(&report.seen.join(" "));
+    }
     let chapters = &report.chapters;
     if !chapters.rows.is_empty() {
         let row = |it: &ChapterRow| vec![it.title.clone(), of(it.read), of(it.right)];

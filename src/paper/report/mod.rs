@@ -18,8 +18,8 @@ use crate::levels::Starred;
 use crate::messages::History;
 use crate::numbers::counted;
 use crate::progress::{
-    Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, beliefs,
-    calibration, ends_deg, long_day, topics,
+    Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, ObservationCounts, Tally,
+    TopicStanding, beliefs, calibration, ends_deg, long_day, topics,
 };
 use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
@@ -66,6 +66,8 @@ pub struct Report<'a> {
     beliefs: Cut<HeldBelief>,
     chapters: Cut<ChapterRow>,
     packs: Cut<PackRow>,
+    /// What the observations show, in sentences.
+    seen: Vec<String>,
     /// The number of topics that are solid.
     solid: usize,
     /// The number of chapters that are completely read and answered, and the number of all
@@ -106,6 +108,7 @@ impl<'a> Report<'a> {
             beliefs: Cut::new(beliefs(attempts), MOST_BELIEFS),
             chapters: Cut::new(chapters, MOST_CHAPTERS),
             packs: Cut::new(begun, MOST_PACKS),
+            seen: ObservationCounts::new(&sources.history.observations).words(),
             solid,
             done: (done, sources.lessons.chapters.len()),
             stars: (won, most),

@@ -14,9 +14,11 @@ use ratatui::layout::Rect;
 use super::{Context, Next, Route, Screen, Settings, View};
 use crate::messages::{Input, Key, Mouse, MouseKind, StoreRequest};
 use crate::physics::{CollisionSpec, Frame};
-use crate::progress::NotedHit;
+use crate::progress::{NotedHit, Observation, ObservationPlace};
 use crate::quiz::{Rays, RaysGrade};
-use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at};
+use crate::widgets::hit::{
+    Markings, Sighting, SightingAction, Watch, WatchAction, drag_offset, point_at,
+};
 use crate::widgets::input::{
     CollisionField, EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
 };
@@ -39,6 +41,8 @@ pub(crate) struct Lab {
     lent: bool,
     /// Whether a link hides the outcome until the player has predicted it.
     hidden: bool,
+    /// What the player saw in the hit that is being explained, if they were asked.
+    observed: Option<Observation>,
 }
 
 /// The phase of the lab.
@@ -49,6 +53,8 @@ enum LabPhase {
     Aim,
     /// Predicting where both discs will go.
     Predict(RayInput),
+    /// Watching, to say afterwards what was seen, after this prediction.
+    See(Box<Sighting>, Rays),
     Watch(Box<Watch>),
     /// Looking at earlier hits.
     Notebook(Box<Notebook>),
@@ -82,6 +88,8 @@ pub(crate) enum LabAction {
     Say(RayAction),
     /// enter the mass of the mystery coin
     Weigh(EntryAction),
+    /// watch without any explanation, and say what you saw
+    See(SightingAction),
     /// watch the collision
     Watch(WatchAction),
     /// set up another shot
@@ -151,6 +159,20 @@ impl Lab {
             cx.ask(StoreRequest::NoteHit(player, Box::new(hit)));
         }
         self.hidden = false;
+        self.observed = None;
+        if let Some(said) = said
+            && cx.settings.asks_what_is_seen()
+        {
+            let sighting = Sighting::new(collision, Markings::ALL, cx.settings.pace());
+            self.phase = LabPhase::See(Box::new(sighting), said);
+            return;
+        }
+        self.explain(said, cx);
+    }
+
+    /// Shows the collision with its explanation.
+    fn explain(&mut self, said: Option<Rays>, cx: &Context) {
+        let collision = self.settings.setup.collision();
         let watch = Watch::new(collision, said, cx.settings.pace());
         self.phase = LabPhase::Watch(Box::new(watch));
     }
@@ -233,12 +255,19 @@ impl Screen for Lab {
                 .on(key('p'), Predict, "")
                 .when(!self.hidden)
                 .on(key('r'), Reset, ""),
-            LabPhase::Notebook(notebook) => table
-                .with(notebook.keys(), LabAction::Notebook)
-                .on(Key::Escape, SetUp, "back"),
+            LabPhase::Notebook(notebook) => {
+                table
+                    .with(notebook.keys(), LabAction::Notebook)
+                    .on(Key::Escape, SetUp, "back")
+            }
             LabPhase::Predict(rays) => table
                 .with(rays.keys("next, then shoot"), LabAction::Say)
                 .on(Key::Escape, SetUp, "back"),
+            LabPhase::See(sighting, _) => {
+                table
+                    .with(sighting.keys(), LabAction::See)
+                    .on(Key::Escape, SetUp, "set up")
+            }
             LabPhase::Watch(watch) => {
                 let weighing = watch.is_revealed() && watch.frame() == Frame::Laboratory;
                 let coin = self.settings.mystery.as_ref().filter(|_| weighing);
@@ -294,6 +323,21 @@ impl Screen for Lab {
                 if rays.act(action) == Outcome::Done(()) {
                     let said = rays.said();
                     self.shoot(said, cx);
+                }
+            }
+            (LabPhase::See(sighting, said), LabAction::See(action)) => {
+                if let Outcome::Done(seen) = sighting.act(action) {
+                    let said = *said;
+                    self.observed = seen.map(|seen| Observation {
+                        time_s: None,
+                        player: cx.settings.player.clone(),
+                        place: ObservationPlace::Lab,
+                        said,
+                        truth: Rays::from(&settings.setup.collision().outcome()),
+                        seen,
+                    });
+                    self.observed.iter().for_each(|it| cx.observe(it.clone()));
+                    self.explain(Some(said), cx);
                 }
             }
             (LabPhase::Watch(watch), LabAction::Watch(action)) => watch.act(action),
@@ -366,6 +410,7 @@ impl Screen for Lab {
             }
             LabPhase::Predict(rays) => point_at(picture, &collision, rays, mouse.place(), pressed),
             LabPhase::Notebook(_) => return Next::Ignored,
+            LabPhase::See(sighting, _) => sighting.point(picture, mouse.place(), pressed),
             LabPhase::Watch(_) if !pressed => return Next::Ignored,
             LabPhase::Watch(watch) if watch.clock().is_over() => self.phase = LabPhase::Aim,
             LabPhase::Watch(watch) => watch.act(WatchAction::GoOn),
@@ -379,7 +424,7 @@ impl Screen for Lab {
                 let speed = CollisionField::Speed as usize;
                 self.form.step_at(speed, f64::from(-by), &mut self.settings);
             }
-            LabPhase::Predict(_) => return Next::Ignored,
+            LabPhase::Predict(_) | LabPhase::See(..) => return Next::Ignored,
             LabPhase::Notebook(notebook) => notebook.wheel(by),
             LabPhase::Watch(watch) => watch.act(WatchAction::Step(-by)),
         }
@@ -387,14 +432,17 @@ impl Screen for Lab {
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
-        if let LabPhase::Watch(watch) = &mut self.phase {
-            watch.advance(passed, cx.settings.pace());
+        match &mut self.phase {
+            LabPhase::Watch(watch) => watch.advance(passed, cx.settings.pace()),
+            LabPhase::See(sighting, _) => sighting.advance(passed, cx.settings.pace()),
+            _ => {}
         }
     }
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.phase {
             LabPhase::Watch(watch) => watch.wake(cx.settings.pace()),
+            LabPhase::See(sighting, _) => sighting.wake(cx.settings.pace()),
             _ => None,
         }
     }

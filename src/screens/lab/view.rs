@@ -12,8 +12,8 @@ use crate::quiz::Rays;
 use crate::screens::{Context, View};
 use crate::widgets::curves::curves_picture;
 use crate::widgets::hit::{
-    Face, Markings, Overlay, Overlays, VelocityNames, Watch, degrees, explain, setup_picture,
-    turns_a_second,
+    Face, Markings, Overlay, Overlays, Sighting, VelocityNames, Watch, degrees, explain,
+    setup_picture, turns_a_second, write_observation,
 };
 use crate::widgets::input::{CollisionField, SettingsForm};
 use crate::widgets::panel::Panel;
@@ -45,6 +45,12 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
             prediction(lab, rays),
         )
         .dragging(RayInput::DRAG),
+        LabPhase::See(sighting, _) => View::drawn(
+            sighting.title(),
+            |area| sighting.picture(area),
+            seen(sighting),
+        )
+        .dragging(sighting.drag()),
         LabPhase::Notebook(notebook) => notebook::view(notebook, LabAction::Notebook),
         LabPhase::Watch(watch) => View::drawn(
             watch.slowed_title(),
@@ -171,6 +177,13 @@ fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     panel
 }
 
+/// What was seen, as far as it is entered.
+fn seen(sighting: &Sighting) -> Panel<LabAction> {
+    let mut panel = Panel::new("watch");
+    panel.part(LabAction::See, |panel| sighting.write("coin", panel));
+    panel
+}
+
 /// The shot in numbers, the prediction, and the explanation. The explanation is never truncated; if
 /// there is not enough room, the numbers that the player set are omitted first.
 fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
@@ -204,6 +217,10 @@ fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
     });
     answers(watch, &mut panel);
     panel.worth(2, Panel::gap);
+    if let Some(observed) = &lab.observed {
+        write_observation(watch.collision(), observed, &mut panel);
+        panel.gap();
+    }
     reason(&explain(watch), &mut panel);
     panel
 }

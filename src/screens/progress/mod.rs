@@ -15,6 +15,7 @@ use super::{Context, Next, Route, Screen, SharedAction};
 use crate::gradebook::HandIn;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::numbers::counted;
+use crate::progress::ObservationCounts;
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
@@ -221,6 +222,11 @@ impl Screen for Progress {
             match self.ahead.history.unknown() {
                 Some((words, role)) => first.paragraph(words, role),
                 None => nothing_yet(&mut first),
+            }
+            let seen = self.ahead.history.observations();
+            for words in ObservationCounts::new(seen).words() {
+                first.gap();
+                first.paragraph(words, Role::Text);
             }
             return self.with_next_step(View::panels(first, Panel::new("")));
         };

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use super::ProgressAction;
 use crate::messages::History;
 use crate::progress::words::{degrees, percent};
-use crate::progress::{Tally, ends_deg};
+use crate::progress::{ObservationCounts, Tally, ends_deg};
 use crate::quiz::RIGHT_DEG;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
@@ -37,6 +37,10 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
         panel.fact("last ten", degrees(Some(last)));
         panel.gap();
         panel.paragraph(compared(first, last), Role::Text);
+    }
+    for words in ObservationCounts::new(&history.observations).words() {
+        panel.gap();
+        panel.paragraph(words, Role::Text);
     }
     panel.gap();
     panel.paragraph(

@@ -18,13 +18,13 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::ahead::Ahead;
 use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View, leads};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::physics::Collision;
-use crate::progress::{Attempt, Summary};
+use crate::physics::{Collision, Frame};
+use crate::progress::{Attempt, Observation, ObservationPlace, Summary};
 use crate::quiz::{
-    Answer, Code, Course, CourseKind, Form, Grade, Misconception, Passage, Question, Response,
-    Round, explain,
+    Answer, Code, Course, CourseKind, Form, Grade, Illustration, Misconception, Passage, Question,
+    Rays, Response, Round, explain,
 };
-use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
+use crate::widgets::hit::{Overlays, Reveal, Sighting, SightingAction, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
@@ -41,6 +41,8 @@ const CHOOSE: Next = Next::Replace(Route::Quiz { code: None });
 pub(crate) enum QuizAction {
     /// answer the question
     Ask(AskingAction),
+    /// watch without any explanation, and say what you saw
+    See(SightingAction),
     /// watch the collision
     Watch(WatchAction),
     /// show what happens, then go on
@@ -90,6 +92,8 @@ pub(crate) struct Quiz {
 enum QuizPhase {
     /// Answering, then choosing a confidence.
     Asked(Box<OpenQuestion>),
+    /// Watching the collision of an answered question, to say afterwards what was seen.
+    See(Box<SeenQuestion>),
     /// Watching what happens, if there is something to watch, and reading the explanation.
     Watch(Box<AnsweredQuestion>),
     /// The summary, with one question marked.
@@ -101,6 +105,14 @@ enum QuizPhase {
 struct OpenQuestion {
     question: Question,
     asking: Asking,
+}
+
+/// An answered question whose collision the player observes before it is explained.
+#[derive(Debug, Clone)]
+struct SeenQuestion {
+    question: Question,
+    answer: Answer,
+    sighting: Sighting,
 }
 
 /// A question and the answer to it.
@@ -116,6 +128,8 @@ struct AnsweredQuestion {
     opened: Option<usize>,
     /// The time until Enter works again: see [`SETTLING`].
     settling: Duration,
+    /// What the player saw, if they were asked.
+    observed: Option<Observation>,
 }
 
 impl Quiz {
@@ -192,7 +206,7 @@ impl Quiz {
         match &self.phase {
             QuizPhase::Summary(_) => true,
             QuizPhase::Watch(watched) => watched.opened.is_some(),
-            QuizPhase::Asked(_) => false,
+            QuizPhase::Asked(_) | QuizPhase::See(_) => false,
         }
     }
 
@@ -219,7 +233,41 @@ impl Quiz {
         if self.feedback_at_end() {
             return self.ask();
         }
+        if let Some(sighting) = sighting(&question, &answer, cx) {
+            self.phase = QuizPhase::See(Box::new(SeenQuestion {
+                question,
+                answer,
+                sighting,
+            }));
+            return;
+        }
         let watched = AnsweredQuestion::new(question, answer, self.layers, cx);
+        self.phase = QuizPhase::Watch(Box::new(watched));
+    }
+
+    /// Records what the player saw, if they said it, and explains the collision.
+    fn explain(&mut self, seen: Option<Rays>, cx: &mut Context) {
+        let QuizPhase::See(open) = &self.phase else {
+            return;
+        };
+        let SeenQuestion {
+            question, answer, ..
+        } = &**open;
+        let place = ObservationPlace::Quiz;
+        let observed = seen
+            .zip(answer.said.rays())
+            .zip(question.form.truth().rays());
+        let observed = observed.map(|((seen, said), truth)| Observation {
+            time_s: None,
+            player: cx.settings.player.clone(),
+            place,
+            said,
+            truth,
+            seen,
+        });
+        observed.iter().for_each(|it| cx.observe(it.clone()));
+        let mut watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
+        watched.observed = observed;
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
@@ -276,7 +324,7 @@ impl Quiz {
         match &self.phase {
             QuizPhase::Asked(_) => self.answers.len() + 1,
             QuizPhase::Watch(watched) => watched.opened.map_or(self.answers.len(), |at| at + 1),
-            QuizPhase::Summary(_) => self.answers.len(),
+            QuizPhase::See(_) | QuizPhase::Summary(_) => self.answers.len(),
         }
     }
 
@@ -286,6 +334,7 @@ impl Quiz {
             QuizPhase::Watch(watched) => {
                 usize::from(!watched.reveal.is_revealed() && watched.opened.is_none())
             }
+            QuizPhase::See(_) => 1,
             _ => 0,
         };
         let feedback = self.attempts.len().saturating_sub(watching);
@@ -296,7 +345,7 @@ impl Quiz {
     /// page that explains the most wrong answers.
     fn passage(&self) -> Option<Passage> {
         match &self.phase {
-            QuizPhase::Asked(_) => None,
+            QuizPhase::Asked(_) | QuizPhase::See(_) => None,
             QuizPhase::Watch(watched) if !watched.reveal.is_explaining() => watched.passage(),
             QuizPhase::Watch(_) => None,
             QuizPhase::Summary(_) => self.summary().passage(),
@@ -374,6 +423,7 @@ impl AnsweredQuestion {
             remedy,
             opened: None,
             settling: Duration::ZERO,
+            observed: None,
         }
     }
 
@@ -381,6 +431,18 @@ impl AnsweredQuestion {
     fn passage(&self) -> Option<Passage> {
         explain(&self.question, &self.answer).passage
     }
+}
+
+/// The collision to observe, if the answer predicts both rays and it is time to ask.
+fn sighting(question: &Question, answer: &Answer, cx: &mut Context) -> Option<Sighting> {
+    let (Illustration::Before { collision, shown }, Form::Rays { .. }) =
+        (&question.picture, &question.form)
+    else {
+        return None;
+    };
+    let is_plain = question.seen_from() == Frame::Laboratory && answer.said.rays().is_some();
+    let asks = is_plain && cx.settings.asks_what_is_seen();
+    asks.then(|| Sighting::new(*collision, *shown, cx.settings.pace()))
 }
 
 /// Scrolls the text by this many rows.
@@ -401,7 +463,11 @@ impl Screen for Quiz {
         Route::OpenRound {
             code: self.round.code().clone(),
             answers: self.answers.clone(),
-            is_explained: matches!(&self.phase, QuizPhase::Watch(it) if it.opened.is_none()),
+            is_explained: match &self.phase {
+                QuizPhase::See(_) => true,
+                QuizPhase::Watch(it) => it.opened.is_none(),
+                QuizPhase::Asked(_) | QuizPhase::Summary(_) => false,
+            },
         }
     }
 
@@ -445,6 +511,10 @@ impl Screen for Quiz {
                 keys.with(asked.asking.keys("quiz", next), Ask)
                     .on(Key::Escape, Leave, leave)
                     .when(asked.asking.leaves_escape())
+            }
+            QuizPhase::See(open) => {
+                keys.with(open.sighting.keys(), QuizAction::See)
+                    .on(Key::Escape, Leave, "leave")
             }
             QuizPhase::Watch(watched) => {
                 let next = match watched.opened {
@@ -495,6 +565,11 @@ impl Screen for Quiz {
                     {
                         watched.settling = SETTLING;
                     }
+                }
+            }
+            (QuizAction::See(action), QuizPhase::See(open)) => {
+                if let Outcome::Done(seen) = open.sighting.act(action) {
+                    self.explain(seen, cx);
                 }
             }
             (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.reveal.act(action),
@@ -577,6 +652,10 @@ impl Screen for Quiz {
                     .is_some_and(|input| input.point(question, picture, mouse.place(), pressed));
                 Next::after(pointed)
             }
+            QuizPhase::See(open) if on_picture && mouse.is_held() => {
+                open.sighting.point(picture, mouse.place(), pressed);
+                Next::Stay
+            }
             QuizPhase::Watch(watched) if pressed && on_picture => {
                 if let Some(action) = watched.reveal.keys().find(Key::Char(' ')) {
                     watched.reveal.act(action);
@@ -593,12 +672,15 @@ impl Screen for Quiz {
                 return self.act(QuizAction::LookBack(ListAction::Choose(by.into())), cx);
             }
             QuizPhase::Watch(watched) => watched.reveal.act(WatchAction::Step(-by)),
-            QuizPhase::Asked(_) => return scroll(by.into()),
+            QuizPhase::Asked(_) | QuizPhase::See(_) => return scroll(by.into()),
         }
         Next::Stay
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
+        if let QuizPhase::See(open) = &mut self.phase {
+            open.sighting.advance(passed, cx.settings.pace());
+        }
         if let QuizPhase::Watch(watched) = &mut self.phase {
             watched.settling = watched.settling.saturating_sub(passed);
             watched.reveal.advance(passed, cx.settings.pace());
@@ -609,6 +691,7 @@ impl Screen for Quiz {
         match &self.phase {
             QuizPhase::Watch(watched) if !watched.settling.is_zero() => Some(watched.settling),
             QuizPhase::Watch(watched) => watched.reveal.wake(cx.settings.pace()),
+            QuizPhase::See(open) => open.sighting.wake(cx.settings.pace()),
             _ => None,
         }
     }

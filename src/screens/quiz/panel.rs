@@ -5,6 +5,7 @@ use super::{AnsweredQuestion, OpenQuestion, QuizAction};
 use crate::lessons::Book;
 use crate::quiz::{Form, Grade, Response, explain};
 use crate::screens::leads;
+use crate::widgets::hit::write_observation;
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{Role, lettered};
@@ -94,6 +95,10 @@ pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Pane
     panel.worth(4, Panel::gap);
     answers(watched, panel);
     panel.worth(5, Panel::gap);
+    if let (Some(watch), Some(observed)) = (watched.reveal.watch(), &watched.observed) {
+        write_observation(watch.collision(), observed, panel);
+        panel.gap();
+    }
     panel.paragraph(explanation.title, Role::Title);
     panel.paragraph(&explanation.text, Role::Text);
     panel.worth(3, Panel::gap);

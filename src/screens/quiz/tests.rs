@@ -265,7 +265,7 @@ fn a_sure_answer_that_is_nearly_right_is_not_marked_as_wrong() {
     };
     let marked = |off_deg: f64| {
         let turned = |angle: Option<f64>| angle.map(|angle| angle + off_deg.to_radians());
-        let said = Response::Rays(crate::quiz::Rays {
+        let said = Response::Rays(Rays {
             striker: turned(truth.striker),
             target: turned(truth.target),
         });

@@ -3,7 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{AnsweredQuestion, OpenQuestion, Quiz, QuizAction, QuizPhase, panel, summary};
+use super::{
+    AnsweredQuestion, OpenQuestion, Quiz, QuizAction, QuizPhase, SeenQuestion, panel, summary,
+};
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::{Context, View};
 use crate::widgets::panel::Panel;
@@ -12,6 +14,7 @@ use crate::widgets::{Look, SplitLayout, draw_question};
 pub(super) fn view<'s>(quiz: &'s Quiz, cx: &Context) -> View<'s, QuizAction> {
     match &quiz.phase {
         QuizPhase::Asked(asked) => of_asked(quiz, asked),
+        QuizPhase::See(open) => of_seen(quiz, open),
         QuizPhase::Watch(watched) => of_watched(quiz, watched, cx),
         QuizPhase::Summary(list) => {
             let at = list.chosen(quiz.answers.len());
@@ -41,6 +44,18 @@ fn of_asked<'s>(quiz: &Quiz, asked: &'s OpenQuestion) -> View<'s, QuizAction> {
         false => asked.asking.input().drag(question),
         true => None,
     })
+}
+
+fn of_seen<'s>(quiz: &Quiz, open: &'s SeenQuestion) -> View<'s, QuizAction> {
+    let mut text = Panel::new("watch");
+    text.subject = 2 * quiz.number();
+    let target = match &open.question.form {
+        Form::Rays { target, .. } => target,
+        _ => "coin",
+    };
+    text.part(QuizAction::See, |panel| open.sighting.write(target, panel));
+    let sighting = &open.sighting;
+    View::drawn(sighting.title(), |area| sighting.picture(area), text).dragging(sighting.drag())
 }
 
 fn of_watched<'s>(

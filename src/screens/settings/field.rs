@@ -22,7 +22,7 @@ pub(super) struct Setting {
 }
 
 /// All settings; those shown on the screen come first.
-pub(super) static SETTINGS: [Setting; 9] = [
+pub(super) static SETTINGS: [Setting; 11] = [
     Setting {
         id: "charset",
         words: &["ascii", "unicode"],
@@ -103,7 +103,17 @@ pub(super) static SETTINGS: [Setting; 9] = [
         at: |settings| settings.predict.into(),
         choose: |settings, at| settings.predict = at > 0,
     },
-    // This setting is saved, but the player cannot change it directly.
+    Setting {
+        id: "what_you_saw",
+        words: &["no", "yes"],
+        shown: (
+            "what did you see?",
+            "In the lab and the quiz carrom asks what you saw before it shows the angles: in the first three hits that you predict, and then in each tenth. It is easy to see what one expects.",
+        ),
+        at: |settings| settings.observe.into(),
+        choose: |settings, at| settings.observe = at > 0,
+    },
+    // These settings are saved, but the player cannot change them directly.
     Setting {
         id: "foretold",
         words: &["0", "1", "2", "3"],
@@ -112,10 +122,19 @@ pub(super) static SETTINGS: [Setting; 9] = [
         at: |settings| settings.predicted.into(),
         choose: |settings, at| settings.predicted = Settings::ENOUGH_PREDICTED.min(at as u8),
     },
+    Setting {
+        id: "hits_watched",
+        words: &[
+            "0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12",
+        ],
+        shown: ("", ""),
+        at: |settings| settings.watched.into(),
+        choose: |settings, at| settings.watched = Settings::MOST_WATCHED.min(at as u8),
+    },
 ];
 
 /// The row of the player's name, below the settings.
-pub(super) const PLAYER: usize = SETTINGS.len() - 1;
+pub(super) const PLAYER: usize = SETTINGS.len() - 2;
 
 impl FormFields for Settings {
     fn fields(&self) -> Vec<Field> {

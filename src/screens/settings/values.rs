@@ -29,6 +29,13 @@ pub struct Settings {
     /// The number of times the player has predicted both paths correctly in the lab, up to the
     /// number that unlocks the live picture.
     pub predicted: u8,
+    /// Whether the player is asked now and then what they saw in a hit.
+    pub observe: bool,
+    /// The number of predicted hits that the player has watched, as far as it decides when they are
+    /// asked what they saw.
+    pub watched: u8,
+    /// Whether somebody watches the pictures: not in plain lines and tapes.
+    pub sees: bool,
     /// The player's name, as shown.
     pub player: String,
     /// The keys that the player has rebound.
@@ -48,6 +55,9 @@ impl Default for Settings {
             watch_rate: None,
             predict: true,
             predicted: 0,
+            observe: true,
+            watched: 0,
+            sees: false,
             player: "player".into(),
             keys: Rebound::default(),
         }
@@ -57,6 +67,25 @@ impl Default for Settings {
 impl Settings {
     /// The number of correct predictions of both paths that unlocks the lab's live picture.
     pub(crate) const ENOUGH_PREDICTED: u8 = 3;
+
+    /// The player is asked what they saw in this many first hits with a prediction.
+    const FIRST_OBSERVED: u8 = 3;
+    /// The largest [`Self::watched`]: at the tenth hit after each question there is another.
+    pub(crate) const MOST_WATCHED: u8 = Self::FIRST_OBSERVED + 9;
+
+    /// Counts a predicted hit that is about to be watched; returns whether the player is asked what
+    /// they saw: in the first three hits, and then in each tenth.
+    pub(crate) fn asks_what_is_seen(&mut self) -> bool {
+        if !(self.observe && self.sees) {
+            return false;
+        }
+        let watched = self.watched;
+        self.watched = match watched {
+            Self::MOST_WATCHED => Self::FIRST_OBSERVED,
+            fewer => fewer + 1,
+        };
+        watched < Self::FIRST_OBSERVED || watched == Self::MOST_WATCHED
+    }
 
     /// The styles for the palette and colour depth.
     pub fn theme(&self) -> Theme {
@@ -78,5 +107,22 @@ impl Settings {
             blocks: self.blocks.unwrap_or(self.known_blocks),
             theme: self.theme(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_three_hits_are_observed_and_then_each_tenth() {
+        let mut settings = Settings {
+            sees: true,
+            ..Settings::default()
+        };
+        let asked: Vec<_> = (1..=40).filter(|_| settings.asks_what_is_seen()).collect();
+        assert_eq!(asked, [1, 2, 3, 13, 23, 33]);
+        settings.observe = false;
+        assert!((1..=40).all(|_| !settings.asks_what_is_seen()));
     }
 }

@@ -78,6 +78,7 @@ impl PlainReader {
     pub fn new(app: &mut App) -> Self {
         app.set_pictures(Some(PICTURES));
         app.settings_mut().charset = crate::widgets::Charset::Unicode;
+        app.settings_mut().sees = false;
         let Ok(screen) = Terminal::new(TestBackend::new(SIZE.0, SIZE.1));
         Self {
             screen,

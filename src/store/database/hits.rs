@@ -160,7 +160,10 @@ mod tests {
     fn each_player_has_a_notebook_that_can_be_cleared() {
         let mut database = Database::in_memory();
         let hits = [
-            hit("m2:5.5,b:-12.345678901234567,e:0.8", Some(Rays::new(0.0, 0.0))),
+            hit(
+                "m2:5.5,b:-12.345678901234567,e:0.8",
+                Some(Rays::new(0.0, 0.0)),
+            ),
             hit("stick:true", None),
         ];
         for it in &hits {

@@ -781,9 +781,8 @@ fn pinned_marks() -> BTreeMap<String, Bookmark> {
 fn a_database_of_each_older_format_opens() {
     let second = format!("{PINNED_1}{PINNED_2}");
     // The third format has the same tables.
-    let third = format!(
-        "{second} UPDATE attempt SET topic = 'equal-masses'; PRAGMA user_version = 3;"
-    );
+    let third =
+        format!("{second} UPDATE attempt SET topic = 'equal-masses'; PRAGMA user_version = 3;");
     for (sql, marks) in [
         (PINNED_1, BTreeMap::new()),
         (&second, pinned_marks()),

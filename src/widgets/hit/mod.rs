@@ -11,6 +11,7 @@ mod pencil;
 mod playback;
 mod reveal;
 mod setup;
+mod sighting;
 mod sketch;
 mod stage;
 #[cfg(test)]
@@ -28,5 +29,6 @@ pub(crate) use reveal::Reveal;
 pub(crate) use setup::{
     CONTACT, Markings, aim_picture, contact_picture, drag_offset, point_at, setup_picture,
 };
+pub(crate) use sighting::{Sighting, SightingAction, write_observation};
 pub(crate) use stage::HitLayout;
 pub(crate) use watch::{Face, Watch, WatchAction};

@@ -38,7 +38,13 @@ pub(super) enum ColumnSource {
 use ColumnSource::{Result, Said, Setting, True};
 
 /// The settings: the name in a file, the symbol, the unit, the decimals and the setting.
-type SettingRow = (&'static str, &'static str, &'static str, usize, CollisionField);
+type SettingRow = (
+    &'static str,
+    &'static str,
+    &'static str,
+    usize,
+    CollisionField,
+);
 
 const SETTINGS: [SettingRow; 12] = [
     ("b_mm", "b", "mm", 1, CollisionField::Offset),

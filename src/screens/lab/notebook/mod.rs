@@ -164,7 +164,9 @@ impl Notebook {
             1 => "The hit in your notebook".to_owned(),
             count => format!("All {count} hits in your notebook"),
         };
-        let text = format!("{what} will be deleted, here and on the disk. Export them first if you want to keep them.");
+        let text = format!(
+            "{what} will be deleted, here and on the disk. Export them first if you want to keep them."
+        );
         Next::Confirm(Confirmation::new(text, "clear the notebook", "keep it"))
     }
 

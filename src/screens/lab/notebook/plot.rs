@@ -59,7 +59,10 @@ fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -
     let (from, to) = range(field, setup, hits);
     let at = |i: u32| {
         let mut spec = *setup;
-        field.set(&mut spec, from + (to - from) * f64::from(i) / f64::from(PIECES));
+        field.set(
+            &mut spec,
+            from + (to - from) * f64::from(i) / f64::from(PIECES),
+        );
         let [x, y] = axes.map(|column| column.exact(&spec).unwrap_or(f64::NAN));
         dvec2(x, y)
     };
@@ -80,10 +83,12 @@ fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f6
         CollisionField::Restitution => range,
         CollisionField::Aim | CollisionField::CoinAim => (-180.0, 180.0),
         _ => {
-            let values = hits.iter().filter_map(|hit| match field.field(&hit.setup).value {
-                FieldValue::Number { value, .. } => Some(value),
-                FieldValue::Choice { .. } => None,
-            });
+            let values = hits
+                .iter()
+                .filter_map(|hit| match field.field(&hit.setup).value {
+                    FieldValue::Number { value, .. } => Some(value),
+                    FieldValue::Choice { .. } => None,
+                });
             let most = values.fold(0.0, f64::max);
             (range.0, (1.5 * most).clamp(range.0, range.1))
         }
@@ -97,7 +102,11 @@ fn ends(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     if !(least.is_finite() && most.is_finite()) {
         return (0.0, 1.0);
     }
-    let from = if least > 0.0 && least < 0.6 * most { 0.0 } else { least };
+    let from = if least > 0.0 && least < 0.6 * most {
+        0.0
+    } else {
+        least
+    };
     let width = most - from;
     // A constant, apart from rounding.
     if width <= 1e-6 * most.abs().max(1e-6) {
@@ -126,7 +135,9 @@ pub(super) fn in_words(notebook: &Notebook) -> Vec<String> {
 pub(super) fn about_curve(notebook: &Notebook) -> String {
     let axes = notebook.axes();
     let field = varied(axes);
-    let name = NotebookColumn::all().iter().find(|it| it.of == ColumnSource::Setting(field));
+    let name = NotebookColumn::all()
+        .iter()
+        .find(|it| it.of == ColumnSource::Setting(field));
     let symbol = name.map_or("α", |it| it.symbol);
     format!(
         "The line is exact: it varies {symbol} and keeps the other settings of the chosen hit. A \
@@ -144,7 +155,9 @@ mod tests {
     #[test]
     fn every_setting_can_be_plotted() {
         for field in CollisionField::VARIANTS {
-            let column = NotebookColumn::all().iter().find(|it| it.setting() == Some(*field));
+            let column = NotebookColumn::all()
+                .iter()
+                .find(|it| it.setting() == Some(*field));
             assert!(column.is_some(), "{field:?}");
         }
     }

@@ -53,7 +53,10 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     }
     let number = |id, width, room| {
         let column = NotebookColumn::named(id);
-        (TableColumn::numbers(column.symbol, width).from(room), vec![column])
+        (
+            TableColumn::numbers(column.symbol, width).from(room),
+            vec![column],
+        )
     };
     let pair = |head: &str, ids: [&str; 2], width| {
         let columns = ids.map(NotebookColumn::named);
@@ -78,7 +81,9 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     .unzip();
     let columns = [TableColumn::numbers("hit", 3)].into_iter().chain(heads);
     let cell = |hit: &NotedHit, columns: &[&NotebookColumn]| {
-        let each = columns.iter().map(|column| format!("{:>5}", column.shown(hit)));
+        let each = columns
+            .iter()
+            .map(|column| format!("{:>5}", column.shown(hit)));
         each.collect::<Vec<_>>().join(" ")
     };
     let (at, _) = notebook.chosen().unzip();
@@ -97,7 +102,10 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
         ("plot two columns", NotebookAction::Plot),
         ("export as CSV", NotebookAction::Export),
         ("clear the notebook", NotebookAction::Clear),
-        ("set the chosen hit up again", NotebookAction::List(ListAction::Open)),
+        (
+            "set the chosen hit up again",
+            NotebookAction::List(ListAction::Open),
+        ),
     ]);
 }
 
