@@ -67,12 +67,12 @@ const OF_MISCONCEPTIONS: &str = "
     not a fraction of 90°, is the sine of α | offset-as-angle
     e = 0.8, e = 0, coefficient of restitution, e = 1, with a loss, is lost | lossless
     rebounds, the striker stops | always-stops
-    components along x, arrow, two vectors | scalar-momentum
+    components along x, arrow, two vectors, do not add up like numbers | scalar-momentum
     speeds do not | speeds-add
     momentum is conserved for any e, all the momentum, total momentum. a collision does not change | momentum-lost
     each momentum changes | each-keeps-momentum
-    the total may be zero | gone-at-rest
-    energy is not momentum | momentum-as-energy
+    the total may be zero, only if the total momentum is zero | gone-at-rest
+    energy is not momentum, the energy does increase | momentum-as-energy
     no components | energy-components
     with a full rebound it is twice as large, a ball that rebounds | sticking-hits-harder
     equally hard, impulses are equal | heavier-pushes-harder
@@ -80,7 +80,7 @@ const OF_MISCONCEPTIONS: &str = "
     sin alpha, cos alpha, cos^2 alpha, sin theta_1, cos theta_1, u_1n, along t | sine-cosine
     speed only sets the scale, (4 - 197)/201 | speed-opens-angle
     square of the speed | energy-as-speed
-    share of the mass | heavy-takes-energy
+    share of the mass, the lighter piece gets more | heavy-takes-energy
     equally likely, small angles are common | every-angle-alike
     m_1 - m_2, m_1 + m_2, m_1/m_2, m_1 / m_2, e m_2, three times the mass | upside-down
     rebounds, heavier, heavy striker | heavy-rebounds
@@ -104,6 +104,10 @@ const OF_MISCONCEPTIONS: &str = "
     shorter time | force-as-impulse
     twice the time | time-as-impulse
     negligible | friction-in-contact
+    all of the energy can be lost only, some motion has to remain | all-energy-lost
+    halfway between the two paths | halfway-direction
+    conserve energy in both steps | energy-through-impact
+    momenta in pairs | momentum-from-explosion
 ";
 
 /// A page about what the questions on a topic ask for contains one of these phrases, in the same
@@ -139,6 +143,7 @@ const OF_TOPICS: &str = "
     frame, centre of mass, offset | centre-of-mass frames
     momentum, impulse | momentum
     impulse, force | impulse
+    momentum, momenta, energy | elastic-and-inelastic
 ";
 
 /// A kind of wrong answer: the misconception, if a known one leads to it, the topic, and the names

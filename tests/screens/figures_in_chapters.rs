@@ -421,6 +421,72 @@ fn claims() -> Vec<Claim> {
     claim(13, "0.018 N is about [6000] times smaller", smaller);
     claim(13, "than the average force of [100] N", average(0.6e-3));
     claim(13, "friction takes [18] g m/s", 1000.0 * friction);
+
+    // 14: collisions that lose energy, and explosions.
+    let half = after(15.0, 15.0, 4.0, 0.0, 0.5);
+    let [slow, fast] = [half.v1, half.v2].map(DVec2::length);
+    claim(14, "= [2] m/s, and they approached at", fast - slow);
+    claim(14, "the sums of the squares: [16] before", 4.0 * 4.0);
+    claim(14, "16 before, and [1] + 9 afterwards.", slow * slow);
+    claim(14, "and 1 + [9] afterwards.", fast * fast);
+    claim(
+        14,
+        "[6] of 16 parts are lost",
+        16.0 - slow * slow - fast * fast,
+    );
+    claim(14, "6 of [16] parts are lost", 4.0 * 4.0);
+    claim(14, "so [80] g move on at", 20.0 + 60.0);
+    claim(14, "the speed falls to a [quarter].", 20.0 / 80.0);
+    claim(
+        14,
+        "a 16th of the square leave a [quarter] of the energy",
+        80.0 / 20.0 / 16.0,
+    );
+    claim(14, "a [16]th of the square", (80.0_f64 / 20.0).powi(2));
+    let [right, up] = [20.0 * 3.0, 40.0 * 2.0_f64];
+    let sum = right.hypot(up);
+    claim(
+        14,
+        "The momenta are [60] and 80 g m/s, at right angles",
+        right,
+    );
+    claim(14, "The momenta are 60 and [80] g m/s, at right angles", up);
+    claim(14, "so the momentum is [100] g m/s. The mass is 60 g", sum);
+    claim(14, "100 g m/s. The mass is [60] g", 20.0 + 40.0);
+    claim(14, "Not [140] g m/s:", right + up);
+    claim(14, "the momentum to the right: [80] and 60 g m/s.", up);
+    claim(14, "the momentum to the right: 80 and [60] g m/s.", right);
+    claim(14, "The tangent is [80]/60, so", up);
+    claim(14, "The tangent is 80/[60], so", right);
+    claim(
+        14,
+        "so the angle is [53.1]°.",
+        deg_from_rad(up.atan2(right)),
+    );
+    claim(14, "(Gravity: [9.81] m/s².)", 9.80665);
+    // The height in centimetres at this speed.
+    let height = |v: f64| 100.0 * v * v / (2.0 * 9.80665);
+    claim(14, "V^2/(2 g)$, [20.4] cm.", height(20.0 * 10.0 / 100.0));
+    // With all of the energy, the height grows with the square of the speed and the share of the mass.
+    claim(
+        14,
+        "you get [204] cm, ten times as much.",
+        height(20.0) * 10.0 / 100.0,
+    );
+    claim(14, "A body of [50] g is at rest.", 20.0 + 30.0);
+    claim(14, "opposite, [60] g m/s each: 30 g at 2 m/s.", 20.0 * 3.0);
+    claim(14, "gets more of it, [90] mJ", 0.5 * 20.0 * 9.0);
+    claim(14, "A body of [85] g at rest explodes", 20.0 + 40.0 + 25.0);
+    claim(14, "The first two are [60] and 80 g m/s.", right);
+    claim(14, "The first two are 60 and [80] g m/s.", up);
+    claim(14, "closes the triangle: [100] g m/s.", sum);
+    claim(14, "25 g have this momentum at [4] m/s.", sum / 25.0);
+    claim(14, "A body of [60] g flies at", 20.0 + 40.0);
+    claim(14, "with a momentum of [100] g m/s. It explodes", sum);
+    claim(14, "The 20 g piece has [60] g m/s.", right);
+    claim(14, "([100] − 60 = 40 would be right", sum);
+    claim(14, "(100 − [60] = 40 would be right", right);
+    claim(14, "(100 − 60 = [40] would be right", sum - right);
     claims
 }
 

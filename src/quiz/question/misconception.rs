@@ -112,6 +112,14 @@ pub enum Misconception {
     TimeAsImpulse,
     /// Friction with the board is taken to change the momentum noticeably during a contact.
     FrictionInContact,
+    /// A perfectly inelastic collision is taken to lose all of the kinetic energy.
+    AllEnergyLost,
+    /// Two bodies that coalesce are taken to move on halfway between their paths.
+    HalfwayDirection,
+    /// Kinetic energy is taken to be conserved while two bodies coalesce, as in a ballistic pendulum.
+    EnergyThroughImpact,
+    /// An explosion is taken to produce momentum.
+    MomentumFromExplosion,
 }
 
 impl Misconception {
@@ -146,7 +154,11 @@ impl Misconception {
             | Self::StickingHitsHarder
             | Self::ForceAsImpulse
             | Self::TimeAsImpulse
-            | Self::FrictionInContact => None,
+            | Self::FrictionInContact
+            | Self::AllEnergyLost
+            | Self::HalfwayDirection
+            | Self::EnergyThroughImpact
+            | Self::MomentumFromExplosion => None,
             _ => Some(self),
         }
     }
