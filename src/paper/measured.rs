@@ -24,7 +24,10 @@ const NAME: usize = 80;
 
 /// The report on a measurement of these files as HTML.
 pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
-    let picture = svg(&measured_words(measurement), &measured_picture(AREA, measurement));
+    let picture = svg(
+        &measured_words(measurement),
+        &measured_picture(AREA, measurement),
+    );
     let warnings = measurement.warnings();
     let files: Vec<_> = files.iter().map(|name| clean(name, NAME)).collect();
     let sheet = html! {

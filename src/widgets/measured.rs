@@ -38,7 +38,9 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
         let [before, after, disc] = ROLES[body];
         let centre = state.centre(body);
         let ends = (track.points.first(), track.points.last());
-        let (Some(first), Some(last)) = ends else { continue };
+        let (Some(first), Some(last)) = ends else {
+            continue;
+        };
         let start = state.at(body, first.t, model);
         let fitted = state.at(body, last.t, model);
         picture.line(start, centre, Pen::new(Role::Trail));
@@ -49,17 +51,31 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
         }
         let step = track.points.len().div_ceil(2 * MOST_POINTS).max(1);
         for point in track.points.iter().step_by(step) {
-            let role = if point.t < state.time() { before } else { after };
+            let role = if point.t < state.time() {
+                before
+            } else {
+                after
+            };
             picture.dot(point.at, Pen::new(role));
         }
         if radii[body] > 0.0 {
             picture.ring(centre, radii[body], disc, (['1', '2'][body], centre));
         }
         let (sign, out) = (["₁", "₂"][body], state.velocity(body, Leg::After));
-        picture.label(format!("v{sign} {}", track.name), last.at, &LabelSide::towards(out), after);
+        picture.label(
+            format!("v{sign} {}", track.name),
+            last.at,
+            &LabelSide::towards(out),
+            after,
+        );
         let into = state.velocity(body, Leg::Before);
         if start.distance(centre) > margin {
-            picture.label(format!("u{sign}"), start, &LabelSide::towards(-into), before);
+            picture.label(
+                format!("u{sign}"),
+                start,
+                &LabelSide::towards(-into),
+                before,
+            );
         }
     }
     let known: &Known = &measurement.known;
@@ -69,7 +85,11 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
         LineFrom::Impulse => 1.5 * margin,
     };
     let pen = Pen::new(Role::LineOfImpact).dotted();
-    picture.line(state.centre(0) - reach * along, state.centre(1) + reach * along, pen);
+    picture.line(
+        state.centre(0) - reach * along,
+        state.centre(1) + reach * along,
+        pen,
+    );
     picture
 }
 

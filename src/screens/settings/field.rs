@@ -106,10 +106,8 @@ pub(super) static SETTINGS: [Setting; 11] = [
     Setting {
         id: "what_you_saw",
         words: &["no", "yes"],
-        shown: (
-            "what did you see?",
-            "In the lab and the quiz carrom asks what you saw before it shows the angles: in the first three hits that you predict, and then in each tenth. It is easy to see what one expects.",
-        ),
+        name: "what did you see?",
+        about: "In the lab and the quiz carrom asks what you saw before it shows the angles: in the first three hits that you predict, and then in each tenth. It is easy to see what one expects.",
         at: |settings| settings.observe.into(),
         choose: |settings, at| settings.observe = at > 0,
     },
@@ -127,7 +125,8 @@ pub(super) static SETTINGS: [Setting; 11] = [
         words: &[
             "0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12",
         ],
-        shown: ("", ""),
+        name: "",
+        about: "",
         at: |settings| settings.watched.into(),
         choose: |settings, at| settings.watched = Settings::MOST_WATCHED.min(at as u8),
     },
