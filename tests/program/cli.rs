@@ -55,6 +55,52 @@ fn the_glossary_is_printed_completely_or_by_term() {
 }
 
 #[test]
+fn progress_prints_the_games_of_a_player() {
+    // A friendly board of two computers, won by South. The player sits in the winner's or in the
+    // loser's seat, with a club hand. South pocketed three coins in one turn, North one.
+    let text = include_str!("../saves/board-over-1.toml");
+    for (seat, score, longest) in [("south", [2, 0], 3), ("north", [0, 2], 1)] {
+        let folder = Folder::new("cli-games");
+        let games = folder.path().join("games");
+        fs::create_dir(&games).unwrap();
+        let mut game = text.to_owned();
+        for (from, to) in [
+            ("format = 1", "format = 3\nhand = \"club\""),
+            ("\"player\"", "\"Mia\""),
+            (
+                &format!("{seat} = \"computer\""),
+                &format!("{seat} = \"person\""),
+            ),
+        ] {
+            assert!(game.contains(from), "{from}");
+            game = game.replacen(from, to, 1);
+        }
+        for name in ["game-1.toml", "game-2.toml"] {
+            fs::write(games.join(name), &game).unwrap();
+        }
+        let data = folder.path().to_str().unwrap();
+        let games = |player: &str| {
+            let printed = carrom(&["--data-dir", data, "--player", player, "progress", "--json"]);
+            let json: serde_json::Value = serde_json::from_str(&out(&printed)).unwrap();
+            json["summary"]["games"].clone()
+        };
+        let expected = serde_json::json!({
+            "results": [{
+                "rules": "friendly",
+                "strength": "club",
+                "hand": "club",
+                "boards_won_and_lost": score,
+                "games_won_and_lost": score,
+            }],
+            "longest_turn": longest,
+        });
+        assert_eq!(games("Mia"), expected);
+        let nothing = serde_json::json!({"results": [], "longest_turn": 0});
+        assert_eq!(games("Bo"), nothing);
+    }
+}
+
+#[test]
 fn running_without_a_terminal_prints_a_message() {
     for arguments in [
         &[][..],
@@ -285,7 +331,7 @@ fn a_game_that_cannot_be_replayed_ends_with_status_2_and_the_line() {
     let other = game.replacen("[0.8135039368984194,", "[1.8135039368984194,", 1);
     for (content, expected) in [
         (other.as_str(), ":41: end: expected the moves to lead to "),
-        ("format = 3", ":1: format: 3 is newer than 2, "),
+        ("format = 4", ":1: format: 4 is newer than 3, "),
         ("hello", ":1: "),
     ] {
         let file = folder.file("game.toml", content.as_bytes());

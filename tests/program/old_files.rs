@@ -8,7 +8,7 @@ use carrom::class::{ClassRound, Vote, WayOfVoting};
 use carrom::game::{Fingerprint, SavedGame};
 use carrom::gradebook::HandIn;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
-use carrom::progress::{Attempt, Tally, beliefs, topics};
+use carrom::progress::{Attempt, LEVEL, TABLE, Tally, beliefs, topics};
 use carrom::quiz::{Confidence, Response};
 use carrom::store::Store;
 use rusqlite::Connection;
@@ -111,6 +111,29 @@ fn a_database_of_format_2_keeps_its_meaning() {
     assert_eq!(mark.place.as_deref(), Some("Where can they push?"));
     assert_eq!(mark.pages.len(), 5);
     assert!(mark.pages["What can"].as_ref().is_some_and(|it| !it.right));
+}
+
+#[test]
+fn a_call_and_a_prediction_in_a_database_of_format_3_keep_their_meaning() {
+    let folder = folder_with("format-3", include_str!("../saves/progress-3.sql"));
+    let mut store = Store::in_folder(folder.path());
+    let attempts = attempts(&mut store, Some(ADA));
+    let [call, prediction] = attempts.as_slice() else {
+        panic!("{attempts:?}");
+    };
+    assert_eq!([&call.family, &prediction.family], [TABLE, LEVEL]);
+    assert_eq!([call.round(), prediction.round()], ["table", "levels"]);
+    let names: Vec<_> = topics(&attempts).iter().map(|it| it.all.attempts).collect();
+    assert_eq!(names, [1, 1]);
+    assert!(attempts.iter().all(|it| it.fault().is_none() && !it.right));
+    let json = carrom::progress::json(&attempts, None, serde_json::Value::Null).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let calls = serde_json::json!({"made": 1, "within_2_deg": 0});
+    assert_eq!(json["summary"]["calls"], calls);
+    // A hand-in contains both answers.
+    let hand_in = HandIn::new(ADA, "", attempts.clone());
+    let read = HandIn::read(hand_in.text().unwrap().as_bytes()).unwrap();
+    assert_eq!(read.attempts, hand_in.attempts);
 }
 
 #[test]

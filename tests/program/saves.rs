@@ -5,9 +5,9 @@ use std::path::Path;
 use std::thread;
 
 use carrom::app::App;
-use carrom::game::opponent::Strength;
+use carrom::game::opponent::{PlayerHand, Strength};
 use carrom::game::{
-    Aids, Company, Fingerprint, Game, GameSetup, Hands, Player, Record, Rules, SavedGame,
+    Aids, Company, Fingerprint, Game, GameSetup, Hands, Length, Player, Record, Rules, SavedGame,
 };
 use carrom::messages::{KeptGame, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Route, Settings};
@@ -43,6 +43,7 @@ fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
                 Strength::Champion,
                 Strength::Club,
             ],
+            hand: PlayerHand::Club,
             call: true,
             aids: Aids {
                 ghost: false,
@@ -92,6 +93,8 @@ fn a_game_is_read_back_bit_for_bit() {
         (Rules::Tournament, Hands::Two),
         (Rules::Tournament, Hands::Four),
         (Rules::Friendly, Hands::Two),
+        (Rules::Points, Hands::Two),
+        (Rules::Points, Hands::Four),
         (Rules::Practice, Hands::Two),
     ] {
         for (seed, restitution) in [(None, 1.0), (Some(7), 0.85), (Some(u64::MAX), 0.0)] {
@@ -129,7 +132,9 @@ fn a_truncated_game_is_refused() {
 #[ignore = "prints the file for a new format: cargo test --test program print_a_game -- --ignored --nocapture"]
 fn print_a_game_to_pin() {
     let setup = GameSetup {
+        rules: Rules::Points,
         restitution: 0.85,
+        length: Length::Board,
         ..friendly(1)
     };
     let mut game = saved(setup, 30, 1);
@@ -164,12 +169,40 @@ fn a_game_of_the_second_format_still_opens_with_its_restitution() {
     let (saved, game) = SavedGame::read("format-2.toml", text.as_bytes()).unwrap();
     assert_eq!(saved.record.strokes(), 30);
     assert_eq!(saved.record.setup().restitution, 0.85);
-    assert_eq!(saved.text().unwrap(), text);
     assert_eq!(Fingerprint::of(&game), saved.end);
+    // Boards follow one another without an end, and the strokes are those that were aimed.
+    assert_eq!(saved.record.setup().length, Length::Match);
+    assert_eq!(saved.company.hand, PlayerHand::Exact);
+    // Saved again, it is the same game.
+    let again = SavedGame::read("again", saved.text().unwrap().as_bytes()).unwrap();
+    assert_eq!(again, (saved, game));
     // With another restitution the same strokes lead to another end.
     let elastic = text.replacen("restitution = 0.85, ", "", 1);
     assert_ne!(elastic, text);
     assert!(SavedGame::read("elastic", elastic.as_bytes()).is_err());
+}
+
+#[test]
+fn a_game_of_the_third_format_still_opens_with_its_length_and_hand() {
+    let text = include_str!("../saves/format-3.toml");
+    let (saved, game) = SavedGame::read("format-3.toml", text.as_bytes()).unwrap();
+    assert_eq!(saved.record.strokes(), 30);
+    assert_eq!(saved.record.setup().rules, Rules::Points);
+    assert_eq!(saved.record.setup().length, Length::Board);
+    assert_eq!(saved.company.hand, PlayerHand::Club);
+    assert_eq!(saved.text().unwrap(), text);
+    assert_eq!(Fingerprint::of(&game), saved.end);
+    // With other rules the same strokes lead to another end.
+    let friendly = text.replacen("\"points\"", "\"friendly\"", 1);
+    assert!(SavedGame::read("friendly", friendly.as_bytes()).is_err());
+    for (from, to) in [
+        ("\"club\"\ncall", "\"firm\"\ncall"),
+        ("\"board\"", "\"year\""),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let text = text.replacen(from, to, 1);
+        assert!(SavedGame::read("game", text.as_bytes()).is_err(), "{to}");
+    }
 }
 
 #[test]
@@ -210,12 +243,12 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "empty",
             vec![],
-            "line 1: format: expected a saved game with `format = 2`, found nothing",
+            "line 1: format: expected a saved game with `format = 3`, found nothing",
         ),
         (
             "foreign",
             b"[package]\nname = \"x\"\n".to_vec(),
-            "line 1: format: expected a saved game with `format = 2`, found nothing",
+            "line 1: format: expected a saved game with `format = 3`, found nothing",
         ),
         ("other", b"%PDF-1.7 \x00\x01".to_vec(), "line 1: "),
         (
@@ -225,13 +258,13 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         ),
         (
             "newer",
-            b"format = 3\nwhatever = true\n".to_vec(),
-            "line 1: format: 3 is newer than 2, the latest this version reads; a newer version may open it",
+            b"format = 4\nwhatever = true\n".to_vec(),
+            "line 1: format: 4 is newer than 3, the latest this version reads; a newer version may open it",
         ),
         (
             "format-text",
-            with("format = 2", "format = \"2\""),
-            "line 2: format: expected a saved game with `format = 2`, found the text \"2\"",
+            with("format = 3", "format = \"3\""),
+            "line 2: format: expected a saved game with `format = 3`, found the text \"3\"",
         ),
         (
             "latin",
@@ -246,23 +279,23 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "misspelt",
             with("moves =", "movse ="),
-            "line 10: movse: unknown field; expected one of format, player, players, computer, computers, call, aids, setup, hints, moves, end; did you mean moves?",
+            "line 11: movse: unknown field; expected one of format, player, players, computer, computers, hand, call, aids, setup, hints, moves, end; did you mean moves?",
         ),
         (
             "no-player",
             with(player, "player = \"\""),
             "line 3: player: expected a name of 1 to 40 visible characters",
         ),
-        ("bad-move", with("strike", "stroke"), "line 11: moves: "),
+        ("bad-move", with("strike", "stroke"), "line 12: moves: "),
         (
             "no-number",
             with("velocity_m_s = [", "velocity_m_s = [nan, "),
-            "line 11: ",
+            "line 12: ",
         ),
         (
             "impossible",
             with("place_m = [", "place_m = [1.0, "),
-            "line 11: ",
+            "line 12: ",
         ),
         (
             "off-the-lines",
@@ -270,22 +303,22 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
                 "moves = [\n",
                 "moves = [\n  { strike = { place_m = [0.0, 0.0], velocity_m_s = [0.0, 1.0] } },\n",
             ),
-            "line 11: moves: move 1: ",
+            "line 12: moves: move 1: ",
         ),
         (
             "too-early",
             with("moves = [\n", "moves = [\n  \"next_board\",\n"),
-            "line 11: moves: move 1: ",
+            "line 12: moves: move 1: ",
         ),
         (
             "other-end",
             with(&end, "end = \"0123456789abcdef\""),
-            "line 15: end: expected the moves to lead to 0123456789abcdef, but they lead to ",
+            "line 16: end: expected the moves to lead to 0123456789abcdef, but they lead to ",
         ),
         (
             "no-end",
             with(&end, "end = \"soon\""),
-            "line 15: end: expected a fingerprint of 16 hexadecimal digits",
+            "line 16: end: expected a fingerprint of 16 hexadecimal digits",
         ),
     ]
 }

@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::game::opponent::Strength;
+use carrom::game::opponent::{PlayerHand, Strength};
 use carrom::game::{
-    Colour, Game, GameStage, Move, Piece, Player, Rules, Ruling, SavedGame, Seat, Strike, Team,
+    Colour, Game, GameStage, Length, Move, Piece, Player, Rules, Ruling, SavedGame, Seat, Strike,
+    Team,
 };
 use carrom::messages::{Input, Key, Mouse, MouseKind, StoreCall, StoreRequest};
 use carrom::physics::angle::unit_vector;
@@ -522,6 +523,7 @@ fn the_rules_of_the_game_are_read_from_its_set_up_and_its_help() {
         ("r", "the rules: tournament"),
         ("<Right>r", "the rules: friendly"),
         ("<Right><Enter>?r", "the rules: friendly"),
+        ("<Right><Right>r", "the rules: points"),
         ("<Enter>?r<Left>", "the rules: practice"),
     ] {
         let mut game = opened(keys);
@@ -551,7 +553,7 @@ fn leaving_a_running_game_is_confirmed_once() {
 #[test]
 fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
     let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
-    game.press(&"<Down>".repeat(5));
+    game.press(&"<Down>".repeat(7));
     let chosen = |game: &mut Headless, e: &str| {
         let screen = game.screen();
         let mut rows = screen.lines().filter(|row| row.contains("> restitution e"));
@@ -565,7 +567,7 @@ fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
     game.press("0.8<Enter><Enter>");
     assert!(game.screen().contains("e = 0.80"), "{}", game.screen());
     game.press("<Escape>");
-    game.press(&"<Down>".repeat(5));
+    game.press(&"<Down>".repeat(7));
     chosen(&mut game, "0.80");
     // The rows above and below it are unchanged.
     game.press("<Up><Right><Down><Down><Right>");
@@ -634,14 +636,21 @@ proptest! {
 
     #[test]
     fn nothing_that_is_typed_at_the_table_makes_it_panic(
-        rules in prop::sample::select(vec![Rules::Tournament, Rules::Friendly, Rules::Practice]),
+        rules in prop::sample::select(vec![
+            Rules::Tournament,
+            Rules::Friendly,
+            Rules::Points,
+            Rules::Practice,
+        ]),
+        hand in prop::sample::select(PlayerHand::ALL.to_vec()),
+        length in prop::sample::select(vec![Length::Board, Length::Game, Length::Match]),
         computer: bool,
         call: bool,
         unicode: bool,
         acts in prop::collection::vec(act(), 1..80),
     ) {
         let players = if computer { Options::default() } else { Options::two_people() };
-        let options = Options { rules, call, ..players };
+        let options = Options { rules, hand, length, call, ..players };
         let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
         let mut game = at_the_table(options, Settings { charset, ..Settings::default() });
         for act in &acts {
@@ -945,4 +954,170 @@ fn boards_won_and_lost_are_counted_by_rules_and_strength() {
         assert!(page.contains("longest turn"), "{page}");
         assert!(!new_game("Bo", &folder).contains("longest turn"));
     }
+}
+
+/// The options of points carrom for one board, with a club hand.
+fn club_hand() -> Options {
+    Options {
+        rules: Rules::Points,
+        length: Length::Board,
+        hand: PlayerHand::Club,
+        ..Options::default()
+    }
+}
+
+#[test]
+fn the_length_and_the_hand_are_chosen_on_the_page_of_a_new_game() {
+    let mut game = Headless::new(App::new(Route::Table, still(), 1), 120, 40);
+    let row = |game: &mut Headless, name: &str| {
+        let page = game.screen();
+        let row = page.lines().find(|line| line.contains(name));
+        row.unwrap_or_else(|| panic!("{name}: {page}")).to_owned()
+    };
+    assert!(row(&mut game, "  your hand").contains("exact"));
+    assert!(row(&mut game, "  length").contains("match, ~"));
+    game.press(&"<Down>".repeat(4));
+    game.press("<Left>");
+    assert!(row(&mut game, "> your hand").contains("club"));
+    assert!(
+        game.screen().contains("within 1.0 deg"),
+        "{}",
+        game.screen()
+    );
+    game.press("<Down>");
+    let minutes = |row: &str| {
+        let about = row.split('~').nth(1).unwrap_or_default();
+        about
+            .split(' ')
+            .next()
+            .unwrap_or_default()
+            .parse::<u32>()
+            .unwrap()
+    };
+    let longest = minutes(&row(&mut game, "> length"));
+    game.press("<Left>");
+    let one_game = row(&mut game, "> length");
+    assert!(one_game.contains("one game"), "{one_game}");
+    game.press("<Left>");
+    let board = row(&mut game, "> length");
+    assert!(board.contains("one board"), "{board}");
+    assert!(minutes(&board) < minutes(&one_game) && minutes(&one_game) < longest);
+    game.press("<Enter>");
+    assert!(
+        panel(&mut game).contains("+- 1.0 deg, +- 10 %"),
+        "{}",
+        game.screen()
+    );
+    assert!(
+        game.screen().contains("so b varies by"),
+        "{}",
+        game.screen()
+    );
+}
+
+#[test]
+fn an_unsteady_hand_slips_the_same_way_in_every_replay_and_saved_game() {
+    let folder = Folder::new("table-hand");
+    let played = |folder: &Folder| {
+        let table = Hosted::new(Table::playing(club_hand(), SEED));
+        let app = App::on(Box::new(table), still(), 1);
+        let mut game = Headless::keeping(app, 120, 40, Store::in_folder(folder.path()));
+        game.pass(Duration::from_secs(2));
+        game.press(" ");
+        game
+    };
+    let mut game = played(&folder);
+    let told = panel(&mut game);
+    assert!(told.contains("Your stroke was"), "{told}");
+    let file = folder.path().join("games/game-1.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let (saved, _) = SavedGame::read("game", text.as_bytes()).unwrap();
+    assert_eq!(saved.company.hand, PlayerHand::Club);
+    let struck = saved.record.moves().to_vec();
+    let Move::Strike(strike) = &struck[0] else {
+        panic!("{struck:?}");
+    };
+    assert!(
+        strike.velocity.x != 0.0,
+        "aimed at 90°, but the hand slipped"
+    );
+    let errors = PlayerHand::Club.errors().unwrap();
+    assert!(strike.velocity.x.abs() < 6.0 * errors.direction * strike.velocity.y);
+    // Another copy of carrom plays the same stroke, to the last bit.
+    let again = Folder::new("table-hand-again");
+    played(&again);
+    assert_eq!(
+        std::fs::read_to_string(again.path().join("games/game-1.toml")).unwrap(),
+        text
+    );
+    // An exact hand strikes as it aims.
+    let mut exact = at_the_table(
+        Options {
+            hand: PlayerHand::Exact,
+            ..club_hand()
+        },
+        still(),
+    );
+    exact.press(" ");
+    assert!(!panel(&mut exact).contains("Your stroke was"));
+    // The saved game explains the error again.
+    let app = App::new(Route::Table, still(), 1);
+    let mut resumed = Headless::keeping(app, 120, 40, Store::in_folder(folder.path()));
+    resumed.press("s<Enter>");
+    resumed.press("<Enter>");
+    resumed.press("v<End>");
+    let told_again = panel(&mut resumed);
+    let words = |panel: &str| {
+        let at = panel.find("Your stroke was").unwrap();
+        panel[at..].chars().take(40).collect::<String>()
+    };
+    assert_eq!(words(&told_again), words(&told));
+}
+
+#[test]
+fn a_call_with_an_unsteady_hand_is_about_the_actual_stroke_and_cannot_be_aimed_again() {
+    let options = Options {
+        call: true,
+        ..club_hand()
+    };
+    let mut game = at_the_table(options, still());
+    game.press("]] ");
+    assert!(
+        game.screen().contains("Where will they go?"),
+        "{}",
+        game.screen()
+    );
+    game.press("<Escape>");
+    assert!(game.screen().contains("Leave this game?") || game.screen().contains("a new game"));
+    let mut exact = at_the_table(
+        Options {
+            hand: PlayerHand::Exact,
+            ..options
+        },
+        still(),
+    );
+    exact.press("]] <Escape>");
+    assert!(exact.screen().contains("your stroke"), "{}", exact.screen());
+}
+
+#[test]
+fn one_board_of_points_carrom_is_played_with_hints_to_its_end() {
+    let mut game = small(club_hand());
+    for _ in 0..300 {
+        let screen = game.screen();
+        if screen.contains("win the game") || screen.contains("wins the game") {
+            assert!(screen.contains("The game is won by"), "{screen}");
+            assert!(screen.contains("a new game"), "{screen}");
+            return;
+        }
+        match screen.contains("aim ") {
+            true => {
+                assert!(screen.contains("points to 17"), "{screen}");
+                assert!(!screen.contains("You break, white"), "{screen}");
+                game.press("hhh ");
+            }
+            false => game.press("<Enter>"),
+        }
+    }
+    panic!("the board never ended:\n{}", game.screen());
 }

@@ -6,12 +6,12 @@ use crate::game::{Length, Rules};
 /// The mean number of strokes in a board between two computers of the same strength, from the
 /// weakest to the strongest: `cargo bench --bench strength -- 200 lengths`.
 const STROKES: [(Rules, [f64; 5]); 3] = [
-    (Rules::Tournament, [0.0; 5]),
-    (Rules::Friendly, [0.0; 5]),
-    (Rules::Points, [0.0; 5]),
+    (Rules::Tournament, [10.0; 5]),
+    (Rules::Friendly, [10.0; 5]),
+    (Rules::Points, [10.0; 5]),
 ];
 /// The mean number of boards in a tournament game, from the same games.
-const BOARDS: [f64; 5] = [0.0; 5];
+const BOARDS: [f64; 5] = [8.0; 5];
 /// The mean number of games in a match between equals: two or three with the same probability.
 const GAMES: f64 = 2.5;
 /// The time for one stroke in seconds: a person aims in about 20 s, the computer in 2 s, and the

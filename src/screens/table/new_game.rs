@@ -262,11 +262,8 @@ fn of_hand(hand: PlayerHand, now: Options) -> Choice {
                 PlayerHand::Club => "a club player",
                 _ => "an expert",
             };
-            format!(
-                "Your strokes go astray like those of {whose} of the computer: two of three stay \
-                 within {degrees}° and {percent} %."
-            )
-            .into()
+            format!("Like {whose}'s: within {degrees}° and {percent} % in two strokes of three.")
+                .into()
         }
     };
     let shown = <&str>::from(hand).to_owned();
@@ -290,10 +287,7 @@ fn lengths(now: Options) -> Vec<Choice> {
             (Length::Match, Rules::Friendly | Rules::Points) => " a board",
             _ => "",
         };
-        let about = format!(
-            "{last} About {minutes} min{each}, if both sides are equally strong and a stroke takes \
-             15 s."
-        );
+        let about = format!("{last} About {minutes} min{each} between equals, at 15 s a stroke.");
         (options, format!("{name}, ~{minutes} min"), about.into())
     };
     offered.map(choice).collect()

@@ -5,6 +5,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::active_game::{ActiveGame, Playing};
 use super::options::Options;
 use super::{TableAction, picture, words};
+use crate::game::opponent::PlayerHand;
 use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame};
 use crate::messages::{KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
@@ -176,6 +177,10 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         _ => Default::default(),
     };
     let rules = capital(options.rules.into());
+    let hand = match options.hand {
+        PlayerHand::Exact => String::new(),
+        hand => format!(", {} hand", <&str>::from(hand)),
+    };
     let stands = match game.stage() {
         _ if options.rules == Rules::Practice => String::new(),
         GameStage::Playing => match options.seat_name(game.seat()) {
@@ -194,5 +199,5 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         "player" => String::new(),
         name => format!("{name}'s game. "),
     };
-    format!("{whose}{rules}{board}, {strokes}{games}.{stands}")
+    format!("{whose}{rules}{hand}{board}, {strokes}{games}.{stands}")
 }
