@@ -30,7 +30,7 @@ struct Guide {
 }
 
 /// All guides, in the order in which a teacher needs them.
-static GUIDES: [Guide; 12] = [
+static GUIDES: [Guide; 13] = [
     Guide {
         name: "start",
         about: "the first ten minutes",
@@ -55,6 +55,11 @@ static GUIDES: [Guide; 12] = [
         name: "model",
         about: "what is simulated, and what is left out",
         markdown: include_str!("../../docs/model.md"),
+    },
+    Guide {
+        name: "measuring",
+        about: "a filmed collision, measured",
+        markdown: include_str!("../../docs/measuring.md"),
     },
     Guide {
         name: "glossary",

@@ -65,7 +65,11 @@ fn number(text: &str, is_allowed: impl Fn(f64) -> bool, what: &str) -> Result<f6
 
 fn positive(text: &str) -> Result<f64, String> {
     let range = 1e-6..=1e6;
-    number(text, |x| range.contains(&x), "a number from 0.000001 to 1000000")
+    number(
+        text,
+        |x| range.contains(&x),
+        "a number from 0.000001 to 1000000",
+    )
 }
 
 fn restitution(text: &str) -> Result<f64, String> {
@@ -104,7 +108,10 @@ impl Args {
             };
             contents.push((name, bytes.map_err(Failure::input)?));
         }
-        let named: Vec<_> = contents.iter().map(|(name, bytes)| (name.as_str(), &bytes[..])).collect();
+        let named: Vec<_> = contents
+            .iter()
+            .map(|(name, bytes)| (name.as_str(), &bytes[..]))
+            .collect();
         let reading = Reading {
             columns: self.columns.clone(),
             scale: self.scale,

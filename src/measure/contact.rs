@@ -16,7 +16,9 @@ pub(super) fn refuse_exchanged(tracks: &[Track; 2]) -> Result<(), Fault> {
     const MUCH_SHORTER: f64 = 0.5;
     let both = together(tracks);
     let mut swaps = both.windows(2).filter_map(|pair| {
-        let [(a1, a2), (b1, b2)] = pair else { return None };
+        let [(a1, a2), (b1, b2)] = pair else {
+            return None;
+        };
         let kept = a1.at.distance(b1.at) + a2.at.distance(b2.at);
         let exchanged = a1.at.distance(b2.at) + a2.at.distance(b1.at);
         // Between distant rows, one body may have moved to where the other was.
@@ -80,7 +82,10 @@ pub(super) fn guesses(tracks: &[Track; 2]) -> Result<Vec<State>, Fault> {
         let distance = |a: &Point, b: &Point| a.at.distance_squared(b.at);
         distance(a1, a2).total_cmp(&distance(b1, b2))
     });
-    let times = best.map(|it| it.0).into_iter().chain(nearest.map(|it| it.0.t));
+    let times = best
+        .map(|it| it.0)
+        .into_iter()
+        .chain(nearest.map(|it| it.0.t));
     let states: Vec<_> = times
         .filter_map(|time| {
             let [first, second] = sums.each_ref().map(|sums| sums.legs(time));
@@ -102,7 +107,11 @@ fn refusal(tracks: &[Track; 2], nearest: Option<f64>) -> Fault {
     let few = tracks.iter().find_map(|track| {
         let before = track.points.iter().filter(|point| point.t < time).count();
         let after = track.points.len() - before;
-        let (count, side) = if before < after { (before, "before") } else { (after, "after") };
+        let (count, side) = if before < after {
+            (before, "before")
+        } else {
+            (after, "after")
+        };
         (count < FEWEST).then(|| {
             format!(
                 "expected at least {FEWEST} points of {} {side} the contact, found {count}",
@@ -133,7 +142,16 @@ impl Sums {
         let mut total = [0.0; 8];
         for point in points.iter().step_by(step) {
             let (t, at) = (point.t - origin.0, point.at - origin.1);
-            let terms = [1.0, t, t * t, at.x, at.y, at.x * t, at.y * t, at.length_squared()];
+            let terms = [
+                1.0,
+                t,
+                t * t,
+                at.x,
+                at.y,
+                at.x * t,
+                at.y * t,
+                at.length_squared(),
+            ];
             for (sum, term) in total.iter_mut().zip(terms) {
                 *sum += term;
             }

@@ -4,9 +4,7 @@
 use std::f64::consts::PI;
 
 use super::contact::{FEWEST, guesses, leg, refuse_exchanged};
-use super::model::{
-    CHANNELS, Matrix, Model, Normal, PARAMETERS, State, Vector, descend, dot,
-};
+use super::model::{CHANNELS, Matrix, Model, Normal, PARAMETERS, State, Vector, descend, dot};
 use super::student::{beyond_f, beyond_t, t_beyond};
 use super::track::{LEGS, Leg, Point, Track, thinned};
 use super::{Fault, SlowingDown};
@@ -54,7 +52,10 @@ impl Estimate {
 
     /// The probability of a distance from a true value that is at least this large.
     pub fn chance(&self, truth: f64) -> f64 {
-        beyond_t((self.value - truth).abs() / self.deviation.max(f64::MIN_POSITIVE), self.freedom)
+        beyond_t(
+            (self.value - truth).abs() / self.deviation.max(f64::MIN_POSITIVE),
+            self.freedom,
+        )
     }
 
     /// Whether the value is clearly not zero.
@@ -122,7 +123,9 @@ impl Fit {
         refuse_exchanged(tracks)?;
         let guesses = guesses(tracks)?;
         let middle = guesses.first().map_or(0.0, State::time);
-        let thin = tracks.each_ref().map(|track| thinned(&track.points, middle));
+        let thin = tracks
+            .each_ref()
+            .map(|track| thinned(&track.points, middle));
         let points = [thin[0].as_slice(), thin[1].as_slice()];
         let (mut fit, test) = Self::of_points(&guesses, points, slowing)?;
         fit.test = test;
@@ -139,9 +142,16 @@ impl Fit {
             for side in LEGS {
                 fit.counts[body][side as usize] = leg(&track.points, time, side).len();
             }
-            if let Some(side) = LEGS.iter().find(|it| fit.counts[body][**it as usize] < FEWEST) {
+            if let Some(side) = LEGS
+                .iter()
+                .find(|it| fit.counts[body][**it as usize] < FEWEST)
+            {
                 let count = fit.counts[body][*side as usize];
-                let side = if *side == Leg::Before { "before" } else { "after" };
+                let side = if *side == Leg::Before {
+                    "before"
+                } else {
+                    "after"
+                };
                 return Err(Fault::new(format!(
                     "expected at least {FEWEST} points of {} {side} the contact at {time:.3} s, \
                      found {count}",
@@ -183,7 +193,10 @@ impl Fit {
         let starts: Vec<_> = guesses.iter().chain([&straight.state]).collect();
         let mut slow = None;
         for _ in 0..=2 {
-            let starts: Vec<_> = starts.iter().flat_map(|it| slower(it, &model, points)).collect();
+            let starts: Vec<_> = starts
+                .iter()
+                .flat_map(|it| slower(it, &model, points))
+                .collect();
             slow = Self::best(&starts, &model, points).filter(|it| it.freedom() >= 1.0);
             let mut slowing = (0..2).filter(|body| model.slows[*body][0]);
             // Straight lines through a path that slows down make a body at rest seem to move.
@@ -339,7 +352,11 @@ impl Fit {
             spread += share * share / self.freedom[channel];
         }
         let most = self.freedom();
-        let freedom = if spread > 0.0 { (variance * variance / spread).max(1.0) } else { most };
+        let freedom = if spread > 0.0 {
+            (variance * variance / spread).max(1.0)
+        } else {
+            most
+        };
         Some(Estimate {
             value,
             deviation: variance.sqrt(),
@@ -348,10 +365,7 @@ impl Fit {
     }
 
     /// The probability that two quantities which are truly zero are at least this far from it.
-    pub(super) fn chance_of_zero(
-        &self,
-        of: [&dyn Fn(&State) -> Option<f64>; 2],
-    ) -> Option<f64> {
+    pub(super) fn chance_of_zero(&self, of: [&dyn Fn(&State) -> Option<f64>; 2]) -> Option<f64> {
         let [a, b] = of.map(|of| self.estimate(of));
         let (a, b) = (a?, b?);
         let [first, second] = of.map(|of| self.gradient(&of, &|difference| difference));
@@ -360,7 +374,8 @@ impl Fit {
         let both = dot(&second, &reach);
         let [va, vb] = [a, b].map(|it| it.deviation * it.deviation);
         let determinant = va * vb - both * both;
-        let distance = vb * a.value * a.value - 2.0 * both * a.value * b.value + va * b.value * b.value;
+        let distance =
+            vb * a.value * a.value - 2.0 * both * a.value * b.value + va * b.value * b.value;
         let freedom = a.freedom.min(b.freedom);
         (determinant > 0.0).then(|| beyond_f(0.5 * distance / determinant, 2.0, freedom))
     }
@@ -401,7 +416,10 @@ impl Fit {
             let missed = point.at - self.state.at(body, point.t, &self.model);
             let noise = &self.noise[2 * body..];
             let root = point.weight.sqrt();
-            (point.t, [root * missed.x / noise[0], root * missed.y / noise[1]])
+            (
+                point.t,
+                [root * missed.x / noise[0], root * missed.y / noise[1]],
+            )
         };
         points.iter().map(missed).collect()
     }
@@ -410,7 +428,10 @@ impl Fit {
 /// Starts a little earlier and later than a guess: the fit could otherwise end in a time at which
 /// a row changes sides.
 fn around(guess: &State, points: [&[Point]; 2]) -> Vec<State> {
-    let times: Vec<f64> = points.iter().flat_map(|it| it.iter().map(|point| point.t)).collect();
+    let times: Vec<f64> = points
+        .iter()
+        .flat_map(|it| it.iter().map(|point| point.t))
+        .collect();
     let longest = times.iter().fold(f64::MIN, |a, b| a.max(*b));
     let shortest = times.iter().fold(f64::MAX, |a, b| a.min(*b));
     let step = (longest - shortest) / points[0].len().max(2) as f64;
@@ -437,7 +458,11 @@ fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> Vec<State> {
             let speed = start.velocity(body, side).length();
             let rate = share * speed / duration(body);
             // The same distance in the same time, from the speed at contact.
-            let first = if share < 2.0 { 1.0 + 0.5 * share } else { (2.0 * share).sqrt() };
+            let first = if share < 2.0 {
+                1.0 + 0.5 * share
+            } else {
+                (2.0 * share).sqrt()
+            };
             state.set_slowing(body, rate);
             if moves_after {
                 state.set_velocity(body, Leg::After, first * start.velocity(body, Leg::After));
@@ -451,7 +476,9 @@ fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> Vec<State> {
 /// The size of the region that the tracks cover, in metres.
 fn extent(points: [&[Point]; 2]) -> f64 {
     let all = || points.iter().flat_map(|it| it.iter().map(|point| point.at));
-    let Some(first) = all().next() else { return 0.0 };
+    let Some(first) = all().next() else {
+        return 0.0;
+    };
     let low = all().fold(first, |a, b| a.min(b));
     let high = all().fold(first, |a, b| a.max(b));
     low.distance(high)
@@ -485,7 +512,12 @@ fn gap(tracks: &[Track; 2], time: f64) -> (f64, f64) {
         if let (Some(before), Some(after)) = (before, after) {
             longest = longest.max(after.t - before.t);
         }
-        steps.extend(track.points.windows(2).filter_map(|pair| Some(pair.last()?.t - pair.first()?.t)));
+        steps.extend(
+            track
+                .points
+                .windows(2)
+                .filter_map(|pair| Some(pair.last()?.t - pair.first()?.t)),
+        );
     }
     steps.sort_by(f64::total_cmp);
     (longest, steps.get(steps.len() / 2).copied().unwrap_or(0.0))

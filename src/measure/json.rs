@@ -36,7 +36,10 @@ impl Measurement {
             quantities.insert(format!("{}{}", quantity.id, unit.ending()), value);
         }
         let noise = self.fit.noise.map(|noise| Unit::Length.from_si(noise));
-        let test = self.fit.test.map(|test| json!({ "f": test.f, "p": test.p, "level": LEVEL }));
+        let test = self
+            .fit
+            .test
+            .map(|test| json!({ "f": test.f, "p": test.p, "level": LEVEL }));
         json!({
             "bodies": self.names(),
             "points": self.fit.counts,

@@ -98,7 +98,11 @@ impl State {
     }
 
     fn moved(&self, body: usize, t: f64, model: &Model) -> Moved {
-        let leg = if t < self.time() { Leg::Before } else { Leg::After };
+        let leg = if t < self.time() {
+            Leg::Before
+        } else {
+            Leg::After
+        };
         let (velocity, since) = (self.velocity(body, leg), t - self.time());
         let speed = velocity.length();
         if !model.slows[body][leg as usize] || speed <= 0.0 {
@@ -111,7 +115,11 @@ impl State {
         }
         let rate = self.slowing(body);
         // It slows down to a stop, and stays there.
-        let since = if rate > 0.0 { since.min(speed / rate) } else { since };
+        let since = if rate > 0.0 {
+            since.min(speed / rate)
+        } else {
+            since
+        };
         let distance = (speed - 0.5 * rate * since) * since;
         let along = velocity / speed;
         Moved {

@@ -93,7 +93,11 @@ impl Known {
         Self {
             masses: given.masses.unwrap_or([1.0, 1.0]),
             are_given: given.masses.is_some(),
-            line: if centres { LineFrom::Centres } else { LineFrom::Impulse },
+            line: if centres {
+                LineFrom::Centres
+            } else {
+                LineFrom::Impulse
+            },
             restitution: given.restitution,
         }
     }
@@ -139,114 +143,286 @@ macro_rules! quantity {
 
 /// All quantities, in the order of reporting.
 pub(crate) static QUANTITIES: [Quantity; 46] = [
-    quantity!("contact_time", "time of contact", Seconds, [], |s, _| Some(s.time())),
-    quantity!("u1_x", "u₁ along x", Speed, [], |s, _| Some(s.velocity(0, Before).x)),
-    quantity!("u1_y", "u₁ along y", Speed, [], |s, _| Some(s.velocity(0, Before).y)),
-    quantity!("u1", "speed u₁", Speed, [M1_BEFORE], |s, _| speed(s, 0, Before)),
-    quantity!("u1_direction", "direction of u₁", Angle, [M1_BEFORE], |s, _| direction(s, 0, Before)),
-    quantity!("u2_x", "u₂ along x", Speed, [], |s, _| Some(s.velocity(1, Before).x)),
-    quantity!("u2_y", "u₂ along y", Speed, [], |s, _| Some(s.velocity(1, Before).y)),
-    quantity!("u2", "speed u₂", Speed, [Need::Moves(1, Before)], |s, _| speed(s, 1, Before)),
-    quantity!("u2_direction", "direction of u₂", Angle, [Need::Moves(1, Before)], |s, _| {
-        direction(s, 1, Before)
-    }),
-    quantity!("v1_x", "v₁ along x", Speed, [], |s, _| Some(s.velocity(0, After).x)),
-    quantity!("v1_y", "v₁ along y", Speed, [], |s, _| Some(s.velocity(0, After).y)),
-    quantity!("v1", "speed v₁", Speed, [M1_AFTER], |s, _| speed(s, 0, After)),
-    quantity!("v1_direction", "direction of v₁", Angle, [M1_AFTER], |s, _| direction(s, 0, After)),
-    quantity!("v2_x", "v₂ along x", Speed, [], |s, _| Some(s.velocity(1, After).x)),
-    quantity!("v2_y", "v₂ along y", Speed, [], |s, _| Some(s.velocity(1, After).y)),
-    quantity!("v2", "speed v₂", Speed, [M2_AFTER], |s, _| speed(s, 1, After)),
-    quantity!("v2_direction", "direction of v₂", Angle, [M2_AFTER], |s, _| direction(s, 1, After)),
-    quantity!("deceleration1", "deceleration of body 1", Slowing, [Need::Slows(0)], |s, _| {
-        Some(s.slowing(0))
-    }),
-    quantity!("deceleration2", "deceleration of body 2", Slowing, [Need::Slows(1)], |s, _| {
-        Some(s.slowing(1))
-    }),
+    quantity!("contact_time", "time of contact", Seconds, [], |s, _| Some(
+        s.time()
+    )),
+    quantity!("u1_x", "u₁ along x", Speed, [], |s, _| Some(
+        s.velocity(0, Before).x
+    )),
+    quantity!("u1_y", "u₁ along y", Speed, [], |s, _| Some(
+        s.velocity(0, Before).y
+    )),
+    quantity!("u1", "speed u₁", Speed, [M1_BEFORE], |s, _| speed(
+        s, 0, Before
+    )),
+    quantity!(
+        "u1_direction",
+        "direction of u₁",
+        Angle,
+        [M1_BEFORE],
+        |s, _| direction(s, 0, Before)
+    ),
+    quantity!("u2_x", "u₂ along x", Speed, [], |s, _| Some(
+        s.velocity(1, Before).x
+    )),
+    quantity!("u2_y", "u₂ along y", Speed, [], |s, _| Some(
+        s.velocity(1, Before).y
+    )),
+    quantity!(
+        "u2",
+        "speed u₂",
+        Speed,
+        [Need::Moves(1, Before)],
+        |s, _| speed(s, 1, Before)
+    ),
+    quantity!(
+        "u2_direction",
+        "direction of u₂",
+        Angle,
+        [Need::Moves(1, Before)],
+        |s, _| { direction(s, 1, Before) }
+    ),
+    quantity!("v1_x", "v₁ along x", Speed, [], |s, _| Some(
+        s.velocity(0, After).x
+    )),
+    quantity!("v1_y", "v₁ along y", Speed, [], |s, _| Some(
+        s.velocity(0, After).y
+    )),
+    quantity!("v1", "speed v₁", Speed, [M1_AFTER], |s, _| speed(
+        s, 0, After
+    )),
+    quantity!(
+        "v1_direction",
+        "direction of v₁",
+        Angle,
+        [M1_AFTER],
+        |s, _| direction(s, 0, After)
+    ),
+    quantity!("v2_x", "v₂ along x", Speed, [], |s, _| Some(
+        s.velocity(1, After).x
+    )),
+    quantity!("v2_y", "v₂ along y", Speed, [], |s, _| Some(
+        s.velocity(1, After).y
+    )),
+    quantity!("v2", "speed v₂", Speed, [M2_AFTER], |s, _| speed(
+        s, 1, After
+    )),
+    quantity!(
+        "v2_direction",
+        "direction of v₂",
+        Angle,
+        [M2_AFTER],
+        |s, _| direction(s, 1, After)
+    ),
+    quantity!(
+        "deceleration1",
+        "deceleration of body 1",
+        Slowing,
+        [Need::Slows(0)],
+        |s, _| { Some(s.slowing(0)) }
+    ),
+    quantity!(
+        "deceleration2",
+        "deceleration of body 2",
+        Slowing,
+        [Need::Slows(1)],
+        |s, _| { Some(s.slowing(1)) }
+    ),
     quantity!("line_of_impact", "line of impact n", Angle, [], |s, k| {
         Some(line(s, k).to_angle())
     }),
-    quantity!("offset", "impact parameter b", Length, [Need::Approach], |s, _| {
-        let along = relative(s, Before).try_normalize()?;
-        Some(-along.perp_dot(s.centre(1) - s.centre(0)))
-    }),
-    quantity!("alpha", "impact angle α", Angle, [Need::Approach], |s, k| {
-        Some(-relative(s, Before).angle_to(line(s, k)))
-    }),
-    quantity!("restitution", "coefficient of restitution e", Number, [Need::Approach], restitution),
-    quantity!("impulse_ratio", "tangential/normal impulse", Number, [Need::Radii], |s, k| {
-        let (n, change) = (line(s, k), relative(s, Before) - relative(s, After));
-        Some(change.dot(n.perp()) / change.dot(n))
-    }),
-    quantity!("mass_ratio", "m₁/m₂ from Δv₂/Δv₁", Number, [], |s, _| {
-        let change = |body| s.velocity(body, After) - s.velocity(body, Before);
-        let along = (change(1) - change(0)).normalize_or_zero();
-        Some(-change(1).dot(along) / change(0).dot(along))
-    }),
-    quantity!("p_before_x", "momentum before along x", Momentum, [Need::Masses], |s, k| {
-        Some(momentum(s, k, Before).x)
-    }),
-    quantity!("p_before_y", "momentum before along y", Momentum, [Need::Masses], |s, k| {
-        Some(momentum(s, k, Before).y)
-    }),
-    quantity!("p_after_x", "momentum after along x", Momentum, [Need::Masses], |s, k| {
-        Some(momentum(s, k, After).x)
-    }),
-    quantity!("p_after_y", "momentum after along y", Momentum, [Need::Masses], |s, k| {
-        Some(momentum(s, k, After).y)
-    }),
-    quantity!("p_change_along", "change of momentum along p", Percent, [Need::Momentum], |s, k| {
-        Some(changed(s, k)?.x)
-    }),
-    quantity!("p_change_across", "change of momentum across p", Percent, [Need::Momentum], |s, k| {
-        Some(changed(s, k)?.y)
-    }),
-    quantity!("energy_before", "kinetic energy before", Energy, [Need::Masses], |s, k| {
-        Some(energy(s, k, Before))
-    }),
-    quantity!("energy_after", "kinetic energy after", Energy, [Need::Masses], |s, k| {
-        Some(energy(s, k, After))
-    }),
-    quantity!("energy_kept", "kinetic energy kept", Percent, [Need::Approach], |s, k| {
-        Some(energy(s, k, After) / energy(s, k, Before))
-    }),
-    quantity!("theta1", "deflection θ₁", Angle, [M1_BEFORE, M1_AFTER], |s, _| {
-        Some(s.velocity(0, Before).angle_to(s.velocity(0, After)))
-    }),
-    quantity!("theta2", "recoil angle θ₂", Angle, [M1_BEFORE, M2_AFTER], |s, _| {
-        Some(-s.velocity(0, Before).angle_to(s.velocity(1, After)))
-    }),
-    quantity!("between", "angle between the paths", Angle, [M1_AFTER, M2_AFTER], |s, _| {
-        Some(s.velocity(0, After).angle_to(s.velocity(1, After)).abs())
-    }),
-    quantity!("predicted_v1_x", "predicted v₁ along x", Speed, [Need::Approach], |s, k| {
-        Some(predicted(s, k)?[0].x)
-    }),
-    quantity!("predicted_v1_y", "predicted v₁ along y", Speed, [Need::Approach], |s, k| {
-        Some(predicted(s, k)?[0].y)
-    }),
-    quantity!("predicted_v2_x", "predicted v₂ along x", Speed, [Need::Approach], |s, k| {
-        Some(predicted(s, k)?[1].x)
-    }),
-    quantity!("predicted_v2_y", "predicted v₂ along y", Speed, [Need::Approach], |s, k| {
-        Some(predicted(s, k)?[1].y)
-    }),
-    quantity!("residual_v1_x", "v₁ along x − predicted", Speed, [Need::Approach], |s, k| {
-        Some(missed(s, k, 0)?.x)
-    }),
-    quantity!("residual_v1_y", "v₁ along y − predicted", Speed, [Need::Approach], |s, k| {
-        Some(missed(s, k, 0)?.y)
-    }),
-    quantity!("residual_v2_x", "v₂ along x − predicted", Speed, [Need::Approach], |s, k| {
-        Some(missed(s, k, 1)?.x)
-    }),
-    quantity!("residual_v2_y", "v₂ along y − predicted", Speed, [Need::Approach], |s, k| {
-        Some(missed(s, k, 1)?.y)
-    }),
-    quantity!("centres_apart", "distance of the centres at contact", Length, [], |s, _| {
-        Some(s.centre(0).distance(s.centre(1)))
-    }),
+    quantity!(
+        "offset",
+        "impact parameter b",
+        Length,
+        [Need::Approach],
+        |s, _| {
+            let along = relative(s, Before).try_normalize()?;
+            Some(-along.perp_dot(s.centre(1) - s.centre(0)))
+        }
+    ),
+    quantity!(
+        "alpha",
+        "impact angle α",
+        Angle,
+        [Need::Approach],
+        |s, k| { Some(-relative(s, Before).angle_to(line(s, k))) }
+    ),
+    quantity!(
+        "restitution",
+        "coefficient of restitution e",
+        Number,
+        [Need::Approach],
+        restitution
+    ),
+    quantity!(
+        "impulse_ratio",
+        "tangential/normal impulse",
+        Number,
+        [Need::Radii],
+        |s, k| {
+            let (n, change) = (line(s, k), relative(s, Before) - relative(s, After));
+            Some(change.dot(n.perp()) / change.dot(n))
+        }
+    ),
+    quantity!(
+        "mass_ratio",
+        "m₁/m₂ from Δv₂/Δv₁",
+        Number,
+        [],
+        |s, _| {
+            let change = |body| s.velocity(body, After) - s.velocity(body, Before);
+            let along = (change(1) - change(0)).normalize_or_zero();
+            Some(-change(1).dot(along) / change(0).dot(along))
+        }
+    ),
+    quantity!(
+        "p_before_x",
+        "momentum before along x",
+        Momentum,
+        [Need::Masses],
+        |s, k| { Some(momentum(s, k, Before).x) }
+    ),
+    quantity!(
+        "p_before_y",
+        "momentum before along y",
+        Momentum,
+        [Need::Masses],
+        |s, k| { Some(momentum(s, k, Before).y) }
+    ),
+    quantity!(
+        "p_after_x",
+        "momentum after along x",
+        Momentum,
+        [Need::Masses],
+        |s, k| { Some(momentum(s, k, After).x) }
+    ),
+    quantity!(
+        "p_after_y",
+        "momentum after along y",
+        Momentum,
+        [Need::Masses],
+        |s, k| { Some(momentum(s, k, After).y) }
+    ),
+    quantity!(
+        "p_change_along",
+        "change of momentum along p",
+        Percent,
+        [Need::Momentum],
+        |s, k| { Some(changed(s, k)?.x) }
+    ),
+    quantity!(
+        "p_change_across",
+        "change of momentum across p",
+        Percent,
+        [Need::Momentum],
+        |s, k| { Some(changed(s, k)?.y) }
+    ),
+    quantity!(
+        "energy_before",
+        "kinetic energy before",
+        Energy,
+        [Need::Masses],
+        |s, k| { Some(energy(s, k, Before)) }
+    ),
+    quantity!(
+        "energy_after",
+        "kinetic energy after",
+        Energy,
+        [Need::Masses],
+        |s, k| { Some(energy(s, k, After)) }
+    ),
+    quantity!(
+        "energy_kept",
+        "kinetic energy kept",
+        Percent,
+        [Need::Approach],
+        |s, k| { Some(energy(s, k, After) / energy(s, k, Before)) }
+    ),
+    quantity!(
+        "theta1",
+        "deflection θ₁",
+        Angle,
+        [M1_BEFORE, M1_AFTER],
+        |s, _| { Some(s.velocity(0, Before).angle_to(s.velocity(0, After))) }
+    ),
+    quantity!(
+        "theta2",
+        "recoil angle θ₂",
+        Angle,
+        [M1_BEFORE, M2_AFTER],
+        |s, _| { Some(-s.velocity(0, Before).angle_to(s.velocity(1, After))) }
+    ),
+    quantity!(
+        "between",
+        "angle between the paths",
+        Angle,
+        [M1_AFTER, M2_AFTER],
+        |s, _| { Some(s.velocity(0, After).angle_to(s.velocity(1, After)).abs()) }
+    ),
+    quantity!(
+        "predicted_v1_x",
+        "predicted v₁ along x",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(predicted(s, k)?[0].x) }
+    ),
+    quantity!(
+        "predicted_v1_y",
+        "predicted v₁ along y",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(predicted(s, k)?[0].y) }
+    ),
+    quantity!(
+        "predicted_v2_x",
+        "predicted v₂ along x",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(predicted(s, k)?[1].x) }
+    ),
+    quantity!(
+        "predicted_v2_y",
+        "predicted v₂ along y",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(predicted(s, k)?[1].y) }
+    ),
+    quantity!(
+        "residual_v1_x",
+        "v₁ along x − predicted",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(missed(s, k, 0)?.x) }
+    ),
+    quantity!(
+        "residual_v1_y",
+        "v₁ along y − predicted",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(missed(s, k, 0)?.y) }
+    ),
+    quantity!(
+        "residual_v2_x",
+        "v₂ along x − predicted",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(missed(s, k, 1)?.x) }
+    ),
+    quantity!(
+        "residual_v2_y",
+        "v₂ along y − predicted",
+        Speed,
+        [Need::Approach],
+        |s, k| { Some(missed(s, k, 1)?.y) }
+    ),
+    quantity!(
+        "centres_apart",
+        "distance of the centres at contact",
+        Length,
+        [],
+        |s, _| { Some(s.centre(0).distance(s.centre(1))) }
+    ),
 ];
 
 fn speed(state: &State, body: usize, leg: Leg) -> Option<f64> {
@@ -350,11 +526,15 @@ fn missing(need: Need, fit: &Fit, known: &Known, names: [&str; 2]) -> Option<Str
             let reason = "not defined: the speed of approach along the line of impact is not \
                           clearly above zero";
             let speed = fit.estimate(along);
-            (speed.is_some_and(|it| it.is_clear() && it.value > 0.0), reason.into())
+            (
+                speed.is_some_and(|it| it.is_clear() && it.value > 0.0),
+                reason.into(),
+            )
         }
         Need::Momentum => {
             let total = fit.estimate(|state| Some(momentum(state, known, Before).length()));
-            let reason = "not defined: the total momentum before is not clearly different from zero";
+            let reason =
+                "not defined: the total momentum before is not clearly different from zero";
             (total.is_some_and(|it| it.is_clear()), reason.into())
         }
         Need::Radii => {

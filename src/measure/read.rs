@@ -41,7 +41,10 @@ pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], Fi
     for (name, bytes) in files {
         let found = one_file(name, bytes, reading)?;
         if files.len() > 1 && found.len() != 1 {
-            let message = format!("expected one track in each of two files, found {}", found.len());
+            let message = format!(
+                "expected one track in each of two files, found {}",
+                found.len()
+            );
             return Err(FileError::of_file(name, message).into());
         }
         tracks.extend(found);
@@ -92,7 +95,11 @@ impl Column {
     fn place(&self) -> String {
         match self.head.is_empty() {
             true => format!("column {}", self.index + 1),
-            false => format!("column {} ({})", self.index + 1, short_name(&self.head, LONGEST_NAME)),
+            false => format!(
+                "column {} ({})",
+                self.index + 1,
+                short_name(&self.head, LONGEST_NAME)
+            ),
         }
     }
 }
@@ -163,7 +170,9 @@ fn opening<'a>(source: &Source<'a>) -> Result<Opening<'a>, FileError> {
 /// The separator with which a line is a row of at least three numbers.
 fn separator(line: &str) -> Option<u8> {
     b"\t;, ".iter().copied().find(|&separator| {
-        let numbers = fields(line, separator).into_iter().filter(|field| number(field).is_some());
+        let numbers = fields(line, separator)
+            .into_iter()
+            .filter(|field| number(field).is_some());
         numbers.count() >= 3
     })
 }
@@ -209,7 +218,10 @@ fn head(text: &str) -> (String, Option<String>) {
         (text, None)
     };
     let plain = name.chars().filter(|letter| letter.is_alphanumeric());
-    (plain.collect::<String>().to_lowercase(), unit.map(str::to_owned))
+    (
+        plain.collect::<String>().to_lowercase(),
+        unit.map(str::to_owned),
+    )
 }
 
 /// The metres of a unit of length; 0 for pixels, whose size is not in the file.
@@ -234,14 +246,21 @@ fn time_unit(unit: &str) -> Option<f64> {
 
 /// What a head says that its column holds; `name` is that of the body in the line above.
 fn role(plain: &str, name: &str) -> Option<Role> {
-    if matches!(plain, "t" | "time" | "zeit" | "temps" | "tiempo" | "tempo" | "tid") {
+    if matches!(
+        plain,
+        "t" | "time" | "zeit" | "temps" | "tiempo" | "tempo" | "tid"
+    ) {
         return Some(Role::Time);
     }
     let of = |letter: char| {
         let numbered = |rest: &&str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
-        plain.strip_prefix(letter).or_else(|| plain.strip_suffix(letter).filter(numbered))
+        plain
+            .strip_prefix(letter)
+            .or_else(|| plain.strip_suffix(letter).filter(numbered))
     };
-    let (key, axis) = of('x').map(|key| (key, 0)).or_else(|| of('y').map(|key| (key, 1)))?;
+    let (key, axis) = of('x')
+        .map(|key| (key, 0))
+        .or_else(|| of('y').map(|key| (key, 1)))?;
     let body = match (name.is_empty(), key.is_empty()) {
         (_, true) => name.to_owned(),
         (true, false) => format!("body {}", key.to_uppercase()),
@@ -275,7 +294,9 @@ fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, File
                 };
                 let expected = || {
                     let found = quoted(unit.as_deref().unwrap_or_default());
-                    refuse(format!("{place}: expected a time in s or ms, found {found}"))
+                    refuse(format!(
+                        "{place}: expected a time in s or ms, found {found}"
+                    ))
                 };
                 time.get_or_insert(column(factor.ok_or_else(expected)?));
             }
@@ -300,10 +321,13 @@ fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, File
                         }
                     },
                 };
-                let at = bodies.iter().position(|(name, _)| *name == body).unwrap_or_else(|| {
-                    bodies.push((body, [None, None]));
-                    bodies.len() - 1
-                });
+                let at = bodies
+                    .iter()
+                    .position(|(name, _)| *name == body)
+                    .unwrap_or_else(|| {
+                        bodies.push((body, [None, None]));
+                        bodies.len() - 1
+                    });
                 if let Some((_, columns)) = bodies.get_mut(at) {
                     columns[axis].get_or_insert(column(factor));
                 }
@@ -315,7 +339,10 @@ fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, File
         heads => quoted(&heads.join(" ")),
     };
     let time = time.ok_or_else(|| {
-        refuse(format!("expected a column t (or choose it with --columns), found {}", heads()))
+        refuse(format!(
+            "expected a column t (or choose it with --columns), found {}",
+            heads()
+        ))
     })?;
     let mut whole = Vec::new();
     for (number, (name, columns)) in (1..).zip(bodies) {
@@ -366,13 +393,16 @@ fn found(opening: &Opening) -> Vec<(usize, Role)> {
 }
 
 fn in_order(columns: &[usize]) -> Vec<(usize, Role)> {
-    let roles = columns.iter().enumerate().map(|(place, &index)| match place.checked_sub(1) {
-        None => (index, Role::Time),
-        Some(place) => {
-            let body = format!("body {}", place / 2 + 1);
-            (index, Role::Coordinate(body, place % 2))
-        }
-    });
+    let roles = columns
+        .iter()
+        .enumerate()
+        .map(|(place, &index)| match place.checked_sub(1) {
+            None => (index, Role::Time),
+            Some(place) => {
+                let body = format!("body {}", place / 2 + 1);
+                (index, Role::Coordinate(body, place % 2))
+            }
+        });
     roles.collect()
 }
 
@@ -387,7 +417,10 @@ fn chosen(opening: &Opening, chosen: &[String]) -> Result<Vec<(usize, Role)>, St
     }
     let mut columns = Vec::new();
     for name in chosen {
-        let number = name.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+        let number = name
+            .parse::<usize>()
+            .ok()
+            .and_then(|number| number.checked_sub(1));
         let is_head = |text: &&str| text.eq_ignore_ascii_case(name) || head(text).0 == head(name).0;
         let named = opening.heads.iter().position(|text| is_head(&text));
         let width = opening.width.max(opening.heads.len());
@@ -449,7 +482,10 @@ fn row<'a>(
     mut add: impl FnMut(usize, f64, glam::DVec2),
 ) -> Result<(), String> {
     let Some(t) = value(&table.time, field(&table.time))? else {
-        return Err(format!("{}: expected a time, found nothing", table.time.place()));
+        return Err(format!(
+            "{}: expected a time, found nothing",
+            table.time.place()
+        ));
     };
     if t <= *last {
         return Err(format!(
@@ -507,15 +543,23 @@ mod tests {
 
     fn chosen(columns: &str, scale: Option<[f64; 2]>) -> Reading {
         Reading {
-            columns: columns.split(',').filter(|it| !it.is_empty()).map(str::to_owned).collect(),
+            columns: columns
+                .split(',')
+                .filter(|it| !it.is_empty())
+                .map(str::to_owned)
+                .collect(),
             scale,
         }
     }
 
     /// The first and the last point of each body, as t, x, y, line.
     fn ends(tracks: &[Track; 2]) -> Vec<[f64; 4]> {
-        let ends = tracks.iter().flat_map(|track| [track.points.first(), track.points.last()]);
-        let numbers = ends.flatten().map(|it| [it.t, it.at.x, it.at.y, f64::from(it.line)]);
+        let ends = tracks
+            .iter()
+            .flat_map(|track| [track.points.first(), track.points.last()]);
+        let numbers = ends
+            .flatten()
+            .map(|it| [it.t, it.at.x, it.at.y, f64::from(it.line)]);
         numbers.collect()
     }
 
@@ -524,7 +568,10 @@ mod tests {
         let text = "#multi:\n\tmass A\t\tmass B\t\t\nt\tx\ty\tx\ty\t\n0.000E0\t1.0\t2.0\t3.0\t4.0\t\n\
                     3.3E-2\t1.5\t2.5\t\t\t\n6.7E-2\t2.0\t3.0\t5.0\t6.0\t\n";
         let tracks = tracks(text).unwrap();
-        assert_eq!(tracks.each_ref().map(|it| it.name.as_str()), ["mass A", "mass B"]);
+        assert_eq!(
+            tracks.each_ref().map(|it| it.name.as_str()),
+            ["mass A", "mass B"]
+        );
         assert_eq!(tracks.each_ref().map(|it| it.points.len()), [3, 2]);
         let last = [[0.067, 2.0, 3.0, 6.0], [0.067, 5.0, 6.0, 6.0]];
         let ends = ends(&tracks);
@@ -533,7 +580,10 @@ mod tests {
 
     #[test]
     fn tracker_files_of_one_body_each_are_put_together() {
-        let [a, b] = ["mass_A\nt\tx\ty\n0\t1\t2\n1\t2\t3\n", "mass_B\nt\tx\ty\n0\t5\t6\n"];
+        let [a, b] = [
+            "mass_A\nt\tx\ty\n0\t1\t2\n1\t2\t3\n",
+            "mass_B\nt\tx\ty\n0\t5\t6\n",
+        ];
         let both = [("a", a.as_bytes()), ("b", b.as_bytes())];
         let tracks = read(&both, &Reading::default()).unwrap();
         assert_eq!(tracks[1].name, "mass_B");
@@ -555,7 +605,10 @@ mod tests {
         ] {
             let tracks = tracks(text).unwrap_or_else(|error| panic!("{text}: {error}"));
             for (found, expected) in ends(&tracks).iter().zip(same) {
-                let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12);
+                let near = found
+                    .iter()
+                    .zip(expected)
+                    .all(|(a, b)| (a - b).abs() < 1e-12);
                 assert!(near, "{text}: {found:?}");
             }
         }
@@ -567,13 +620,19 @@ mod tests {
     fn columns_are_chosen_by_head_or_number_and_pixels_are_scaled() {
         let text = "frame;t;xA (px);yA (px);xB (px);yB (px)\n0;0;1;2;3;4\n1;1;1;2;3;4\n";
         let refused = tracks(text).unwrap_err();
-        assert!(refused.contains("a.txt:2: column 3 (xA (px)): expected --scale"), "{refused}");
+        assert!(
+            refused.contains("a.txt:2: column 3 (xA (px)): expected --scale"),
+            "{refused}"
+        );
         for columns in ["", "t,xA,yA,xB,yB", "2,3,4,5,6"] {
             let tracks = with(text, &chosen(columns, Some([0.001, -0.002]))).unwrap();
             assert_eq!(ends(&tracks)[0], [0.0, 0.001, -0.004, 2.0]);
         }
         let refused = with(text, &chosen("t,x,y,z,q", None)).unwrap_err();
-        assert!(refused.contains("a number from 1 to 6, found \"x\""), "{refused}");
+        assert!(
+            refused.contains("a number from 1 to 6, found \"x\""),
+            "{refused}"
+        );
         let refused = with(text, &chosen("t,xA", None)).unwrap_err();
         assert!(refused.contains("expected five columns"), "{refused}");
     }
@@ -582,27 +641,75 @@ mod tests {
     fn faults_are_reported_with_line_and_column() {
         let rows = |rows: &str| format!("t,x1,y1,x2,y2\n0,1,2,3,4\n{rows}\n");
         for (text, expected) in [
-            (rows("1,a,2,3,4"), "a.txt:3: column 2 (x1): expected a number, or nothing for a \
-                missing point, found \"a\""),
-            (rows("1,1,2,NaN,4"), "a.txt:3: column 4 (x2): expected a number, or nothing for a \
-                missing point, found \"NaN\""),
-            (rows("1,1,2,1e9,4"), "a.txt:3: column 4 (x2): expected a number of at most 1e6"),
-            (rows("1,1,,3,4"), "a.txt:3: column 3 (y1): expected both coordinates of body 1"),
-            (rows("0,1,2,3,4"), "a.txt:3: column 1 (t): expected a time after 0 s, found 0 s"),
-            (rows("1,1,2,3,4\n0.5,1,2,3,4"), "a.txt:4: column 1 (t): expected a time after 1 s"),
-            (rows(",1,2,3,4"), "a.txt:3: column 1 (t): expected a time, found nothing"),
-            (rows("1,1,2,3"), "a.txt:3: column 5 (y2): expected both coordinates of body 2"),
-            ("".into(), "a.txt:1: expected rows of a time and coordinates"),
-            ("hello\nworld\n".into(), "a.txt:1: expected rows of a time and coordinates, separated \
-                by commas, semicolons, tabs or spaces, found \"hello\""),
-            ("x1,y1,x2,y2\n1,2,3,4\n".into(), "a.txt:2: expected a column t"),
-            ("t,x1,y1,x2\n0,1,2,3\n".into(), "a.txt:2: expected a column y of body 2, found only x"),
-            ("t,a,b,c\n0,1,2,3\n".into(), "a.txt:2: expected columns x and y"),
+            (
+                rows("1,a,2,3,4"),
+                "a.txt:3: column 2 (x1): expected a number, or nothing for a \
+                missing point, found \"a\"",
+            ),
+            (
+                rows("1,1,2,NaN,4"),
+                "a.txt:3: column 4 (x2): expected a number, or nothing for a \
+                missing point, found \"NaN\"",
+            ),
+            (
+                rows("1,1,2,1e9,4"),
+                "a.txt:3: column 4 (x2): expected a number of at most 1e6",
+            ),
+            (
+                rows("1,1,,3,4"),
+                "a.txt:3: column 3 (y1): expected both coordinates of body 1",
+            ),
+            (
+                rows("0,1,2,3,4"),
+                "a.txt:3: column 1 (t): expected a time after 0 s, found 0 s",
+            ),
+            (
+                rows("1,1,2,3,4\n0.5,1,2,3,4"),
+                "a.txt:4: column 1 (t): expected a time after 1 s",
+            ),
+            (
+                rows(",1,2,3,4"),
+                "a.txt:3: column 1 (t): expected a time, found nothing",
+            ),
+            (
+                rows("1,1,2,3"),
+                "a.txt:3: column 5 (y2): expected both coordinates of body 2",
+            ),
+            (
+                "".into(),
+                "a.txt:1: expected rows of a time and coordinates",
+            ),
+            (
+                "hello\nworld\n".into(),
+                "a.txt:1: expected rows of a time and coordinates, separated \
+                by commas, semicolons, tabs or spaces, found \"hello\"",
+            ),
+            (
+                "x1,y1,x2,y2\n1,2,3,4\n".into(),
+                "a.txt:2: expected a column t",
+            ),
+            (
+                "t,x1,y1,x2\n0,1,2,3\n".into(),
+                "a.txt:2: expected a column y of body 2, found only x",
+            ),
+            (
+                "t,a,b,c\n0,1,2,3\n".into(),
+                "a.txt:2: expected columns x and y",
+            ),
             ("0,1,2,3\n".into(), "found no heads over 4 columns"),
-            ("t,x1 (in),y1,x2,y2\n0,1,2,3,4\n".into(), "column 2 (x1 (in)): expected a length in"),
-            ("t (h),x1,y1,x2,y2\n0,1,2,3,4\n".into(), "column 1 (t (h)): expected a time in s or ms"),
-            ("t,x1,y1,x2,y2,x3,y3\n0,1,2,3,4,5,6\n".into(), "a.txt: expected two bodies, found 3 \
-                (body 1, body 2, body 3): choose two"),
+            (
+                "t,x1 (in),y1,x2,y2\n0,1,2,3,4\n".into(),
+                "column 2 (x1 (in)): expected a length in",
+            ),
+            (
+                "t (h),x1,y1,x2,y2\n0,1,2,3,4\n".into(),
+                "column 1 (t (h)): expected a time in s or ms",
+            ),
+            (
+                "t,x1,y1,x2,y2,x3,y3\n0,1,2,3,4,5,6\n".into(),
+                "a.txt: expected two bodies, found 3 \
+                (body 1, body 2, body 3): choose two",
+            ),
         ] {
             let error = tracks(&text).unwrap_err();
             assert!(error.contains(expected), "{text}\n{error}\n{expected}");
@@ -614,7 +721,8 @@ mod tests {
 
     #[test]
     fn other_columns_of_tracker_are_ignored() {
-        let text = "mass A\tmass A\nt\tx\ty\tv_{x}\tpixelx\tx2\ty2\tframe\n0\t1\t2\t9\t9\t3\t4\t0\n";
+        let text =
+            "mass A\tmass A\nt\tx\ty\tv_{x}\tpixelx\tx2\ty2\tframe\n0\t1\t2\t9\t9\t3\t4\t0\n";
         assert_eq!(tracks(text).unwrap()[1].points[0].at, dvec2(3.0, 4.0));
     }
 }

@@ -96,7 +96,7 @@ pub(super) const PUCKS: Film = Film {
     radii: [0.025, 0.025],
     u: [dvec2(0.8, 0.1), DVec2::ZERO],
     alpha: 0.5,
-    restitution: 0.9,
+    restitution: 0.99,
     rim: 0.0,
     slowing: 0.0,
     rate: 60.0,
@@ -104,3 +104,91 @@ pub(super) const PUCKS: Film = Film {
     noise: 0.5,
     pixel: DVec2::splat(0.001),
 };
+
+/// The tracks as Tracker copies both of them.
+fn tracker(tracks: &[Track; 2], head: &str) -> String {
+    let mut text = format!("{head}#multi:\n\tmass A\t\tmass B\t\t\nt\tx\ty\tx\ty\t\n");
+    for (first, second) in tracks[0].points.iter().zip(&tracks[1].points) {
+        let numbers = [first.t, first.at.x, first.at.y, second.at.x, second.at.y];
+        let numbers = numbers.map(|number| format!("{number:.4E}\t"));
+        text += &format!("{}\n", numbers.concat());
+    }
+    text
+}
+
+/// The tracks as a spreadsheet writes them where a comma is the decimal sign, in `per` metres.
+fn spreadsheet(tracks: &[Track; 2], head: &str, unit: &str, per: DVec2) -> String {
+    let heads = ["x1", "y1", "x2", "y2"].map(|name| format!(";{name} ({unit})"));
+    let mut text = format!("{head}t (s){}\n", heads.concat());
+    for (row, (first, second)) in tracks[0].points.iter().zip(&tracks[1].points).enumerate() {
+        let numbers = [first.at / per, second.at / per].map(|at| [at.x, at.y]);
+        // The mark of the second body was lost in two frames.
+        let is_lost = |body: usize| body == 1 && matches!(row, 5 | 6);
+        let cells = numbers.iter().enumerate().flat_map(|(body, at)| {
+            at.map(|number| match is_lost(body) {
+                true => ";".to_owned(),
+                false => format!(";{number:.2}"),
+            })
+        });
+        let cells: String = cells.collect();
+        text += &format!("{:.4}{cells}\n", first.t).replace('.', ",");
+    }
+    text
+}
+
+/// The examples that come with carrom.
+pub(super) fn examples() -> [(&'static str, String); 3] {
+    let clean = Film {
+        noise: 0.8,
+        ..PUCKS
+    };
+    let coins = Film {
+        masses: [0.0085, 0.0075],
+        radii: [0.012_875, 0.011_625],
+        u: [dvec2(0.9, -0.15), DVec2::ZERO],
+        alpha: -0.6,
+        restitution: 0.85,
+        rim: 0.15,
+        slowing: 1.0,
+        rate: 60.0,
+        frames: [20, 26],
+        noise: 0.6,
+        pixel: DVec2::splat(0.0006),
+    };
+    let hopeless = Film {
+        rate: 30.0,
+        frames: [5, 5],
+        alpha: 0.9,
+        noise: 10.0,
+        ..PUCKS
+    };
+    let first = "# Simulated, not filmed: two air-hockey pucks of 30 g and 25 mm radius, 60 frames a \
+                 second.\n";
+    let second = "# Simulated, not filmed: a 2-euro coin (8.5 g, 12.875 mm) hits a 1-euro coin (7.5 g, \
+                  11.625 mm) on a powdered board, 60 frames a second.\n";
+    let third = "# Simulated, not filmed: two pucks of 30 g and 25 mm radius, 30 frames a second, marked \
+                 carelessly; a pixel is 1 mm.\n";
+    [
+        ("pucks.txt", tracker(&clean.shot(3).1, first)),
+        (
+            "coins.csv",
+            spreadsheet(&coins.shot(5).1, second, "cm", DVec2::splat(0.01)),
+        ),
+        (
+            "careless.csv",
+            spreadsheet(&hopeless.shot(4).1, third, "px", DVec2::splat(0.001)),
+        ),
+    ]
+}
+
+#[test]
+fn shipped_examples_are_simulated() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/examples/measured/");
+    for (name, text) in examples() {
+        let path = format!("{folder}{name}");
+        if std::env::var_os("CARROM_WRITE_EXAMPLES").is_some() {
+            std::fs::write(&path, &text).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(path).unwrap(), text, "{name}");
+    }
+}

@@ -38,7 +38,7 @@ pub(super) const LEGS: [Leg; 2] = [Leg::Before, Leg::After];
 
 /// With more points than this, neighbours are averaged: a mean of points on a straight line is on
 /// the line, and the fit takes as long for a million rows as for this number.
-const MOST_POINTS: usize = 20_000;
+const MOST_POINTS: usize = 5_000;
 /// The number of means on each side of the contact that stay single points.
 const SINGLE: usize = 3;
 

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::fit::{Estimate, LEVEL};
 use super::model::State;
-use super::quantities::{changed, predicted};
+use super::quantities::{changed, predicted, relative};
 use super::student::t_beyond;
 use super::{LineFrom, Measurement, SlowingDown, Unit};
 use crate::numbers::{capital, fixed, four_figures};
@@ -48,7 +48,11 @@ fn decimals(uncertainty: f64) -> usize {
     }
     let exponent = uncertainty.log10().floor();
     let first = (uncertainty / 10_f64.powf(exponent)).round();
-    let digits = if first < 2.0 { 1.0 - exponent } else { -exponent };
+    let digits = if first < 2.0 {
+        1.0 - exponent
+    } else {
+        -exponent
+    };
     digits.clamp(0.0, 9.0) as usize
 }
 
@@ -144,16 +148,29 @@ impl Measurement {
         let fit = &self.fit;
         let noise = |body: usize| {
             let [x, y] = [0, 1].map(|axis| Unit::Length.from_si(fit.noise[2 * body + axis]));
-            format!("{} mm in x, {} mm in y", four_figures(round2(x)), four_figures(round2(y)))
+            format!(
+                "{} mm in x, {} mm in y",
+                four_figures(round2(x)),
+                four_figures(round2(y))
+            )
         };
         let counts = |body: usize| {
             let [before, after] = fit.counts[body];
-            format!("{before} points before the contact, {after} after it; noise {}", noise(body))
+            format!(
+                "{before} points before the contact, {after} after it; noise {}",
+                noise(body)
+            )
         };
         let mut data: Vec<_> = (0..2).map(|body| row(names[body], counts(body))).collect();
-        data.push(row("contact", format!("at {}", self.text_of("contact_time"))));
+        data.push(row(
+            "contact",
+            format!("at {}", self.text_of("contact_time")),
+        ));
         data.push(row("legs", self.legs()));
-        data.extend(self.distance().map(|text| row("distance of the centres", text)));
+        data.extend(
+            self.distance()
+                .map(|text| row("distance of the centres", text)),
+        );
         let velocity = |name: &str, body: usize, id: &str| {
             let name = format!("{name} {}", names[body]);
             let parts = self.vector(&format!("{id}_x"), &format!("{id}_y"));
@@ -259,7 +276,11 @@ impl Measurement {
     /// Which motion was fitted, and why.
     fn legs(&self) -> String {
         let slows = (0..2).any(|body| self.fit.model.slows(body));
-        let kind = if slows { "constant deceleration" } else { "straight lines" };
+        let kind = if slows {
+            "constant deceleration"
+        } else {
+            "straight lines"
+        };
         let Some(test) = &self.fit.test else {
             return match self.given.slowing {
                 SlowingDown::Never => format!("{kind}, as chosen"),
@@ -305,7 +326,13 @@ impl Measurement {
             Some((_, Ok(between))) if is_square && self.given.restitution >= 1.0 => {
                 let exact = 90_f64.to_radians();
                 let wide = 20_f64.to_radians();
-                sentences.push(compared("Angle between the paths", &between, exact, Unit::Angle, wide));
+                sentences.push(compared(
+                    "Angle between the paths",
+                    &between,
+                    exact,
+                    Unit::Angle,
+                    wide,
+                ));
             }
             Some((_, Ok(between))) => {
                 let missed = self.fit.estimate_angle(|state| {
@@ -339,7 +366,13 @@ impl Measurement {
         match self.quantity("restitution") {
             Some((_, Ok(e))) => {
                 let what = "Coefficient of restitution";
-                sentences.push(compared(what, &e, self.given.restitution, Unit::Number, 0.3));
+                sentences.push(compared(
+                    what,
+                    &e,
+                    self.given.restitution,
+                    Unit::Number,
+                    0.3,
+                ));
             }
             Some((_, Err(reason))) => {
                 sentences.push(format!("Coefficient of restitution: {reason}."));
@@ -363,7 +396,9 @@ impl Measurement {
         };
         let part = |state: &State, axis: usize| Some(changed(state, &self.known)?[axis]);
         let change = changed(&self.fit.state, &self.known)?.length();
-        let p = self.fit.chance_of_zero([&|state| part(state, 0), &|state| part(state, 1)])?;
+        let p = self
+            .fit
+            .chance_of_zero([&|state| part(state, 0), &|state| part(state, 1)])?;
         let far = sigmas(t_beyond(p, 1e9));
         let share = Unit::Percent.from_si(change);
         let share = fixed(share, if share < 1.0 { 1 } else { 0 });
@@ -412,10 +447,22 @@ impl Measurement {
 
     /// The largest of the four differences from the prediction.
     fn largest_residual(&self) -> Option<String> {
-        let ids = ["residual_v1_x", "residual_v1_y", "residual_v2_x", "residual_v2_y"];
-        let all = ids.iter().filter_map(|id| Some((id, self.estimate_of(id)?)));
+        let ids = [
+            "residual_v1_x",
+            "residual_v1_y",
+            "residual_v2_x",
+            "residual_v2_y",
+        ];
+        let all = ids
+            .iter()
+            .filter_map(|id| Some((id, self.estimate_of(id)?)));
         let (_, largest) = all.max_by(|a, b| a.1.sigmas(0.0).total_cmp(&b.1.sigmas(0.0)))?;
         let e = four_figures(self.given.restitution);
+        let approach = relative(&self.fit.state, super::Leg::Before).length();
+        let doubt = match largest.uncertainty95() > 0.25 * approach {
+            true => " It says little: the uncertainty is too large.",
+            false => "",
+        };
         // With four differences, one of 2.5 σ is no surprise.
         let chance = (4.0 * largest.chance(0.0)).min(1.0);
         let verdict = if chance < IMPOSSIBLE {
@@ -424,6 +471,16 @@ impl Measurement {
             "is near the limit of agreement with"
         } else {
             "agrees with"
+        };
+        let e_found = self
+            .estimate_of("restitution")
+            .filter(|it| (0.0..=1.0).contains(&it.value));
+        let other_e = match e_found.filter(|it| it.chance(self.given.restitution) < IMPOSSIBLE) {
+            Some(found) => {
+                let [value, _] = bare(&found, Unit::Number);
+                format!(" With --restitution {value} the prediction uses the e found here.")
+            }
+            None => String::new(),
         };
         let how = match self.known.line {
             LineFrom::Centres => "",
@@ -434,7 +491,7 @@ impl Measurement {
         };
         Some(format!(
             "The outcome {verdict} the prediction for smooth rims and e = {e}: the largest of four \
-             differences is {} ({}).{how}",
+             differences is {} ({}).{doubt}{other_e}{how}",
             printed(&largest, Unit::Speed),
             sigmas(largest.sigmas(0.0)),
         ))
@@ -510,7 +567,7 @@ impl Measurement {
         for section in self.sections() {
             text += &format!("{}\n", section.title);
             for Row { name, text: found } in section.rows {
-                text += &format!("  {name:28}{found}\n");
+                text += &format!("  {name:30}{found}\n");
             }
             text.push('\n');
         }

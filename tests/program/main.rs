@@ -20,6 +20,7 @@ mod gather;
 mod hosted;
 #[cfg(unix)]
 mod kill;
+mod measure;
 mod memory;
 #[cfg(target_os = "linux")]
 mod noise;
