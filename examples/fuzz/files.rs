@@ -11,8 +11,9 @@ use carrom::game::SavedGame;
 use carrom::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv};
 use carrom::lessons::Chapter;
 use carrom::levels::{Level, Patience, Scene};
+use carrom::measure::{self, Given, Measurement, Reading};
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
-use carrom::paper::gradebook;
+use carrom::paper::{gradebook, measured_html};
 use carrom::progress::{Attempt, csv, json};
 use carrom::quiz::concepts::Library;
 use carrom::quiz::{Answer, Code, Confidence, Round};
@@ -36,6 +37,7 @@ enum Kind {
     HandIn,
     Settings,
     Keys,
+    Tracks,
 }
 
 /// A file of settings.
@@ -60,6 +62,8 @@ pub(crate) fn models(home: &Path) -> Result<Vec<Vec<Model>>, Box<dyn Error>> {
         (Kind::Concept, "assets/concepts", "toml"),
         (Kind::Saved, "tests/saves", "toml"),
         (Kind::Tape, "tests/tapes", "tape"),
+        (Kind::Tracks, "assets/examples/measured", "txt"),
+        (Kind::Tracks, "assets/examples/measured", "csv"),
     ];
     let mut models = Vec::new();
     for (kind, folder, ending) in folders {
@@ -177,6 +181,20 @@ fn read(kind: Kind, bytes: &[u8], folder: &Path) {
         }
         Kind::Settings => open_with("settings.toml", bytes, folder),
         Kind::Keys => open_with("keys.toml", bytes, folder),
+        Kind::Tracks => {
+            let reading = Reading {
+                scale: Some([0.001, -0.001]),
+                ..Reading::default()
+            };
+            let tracks = measure::read(&[("tracks", bytes)], &reading);
+            let given = Given {
+                radii: Some([0.025, 0.025]),
+                ..Given::default()
+            };
+            if let Some(it) = tracks.ok().and_then(|it| Measurement::new(it, given).ok()) {
+                let _ = (it.text(), it.json(), measured_html(&it, &[]));
+            }
+        }
     }
 }
 

@@ -170,8 +170,8 @@ impl Fit {
     ) -> Result<(Self, Option<SlowingTest>), Fault> {
         let unfit = || {
             Fault::new(
-                "expected tracks that determine both velocities and the contact, found too few \
-                 points or none that move",
+                "expected a collision, found tracks that do not determine a contact: the bodies \
+                 miss each other, do not move, or have too few points",
             )
         };
         let straight = Model::default();

@@ -1,7 +1,6 @@
 //! The report on a measured collision.
 
 use maud::html;
-use ratatui::layout::Rect;
 
 use super::{Paper, clean, html_page, svg};
 use crate::measure::Measurement;
@@ -17,8 +16,9 @@ ul { padding-left: 5mm }
 li { margin: 1mm 0 }
 .warn { border-left: 1mm solid var(--accent); padding-left: 4mm }
 ";
-/// The size of the picture in columns and rows.
-const AREA: Rect = Rect::new(0, 0, 90, 28);
+/// The columns of the picture, and the maximum number of rows.
+const COLUMNS: u16 = 90;
+const ROWS: u16 = 36;
 /// The maximum number of columns of the name of a file.
 const NAME: usize = 80;
 
@@ -26,8 +26,10 @@ const NAME: usize = 80;
 pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
     let picture = svg(
         &measured_words(measurement),
-        &measured_picture(AREA, measurement),
+        &measured_picture(COLUMNS, ROWS, measurement),
     );
+    let sentences = measurement.sentences();
+    let sentences = sentences.iter().map(|it| signed(it));
     let warnings = measurement.warnings();
     let files: Vec<_> = files.iter().map(|name| clean(name, NAME)).collect();
     let sheet = html! {
@@ -41,7 +43,7 @@ pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
             }
         }
         h2 { "In words" }
-        ul { @for sentence in measurement.sentences() { li { (sentence) } } }
+        ul { @for sentence in sentences { li { (sentence) } } }
         @if !warnings.is_empty() {
             h2 { "Before you trust it" }
             ul.warn { @for warning in warnings { li { (warning) } } }
@@ -49,7 +51,7 @@ pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
         @for section in measurement.sections() {
             h2 { (section.title) }
             table {
-                @for row in section.rows { tr { td { (row.name) } td { (row.text) } } }
+                @for row in section.rows { tr { td { (row.name) } td { (signed(&row.text)) } } }
             }
         }
         p.dim {
@@ -58,4 +60,19 @@ pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
         }
     };
     html_page("A measured collision", STYLE, Paper::A4, [sheet])
+}
+
+/// `text` with minus signs before numbers; options and compound words keep their hyphens.
+fn signed(text: &str) -> String {
+    let mut signed = String::with_capacity(text.len());
+    let mut letters = text.chars().peekable();
+    let mut last = ' ';
+    while let Some(letter) = letters.next() {
+        let is_minus = letter == '-'
+            && !(last.is_alphanumeric() || last == '-')
+            && letters.peek().is_some_and(char::is_ascii_digit);
+        signed.push(if is_minus { '−' } else { letter });
+        last = letter;
+    }
+    signed
 }

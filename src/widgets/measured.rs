@@ -4,19 +4,21 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{LabelSide, Pen, Picture, View};
+use super::picture::{Body, LabelSide, Pen, Picture, View};
 use crate::measure::{Known, Leg, LineFrom, Measurement, line};
 
 /// The maximum number of points of a leg that are drawn.
 const MOST_POINTS: usize = 150;
+/// The radius of a point in columns.
+const POINT: f64 = 0.22;
 /// The roles of each body: its points before and after, and itself.
 const ROLES: [[Role; 3]; 2] = [
     [Role::Incoming, Role::StrikerOut, Role::Striker],
     [Role::CoinOut, Role::CoinOut, Role::Coin],
 ];
 
-/// The picture of a measurement in an area.
-pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture {
+/// The picture of a measurement with this many columns and at most this many rows.
+pub(crate) fn measured_picture(columns: u16, rows: u16, measurement: &Measurement) -> Picture {
     let fit = &measurement.fit;
     let (state, model) = (&fit.state, &fit.model);
     let radii = measurement.given.radii.unwrap_or([0.0; 2]);
@@ -32,7 +34,12 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
         (low, high) = (low.min(centre - *radius), high.max(centre + *radius));
     }
     let margin = 0.06 * low.distance(high).max(1e-9);
+    let size = high - low + 2.0 * margin;
+    // A cell is twice as high as it is wide.
+    let fitting = (0.5 * f64::from(columns) * size.y / size.x).ceil() as u16;
+    let area = Rect::new(0, 0, columns, fitting.clamp(8, rows));
     let view = View::fit(area, low - margin, high + margin);
+    let radius = POINT * view.per_column();
     let mut picture = Picture::new(view);
     for (body, track) in measurement.tracks.iter().enumerate() {
         let [before, after, disc] = ROLES[body];
@@ -50,14 +57,15 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
             picture.line(centre, end, Pen::new(Role::Predicted).dashed());
         }
         let step = track.points.len().div_ceil(2 * MOST_POINTS).max(1);
-        for point in track.points.iter().step_by(step) {
+        let points = track.points.iter().step_by(step).map(|point| {
             let role = if point.t < state.time() {
                 before
             } else {
                 after
             };
-            picture.dot(point.at, Pen::new(role));
-        }
+            Body::new(point.at, radius, role, ' ')
+        });
+        picture.discs(points);
         if radii[body] > 0.0 {
             picture.ring(centre, radii[body], disc, (['1', '2'][body], centre));
         }

@@ -56,7 +56,7 @@ fn the_examples_give_the_values_that_were_simulated() {
 fn sentences_are_as_strong_as_the_data() {
     let folder = examples();
     let options = "--charset unicode --m1-g 30 --m2-g 30";
-    let clean = done(&folder, &format!("measure measured/pucks.txt {options}"));
+    let clean = done(&folder, &format!("measure {PUCKS} --charset unicode"));
     assert!(
         clean.contains("Momentum agrees within 0.4 %: 0.6 σ."),
         "{clean}"
@@ -148,7 +148,7 @@ fn faulty_tracks_are_refused_with_a_clear_message() {
                 .map(|row| apart(row))
                 .collect::<Vec<_>>()
                 .join("\n"),
-            "expected a collision, found two paths without a clear change of velocity",
+            "expected a collision, found tracks that do not determine a contact",
         ),
         (
             "text",
