@@ -82,7 +82,7 @@ const OF_MISCONCEPTIONS: &str = "
     square of the speed | energy-as-speed
     share of the mass, the lighter piece gets more | heavy-takes-energy
     equally likely, small angles are common | every-angle-alike
-    m_1 - m_2, m_1 + m_2, m_1/m_2, m_1 / m_2, e m_2, three times the mass | upside-down
+    m_1 - m_2, m_1 + m_2, m_1/m_2, m_1 / m_2, e m_2, three times the mass, less than the smaller mass | upside-down
     rebounds, heavier, heavy striker | heavy-rebounds
     small angles are common | counts-reversed
     b/(r_1 + r_2), half of d, half of the force | direct-for-inverse
@@ -108,6 +108,8 @@ const OF_MISCONCEPTIONS: &str = "
     halfway between the two paths | halfway-direction
     conserve energy in both steps | energy-through-impact
     momenta in pairs | momentum-from-explosion
+    relative velocity is the same in every frame | loss-by-frame
+    never between the two | reduced-as-mean
 ";
 
 /// A page about what the questions on a topic ask for contains one of these phrases, in the same
@@ -144,6 +146,7 @@ const OF_TOPICS: &str = "
     momentum, impulse | momentum
     impulse, force | impulse
     momentum, momenta, energy | elastic-and-inelastic
+    energy, mj | energy-and-the-centre-of-mass
 ";
 
 /// A kind of wrong answer: the misconception, if a known one leads to it, the topic, and the names

@@ -487,6 +487,17 @@ fn claims() -> Vec<Claim> {
     claim(14, "([100] − 60 = 40 would be right", sum);
     claim(14, "(100 − [60] = 40 would be right", right);
     claim(14, "(100 − 60 = [40] would be right", sum - right);
+
+    // 15: the energy in two parts.
+    claim(15, "the total momentum, [50] + 40 g m/s", 20.0 * 2.5);
+    claim(15, "the total momentum, 50 + [40] g m/s", 40.0 * 1.0);
+    claim(15, "by [60] g. Then use half of 60 g", 20.0 + 40.0);
+    claim(15, "Then use half of [60] g, times", 20.0 + 40.0);
+    claim(15, "[800]/60 is", 20.0 * 40.0);
+    claim(15, "800/[60] is", 20.0 + 40.0);
+    claim(15, "½ · [13.3] g · (3 m/s)²", 800.0 / 60.0);
+    claim(15, "not a [quarter], because", 0.5 * 0.5);
+    claim(15, "e² is a [quarter]:", 0.5 * 0.5);
     claims
 }
 

@@ -120,6 +120,10 @@ pub enum Misconception {
     EnergyThroughImpact,
     /// An explosion is taken to produce momentum.
     MomentumFromExplosion,
+    /// The loss of energy is taken to depend on the frame.
+    LossByFrame,
+    /// The reduced mass is taken to be between the two masses.
+    ReducedAsMean,
 }
 
 impl Misconception {
@@ -158,7 +162,9 @@ impl Misconception {
             | Self::AllEnergyLost
             | Self::HalfwayDirection
             | Self::EnergyThroughImpact
-            | Self::MomentumFromExplosion => None,
+            | Self::MomentumFromExplosion
+            | Self::LossByFrame
+            | Self::ReducedAsMean => None,
             _ => Some(self),
         }
     }

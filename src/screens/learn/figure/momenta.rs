@@ -16,12 +16,15 @@ use crate::widgets::{Lines, Look, Role, areas};
 /// An arrow that is shorter than this share of the picture has no name.
 const SHORTEST: f64 = 0.05;
 
-/// The same discs, with the whole picture turned so that their centre of mass moves to the right.
+/// The same discs, with the whole picture turned so that their centre of mass moves to the right and
+/// the first disc upwards.
 pub(super) fn moving_to_the_right(mut collision: Collision) -> Collision {
     let drift = collision.centre_of_mass_velocity().normalize_or(DVec2::X);
     let back = DVec2::new(drift.x, -drift.y);
     collision.u1 = back.rotate(collision.u1);
     collision.u2 = back.rotate(collision.u2);
+    let angle = angle_deg(FigureKind::Explosion { third_g: None }, &collision);
+    turn_pieces(&mut collision, angle);
     collision
 }
 
@@ -105,6 +108,11 @@ fn arrows(kind: FigureKind, collision: &Collision) -> Vec<Arrow> {
     }
 }
 
+/// Whether an explosion has two pieces.
+fn third_is_absent(kind: FigureKind) -> bool {
+    kind == FigureKind::Explosion { third_g: None }
+}
+
 /// A view that contains the arrows at every angle, so that the scale does not change.
 fn view(kind: FigureKind, collision: &Collision, area: Rect) -> View {
     let [p1, p2] = of_both(collision);
@@ -118,12 +126,10 @@ fn view(kind: FigureKind, collision: &Collision, area: Rect) -> View {
         }
         _ => (p1, p2.length()),
     };
-    let ends = [DVec2::ZERO, p1, sum];
-    let around = [centre - DVec2::splat(radius), centre + DVec2::splat(radius)];
-    let all = ends.into_iter().chain(around);
-    let (low, high) = all.fold((DVec2::ZERO, DVec2::ZERO), |(low, high), it| {
-        (low.min(it), high.max(it))
-    });
+    let is_at_rest = third_is_absent(kind) && sum.length() < 1e-9 * p1.length();
+    let lowest = if is_at_rest { -radius } else { 0.0 };
+    let low = DVec2::new((centre.x - radius).min(0.0), lowest);
+    let high = DVec2::new((centre.x + radius).max(sum.x), radius);
     let edge = 0.12 * (high - low).max_element();
     View::fit(area, low - edge, high + edge)
 }
@@ -137,7 +143,7 @@ pub(super) fn lay_out(
     buf: &mut Buffer,
     look: &Look,
 ) -> Picture {
-    let [area, below] = areas::upper(area, area.height.saturating_sub(2));
+    let [area, below] = areas::upper(area, area.height.saturating_sub(3));
     let mut picture = Picture::new(view(kind, collision, area));
     let all = arrows(kind, collision);
     let shown = || all.iter().filter(|it| !(hidden && it.is_asked));
@@ -161,74 +167,54 @@ pub(super) fn lay_out(
     let mut lines = Lines::new(below, buf, *look);
     for line in words(kind, collision)
         .iter()
-        .take(if hidden { 1 } else { 2 })
+        .take(if hidden { 1 } else { 3 })
     {
         lines.line(line, Role::Text);
     }
     picture
 }
 
-/// What is given, and the result.
-pub(super) fn words(kind: FigureKind, collision: &Collision) -> [String; 2] {
-    let [p1, p2] = of_both(collision);
-    let sum = (p1 + p2).length();
+/// What is given, the result, and the energy.
+pub(super) fn words(kind: FigureKind, collision: &Collision) -> [String; 3] {
+    let Collision { u1, u2, .. } = *collision;
+    let sum = of_both(collision).into_iter().sum::<DVec2>().length();
     let [m1, m2] = [collision.striker.mass, collision.target.mass];
-    let total = m1 + m2;
+    let drift = collision.centre_of_mass_velocity();
+    let relative = 0.5 * reduced_mass(m1, m2) * collision.relative_velocity().length_squared();
+    let common = kinetic_energy(m1 + m2, drift);
     let speed = |v: f64| with_unit(&significant(v), "m/s");
-    let drift = collision.centre_of_mass_velocity().length();
-    let sizes = [p1, p2].map(|p| significant(p.length()));
-    let angle = degrees(deg_from_rad(collision.u1.angle_to(collision.u2).abs()));
-    let freed = 0.5 * reduced_mass(m1, m2) * collision.relative_velocity().length_squared();
+    let grams = |m: f64| with_unit(&significant(g_from_kg(m)), "g");
+    let gained = |energy: f64| format!("energy gained: {} mJ", significant(1e3 * energy));
+    let apart = degrees(u1.angle_to(u2).abs());
+    let momentum = significant(sum);
     match kind {
         FigureKind::Explosion {
             third_g: Some(third_g),
         } => {
-            let third = kg_from_g(third_g);
-            let v3 = g_from_kg(total) * drift / third_g;
-            let energies = [
-                (m1, collision.u1.length()),
-                (m2, collision.u2.length()),
-                (third, v3),
-            ];
-            let energy: f64 = energies
-                .map(|(m, v)| kinetic_energy(m, v * DVec2::X))
-                .iter()
-                .sum();
+            let m3 = kg_from_g(third_g);
+            let v3 = (m1 + m2) / m3 * drift;
+            let mass = grams(m3);
             [
-                format!("At rest before. p₁ and p₂: {angle} apart (g m/s)"),
-                format!(
-                    "v₃ = {} g m/s / {} = {}; energy gained: {} mJ",
-                    significant(sum),
-                    with_unit(&significant(third_g), "g"),
-                    speed(v3),
-                    significant(1e3 * energy)
-                ),
+                format!("At rest before; p₁, p₂ {apart} apart"),
+                format!("v₃ = {momentum} g m/s / {mass} = {}", speed(v3.length())),
+                gained(common + relative + kinetic_energy(m3, v3)),
             ]
         }
-        FigureKind::Explosion { third_g: None } => [
-            format!(
-                "Before: {} at {} (momenta in g m/s)",
-                with_unit(&significant(g_from_kg(total)), "g"),
-                speed(drift)
-            ),
-            format!(
-                "v₁ = {}, v₂ = {}; energy gained: {} mJ",
-                speed(collision.u1.length()),
-                speed(collision.u2.length()),
-                significant(1e3 * freed)
-            ),
+        FigureKind::Explosion { .. } => [
+            match sum > 1e-9 {
+                true => format!("Before: {} at {}", grams(m1 + m2), speed(drift.length())),
+                false => format!("Before: {} at rest", grams(m1 + m2)),
+            },
+            format!("v₁ = {}, v₂ = {}", speed(u1.length()), speed(u2.length())),
+            gained(relative),
         ],
         _ => {
-            let before = freed + kinetic_energy(total, drift * DVec2::X);
+            let mass = grams(m1 + m2);
+            let lost = significant(100.0 * relative / (common + relative));
             [
-                format!("p₁ = {}, p₂ = {} g m/s, {angle} apart", sizes[0], sizes[1]),
-                format!(
-                    "V = {} g m/s / {} = {}; {} % of the energy lost",
-                    significant(sum),
-                    with_unit(&significant(g_from_kg(total)), "g"),
-                    speed(drift),
-                    significant(100.0 * freed / before)
-                ),
+                format!("p₁ and p₂ in g m/s, {apart} apart"),
+                format!("V = {momentum} g m/s / {mass} = {}", speed(drift.length())),
+                format!("{lost} % of the energy lost"),
             ]
         }
     }

@@ -5,7 +5,7 @@ use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::numbers::significant;
+use crate::numbers::{short, significant};
 use crate::physics::impact::kinetic_energy;
 use crate::physics::{Bond, Collision};
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
@@ -34,18 +34,21 @@ impl Parts {
         }
     }
 
-    /// The parts before, and what the collision changes.
-    pub(super) fn words(&self, collision: &Collision) -> [String; 2] {
+    /// The parts, and what the collision loses.
+    fn words(&self, collision: &Collision) -> [String; 3] {
         let [before, after] = self.relative.map(significant);
-        let kept = significant(self.of_centre);
-        let e = match collision.bond {
-            Bond::Stick => "They stick".to_owned(),
-            Bond::Slip => format!("e = {}", significant(collision.restitution)),
-        };
         let lost = significant(self.relative[0] - self.relative[1]);
+        let contact = match collision.bond {
+            Bond::Stick => "together".to_owned(),
+            Bond::Slip => format!("e = {}", short(collision.restitution, 2)),
+        };
         [
-            format!("Before: {kept} mJ and {before} mJ"),
-            format!("{e}: {kept} mJ and {after} mJ, so {lost} mJ lost"),
+            format!(
+                "½MV² = {} mJ, before and after",
+                significant(self.of_centre)
+            ),
+            format!("relative: {before} mJ, then {after} mJ"),
+            format!("{contact}: {lost} mJ lost"),
         ]
     }
 }
@@ -59,7 +62,7 @@ pub(super) fn lay_out(
     look: &Look,
 ) -> Picture {
     let parts = Parts::new(collision);
-    let [area, below] = areas::upper(area, area.height.saturating_sub(2));
+    let [area, below] = areas::upper(area, area.height.saturating_sub(3));
     let all = (parts.of_centre + parts.relative[0]).max(1e-9);
     let view = View::stretch(area, dvec2(0.0, -0.12 * all), dvec2(10.0, 1.05 * all));
     let mut picture = Picture::new(view);
@@ -72,16 +75,18 @@ pub(super) fn lay_out(
         let mut part = |from: f64, size: f64, text: &str, role: Role| {
             if size > 0.01 * all {
                 let [low, high] = [dvec2(left, from), dvec2(right, from + size)];
-                picture.fill(low, high, role);
                 picture.rectangle(low, high, Pen::new(role));
-                let centre = dvec2(middle, from + 0.5 * size);
-                picture.label(text, centre, &[LabelSide::Over], Role::Text);
+                // A name needs a row inside.
+                if size > 2.0 * view.per_row() {
+                    let centre = dvec2(middle, from + 0.5 * size);
+                    picture.label(text, centre, &[LabelSide::Over], role);
+                }
             }
         };
         part(0.0, parts.of_centre, "½MV²", Role::Incoming);
         part(parts.of_centre, relative, "relative", Role::CoinOut);
         let top = parts.of_centre + relative;
-        if all - top > 0.01 * all {
+        if all - top > 2.0 * view.per_row() {
             picture.rectangle(
                 dvec2(left, top),
                 dvec2(right, all),
@@ -93,13 +98,11 @@ pub(super) fn lay_out(
         picture.text(DVec2::new(middle, -0.06 * all), name, Role::Dim);
     }
     let mut lines = Lines::new(below, buf, *look);
-    for line in parts
-        .words(collision)
-        .iter()
-        .take(if hidden { 1 } else { 2 })
-    {
-        lines.line(line, Role::Text);
-    }
+    let words = match hidden {
+        true => vec![format!("before: {} mJ in all", significant(all))],
+        false => parts.words(collision).to_vec(),
+    };
+    words.iter().for_each(|line| lines.line(line, Role::Text));
     picture
 }
 

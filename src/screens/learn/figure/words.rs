@@ -164,14 +164,14 @@ fn force(collision: &Collision, time_ms: f64, revealed: bool) -> Vec<String> {
 
 /// The momenta that are given, and their sum at several angles.
 fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> Vec<String> {
-    let [given, result] = momenta::words(kind, collision);
+    let [given, result, energy] = momenta::words(kind, collision);
     let about = match kind {
         FigureKind::Explosion { .. } => "the momenta of the pieces of a body that explodes",
         _ => "the momenta of two discs before they coalesce, and of both together",
     };
     let mut lines = vec![format!("Figure: {about}, as arrows tip to tail. {given}.")];
     if revealed {
-        lines.push(format!("{result}."));
+        lines.push(format!("{result}; {energy}."));
     }
     if revealed && kind == FigureKind::Coalesce {
         lines.extend([0, 45, 90, 135, 180].map(|angle| {
@@ -186,21 +186,21 @@ fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> 
 
 /// The two parts of the energy, and what is left of the second at several values of e.
 fn parts_in_words(collision: &Collision, revealed: bool) -> Vec<String> {
+    let all = significant(1e3 * collision.outcome().energy_before);
     let energies =
         |parts: &Parts| [parts.of_centre, parts.relative[0], parts.relative[1]].map(significant);
-    let [kept, before, _] = energies(&Parts::new(collision));
     let mut lines = vec![format!(
-        "Figure: the kinetic energy of two discs as a bar in two parts. Before the collision, the \
-         motion of the centre of mass has {kept} mJ and the relative motion {before} mJ."
+        "Figure: the kinetic energy of two discs before the collision, {all} mJ, as a bar in two parts: \
+         that of the motion of the centre of mass, and that of the relative motion."
     )];
     if revealed {
         lines.extend([1.0, 0.75, 0.5, 0.25, 0.0].map(|restitution| {
-            let [kept, _, after] = energies(&Parts::new(&Collision {
+            let [kept, before, after] = energies(&Parts::new(&Collision {
                 restitution,
                 ..*collision
             }));
             let e = significant(restitution);
-            format!("At e = {e}, {kept} mJ and {after} mJ are left.")
+            format!("At e = {e}, {kept} mJ and {before} mJ become {kept} mJ and {after} mJ.")
         }));
     }
     lines
