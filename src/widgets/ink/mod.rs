@@ -8,8 +8,6 @@
 mod arrow;
 mod canvas;
 mod cell;
-#[cfg(test)]
-pub(crate) mod centres;
 mod crowd;
 mod disc;
 pub(crate) mod gallery;
@@ -25,6 +23,8 @@ mod tests;
 pub(super) use canvas::Canvas;
 pub(crate) use disc::token;
 pub(super) use label::PlacedLabel;
+#[cfg(test)]
+pub(crate) use tests::centres;
 
 use super::Charset;
 

@@ -1,16 +1,18 @@
 //! Tests of the whole painter: marks are where the geometry requires.
 
+pub(crate) mod centres;
+
 use std::f64::consts::TAU;
 
 use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, layout::Rect, style::Color};
 
 use super::Canvas;
-use super::centres::seen_at;
 use crate::widgets::picture::{Body, LabelSide, Pen, Picture, View};
 use crate::widgets::text::blocks::{LEFT, LOWER, QUARTERS, octants, sextants};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Role, Theme};
+use centres::seen_at;
 
 const CHARSETS: [Charset; 2] = [Charset::Ascii, Charset::Unicode];
 const AREA: Rect = Rect::new(2, 1, 60, 30);

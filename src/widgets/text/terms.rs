@@ -167,10 +167,7 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     } else if before.starts_with('(') && before.ends_with(',') && after.contains(')') {
         Hold::Vector
     } else if sign(after) && operand {
-        match in_brackets {
-            true => Hold::Inner,
-            false => Hold::Term,
-        }
+        if in_brackets { Hold::Inner } else { Hold::Term }
     } else if times(after) && operand || times_x || is_product(before, after) {
         match in_brackets {
             true => Hold::InnerFactor,

@@ -26,7 +26,7 @@ const HUNDREDTHS: [(u8, [u8; SAMPLES]); 13] = [
 ];
 
 /// The amounts of ink on a scale where 1 is a full sample.
-static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
+pub(in super::super) static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
     HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
 });
 
@@ -111,20 +111,6 @@ fn blurred(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
             }
         }
         sum
-    })
-}
-
-/// The middles of the samples of a glyph, in cells from its upper left corner, each with its ink.
-#[cfg(test)]
-pub(in super::super) fn samples(glyph: &str) -> impl Iterator<Item = (glam::DVec2, f64)> {
-    let known = INK.iter().find(|(sign, _)| glyph.as_bytes() == [*sign]);
-    let ink = known.map(|(_, ink)| ink.iter().enumerate());
-    ink.into_iter().flatten().map(|(sample, ink)| {
-        let [x, y] = [sample % GRID.0, sample / GRID.0].map(|it| it as f64 + 0.5);
-        (
-            glam::dvec2(x / GRID.0 as f64, y / GRID.1 as f64),
-            f64::from(*ink),
-        )
     })
 }
 

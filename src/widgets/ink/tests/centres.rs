@@ -3,8 +3,8 @@
 use glam::{DMat3, DVec2, DVec3, dvec2};
 use ratatui::{buffer::Buffer, layout::Rect, style::Color};
 
-use super::Canvas;
-use super::glyphs::{ascii, block};
+use super::super::Canvas;
+use super::super::glyphs::{ascii, block};
 use crate::widgets::picture::{Body, Mark, Picture};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Blocks, Charset, Look, Role, Theme};
@@ -82,7 +82,7 @@ fn round_at(canvas: &Canvas, body: &Body, look: &Look) -> DVec2 {
 fn rim_at(buffer: &Buffer) -> DVec2 {
     let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
     for at in buffer.area.positions() {
-        let samples = ascii::samples(buffer[at].symbol());
+        let samples = samples(buffer[at].symbol());
         let sums = samples.fold(DVec3::ZERO, |sums, (inside, ink)| {
             sums + ink * inside.extend(1.0)
         });
@@ -133,4 +133,19 @@ pub(super) fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
         }
     }
     sum / weight
+}
+
+/// The middles of the samples of a glyph, in cells from its upper left corner, each with its ink.
+fn samples(glyph: &str) -> impl Iterator<Item = (DVec2, f64)> {
+    let known = ascii::INK
+        .iter()
+        .find(|(sign, _)| glyph.as_bytes() == [*sign]);
+    let ink = known.map(|(_, ink)| ink.iter().enumerate());
+    ink.into_iter().flatten().map(|(sample, ink)| {
+        let [x, y] = [sample % ascii::GRID.0, sample / ascii::GRID.0].map(|it| it as f64 + 0.5);
+        (
+            dvec2(x / ascii::GRID.0 as f64, y / ascii::GRID.1 as f64),
+            f64::from(*ink),
+        )
+    })
 }
