@@ -99,31 +99,28 @@ impl ClassPlay {
 
     /// Whether leaving now would interrupt a round, or lose one that is not saved.
     pub(super) fn asks_before_leaving(&self) -> bool {
-        self.stage.session.round().is_begun() && (self.unsaved || !self.is_over())
+        self.stage.round().is_begun() && (self.unsaved || !self.is_over())
     }
 
     /// Begins the actions of the current step.
     fn arrive(&mut self, cx: &Context) {
-        let ClassPlace { question, step } = self.stage.session.round().place();
+        let ClassPlace { question, step } = self.stage.round().place();
         self.furthest = self.furthest.max(question);
         if let Some(kept) = self.steps.get_mut(question) {
             *kept = step;
         }
-        let vote = |vote| match self.stage.session.round().way() {
+        let vote = |vote| match self.stage.round().way() {
             WayOfVoting::Teams => {
-                ClassPhase::Vote(TeamVotes::new(self.stage.session.round(), question, vote))
+                ClassPhase::Vote(TeamVotes::new(self.stage.round(), question, vote))
             }
-            WayOfVoting::Tally => {
-                ClassPhase::Tally(Tally::new(self.stage.session.round(), question, vote))
-            }
+            WayOfVoting::Tally => ClassPhase::Tally(Tally::new(self.stage.round(), question, vote)),
             WayOfVoting::Devices => ClassPhase::Look,
         };
         self.phase = match step {
             ClassStep::FirstVote => vote(Vote::First),
             ClassStep::SecondVote => vote(Vote::Second),
             ClassStep::Shot => {
-                let shown =
-                    ClassReveal::new(self.stage.session.round(), question, cx.settings.pace());
+                let shown = ClassReveal::new(self.stage.round(), question, cx.settings.pace());
                 shown.map_or(ClassPhase::Look, |it| ClassPhase::Shot(Box::new(it)))
             }
             _ => ClassPhase::Look,
@@ -183,7 +180,7 @@ impl ClassPlay {
     /// The next or the previous step of the question, as `beside` returns it; on devices,
     /// predicting and voting are one step.
     fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
-        let skips = self.stage.session.round().way() == WayOfVoting::Devices;
+        let skips = self.stage.round().way() == WayOfVoting::Devices;
         match beside(self.stage.step())? {
             ClassStep::Predict if skips => beside(ClassStep::Predict),
             step => Some(step),

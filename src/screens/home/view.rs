@@ -12,10 +12,7 @@ const NARROW: u16 = 31;
 const WIDE: u16 = 78;
 
 fn layout(room: Room) -> SplitLayout {
-    let menu = match room.area.width < WIDE {
-        true => NARROW,
-        false => MENU,
-    };
+    let menu = if room.area.width < WIDE { NARROW } else { MENU };
     SplitLayout::with_open_panel(room, menu)
 }
 
