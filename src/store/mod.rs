@@ -206,56 +206,32 @@ impl Store {
     }
 
     /// Carries out a request.
-    pub fn answer(&mut self, request: &StoreCall) -> StoreAnswer {
-        let ticket = request.ticket;
-        if self.closed && !is_note(&request.request) {
+    pub fn answer(&mut self, call: &StoreCall) -> StoreAnswer {
+        if self.closed && !is_note(&call.request) {
             return StoreAnswer {
                 unsaved: self.unsaved.len(),
-                ..request.refused(NOWHERE)
+                ..Self::refused(call, NOWHERE)
             };
         }
         self.progress.on_day(self.calendar().today());
-        let done = match &request.request {
-            StoreRequest::Save(game) => StoreReply::Saved(self.save(ticket, game)),
-            StoreRequest::List => StoreReply::Listed(self.games.list(self.ages().as_ref())),
-            StoreRequest::Load(name) => {
-                let loaded = self.games.load(ticket, name);
-                StoreReply::Loaded(loaded.map(|(game, _)| Box::new(game)))
-            }
-            StoreRequest::Remove(name) => StoreReply::Removed(self.games.remove(name)),
-            StoreRequest::Export(game) => StoreReply::Exported(self.export(game)),
-            StoreRequest::SaveClass(round) => StoreReply::Saved(
-                round
-                    .text()
-                    .and_then(|text| self.classes.save(ticket, text)),
-            ),
-            StoreRequest::NoteClass { changes, round } => {
-                StoreReply::Saved(self.note_class(ticket, changes, round))
-            }
-            StoreRequest::ListClasses => {
-                StoreReply::Classes(self.classes.list(self.ages().as_ref()))
-            }
-            StoreRequest::LoadClass(name) => StoreReply::Class(self.load_class(ticket, name)),
-            StoreRequest::RemoveClass(name) => StoreReply::Removed(self.classes.remove(name)),
-            StoreRequest::ExportClass(round) => StoreReply::Exported(self.export_class(round)),
-            StoreRequest::KeepHandIn(hand_in) => StoreReply::HandedIn(self.keep_hand_in(hand_in)),
-            StoreRequest::Recall(player) => StoreReply::Recalled(self.recall(player.as_deref())),
-            StoreRequest::Stars(player) => StoreReply::Stars(self.progress.stars(player)),
-            StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
-            StoreRequest::Notebook(player) => StoreReply::Notebook(self.notebook(player)),
-            StoreRequest::Players => StoreReply::Players(self.players()),
-            StoreRequest::KeepSettings(text) => StoreReply::Noted(self.keep_settings(text)),
-            StoreRequest::Retry => StoreReply::Noted(self.flush()),
-            note => StoreReply::Noted(self.note(note)),
-        };
         StoreAnswer {
-            ticket,
-            done,
+            ticket: call.ticket,
+            done: reply(call, Ok(self)),
             unsaved: self.unsaved.len(),
             notice: (self.notice.take())
                 .or_else(|| self.progress.take_notice())
                 .or_else(|| self.games.take_notice())
                 .or_else(|| self.classes.take_notice()),
+        }
+    }
+
+    /// An answer that refuses a request.
+    pub fn refused(call: &StoreCall, reason: &str) -> StoreAnswer {
+        StoreAnswer {
+            ticket: call.ticket,
+            done: reply(call, Err(reason.to_owned())),
+            unsaved: 0,
+            notice: None,
         }
     }
 
@@ -443,5 +419,45 @@ impl Store {
                 Calendar::new(Some(now_s), TimeZone::system())
             }
         }
+    }
+}
+
+/// The reply of a store to a request, or the reason why there is no store.
+fn reply(call: &StoreCall, store: Result<&mut Store, String>) -> StoreReply {
+    use StoreReply as Reply;
+    use StoreRequest as Request;
+    let ticket = call.ticket;
+    match &call.request {
+        Request::Save(game) => Reply::Saved(store.and_then(|it| it.save(ticket, game))),
+        Request::List => Reply::Listed(store.and_then(|it| it.games.list(it.ages().as_ref()))),
+        Request::Load(name) => {
+            let loaded = store.and_then(|it| it.games.load(ticket, name));
+            Reply::Loaded(loaded.map(|(game, _)| Box::new(game)))
+        }
+        Request::Remove(name) => Reply::Removed(store.and_then(|it| it.games.remove(name))),
+        Request::Export(game) => Reply::Exported(store.and_then(|it| it.export(game))),
+        Request::SaveClass(round) => {
+            Reply::Saved(store.and_then(|it| it.classes.save(ticket, round.text()?)))
+        }
+        Request::NoteClass { changes, round } => {
+            Reply::Saved(store.and_then(|it| it.note_class(ticket, changes, round)))
+        }
+        Request::ListClasses => {
+            Reply::Classes(store.and_then(|it| it.classes.list(it.ages().as_ref())))
+        }
+        Request::LoadClass(name) => Reply::Class(store.and_then(|it| it.load_class(ticket, name))),
+        Request::RemoveClass(name) => Reply::Removed(store.and_then(|it| it.classes.remove(name))),
+        Request::ExportClass(round) => Reply::Exported(store.and_then(|it| it.export_class(round))),
+        Request::KeepHandIn(file) => Reply::HandedIn(store.and_then(|it| it.keep_hand_in(file))),
+        Request::Recall(player) => {
+            Reply::Recalled(store.and_then(|it| it.recall(player.as_deref())))
+        }
+        Request::Stars(player) => Reply::Stars(store.and_then(|it| it.progress.stars(player))),
+        Request::Marks(player) => Reply::Marks(store.and_then(|it| it.progress.marks(player))),
+        Request::Notebook(player) => Reply::Notebook(store.and_then(|it| it.notebook(player))),
+        Request::Players => Reply::Players(store.and_then(Store::players)),
+        Request::KeepSettings(text) => Reply::Noted(store.and_then(|it| it.keep_settings(text))),
+        Request::Retry => Reply::Noted(store.and_then(Store::flush)),
+        note => Reply::Noted(store.and_then(|it| it.note(note))),
     }
 }

@@ -275,7 +275,7 @@ impl Pending {
 
     fn refused(&self, reason: &str) -> StoreAnswer {
         match &self.change {
-            Change::Asked(call) => call.refused(reason),
+            Change::Asked(call) => Store::refused(call, reason),
             _ => StoreAnswer {
                 done: StoreReply::Noted(Err(reason.to_owned())),
                 ..self.answer.clone()

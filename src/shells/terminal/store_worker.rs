@@ -66,7 +66,7 @@ impl StoreWorker {
         let asked = self.jobs.as_ref().map(|jobs| jobs.send(job));
         if !matches!(asked, Some(Ok(()))) {
             // The thread has panicked; its report is in crash.log.
-            send(request.refused("the store has stopped"), sender);
+            send(Store::refused(request, "the store has stopped"), sender);
             return false;
         }
         let patience = match request.request {
