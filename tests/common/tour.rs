@@ -87,6 +87,13 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("a chapter, a worked shot", "chapter 5", "n"),
     moment("a chapter, a shot to solve", "chapter 5", "nnnnnn"),
     moment("a chapter, two frames", "chapter 11", "nnnn"),
+    moment(
+        "a chapter, the force of a contact",
+        "chapter 13",
+        "c<Enter>",
+    ),
+    moment("a chapter, momenta", "chapter 14", "nnn1.67<Enter>"),
+    moment("a chapter, the energy in parts", "chapter 15", "c<Enter>"),
     moment("a chapter, the foil", "chapter 10", "nn90<Enter>"),
     moment("a chapter, a beam", "chapter 10", "nnnnc<Enter>"),
     moment("a chapter, 1913", "chapter 10", "nnnnnb<Enter>"),
