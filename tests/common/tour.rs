@@ -47,8 +47,8 @@ const DEVICES: &str = "host";
 /// The round on devices, unless another code follows a colon.
 const ON_DEVICES: &str = "from-angle2-7";
 /// Two strokes of practice.
-const TWO_STROKES: &str = "<Right><Right><Enter><Up><Space><End><Space><Down><Space><End>";
-const STROKE_BEFORE: &str = "<Right><Right><Enter><Up><Space><End><Space><Down><Space><End>p";
+const TWO_STROKES: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>";
+const STROKE_BEFORE: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>p";
 /// Answers two questions of a round.
 const LOOKING_BACK: &str = "60<Enter>30<Enter>2<End><Enter>60<Enter>30<Enter>2<End><Enter>";
 /// The answers of somebody who copies the angle.
@@ -278,8 +278,13 @@ pub(crate) const TOUR: &[TourStop] = &[
     ),
     moment("table, strokes", "table", TWO_STROKES),
     moment("table, the stroke before", "table", STROKE_BEFORE),
-    moment("table, practice", "table", "<Right><Right><Enter>"),
-    moment("table, placing coins", "table", "<Right><Right><Enter>p"),
+    moment("table, practice", "table", "<Left><Enter>"),
+    moment(
+        "table, points carrom with an unsteady hand",
+        "table",
+        "<Right><Right><Down><Down><Down><Down><Left><Enter>",
+    ),
+    moment("table, placing coins", "table", "<Left><Enter>p"),
     moment(
         "table, saved games",
         "table",

@@ -975,7 +975,7 @@ fn the_length_and_the_hand_are_chosen_on_the_page_of_a_new_game() {
         row.unwrap_or_else(|| panic!("{name}: {page}")).to_owned()
     };
     assert!(row(&mut game, "  your hand").contains("exact"));
-    assert!(row(&mut game, "  length").contains("match, ~"));
+    assert!(row(&mut game, "  length").contains("match, about"));
     game.press(&"<Down>".repeat(4));
     game.press("<Left>");
     assert!(row(&mut game, "> your hand").contains("club"));
@@ -986,7 +986,7 @@ fn the_length_and_the_hand_are_chosen_on_the_page_of_a_new_game() {
     );
     game.press("<Down>");
     let minutes = |row: &str| {
-        let about = row.split('~').nth(1).unwrap_or_default();
+        let about = row.split("about ").nth(1).unwrap_or_default();
         about
             .split(' ')
             .next()

@@ -4,14 +4,14 @@ use super::options::{Options, Player};
 use crate::game::{Length, Rules};
 
 /// The mean number of strokes in a board between two computers of the same strength, from the
-/// weakest to the strongest: `cargo bench --bench strength -- 200 lengths`.
+/// weakest to the strongest: `cargo bench --bench strength -- 100 lengths`.
 const STROKES: [(Rules, [f64; 5]); 3] = [
-    (Rules::Tournament, [10.0; 5]),
-    (Rules::Friendly, [10.0; 5]),
-    (Rules::Points, [10.0; 5]),
+    (Rules::Tournament, [54.9, 38.9, 25.6, 16.1, 11.7]),
+    (Rules::Friendly, [50.8, 33.4, 24.5, 16.1, 11.9]),
+    (Rules::Points, [37.1, 27.2, 17.9, 9.7, 7.5]),
 ];
 /// The mean number of boards in a tournament game, from the same games.
-const BOARDS: [f64; 5] = [8.0; 5];
+const BOARDS: [f64; 5] = [7.8, 7.7, 7.4, 6.6, 5.9];
 /// The mean number of games in a match between equals: two or three with the same probability.
 const GAMES: f64 = 2.5;
 /// The time for one stroke in seconds: a person aims in about 20 s, the computer in 2 s, and the

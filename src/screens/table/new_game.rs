@@ -288,7 +288,11 @@ fn lengths(now: Options) -> Vec<Choice> {
             _ => "",
         };
         let about = format!("{last} About {minutes} min{each} between equals, at 15 s a stroke.");
-        (options, format!("{name}, ~{minutes} min"), about.into())
+        (
+            options,
+            format!("{name}, about {minutes} min"),
+            about.into(),
+        )
     };
     offered.map(choice).collect()
 }
