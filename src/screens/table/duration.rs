@@ -8,7 +8,7 @@ use crate::game::{Length, Rules};
 const STROKES: [(Rules, [f64; 5]); 3] = [
     (Rules::Tournament, [54.9, 38.9, 25.6, 16.1, 11.7]),
     (Rules::Friendly, [50.8, 33.4, 24.5, 16.1, 11.9]),
-    (Rules::Points, [37.1, 27.2, 17.9, 9.7, 7.5]),
+    (Rules::Points, [37.1, 27.2, 17.9, 9.7, 6.2]),
 ];
 /// The mean number of boards in a tournament game, from the same games.
 const BOARDS: [f64; 5] = [7.8, 7.7, 7.4, 6.6, 5.9];
