@@ -609,6 +609,7 @@ impl App {
             Route::Foil => hosted(FoilScreen::default()),
             Route::FoilAt { page } => hosted(FoilScreen::at(page)),
             Route::Table => hosted(Table::ask(cx)),
+            Route::Board { code } => hosted(Table::board(code, cx)),
             Route::Rules { rules } => hosted(RulesScreen { rules }),
             Route::Progress => hosted(Progress::ask(cx)),
             Route::Settings => hosted(SettingsScreen::ask(cx)),

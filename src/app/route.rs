@@ -1,7 +1,7 @@
 //! Routes by name, as the command line and links use them.
 
 use super::Data;
-use crate::game::Rules;
+use crate::game::{BoardCode, Rules};
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 use crate::screens::{Context, FoilPage, Route};
@@ -51,11 +51,17 @@ impl Data {
             }
             "glossary" => Route::Glossary,
             "table" => Route::Table,
+            "board" => Route::Board {
+                code: match value {
+                    "" => None,
+                    value => Some(BoardCode::parse(value).map_err(|_| BOARD)?),
+                },
+            },
             "rules" => {
                 let is_meant = |rules: &Rules| <&str>::from(*rules) == value || value.is_empty();
                 let rules = Rules::ALL.into_iter().find(is_meant);
                 Route::Rules {
-                    rules: rules.ok_or("tournament, friendly, points or practice")?,
+                    rules: rules.ok_or("tournament, friendly, points, practice or solo")?,
                 }
             }
             "quiz" => Route::Quiz {
@@ -97,6 +103,9 @@ impl Data {
 
 /// The last part of a link to the lab that hides the outcome.
 const HIDE: &str = "hide";
+
+/// The code of a board for one player.
+const BOARD: &str = "the code of a board: a day such as 2026-11-26, or a number up to 999999";
 
 /// Separates the address of a round from the answers given in the round.
 const ANSWERS: &str = "&said=";
@@ -160,6 +169,8 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
             page => format!("foil={}", *page as usize + 1),
         },
         Route::Table => "table".into(),
+        Route::Board { code: None } => "board".into(),
+        Route::Board { code: Some(code) } => named("board", &code.to_string()),
         Route::Rules { rules } => named("rules", (*rules).into()),
         Route::Progress => "progress".into(),
         Route::Settings => "settings".into(),
@@ -234,6 +245,9 @@ mod tests {
             "foil",
             "foil=2",
             "table",
+            "board",
+            "board=2026-11-26",
+            "board=4711",
             "rules=friendly",
             "levels",
             "level=first-hits/dead-stop",

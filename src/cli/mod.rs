@@ -1,5 +1,6 @@
 //! The command line, with one file per subcommand.
 
+mod board;
 mod completions;
 mod concept;
 mod examples;
@@ -84,6 +85,7 @@ Examples:
                                the same, with everyone on their own phone or laptop
   carrom join 192.168.43.117   join that class
   carrom levels --levels mine  the levels, with your own from the folder mine
+  carrom board                 the board of the day, the same for everyone
   carrom worksheet --seed 7 --count 12 --out sheets
                                a round on paper, with an answer key for the teacher
   carrom progress --csv        every answer you gave, for a spreadsheet
@@ -205,6 +207,7 @@ enum OpenCommand {
     },
     /// Open the table: carrom itself, the whole board
     Table,
+    Board(board::Args),
     Progress(progress::Args),
     /// Open the settings: appearance, motion, the player
     Settings,
@@ -245,6 +248,7 @@ impl OpenCommand {
     fn opens(&self) -> bool {
         match self {
             Self::Progress(args) => !args.prints(),
+            Self::Board(args) => !args.prints(),
             _ => true,
         }
     }
@@ -290,6 +294,7 @@ impl OpenCommand {
             },
             Self::Foil => Route::Foil,
             Self::Table => Route::Table,
+            Self::Board(args) => Route::Board { code: args.code() },
             Self::Progress(_) => Route::Progress,
             Self::Settings => Route::Settings,
             Self::Levels { name } => named(data, "levels", name.as_deref())?,
@@ -423,6 +428,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Open(OpenCommand::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
+        Some(Command::Open(OpenCommand::Board(args))) if args.prints() => board::run(args),
         Some(Command::Open(screen)) => return play::run(&cli.options, Some(screen), cli.plain),
         Some(Command::Solve(args)) if args.plain => solve::plain(args),
         Some(Command::Solve(args)) => return solve::run(args, &cli.options),

@@ -20,6 +20,7 @@
 //! | `validity` | the requests that a game refuses |
 //! | `record` | a game move by move, for a bit-for-bit replay |
 //! | `saved` | a record as a file, with who plays |
+//! | `solo` | boards for one player, each from a code |
 //! | `results` | what a player won and lost, from the saved games |
 //! | `opponent` | the computer opponent, and hints for the player |
 
@@ -35,6 +36,7 @@ mod results;
 mod saved;
 mod score;
 mod seat;
+mod solo;
 pub(crate) mod steps;
 mod stroke;
 mod table;
@@ -52,5 +54,6 @@ pub use saved::{Aids, Company, Fingerprint, Player, SavedGame, is_player_name};
 pub use score::Length;
 pub(crate) use seat::ByTeam;
 pub use seat::{Hands, Seat, Team};
+pub use solo::BoardCode;
 pub use stroke::Stroke;
 pub use table::{Game, GameSetup, GameStage};

@@ -3,7 +3,9 @@
 use serde::Serialize;
 
 use super::opponent::{PlayerHand, Strength};
-use super::{BoardWon, ByTeam, Game, Move, Piece, Player, Rules, SavedGame, Seat, Stroke, Team};
+use super::{
+    BoardCode, BoardWon, ByTeam, Game, Move, Piece, Player, Rules, SavedGame, Seat, Stroke, Team,
+};
 use crate::game::score::Score;
 
 /// The results of one player against the computer. Games without a single person, or without the
@@ -16,6 +18,16 @@ pub(crate) struct Results {
     pub(crate) rows: Vec<ResultsRow>,
     /// The most coins that the player pocketed in one turn.
     pub(crate) longest_turn: usize,
+    /// The best result on each cleared board for one player, the latest code first.
+    pub(crate) boards: Vec<ClearedBoard>,
+}
+
+/// The best result on a board for one player.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub(crate) struct ClearedBoard {
+    pub(crate) code: BoardCode,
+    /// The fewest strokes in which the player cleared it.
+    pub(crate) strokes: usize,
 }
 
 /// The results with some rules against a computer of some strength.
@@ -41,7 +53,9 @@ impl Results {
     ) -> Self {
         let mut results = Self::default();
         for (saved, game) in games.into_iter().filter(|(it, _)| it.player == player) {
-            if let Some((seat, strength)) = against_computer(saved) {
+            if let Some(code) = saved.record.setup().board_code() {
+                results.add_board(code, saved, game);
+            } else if let Some((seat, strength)) = against_computer(saved) {
                 let versus = (game.setup().rules, strength, saved.company.hand);
                 results.add(game, game.team(seat), versus);
                 let turn = longest_turn(saved, seat);
@@ -49,6 +63,23 @@ impl Results {
             }
         }
         results
+    }
+
+    fn add_board(&mut self, code: BoardCode, saved: &SavedGame, game: &Game) {
+        if game.play.won.is_none_or(|won| won.winner != Team::First) {
+            return;
+        }
+        let strokes = saved.record.strokes();
+        match self.boards.binary_search_by(|it| code.cmp(&it.code)) {
+            Ok(at) => self.boards[at].strokes = strokes.min(self.boards[at].strokes),
+            Err(at) => self.boards.insert(at, ClearedBoard { code, strokes }),
+        }
+    }
+
+    /// The fewest strokes in which the player cleared a board; `None` if it was never cleared.
+    pub(crate) fn fewest(&self, code: BoardCode) -> Option<usize> {
+        let board = self.boards.iter().find(|board| board.code == code);
+        board.map(|board| board.strokes)
     }
 
     fn add(
@@ -102,7 +133,7 @@ fn against_computer(saved: &SavedGame) -> Option<(Seat, Strength)> {
     let others = seats().filter(|other| setup.hands.team(*other) != setup.hands.team(seat));
     let strengths = others.map(|other| saved.company.strengths[other as usize]);
     let strength = strengths.reduce(|a, b| if b > a { b } else { a })?;
-    (setup.rules != Rules::Practice).then_some((seat, strength))
+    (!setup.rules.is_alone()).then_some((seat, strength))
 }
 
 /// The most coins that count for the player at this seat, and the queen, pocketed in one turn of a

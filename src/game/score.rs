@@ -76,9 +76,8 @@ impl Score {
             (Rules::Tournament, Length::Game | Length::Match) => {
                 first.max(second) >= GAME_POINTS || self.boards >= GAME_BOARDS
             }
-            (Rules::Tournament, Length::Board) | (Rules::Friendly | Rules::Points, _) => {
-                self.boards > 0
-            }
+            (Rules::Tournament, Length::Board)
+            | (Rules::Friendly | Rules::Points | Rules::Solo, _) => self.boards > 0,
         };
         match first.cmp(&second) {
             _ if !decided => None,

@@ -229,7 +229,7 @@ impl Game {
             return Err(StrokeError::Ended);
         }
         let terms = self.terms();
-        let verdict = laws::no_place(self.play.queen_to_cover());
+        let verdict = laws::no_place(self.setup.rules, self.play.queen_to_cover());
         Ok(self.carry_out(&terms, verdict))
     }
 
@@ -272,7 +272,7 @@ impl Game {
     /// Carries a verdict out and announces the end of a game or match that it causes.
     fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
         let mut rulings = self.play.carry_out(terms, verdict);
-        if self.play.won.is_some() {
+        if self.play.won.is_some() && self.setup.rules != Rules::Solo {
             rulings.extend(self.announce_end());
         }
         rulings
@@ -322,7 +322,7 @@ impl Game {
     fn breaker(&self) -> Seat {
         let score = self.score_before();
         let turns = match self.setup.rules {
-            Rules::Practice => 0,
+            Rules::Practice | Rules::Solo => 0,
             _ => {
                 let games = score.games[Team::First] + score.games[Team::Second];
                 games.saturating_add(score.boards)
@@ -346,6 +346,12 @@ impl Game {
 }
 
 fn break_board(setup: &GameSetup, board: u64, breaker: Seat) -> BoardInPlay {
+    if let Some(code) = setup.board_code() {
+        let mut play = BoardInPlay::new(code.coins(), breaker);
+        play.break_tries = None;
+        play.queen_covered_by = Some(setup.hands.team(breaker));
+        return play;
+    }
     let coins = match setup.seed {
         Some(seed) => jittered_pack(setup.set, breaker, seed.wrapping_add(board)),
         None => pack(setup.set, breaker),

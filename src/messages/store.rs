@@ -89,6 +89,8 @@ pub enum StoreRequest {
     Forget(String, Forget),
     /// List this player's bookmarks.
     Marks(String),
+    /// Look up today's date in the player's calendar.
+    Today,
     /// Save this text as the settings file.
     KeepSettings(String),
     /// Try again to save what is pending.
@@ -139,6 +141,8 @@ pub enum StoreReply {
     Stars(Result<Vec<Starred>, String>),
     /// The bookmarks, by the ids of the chapters.
     Marks(Result<BTreeMap<String, Bookmark>, String>),
+    /// Today's date; `None` if the time is unknown.
+    Today(Option<Date>),
     /// The players, those who answered last first.
     Players(Result<Vec<KnownPlayer>, String>),
 }

@@ -1,7 +1,7 @@
 //! The routes of the app.
 
 use crate::class::JoinCode;
-use crate::game::Rules;
+use crate::game::{BoardCode, Rules};
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 
@@ -83,6 +83,11 @@ pub enum Route {
     },
     /// The table: carrom itself.
     Table,
+    /// A board for one player.
+    Board {
+        /// The code of the board; with `None` it is the board of the day.
+        code: Option<BoardCode>,
+    },
     /// The rules of carrom.
     Rules {
         /// The set of rules.

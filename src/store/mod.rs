@@ -207,7 +207,8 @@ impl Store {
 
     /// Carries out a request.
     pub fn answer(&mut self, call: &StoreCall) -> StoreAnswer {
-        if self.closed && !is_note(&call.request) {
+        let needs_folder = !is_note(&call.request) && call.request != StoreRequest::Today;
+        if self.closed && needs_folder {
             return StoreAnswer {
                 unsaved: self.unsaved.len(),
                 ..Self::refused(call, NOWHERE)
@@ -455,6 +456,7 @@ fn reply(call: &StoreCall, store: Result<&mut Store, String>) -> StoreReply {
         Request::Stars(player) => Reply::Stars(store.and_then(|it| it.progress.stars(player))),
         Request::Marks(player) => Reply::Marks(store.and_then(|it| it.progress.marks(player))),
         Request::Notebook(player) => Reply::Notebook(store.and_then(|it| it.notebook(player))),
+        Request::Today => Reply::Today(store.ok().and_then(|it| it.calendar().today())),
         Request::Players => Reply::Players(store.and_then(Store::players)),
         Request::KeepSettings(text) => Reply::Noted(store.and_then(|it| it.keep_settings(text))),
         Request::Retry => Reply::Noted(store.and_then(Store::flush)),

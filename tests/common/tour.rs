@@ -1,7 +1,8 @@
 //! A tour of the moments in which keys have a meaning.
 
 use carrom::app::App;
-use carrom::game::Rules;
+use carrom::game::{BoardCode, Rules};
+use carrom::levels::Shelf;
 use carrom::quiz::Code;
 use carrom::screens::{Route, Settings};
 use carrom::shells::classroom::Who;
@@ -245,14 +246,20 @@ pub(crate) const TOUR: &[TourStop] = &[
         "<End>",
     ),
     moment("levels", "levels", ""),
-    moment("a level, aiming", "level 4", ""),
-    moment("a level, predicting", "level 4", "pp<Enter>"),
-    moment("a level, watching", "level 4", "p<Enter>"),
-    moment("a level, missed", "level 47", "p<Enter><End>"),
-    moment("a level, an impact", "level 4", "p<Enter><End>i"),
+    moment("a level, aiming", "level square-corner", ""),
+    moment("a level, predicting", "level square-corner", "pp<Enter>"),
+    moment("a level, watching", "level square-corner", "p<Enter>"),
+    moment("a level, all hints", "level square-corner", "hhh"),
+    moment("a level, a shot shown", "level square-corner", "hhhh<End>"),
+    moment("a level, missed", "level two-at-a-stroke", "p<Enter><End>"),
+    moment(
+        "a level, an impact",
+        "level square-corner",
+        "p<Enter><End>i",
+    ),
     moment(
         "a level, an impact explained",
-        "level 4",
+        "level square-corner",
         "p<Enter><End>i<End>",
     ),
     moment("table, a new game", "table", ""),
@@ -285,6 +292,9 @@ pub(crate) const TOUR: &[TourStop] = &[
         "<Right><Right><Down><Down><Down><Down><Left><Enter>",
     ),
     moment("table, placing coins", "table", "<Left><Enter>p"),
+    moment("a board", "board 2026-11-26", ""),
+    moment("a board, its code typed", "board 2026-11-26", "47"),
+    moment("a board, aiming", "board 2026-11-26", "<Enter>"),
     moment(
         "table, saved games",
         "table",
@@ -357,8 +367,13 @@ impl TourStop {
             },
             "glossary" => Route::Glossary,
             "levels" => Route::Levels,
-            "level" => Route::Level { number: number() },
+            "level" => Route::Level {
+                number: Shelf::default().find(rest).expect(rest),
+            },
             "table" => Route::Table,
+            "board" => Route::Board {
+                code: BoardCode::parse(rest).ok(),
+            },
             "rules" => Route::Rules {
                 rules: Rules::Tournament,
             },

@@ -82,12 +82,39 @@ fn the_stored_solution_can_be_reached_by_key_presses() {
     }
 }
 
+/// The share of aims that win measures the difficulty. Within a pack it falls from level to level;
+/// the first pack may begin with its two simplest collisions.
 #[test]
-fn few_aims_win_but_not_too_few() {
-    for level in levels() {
-        let share = winning_share(&level, 4000);
-        assert!((0.001..0.2).contains(&share), "{}: {share}", level.id);
+fn few_aims_win_but_not_too_few_and_fewer_from_level_to_level() {
+    for pack in LevelLibrary::embedded().packs {
+        let shares = pack.levels.iter().map(|level| winning_share(level, 4000));
+        let shares: Vec<f64> = shares.collect();
+        for (level, share) in pack.levels.iter().zip(&shares) {
+            assert!((0.001..0.2).contains(share), "{}: {share}", level.id);
+        }
+        let order = spearman_of_falling(&shares);
+        assert!(order >= 0.9, "{}: {order} {shares:?}", pack.name);
     }
+}
+
+/// Spearman's correlation between the positions of these values and their ranks, the largest
+/// first. Equal values keep their order.
+fn spearman_of_falling(values: &[f64]) -> f64 {
+    let mut ranked: Vec<usize> = (0..values.len()).collect();
+    ranked.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
+    let off = ranked.iter().enumerate();
+    let squares: f64 = off
+        .map(|(rank, at)| (rank as f64 - *at as f64).powi(2))
+        .sum();
+    let n = values.len() as f64;
+    1.0 - 6.0 * squares / (n * (n * n - 1.0))
+}
+
+#[test]
+fn the_correlation_is_one_for_falling_values_and_minus_one_for_rising_ones() {
+    assert_eq!(spearman_of_falling(&[9.0, 4.0, 1.0]), 1.0);
+    assert_eq!(spearman_of_falling(&[1.0, 4.0, 9.0]), -1.0);
+    assert_eq!(spearman_of_falling(&[4.0, 9.0, 1.0]), 0.5);
 }
 
 #[test]

@@ -462,3 +462,26 @@ fn the_code_of_a_teachers_own_questions_requires_their_folder() {
     let easy = sheet.find("Two equal marbles").unwrap();
     assert!(easy < sheet.find("A marble of 40 g").unwrap());
 }
+
+#[test]
+fn a_board_is_printed_with_its_par_and_the_strokes_that_clear_it() {
+    let by_code = carrom(&["board", "20261126", "--json"]);
+    assert_eq!(by_code.status.code(), Some(0));
+    let by_date = carrom(&["board", "--date", "2026-11-26", "--json"]);
+    assert_eq!(out(&by_code), out(&by_date));
+    let board: serde_json::Value = serde_json::from_str(&out(&by_code)).unwrap();
+    assert_eq!(board["code"], "2026-11-26");
+    assert_eq!(board["coins_mm"].as_array().unwrap().len(), 6);
+    let solution = board["solution"].as_array().unwrap();
+    assert_eq!(board["par"], solution.len());
+    assert_eq!(solution.last().unwrap()["coins_left"], 0);
+    for wrong in [
+        &["board", "0"][..],
+        &["board", "2026-02-30"],
+        &["board", "--date", "7"],
+    ] {
+        let output = carrom(wrong);
+        assert_eq!(output.status.code(), Some(2), "{wrong:?}");
+        assert!(err(&output).contains("expected"), "{}", err(&output));
+    }
+}

@@ -7,6 +7,7 @@ use std::process::Command;
 use carrom::class::{ClassRound, Vote, WayOfVoting};
 use carrom::game::{Fingerprint, SavedGame};
 use carrom::gradebook::HandIn;
+use carrom::levels::Shelf;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, LEVEL, TABLE, Tally, beliefs, topics};
 use carrom::quiz::{Confidence, Response};
@@ -96,14 +97,26 @@ fn a_database_of_format_2_keeps_its_meaning() {
     let since = merged.unwrap().since;
     assert_eq!((since.times, since.asked), (5, 5));
 
-    let StoreReply::Stars(Ok(stars)) = done(&mut store, StoreRequest::Stars(ADA.into())) else {
+    let StoreReply::Stars(Ok(all_stars)) = done(&mut store, StoreRequest::Stars(ADA.into())) else {
         panic!("no stars");
     };
-    let stars: Vec<_> = stars
+    let stars: Vec<_> = all_stars
         .iter()
         .map(|it| (it.pack.as_str(), it.level.as_str(), it.stars))
         .collect();
     assert_eq!(stars, [("first-hits", "square-corner", 3)]);
+    // Stars belong to the level's id, wherever the level is in its pack.
+    let mut shelf = Shelf::default();
+    let won = |shelf: &Shelf| {
+        (0..shelf.count())
+            .filter(|at| shelf.stars(*at) == 3)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(won(&shelf), [0_usize; 0]);
+    for starred in &all_stars {
+        assert!(shelf.recall(starred));
+    }
+    assert_eq!(won(&shelf), [shelf.find("square-corner").unwrap()]);
     let StoreReply::Marks(Ok(marks)) = done(&mut store, StoreRequest::Marks(ADA.into())) else {
         panic!("no bookmarks");
     };

@@ -5,9 +5,10 @@ use std::path::Path;
 use std::thread;
 
 use carrom::app::App;
-use carrom::game::opponent::{PlayerHand, Strength};
+use carrom::game::opponent::{PlayerHand, Strength, clearing};
 use carrom::game::{
-    Aids, Company, Fingerprint, Game, GameSetup, Hands, Length, Player, Record, Rules, SavedGame,
+    Aids, BoardCode, Company, Fingerprint, Game, GameSetup, Hands, Length, Move, Player, Record,
+    Rules, SavedGame,
 };
 use carrom::messages::{KeptGame, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Route, Settings};
@@ -203,6 +204,79 @@ fn a_game_of_the_third_format_still_opens_with_its_length_and_hand() {
         let text = text.replacen(from, to, 1);
         assert!(SavedGame::read("game", text.as_bytes()).is_err(), "{to}");
     }
+}
+
+#[test]
+fn a_board_for_one_player_is_saved_and_a_forged_one_is_refused() {
+    let text = include_str!("../saves/board.toml");
+    let (saved, game) = SavedGame::read("board.toml", text.as_bytes()).unwrap();
+    let code = BoardCode::parse("2026-11-26").unwrap();
+    assert_eq!(saved.record.setup(), &code.setup());
+    assert!(game.coins().is_empty());
+    assert_eq!(saved.text().unwrap(), text);
+    for (from, to, expected) in [
+        ("seed = 20261126", "seed = 20261127", "moves[1]: move"),
+        (
+            "seed = 20261126",
+            "seed = 20261131",
+            "setup.seed: expected the code of a board",
+        ),
+        (
+            "seed = 20261126",
+            "seed = -1",
+            "setup.seed: expected the code of a board",
+        ),
+        (
+            ", seed = 20261126",
+            "",
+            "setup.seed: expected the code of a board",
+        ),
+        (
+            "\"two\"",
+            "\"four\"",
+            "setup.seed: expected the code of a board",
+        ),
+        (
+            "restitution = 1.0",
+            "restitution = 0.5",
+            "setup.seed: expected the code of a board",
+        ),
+        (
+            "moves = [\n",
+            "moves = [\n  \"next_board\",\n",
+            "this board has not ended yet",
+        ),
+        (
+            "moves = [\n",
+            "moves = [\n  { lay_out = [] },\n",
+            "only in a practice game",
+        ),
+        ("end = \"", "end = \"0123456789abcdef\" # ", "lead to"),
+    ] {
+        let forged = text.replacen(from, to, 1);
+        assert_ne!(forged, text, "{from}");
+        let error = SavedGame::read("game", forged.as_bytes()).unwrap_err();
+        assert!(error.to_string().contains(expected), "{to}: {error}");
+    }
+    // A board ends when it is cleared.
+    let more = text.replacen("]\nend", "  \"next_board\",\n]\nend", 1);
+    let error = SavedGame::read("game", more.as_bytes()).unwrap_err();
+    assert!(error.to_string().contains("the match is over"), "{error}");
+}
+
+/// Prints the game for `tests/saves/board.toml`.
+#[test]
+#[ignore = "prints the file: cargo test --test program print_a_board -- --ignored --nocapture"]
+fn print_a_board_to_pin() {
+    let code = BoardCode::parse("2026-11-26").unwrap();
+    let mut game = saved(code.setup(), 0, 1);
+    game.player = "Ada".into();
+    game.hints.clear();
+    for strike in clearing(code).unwrap() {
+        game.record.push(Move::Strike(strike));
+    }
+    game.end = Fingerprint::of(&game.record.replay().unwrap());
+    print!("{}", game.text().unwrap());
 }
 
 #[test]

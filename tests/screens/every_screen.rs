@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::game::Rules;
+use carrom::game::{BoardCode, Rules};
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::quiz::{Code, Course, CourseKind};
 use carrom::screens::{Route, Settings};
@@ -28,6 +28,10 @@ fn places() -> Vec<Route> {
         },
         Route::Foil,
         Route::Table,
+        Route::Board { code: None },
+        Route::Board {
+            code: BoardCode::parse("2026-11-26").ok(),
+        },
         Route::Rules {
             rules: Rules::Tournament,
         },

@@ -198,7 +198,7 @@ fn directions_change_in_fine_or_big_steps_and_stay_in_range() {
     game.press("5000<Enter>");
     let screen = game.screen();
     let mut rows = screen.lines();
-    let set = rows.any(|row| row.contains("> direction ") && row.contains(" 90.0 deg"));
+    let set = rows.any(|row| row.contains("> direction ") && row.contains(" 75.0 deg"));
     assert!(set, "{screen}");
     game.press("r");
     assert!(game.screen().contains("45.0 deg"));
@@ -342,6 +342,53 @@ fn every_title_fits_the_list_on_a_small_screen() {
         let screen = game.screen();
         assert!(screen.contains(&line), "{line}\n{screen}");
         game.key(Key::Down);
+    }
+}
+
+/// The solution is played after the last hint. It earns no star, and the player's aim stays.
+#[test]
+fn a_shot_that_wins_is_shown_after_the_last_hint_and_earns_no_star() {
+    for (number, (_, level)) in embedded().levels().enumerate() {
+        let mut game = open(Route::Level { number }, Settings::default(), (80, 24));
+        let dial = |screen: &str| {
+            screen
+                .lines()
+                .find(|row| row.contains("> "))
+                .map(str::to_owned)
+        };
+        let before = dial(&game.screen());
+        assert!(before.is_some());
+        for _ in &level.hints {
+            assert!(!game.screen().contains("h show me"), "{}", level.id);
+            game.press("h");
+        }
+        assert!(game.screen().contains("h show me"), "{}", level.id);
+        game.press("h");
+        assert!(game.settle(LONG));
+        let read = all_pages(&mut game);
+        assert!(read.contains("This shot wins: "), "{}: {read}", level.id);
+        assert!(
+            read.contains("It was shown to you and earns no star."),
+            "{read}"
+        );
+        assert!(!read.contains("Won"), "{}: {read}", level.id);
+        assert_eq!(game.app().shelf().stars(number), 0, "{}", level.id);
+        game.press("<Enter>");
+        assert_eq!(dial(&game.screen()), before, "{}", level.id);
+    }
+}
+
+#[test]
+fn the_masses_are_shown_while_aiming_except_unknown_ones() {
+    let panel = |id: &str| all_pages(&mut level(number(id)));
+    for (id, masses) in [
+        ("hard-left", "masses 15.0 on 45.0 g"),
+        ("two-angles-one-mass", "masses 20.0 on ? g"),
+        ("cannon", "masses 15.0 on 15.0 g"),
+        ("the-odd-one", "masses 15.0 on ? g"),
+    ] {
+        let shown = panel(id);
+        assert!(shown.contains(masses), "{id}: {shown}");
     }
 }
 

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod article;
+mod boards;
 mod class;
 mod class_devices;
 mod colours;

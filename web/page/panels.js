@@ -272,10 +272,13 @@ const panels = (() => {
     code: () => {
       const text = make("span");
       const link = make("a");
-      const copy = make("button", "", "Copy the link");
+      const copy = make("button", "", "");
       copy.type = "button";
-      pressed(copy, () => act.copy(link.href));
+      let before = "";
+      pressed(copy, () => act.copy(before + link.href));
       return [make("p", "code", text, link, copy), ([item]) => {
+        before = item.is_result ? `${item.text}: ` : "";
+        write(copy, item.is_result ? "Copy the result" : "Copy the link");
         write(text, `${item.text}: `);
         link.href = `#${item.address}`;
         write(link, item.address.replace(/^.*=/, ""));

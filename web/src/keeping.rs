@@ -317,6 +317,7 @@ fn changes(request: &StoreRequest) -> bool {
         | R::Notebook(_)
         | R::Stars(_)
         | R::Players
+        | R::Today
         | R::Marks(_) => false,
     }
 }

@@ -13,6 +13,7 @@
 //! | `friendly` | the rules of most families |
 //! | `points` | points carrom |
 //! | `practice` | no rules at all |
+//! | `solo` | a board for one player |
 //!
 //! Cases that cannot happen on a screen are left out: pushing, touching coins, the hand beyond the
 //! arrows, jumping coins (38, 39), coins on edge or on top of each other (40 to 43), playing out of
@@ -35,6 +36,7 @@ mod points;
 mod practice;
 mod queen;
 mod ruling;
+mod solo;
 #[cfg(test)]
 mod tests;
 
@@ -63,6 +65,15 @@ pub enum Rules {
     Points,
     /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
     Practice,
+    /// A board for one player, from a code: six coins to clear in the fewest strokes.
+    Solo,
+}
+
+impl Rules {
+    /// Whether there is only one player.
+    pub(crate) const fn is_alone(self) -> bool {
+        matches!(self, Self::Practice | Self::Solo)
+    }
 }
 
 /// The verdict of the rules on a stroke.
@@ -75,12 +86,17 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
         Rules::Friendly => friendly::judge(case),
         Rules::Points => points::judge(case),
         Rules::Practice => practice::judge(case),
+        Rules::Solo => solo::judge(case),
     }
 }
 
 /// The verdict if coins block every position of the striker. The Laws do not cover this case; the
-/// turn passes without a penalty.
-pub(crate) fn no_place(to_cover: bool) -> Verdict {
+/// turn passes without a penalty. A board for one player is then lost.
+pub(crate) fn no_place(rules: Rules, to_cover: bool) -> Verdict {
+    if rules == Rules::Solo {
+        let text = "Coins block every position of the striker, so the board is lost.";
+        return Verdict::ends(None, text.to_owned(), false, 1);
+    }
     let text = "Coins block every position of the striker, so the turn passes.".to_owned();
     Verdict::passes(None, text).queen_if(to_cover, QueenFate::GoesBack)
 }

@@ -13,11 +13,12 @@ pub(crate) enum RuleLine {
 
 impl Rules {
     /// All sets of rules, in the order of the page.
-    pub(crate) const ALL: [Self; 4] = [
+    pub(crate) const ALL: [Self; 5] = [
         Self::Tournament,
         Self::Friendly,
         Self::Points,
         Self::Practice,
+        Self::Solo,
     ];
 
     /// The rules, for players who read them for the first time.

@@ -18,8 +18,10 @@
 //! | `story` | the purpose of a shot, from its record, and why it was chosen |
 //! | `words` | the purpose of a shot in words |
 //! | `hint` | a hint for the player |
+//! | `clearing` | the strokes that clear a board for one player, for its par |
 //! | `open_shots` | the directions that pocket a coin, for aiming by a key |
 
+mod clearing;
 mod hand;
 mod hint;
 mod open_shots;
@@ -35,6 +37,7 @@ mod wants;
 mod words;
 mod worth;
 
+pub use clearing::{clearing, par};
 pub use hand::{FASTEST, Hand, PlayerHand, Slip};
 pub use hint::StrokeHint;
 pub use open_shots::open_shots;

@@ -11,15 +11,15 @@ pub(super) fn wants(game: &Game, piece: Piece) -> bool {
 /// Whether the player at `seat` wants to pocket `piece`.
 ///
 /// The player's own coins, except the last one before the queen, because pocketing it loses a
-/// tournament board (80); the queen, once the Laws allow it (65, 68). In points carrom and in a
-/// practice game, any coin.
+/// tournament board (80); the queen, once the Laws allow it (65, 68). In points carrom and without
+/// an opponent, any coin.
 pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
     let rules = game.setup().rules;
     let team = game.team(seat);
     let play = game.play();
     match piece {
         Piece::Striker => false,
-        _ if matches!(rules, Rules::Points | Rules::Practice) => true,
+        _ if rules == Rules::Points || rules.is_alone() => true,
         Piece::Queen => {
             rules == Rules::Friendly || (play.pocketed_before[team] && play.owed[team] == 0)
         }

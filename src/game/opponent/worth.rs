@@ -38,7 +38,7 @@ impl Judge {
         if let Some(won) = game.play().won {
             return self.sign(won.winner) * (BOARD + f64::from(won.points));
         }
-        if game.setup().rules == Rules::Practice {
+        if game.setup().rules.is_alone() {
             // There is no opponent: all coins belong to the player.
             return self.prospect(game, game.seat()) * TO_STRIKE - game.coins().len() as f64;
         }

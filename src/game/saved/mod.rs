@@ -14,7 +14,7 @@ pub use fingerprint::Fingerprint;
 use super::record::Record;
 
 /// The format of new files. In format 1, `setup` had no `restitution`; before format 3 it had no
-/// `length`, and there was no `hand`.
+/// `length`, there was no `hand`, and there were no boards for one player.
 const FORMAT: u32 = 3;
 
 /// A saved game.

@@ -7,6 +7,7 @@ use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::record::Record;
 use crate::game::score::Length;
 use crate::game::table::{Game, GameSetup};
+use crate::game::{BoardCode, Rules};
 
 /// The fields of a file.
 const FIELDS: [&str; 12] = [
@@ -123,7 +124,7 @@ fn setup(fields: &Fields) -> Option<GameSetup> {
         let bits = fields.parsed::<i64>(name, "a whole number")?;
         Some(Some(bits.cast_unsigned()))
     });
-    Some(GameSetup {
+    let setup = GameSetup {
         rules: rules?,
         hands: hands?,
         length: length?,
@@ -131,5 +132,10 @@ fn setup(fields: &Fields) -> Option<GameSetup> {
         restitution: restitution?,
         first_breaker: first_breaker?,
         seed: seed?,
-    })
+    };
+    if setup.rules == Rules::Solo && setup.board_code().map(BoardCode::setup) != Some(setup) {
+        let expected = "expected the code of a board, and the setup that goes with it";
+        return fields.refuse("seed", expected);
+    }
+    Some(setup)
 }

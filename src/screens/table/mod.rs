@@ -2,6 +2,7 @@
 
 mod active_game;
 mod aim;
+mod board_page;
 mod board_report;
 mod calls;
 mod computer_stroke;
@@ -20,13 +21,14 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, View};
-use crate::game::Rules;
+use crate::game::{BoardCode, Rules};
 use crate::messages::{Input, Mouse};
 use crate::numbers::fixed;
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
 use active_game::{
     ActiveGame, AimAction, ArrangeAction, GameAction, OverAction, Playing, ShowAction, StrokeAction,
 };
+use board_page::{BoardAction, BoardPage};
 use new_game::{NewGame, NewGameAction};
 pub use options::{Aids, Options, Player};
 use saved_games::{SavedGames, SavedGamesAction};
@@ -42,6 +44,8 @@ pub struct Table {
 enum TablePage {
     /// Choosing the options of a new game.
     NewGame(NewGame),
+    /// A board for one player, before it is played.
+    Board(Box<BoardPage>),
     /// Choosing a saved game.
     SavedGames(Box<SavedGames>),
     Playing(Box<Playing>),
@@ -52,6 +56,8 @@ enum TablePage {
 pub enum TableAction {
     /// On the page of a new game.
     NewGame(NewGameAction),
+    /// On the page of a board for one player.
+    Board(BoardAction),
     /// On the page of saved games.
     Saved(SavedGamesAction),
     /// In any phase of a game.
@@ -78,6 +84,13 @@ impl Table {
         }
     }
 
+    /// The page of the board with this code, or of today's.
+    pub(crate) fn board(code: Option<BoardCode>, cx: &mut Context) -> Self {
+        Self {
+            page: TablePage::Board(Box::new(BoardPage::ask(code, cx))),
+        }
+    }
+
     /// A table at which a game with these options begins at once; `seed` determines its opening
     /// packs.
     pub fn playing(options: Options, seed: u64) -> Self {
@@ -93,6 +106,14 @@ fn agreeing(options: Options, cx: &mut Context) -> TablePage {
     TablePage::NewGame(NewGame::ask(Some(options), cx))
 }
 
+/// The page on which another game like this one can be started.
+fn after(game: &ActiveGame, cx: &mut Context) -> TablePage {
+    match game.game().setup().board_code() {
+        Some(code) => TablePage::Board(Box::new(BoardPage::ask(Some(code), cx))),
+        None => agreeing(game.options, cx),
+    }
+}
+
 impl Screen for Table {
     type Action = TableAction;
 
@@ -103,13 +124,18 @@ impl Screen for Table {
     }
 
     fn route(&self, _cx: &Context) -> Route {
-        Route::Table
+        let code = match &self.page {
+            TablePage::Board(page) => return Route::Board { code: page.code },
+            TablePage::Playing(playing) => playing.game.game().setup().board_code(),
+            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
+        };
+        code.map_or(Route::Table, |code| Route::Board { code: Some(code) })
     }
 
     fn status(&self, _cx: &Context) -> String {
         let options = match &self.page {
             TablePage::NewGame(page) => &page.options,
-            TablePage::SavedGames(_) => return String::new(),
+            TablePage::Board(_) | TablePage::SavedGames(_) => return String::new(),
             TablePage::Playing(playing) => &playing.game.options,
         };
         let rules = <&str>::from(options.rules);
@@ -120,6 +146,7 @@ impl Screen for Table {
     fn keys(&self, _cx: &Context) -> KeyTable<TableAction> {
         match &self.page {
             TablePage::NewGame(page) => page.keys().map(TableAction::NewGame),
+            TablePage::Board(page) => page.keys().map(TableAction::Board),
             TablePage::SavedGames(page) => page.keys().map(TableAction::Saved),
             TablePage::Playing(playing) => playing.keys(),
         }
@@ -128,6 +155,7 @@ impl Screen for Table {
     fn rules(&self) -> Option<Rules> {
         match &self.page {
             TablePage::NewGame(page) => Some(page.options.rules),
+            TablePage::Board(_) => Some(Rules::Solo),
             TablePage::SavedGames(_) => None,
             TablePage::Playing(playing) => Some(playing.game.options.rules),
         }
@@ -145,11 +173,24 @@ impl Screen for Table {
                     let saved = SavedGames::ask(page.options, cx);
                     self.page = TablePage::SavedGames(Box::new(saved));
                 }
+                NewGameAction::Board => return Next::Open(Route::Board { code: None }),
                 NewGameAction::Rules => {
                     let rules = page.options.rules;
                     return Next::Open(Route::Rules { rules });
                 }
                 NewGameAction::Back => return Next::Back,
+            },
+            (TablePage::Board(page), TableAction::Board(action)) => match (action, page.code) {
+                (BoardAction::Play, Some(code)) => {
+                    let game = ActiveGame::on_board(code, page.par);
+                    self.page = TablePage::Playing(Box::new(game.into()));
+                }
+                (BoardAction::Rules, _) => {
+                    let rules = Rules::Solo;
+                    return Next::Open(Route::Rules { rules });
+                }
+                (BoardAction::Back, _) => return Next::Back,
+                (action, _) => page.act(action),
             },
             (TablePage::SavedGames(page), TableAction::Saved(SavedGamesAction::Back)) => {
                 self.page = agreeing(page.options, cx);
@@ -158,7 +199,7 @@ impl Screen for Table {
                 return page.act(action, cx);
             }
             (TablePage::Playing(playing), action) => match playing.act(action, cx) {
-                Next::Back => self.page = agreeing(playing.game.options, cx),
+                Next::Back => self.page = after(&playing.game, cx),
                 next => return next,
             },
             _ => {}
@@ -168,9 +209,9 @@ impl Screen for Table {
 
     fn confirmed(&mut self, _action: TableAction, cx: &mut Context) -> Next {
         match &mut self.page {
-            TablePage::NewGame(_) => {}
+            TablePage::NewGame(_) | TablePage::Board(_) => {}
             TablePage::SavedGames(page) => page.files.remove(cx),
-            TablePage::Playing(playing) => self.page = agreeing(playing.game.options, cx),
+            TablePage::Playing(playing) => self.page = after(&playing.game, cx),
         }
         Next::Stay
     }
@@ -178,6 +219,7 @@ impl Screen for Table {
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, TableAction> {
         match &self.page {
             TablePage::NewGame(page) => page.view(),
+            TablePage::Board(page) => page.view(),
             TablePage::SavedGames(page) => page.view(),
             TablePage::Playing(playing) => playing.view(cx.settings.charset),
         }
@@ -187,6 +229,9 @@ impl Screen for Table {
         match &mut self.page {
             TablePage::NewGame(_) if mouse.presses(picture) => {
                 self.act(TableAction::NewGame(NewGameAction::Play), cx)
+            }
+            TablePage::Board(_) if mouse.presses(picture) => {
+                self.act(TableAction::Board(BoardAction::Play), cx)
             }
             TablePage::Playing(playing) => playing.point(mouse, picture, cx),
             _ => Next::Ignored,
@@ -199,6 +244,9 @@ impl Screen for Table {
                 let next = NewGameAction::Agree(FormAction::Choose(by.into()));
                 self.act(TableAction::NewGame(next), cx)
             }
+            TablePage::Board(_) => {
+                self.act(TableAction::Board(BoardAction::Neighbour(by.signum())), cx)
+            }
             TablePage::SavedGames(page) => page.files.wheel(by, cx),
             TablePage::Playing(playing) => playing.wheel(by, cx),
         }
@@ -210,6 +258,7 @@ impl Screen for Table {
         };
         match &mut self.page {
             TablePage::NewGame(page) => page.take_answer(answer, cx),
+            TablePage::Board(page) => page.take_answer(answer, cx),
             TablePage::SavedGames(page) => {
                 if let Some(playing) = page.take_answer(answer, cx) {
                     self.page = TablePage::Playing(playing);

@@ -41,6 +41,8 @@ pub enum NewGameAction {
     Agree(FormAction),
     /// play
     Play,
+    /// open the board of the day
+    Board,
     /// read the rules of the game
     Rules,
     /// saved games: resume one, or watch it again
@@ -76,7 +78,9 @@ impl NewGame {
         // Options that the player has already changed are kept.
         if self.is_fresh
             && self.options == Options::default()
-            && let Some((last, _)) = games().find(|(saved, _)| saved.player == *player)
+            && let Some((last, _)) = games().find(|(saved, _)| {
+                saved.player == *player && saved.record.setup().rules != Rules::Solo
+            })
         {
             self.options = Options::of(last);
         }
@@ -122,6 +126,7 @@ impl NewGame {
         KeyTable::new("table")
             .on(Key::Enter, NewGameAction::Play, "play")
             .when(!self.form.is_typing())
+            .on('b', NewGameAction::Board, "board of the day")
             .on('r', NewGameAction::Rules, "rules")
             .on('s', NewGameAction::SavedGames, "saved games")
             .with(self.form.keys(&self.options), NewGameAction::Agree)
@@ -143,6 +148,7 @@ impl NewGame {
                 true => panel.prompt("set it", NewGameAction::Agree(SettingsForm::SET)),
                 false => panel.prompt("play!", NewGameAction::Play),
             }
+            panel.prompt("the board of the day", NewGameAction::Board);
             panel.prompt("the rules", NewGameAction::Rules);
             panel.prompt("saved games", NewGameAction::SavedGames);
         });

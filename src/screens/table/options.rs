@@ -54,6 +54,15 @@ impl Default for Options {
 }
 
 impl Options {
+    /// The options of a board for one player.
+    pub(super) fn solo() -> Self {
+        Self {
+            rules: Rules::Solo,
+            length: Length::Board,
+            ..Self::default()
+        }
+    }
+
     /// Singles of two people, without the computer.
     pub fn two_people() -> Self {
         Self {
@@ -67,7 +76,7 @@ impl Options {
         GameSetup {
             rules: self.rules,
             hands: match self.rules {
-                Rules::Practice => Hands::Two,
+                Rules::Practice | Rules::Solo => Hands::Two,
                 _ => self.hands,
             },
             length: self.length,
@@ -106,10 +115,10 @@ impl Options {
         }
     }
 
-    /// The player at a seat; in a practice game always a person.
+    /// The player at a seat; always a person if there is only one player.
     pub fn player(&self, seat: Seat) -> Player {
         match self.rules {
-            Rules::Practice => Player::Person,
+            Rules::Practice | Rules::Solo => Player::Person,
             _ => self.players[seat as usize],
         }
     }
@@ -150,9 +159,9 @@ impl Options {
             .count()
     }
 
-    /// Whether several people share the keyboard. A practice game has one player.
+    /// Whether several people share the keyboard.
     pub(super) fn is_shared(&self) -> bool {
-        self.rules != Rules::Practice && self.count(Player::Person) > 1
+        !self.rules.is_alone() && self.count(Player::Person) > 1
     }
 
     /// The name of the player at a seat, which is "you" if nobody else is at the keyboard.
@@ -170,7 +179,7 @@ impl Options {
         let (points, games) = (game.points(), game.score().games);
         let [a, b] = Team::BOTH.map(|team| match self.rules {
             Rules::Tournament | Rules::Points => points[team],
-            Rules::Friendly | Rules::Practice => games[team],
+            Rules::Friendly | Rules::Practice | Rules::Solo => games[team],
         });
         let [first, second] = Team::BOTH.map(|team| self.team_name(team));
         format!("{first} {a} : {b} {second}")
@@ -194,7 +203,7 @@ impl Options {
     /// The name of a team.
     pub fn team_name(&self, team: Team) -> &'static str {
         match (self.hands, team) {
-            _ if self.rules == Rules::Practice => "you",
+            _ if self.rules.is_alone() => "you",
             (Hands::Two, Team::First) => self.seat_name(Seat::South),
             (Hands::Two, Team::Second) => self.seat_name(Seat::North),
             (Hands::Four, Team::First) => "S + N",

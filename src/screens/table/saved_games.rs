@@ -6,7 +6,7 @@ use super::active_game::{ActiveGame, Playing};
 use super::options::Options;
 use super::{TableAction, picture, words};
 use crate::game::opponent::PlayerHand;
-use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame};
+use crate::game::{BoardCode, ByTeam, Game, GameStage, Rules, SavedGame, Team};
 use crate::messages::{KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
 use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
@@ -156,12 +156,19 @@ fn title(kept: &KeptGame) -> String {
     let options = Options::of(saved);
     match options.rules {
         Rules::Practice => "practice".into(),
+        Rules::Solo => solo_title(game),
         Rules::Tournament if game.score().games != ByTeam::default() => {
             let games = words::versus(|team| game.score().games[team]);
             format!("{} ({games})", options.score(game))
         }
         _ => options.score(game),
     }
+}
+
+/// The name of a board for one player.
+fn solo_title(game: &Game) -> String {
+    let code = game.setup().board_code();
+    code.map_or_else(String::new, BoardCode::title)
 }
 
 /// Further facts about a game.
@@ -176,13 +183,17 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         }
         _ => Default::default(),
     };
-    let rules = capital(options.rules.into());
+    let rules = match options.rules {
+        Rules::Solo => capital(&solo_title(game)),
+        rules => capital(rules.into()),
+    };
     let hand = match options.hand {
         PlayerHand::Exact => String::new(),
         hand => format!(", {} hand", <&str>::from(hand)),
     };
     let stands = match game.stage() {
-        _ if options.rules == Rules::Practice => String::new(),
+        GameStage::MatchOver(Team::First) if options.rules == Rules::Solo => " Cleared.".into(),
+        _ if options.rules.is_alone() => String::new(),
         GameStage::Playing => match options.seat_name(game.seat()) {
             "you" => " It is your turn.".into(),
             name => format!(" It is the turn of {}.", words::player(name)),

@@ -392,11 +392,13 @@ fn write(content: &Content, lines: &mut Lines) {
             text,
             command,
             address,
+            is_result,
         } => {
             let recorded = |_| Words::Code {
                 text: text.clone(),
                 command: command.clone(),
                 address: address.clone(),
+                is_result: *is_result,
             };
             lines.written_as(recorded, |lines| {
                 lines.paragraph(&format!("{text}: {command}"), Role::Dim);

@@ -78,6 +78,8 @@ enum Content {
         text: String,
         command: String,
         address: String,
+        /// Whether the page copies the description, too.
+        is_result: bool,
     },
     /// The name of a quantity, and its value.
     Fact {
@@ -413,6 +415,17 @@ impl<A> Panel<A> {
             text: text.into(),
             command: command.into(),
             address: address.into(),
+            is_result: false,
+        });
+    }
+
+    /// Adds a result to share, which the web page copies together with its link.
+    pub(crate) fn result(&mut self, text: String, command: String, address: String) {
+        self.push(Content::Code {
+            text,
+            command,
+            address,
+            is_result: true,
         });
     }
 

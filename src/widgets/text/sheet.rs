@@ -161,6 +161,8 @@ pub enum Words {
         command: String,
         /// The part of a link's address after `#`.
         address: String,
+        /// Whether the page copies the description together with the link.
+        is_result: bool,
     },
     /// Large text for the back row.
     Large {

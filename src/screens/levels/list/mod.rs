@@ -23,6 +23,8 @@ pub(crate) enum LevelsAction {
     List(ListAction),
     /// go to the next level you have never won
     NextToWin,
+    /// open the board of the day
+    Board,
     /// go back
     Back,
 }
@@ -79,6 +81,7 @@ impl Screen for Levels {
         KeyTable::new("levels")
             .with(ListView::keys("play"), LevelsAction::List)
             .on(Key::Char('n'), LevelsAction::NextToWin, "next to win")
+            .on('b', LevelsAction::Board, "board")
             .on(Key::Escape, LevelsAction::Back, "back")
     }
 
@@ -90,6 +93,7 @@ impl Screen for Levels {
                 list.choose(cx.shelf.next().unwrap_or(cx.shelf.at));
                 Outcome::Used
             }
+            LevelsAction::Board => return Next::Open(Route::Board { code: None }),
             LevelsAction::Back => return Next::Back,
         };
         self.listed(list, outcome, &mut cx.shelf)

@@ -108,5 +108,6 @@ fn about(level: &Level, stars: u8) -> Panel<LevelsAction> {
     panel.paragraph(format!("You set: {dials}."), Role::Dim);
     panel.gap();
     panel.prompt("play it", LevelsAction::List(ListAction::Open));
+    panel.prompt("the board of the day", LevelsAction::Board);
     panel
 }

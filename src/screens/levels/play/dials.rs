@@ -20,20 +20,7 @@ pub(super) struct Dials {
 
 impl FormFields for Dials {
     fn fields(&self) -> Vec<Field> {
-        let field = |(dial, range): (Dial, Range)| {
-            // Turning to the right decreases the angle, and angles that differ by whole turns are
-            // the same direction.
-            let (range_held, step) = match dial {
-                Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
-                _ => ((range.from, range.to), dial.step()),
-            };
-            let (name, unit, about) = dial_words(dial);
-            let value = FieldValue::number(self.aim.get(dial), range_held, step, unit);
-            let [from, to] = [range.from, range.to].map(|end| number(dial, end));
-            let about = format!("{about}, from {from} to {to}{unit}");
-            Field::new(name, with_unit(dial, self.aim.get(dial)), value, about)
-        };
-        self.level.adjust.dials().map(field).collect()
+        self.fields_of(&self.aim)
     }
 
     fn set(&mut self, at: usize, value: f64) {
@@ -45,6 +32,23 @@ impl FormFields for Dials {
 }
 
 impl Dials {
+    fn fields_of(&self, aim: &LevelAim) -> Vec<Field> {
+        let field = |(dial, range): (Dial, Range)| {
+            // Turning to the right decreases the angle, and angles that differ by whole turns are
+            // the same direction.
+            let (range_held, step) = match dial {
+                Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
+                _ => ((range.from, range.to), dial.step()),
+            };
+            let (name, unit, about) = dial_words(dial);
+            let value = FieldValue::number(aim.get(dial), range_held, step, unit);
+            let [from, to] = [range.from, range.to].map(|end| number(dial, end));
+            let about = format!("{about}, from {from} to {to}{unit}");
+            Field::new(name, with_unit(dial, aim.get(dial)), value, about)
+        };
+        self.level.adjust.dials().map(field).collect()
+    }
+
     pub(super) fn new(level: Level) -> Self {
         let mut dials = Self {
             aim: level.start(),
@@ -91,6 +95,13 @@ impl Dials {
     /// All dials with their values, in one line.
     pub(super) fn setting(&self) -> String {
         let set = self.fields().into_iter().map(|field| field.shown);
+        set.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The names of all dials, each with its value in an aim.
+    pub(super) fn words_of(&self, aim: &LevelAim) -> String {
+        let set = self.fields_of(aim).into_iter();
+        let set = set.map(|field| format!("{} {}", field.name, field.shown));
         set.collect::<Vec<_>>().join(", ")
     }
 

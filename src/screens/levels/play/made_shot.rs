@@ -61,6 +61,8 @@ pub(super) struct MadeShot {
     pub(super) win: Option<Win>,
     /// Whether the shot was watched to its end, so that its outcome may be shown.
     pub(super) watched: bool,
+    /// Whether carrom played the shot to show a solution, so that it is not a win.
+    pub(super) is_shown: bool,
 }
 
 impl MadeShot {
@@ -103,6 +105,16 @@ impl MadeShot {
             said,
             watched: clock.is_over(),
             player,
+            is_shown: false,
+        }
+    }
+
+    /// The shot as one that carrom plays to show a solution.
+    pub(super) fn shown(self) -> Self {
+        Self {
+            win: None,
+            is_shown: true,
+            ..self
         }
     }
 

@@ -83,6 +83,8 @@ pub(crate) enum LevelAction {
     Reset,
     /// show a hint; press again for the next one
     Hint,
+    /// show me a shot that wins; it earns no star
+    ShowMe,
     /// predict first, or just shoot
     Predict,
     /// predict where a disc will go
@@ -167,13 +169,34 @@ impl LevelPlay {
 
     fn shoot(&mut self, shot: Shot, to_say: bool, said: Option<RayInput>, cx: &mut Context) {
         self.shots += 1;
-        let settings = &cx.settings;
-        let watched = (settings.watch_rate, settings.reduced_motion);
-        let count = (self.shots, self.hints);
-        let mut made = MadeShot::new(self.level(), shot, count, to_say, said, watched);
+        let mut made = self.made(shot, to_say, said, cx);
         made.record_said(self.number, cx);
         made.keep_if_watched(self.number, cx);
         self.phase = LevelPhase::Watch(Box::new(made));
+    }
+
+    fn made(&self, shot: Shot, to_say: bool, said: Option<RayInput>, cx: &Context) -> MadeShot {
+        let watched = (cx.settings.watch_rate, cx.settings.reduced_motion);
+        let count = (self.shots, self.hints);
+        MadeShot::new(self.level(), shot, count, to_say, said, watched)
+    }
+
+    /// Plays the stored solution. The player's own aim stays as it is.
+    fn show(&mut self, cx: &Context) {
+        let solution = self.level().aimed(&self.level().solution);
+        if let Ok(shot) = solution.play(Patience::AKey) {
+            self.form.give_up();
+            let made = self.made(shot, false, None, cx).shown();
+            self.phase = LevelPhase::Watch(Box::new(made));
+        }
+    }
+
+    /// The key for the next hint or, after the last one, for the solution.
+    fn hint_key(&self) -> (LevelAction, &'static str) {
+        match self.hints < self.level().hints.len() {
+            true => (LevelAction::Hint, "hint"),
+            false => (LevelAction::ShowMe, "show me"),
+        }
     }
 
     fn next_level(&self, cx: &Context) -> Next {
@@ -210,8 +233,9 @@ impl Screen for LevelPlay {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<LevelAction> {
-        use LevelAction::{AimAgain, Back, Go, Hint, NextLevel, Predict, Reset};
+        use LevelAction::{AimAgain, Back, Go, NextLevel, Predict, Reset};
         let table = KeyTable::new("level");
+        let (hint, hint_name) = self.hint_key();
         match &self.phase {
             LevelPhase::Aim => {
                 let says = !self.level().say_first.is_empty();
@@ -228,7 +252,7 @@ impl Screen for LevelPlay {
                     .or([(Key::Char(' '), Go)])
                     .when(!self.form.is_typing())
                     .with(form, LevelAction::Set)
-                    .on(Key::Char('h'), Hint, "hint")
+                    .on(Key::Char('h'), hint, hint_name)
                     .on(Key::Escape, Back, "back")
                     .when(!self.form.is_typing())
                     .on(Key::Char('r'), Reset, "")
@@ -244,15 +268,19 @@ impl Screen for LevelPlay {
             LevelPhase::Watch(made) => {
                 let end = LevelAction::Watch(ShotAction::Seek(f64::INFINITY));
                 let (watched, won) = (made.watched, made.win.is_some());
+                let again = match made.is_shown {
+                    true => "try it",
+                    false => "try again",
+                };
                 table
                     .on(Key::Enter, NextLevel, "next level")
                     .or([' ', 'n'].map(|key| (key, NextLevel)))
                     .when(watched && won)
-                    .on(Key::Enter, AimAgain, "try again")
+                    .on(Key::Enter, AimAgain, again)
                     .or([(' ', AimAgain)])
                     .when(watched && !won)
-                    .on(Key::Char('h'), Hint, "hint")
-                    .when(watched && !won)
+                    .on(Key::Char('h'), hint, hint_name)
+                    .when(watched && !won && !made.is_shown)
                     .with(made.player.keys(), LevelAction::Watch)
                     .on(Key::Escape, AimAgain, "aim")
                     .on(Key::Enter, end, "")
@@ -277,6 +305,7 @@ impl Screen for LevelPlay {
                 self.hints = (self.hints + 1).min(self.level().hints.len());
                 return Next::Shared(SharedAction::Scroll(i16::MAX));
             }
+            (_, LevelAction::ShowMe) => self.show(cx),
             (_, LevelAction::Predict) => cx.settings.predict ^= true,
             (LevelPhase::Predict(pending), LevelAction::Say(action)) => {
                 if pending.rays.act(action) == Outcome::Done(()) {
@@ -290,7 +319,9 @@ impl Screen for LevelPlay {
             (_, LevelAction::NextLevel) => return self.next_level(cx),
             (phase, LevelAction::AimAgain) => {
                 self.guard = StrikeGuard::default();
-                if let LevelPhase::Watch(made) = std::mem::replace(phase, LevelPhase::Aim) {
+                if let LevelPhase::Watch(made) = std::mem::replace(phase, LevelPhase::Aim)
+                    && !made.is_shown
+                {
                     made.keep(self.number, cx);
                     let watched = made.in_short().map(|watched| EarlierShot {
                         number: self.shots,

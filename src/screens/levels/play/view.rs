@@ -3,8 +3,9 @@
 
 use super::made_shot::{MadeShot, asked};
 use super::{LevelAction, LevelPhase, LevelPlay, PendingShot, board};
-use crate::levels::{FEW_SHOTS, Win};
+use crate::levels::{FEW_SHOTS, Level, LevelAim, Win};
 use crate::numbers;
+use crate::physics::units::g_from_kg;
 use crate::quiz::{Ray, why};
 use crate::screens::levels::words;
 use crate::screens::{Context, StrikeGuard, View};
@@ -59,7 +60,11 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
             Some(watch) => View::drawn(watch.slowed_title(), |area| watch.picture(area), panel),
             None => {
                 let board = |area| board::of_made(level, made, area);
-                View::drawn(format!("shot {}", play.shots), board, panel)
+                let title = match made.is_shown {
+                    true => "a shot that wins".into(),
+                    false => format!("shot {}", play.shots),
+                };
+                View::drawn(title, board, panel)
             }
         },
     };
@@ -101,6 +106,7 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
         play.form.write(&play.dials, panel);
         play.form.write_about(&play.dials, panel);
     });
+    write_masses(play.level(), &play.dials.aim, &mut panel);
     panel.gap();
     let too_soon = play.guard.is_refusing();
     let too_soon = too_soon.then_some(StrikeGuard::TOO_SOON);
@@ -130,7 +136,27 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// The hints shown so far, and the prompt for the next.
+/// Writes the mass of the disc that is shot, and the masses of the others.
+fn write_masses(level: &Level, aim: &LevelAim, panel: &mut LevelPanel) {
+    let scene = level.aimed(aim);
+    let (mut shot, mut others) = (String::new(), Vec::new());
+    for (disc, piece) in scene.pieces.iter().enumerate() {
+        let mass = match level.unknown_mass.contains(&disc) {
+            true => "?".into(),
+            false => format!("{:.1}", g_from_kg(piece.disc.mass)),
+        };
+        if disc == scene.stroke.disc {
+            shot = mass;
+        } else if !others.contains(&mass) {
+            others.push(mass);
+        }
+    }
+    if !others.is_empty() {
+        panel.fact("masses", format!("{shot} on {} g", others.join(", ")));
+    }
+}
+
+/// The hints shown so far, and the prompt for the next or, after the last, for the solution.
 fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
     let all = &play.level().hints;
     for (number, hint) in all.iter().take(play.hints).enumerate() {
@@ -143,6 +169,9 @@ fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
     } else if play.hints < all.len() {
         panel.gap();
         panel.prompt("another hint", LevelAction::Hint);
+    } else {
+        panel.gap();
+        panel.prompt("show me a shot that wins", LevelAction::ShowMe);
     }
 }
 
@@ -187,8 +216,17 @@ fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
 
 /// The result.
 fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
-    let mut panel = Panel::new(if made.win.is_some() { "won" } else { "not yet" });
+    let mut panel = Panel::new(match (&made.win, made.is_shown) {
+        (_, true) => "shown",
+        (Some(_), _) => "won",
+        (None, _) => "not yet",
+    });
     match &made.win {
+        None if made.is_shown => {
+            let setting = play.dials.words_of(&play.level().solution);
+            let text = format!("This shot wins: {setting}. It was shown to you and earns no star.");
+            panel.paragraph(text, Role::Title);
+        }
         Some(win) => {
             let won = match play.hints {
                 0 => "Won!".into(),
@@ -219,6 +257,11 @@ fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
     panel.gap();
     match &made.win {
         Some(win) => won(play, *win, &mut panel, cx),
+        None if made.is_shown => {
+            panel.paragraph(&play.level().explanation, Role::Text);
+            panel.gap();
+            panel.prompt("play it yourself", LevelAction::AimAgain);
+        }
         None => {
             panel.prompt("try again from the same aim", LevelAction::AimAgain);
             if !made.player.impacts().is_empty() {
@@ -279,9 +322,10 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
-    // After a win nothing is hidden.
+    // After a win, or a shot that was shown, nothing is hidden.
     let secret = match made.win {
         Some(_) => &[],
+        None if made.is_shown => &[],
         None => play.level().unknown_mass.as_slice(),
     };
     let is_secret = impact.discs.map(|disc| secret.contains(&disc));

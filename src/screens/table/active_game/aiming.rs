@@ -133,6 +133,7 @@ impl ActiveGame {
             .on('z', Undo, "undo")
             .when(practice)
             .on('h', Hint, "hint")
+            .when(self.board_code().is_none())
             .with(last, Number)
             .on('c', Call, "call")
             .by(['l', 'g', 'r'], Aid, AimAid::ALL, "aids")
@@ -338,6 +339,14 @@ impl ActiveGame {
             return;
         }
         let game = self.game();
+        if self.board_code().is_some() {
+            let stroke = self.history.record().strokes() + 1;
+            let par = self
+                .par
+                .map_or(String::new(), |par| format!(" (par {par})"));
+            panel.line(format!("Stroke {stroke}{par}"), Role::Title);
+            return;
+        }
         let colour = game.colour(game.team(self.seat()));
         let name = self.options.seat_name(self.seat());
         let does = match game.play().is_unbroken() {

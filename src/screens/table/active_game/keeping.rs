@@ -1,7 +1,7 @@
 //! Saving the game after each move, exporting it, and resuming it later.
 
 use super::ActiveGame;
-use crate::game::{Fingerprint, RecordError, SavedGame};
+use crate::game::{Fingerprint, RecordError, SavedGame, opponent};
 use crate::messages::{StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
 use crate::screens::table::game_history::GameHistory;
@@ -31,6 +31,7 @@ impl ActiveGame {
     ) -> Result<Self, RecordError> {
         let history = GameHistory::from_record(saved.record.clone(), saved.hints.clone())?;
         let mut active = Self::with(Options::of(saved), history);
+        active.par = active.board_code().and_then(opponent::par);
         active.keeping.ticket = Some(ticket);
         active.keeping.saved = Some(true);
         if let Some(number) = active.history.stroke_before(active.history.len())

@@ -26,7 +26,7 @@ use super::options::{Options, Player};
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
 use crate::game::opponent::StrokeHint;
-use crate::game::{Game, GameStage, Move, PieceSet, Rules, Seat};
+use crate::game::{BoardCode, Game, GameStage, Move, PieceSet, Rules, Seat};
 use crate::numbers::capital;
 use crate::physics::Shot;
 use crate::screens::{Context, Next, StrikeGuard};
@@ -64,6 +64,8 @@ pub(super) struct ActiveGame {
     notice: Option<String>,
     guard: StrikeGuard,
     keeping: GameKeeping,
+    /// The par of a board for one player.
+    par: Option<usize>,
 }
 
 /// The phases of a game.
@@ -132,9 +134,18 @@ impl ActiveGame {
         Self::with(options, GameHistory::new(options.setup(seed)))
     }
 
+    /// Begins a game on a board for one player with this par.
+    pub(super) fn on_board(code: BoardCode, par: Option<usize>) -> Self {
+        Self {
+            par,
+            ..Self::new(Options::solo(), code.seed())
+        }
+    }
+
     fn with(options: Options, history: GameHistory) -> Self {
         let mut active = Self {
             aim: Aim::begin(history.game()),
+            par: None,
             options,
             history,
             preview: None,
@@ -171,6 +182,11 @@ impl ActiveGame {
 
     pub(super) fn is_points(&self) -> bool {
         self.game().setup().rules == Rules::Points
+    }
+
+    /// The code of the board, if it is one for one player.
+    fn board_code(&self) -> Option<BoardCode> {
+        self.game().setup().board_code()
     }
 
     /// Whether it is the computer's turn.

@@ -76,7 +76,14 @@ impl ActiveGame {
         let report = BoardReport::of(&self.history);
         panel.paragraph(self.headline(&report), Role::Title);
         panel.gap();
-        if let Some(last) = self.history.moves().last() {
+        if let Some(code) = self.board_code().filter(|_| self.is_cleared()) {
+            let result = code.result(self.history.record().strokes(), self.par);
+            panel.result(
+                result,
+                format!("carrom board {code}"),
+                format!("board={code}"),
+            );
+        } else if let Some(last) = self.history.moves().last() {
             last.write_rulings(panel);
         }
         if game.setup().rules == Rules::Tournament {
@@ -91,7 +98,7 @@ impl ActiveGame {
             let games = words::versus(|team| score.games[team]);
             panel.fact("games before this", games);
         }
-        if !self.is_practice() {
+        if !game.setup().rules.is_alone() {
             self.write_teams(&report, panel);
         }
         score::write_calls(self, panel);
@@ -105,6 +112,7 @@ impl ActiveGame {
             panel.line(format!("{} next.", capital(&breaks)), Role::Text);
         }
         let next = match game.stage() {
+            GameStage::MatchOver(_) if self.board_code().is_some() => "back to the boards",
             GameStage::MatchOver(_) => "a new game",
             GameStage::GameOver(_) => "the next game",
             _ => "the next board",
@@ -122,6 +130,23 @@ impl ActiveGame {
         }
     }
 
+    /// Whether the player has cleared a board for one player.
+    fn is_cleared(&self) -> bool {
+        self.game().stage() == GameStage::MatchOver(Team::First)
+    }
+
+    /// The number of strokes on a board for one player, compared with its par.
+    fn cleared(&self) -> String {
+        let strokes = self.history.record().strokes();
+        let cleared = format!("Cleared in {}", counted(strokes, "stroke"));
+        match self.par {
+            None => format!("{cleared}."),
+            Some(par) if strokes == par => format!("{cleared}: par!"),
+            Some(par) if strokes < par => format!("{cleared}: {} under par!", par - strokes),
+            Some(par) => format!("{cleared}: {} over par.", strokes - par),
+        }
+    }
+
     /// Who won the match, the game or the board, and with how many hints, if any.
     fn headline(&self, report: &BoardReport) -> String {
         let hints = |team: Team| match report.teams[team].hints {
@@ -130,6 +155,10 @@ impl ActiveGame {
         };
         let wins = |team, what| format!("{}{}!", self.options.wins(team, what), hints(team));
         match self.game().stage() {
+            GameStage::MatchOver(_) if self.board_code().is_some() => match self.is_cleared() {
+                true => self.cleared(),
+                false => "The board is lost.".into(),
+            },
             GameStage::MatchOver(team) => wins(team, self.options.whole()),
             GameStage::GameOver(team) => wins(team, "game"),
             GameStage::BoardOver(_) if self.is_practice() => "The board is empty.".into(),
@@ -183,7 +212,7 @@ impl ActiveGame {
 
 /// The seat that breaks the next board; `None` in a practice game or after the match.
 fn next_breaker(game: &Game) -> Option<Seat> {
-    if game.setup().rules == Rules::Practice {
+    if game.setup().rules.is_alone() {
         return None;
     }
     let mut next = game.clone();

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::{ActiveGame, After, AimAction, GameAction, GamePhase, OverAction, pictures, trays};
 use crate::game::laws::POINTS_TO_WIN;
-use crate::game::{GameStage, Piece, Rules};
+use crate::game::{BoardCode, GameStage, Piece, Rules};
 use crate::messages::{Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, picture, words};
 use crate::screens::{Confirmation, Context, Next, StrikeGuard, View};
@@ -344,6 +344,10 @@ fn board_title(active: &ActiveGame) -> String {
     let game = active.game();
     match game.setup().rules {
         Rules::Practice => "practice".into(),
+        Rules::Solo => {
+            let code = game.setup().board_code();
+            code.map_or_else(String::new, BoardCode::title)
+        }
         Rules::Friendly => {
             format!("boards won   {}", active.options.score(game))
         }

@@ -1,7 +1,7 @@
 //! The coins left on the board, the coins owed, and the points of the calls.
 
 use super::ActiveGame;
-use crate::game::{ByTeam, Colour, Rules, Team};
+use crate::game::{ByTeam, Colour, Piece, Rules, Team};
 use crate::screens::table::calls::Called;
 use crate::screens::table::game_history::Past;
 use crate::screens::table::words;
@@ -24,6 +24,11 @@ impl ActiveGame {
 /// Writes the coins of each colour and the queen, in as few rows as possible.
 pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<A>) {
     let game = active.game();
+    if active.board_code().is_some() {
+        let sign = token(words::role(Piece::White), charset);
+        panel.fact(format!("coins {sign} left"), game.coins().len().to_string());
+        return;
+    }
     for colour in [Colour::White, Colour::Black] {
         let sign = token(words::role(colour.piece()), charset);
         let count = game.play().on_board(colour);

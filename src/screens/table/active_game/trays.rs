@@ -79,6 +79,11 @@ fn owner(game: &Game, piece: Piece) -> Option<Team> {
 /// that has to cover her.
 fn pocketed(game: &Game) -> ByTeam<Vec<Piece>> {
     let mut trays = ByTeam::<Vec<Piece>>::default();
+    if let Some(code) = game.setup().board_code() {
+        let fallen = code.coins().len().saturating_sub(game.coins().len());
+        trays[Team::First] = vec![Piece::White; fallen];
+        return trays;
+    }
     for team in Team::BOTH {
         let colour = game.colour(team);
         trays[team] = match game.setup().rules {

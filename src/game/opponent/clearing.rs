@@ -1,0 +1,35 @@
+//! The strokes that clear a board for one player. Their number is the par of the board.
+
+use super::seek;
+use super::strength::{Skill, Strength};
+use crate::game::{BoardCode, Game, Move, Strike};
+
+/// The maximum number of strokes.
+const MOST_STROKES: usize = 40;
+
+/// Strokes that clear the board with this code: those that the champion chooses, played exactly and
+/// on the steps in which a player sets them. `None` if they do not clear it.
+pub fn clearing(code: BoardCode) -> Option<Vec<Strike>> {
+    let skill = Skill {
+        on_steps: true,
+        ..Strength::Champion.skill()
+    };
+    let mut game = Game::new(code.setup());
+    let mut strikes = Vec::new();
+    while game.play().won.is_none() && strikes.len() < MOST_STROKES {
+        let (choice, _) = seek(&game, skill, code.seed())?;
+        let strike = Strike {
+            place: choice.motion.position,
+            velocity: choice.motion.velocity,
+            call: None,
+        };
+        Move::Strike(strike).make(&mut game).ok()?;
+        strikes.push(strike);
+    }
+    game.coins().is_empty().then_some(strikes)
+}
+
+/// The number of strokes in which the search clears a board.
+pub fn par(code: BoardCode) -> Option<usize> {
+    clearing(code).map(|strikes| strikes.len())
+}
