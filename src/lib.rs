@@ -39,7 +39,7 @@
 //!   path/          a player's one next step, the reason for it, and what is done
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
-//!   progress/      a player's answers, and what follows from them: topics, confidence,
+//!   progress/      a player's answers, hits and observations, and what follows: topics, confidence,
 //!                  misconceptions that fade, reviews that are due, the summary of a round
 //!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions; concept questions in words

@@ -130,11 +130,6 @@ pub(crate) const TOUR: &[TourStop] = &[
         "<Enter>60<Enter>30<Enter>",
     ),
     moment("lab, what was seen", "seen-lab", SEEN),
-    moment(
-        "lab, what was seen compared",
-        "seen-lab",
-        "<Enter>30<Enter>60<Enter><Enter><Enter>32<Enter>57<Enter><End>",
-    ),
     moment("foil, tracks", "foil", ""),
     moment("foil, counts", "foil", "<Tab>"),
     moment(

@@ -140,6 +140,12 @@ fn a_link_opens_exactly_the_hit_from_which_it_was_copied() {
     for value in ["12.0", "0.80", "5.5"] {
         assert!(shown.split(' ').any(|it| it == value), "{shown}");
     }
+    // The outcome of this hit is nowhere in the page.
+    let mut browser = opened("lab=m1:15,m2:5.5,b:12,e:0.8,hide");
+    expect_hash(&mut browser, "#lab=m2:5.5,b:12,e:0.8,hide");
+    let hides = "const shown = document.querySelector('#screen').outerHTML;
+        return (shown.includes('separation') || shown.includes('energy kept')) + ''";
+    expect(&mut browser, hides, "false");
     let mut browser = opened("lab=m1:1e9");
     let said =
         "return document.querySelector('#layer[open]')?.textContent.includes('expected') + ''";

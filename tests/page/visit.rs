@@ -122,7 +122,8 @@ impl Visit {
     /// Takes the main action.
     fn go_on(&mut self) -> bool {
         if self.has_keyboard {
-            self.keys("<Enter>");
+            let skips = self.phone.shows("go on without it");
+            self.keys(if skips { "s" } else { "<Enter>" });
             return true;
         }
         self.phone.go_on()

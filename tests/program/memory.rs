@@ -194,6 +194,8 @@ fn topics_are_no_longer_due_after_a_correct_review() {
 fn the_real_game_in_a_terminal_saves_every_explained_answer() {
     let folder = Folder::new("memory-pty");
     let data = folder.path().to_str().unwrap();
+    let settings = "format = 1\nwhat_you_saw = \"no\"\n";
+    fs::write(folder.path().join("settings.toml"), settings).unwrap();
     let mut chance = Pcg64::seed_from_u64(5);
     let mut answered = 0;
     for _ in 0..6 {

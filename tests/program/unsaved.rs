@@ -28,6 +28,7 @@ const ON_A_SMALL_DISK: &str = "
         while [ ! -e \"$2/free\" ]; do sleep 0.05; done
         rm \"$1/filler\"
     ) 2> /dev/null &
+    printf 'format = 1\\nwhat_you_saw = \"no\"\\n' > \"$1/settings.toml\"
     \"$3\" quiz --code hits-7 --data-dir \"$1\"
     cp \"$1\"/progress.db* \"$2\"
 ";
@@ -112,6 +113,8 @@ fn answers_given_while_the_disk_is_full_are_saved_afterwards() {
 fn answers_given_while_the_database_is_locked_are_saved_afterwards() {
     let folder = Folder::new("unsaved-held");
     let data = folder.path().to_str().unwrap();
+    let settings = "format = 1\nwhat_you_saw = \"no\"\n";
+    fs::write(folder.path().join("settings.toml"), settings).unwrap();
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7", "--data-dir", data]));
     answer(&mut pty, 1);
     let other = Connection::open(folder.path().join("progress.db")).unwrap();

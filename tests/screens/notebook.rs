@@ -40,11 +40,11 @@ fn twenty_hits_are_kept_plotted_exported_and_cleared() {
     game.press("n");
     let screen = game.screen();
     assert!(
-        screen.contains(">  20") && screen.contains("80.0"),
+        screen.contains("> 20") && screen.contains("80.0"),
         "{screen}"
     );
     game.press("<Home>");
-    assert!(game.screen().contains(">   1"), "{}", game.screen());
+    assert!(game.screen().contains(">  1"), "{}", game.screen());
 
     game.press("e");
     let (name, text) = game.exports().last().cloned().unwrap();
@@ -125,7 +125,7 @@ fn each_player_has_their_own_notebook_and_a_mystery_coin_is_left_out() {
         game.screen()
     );
     game.press("<Escape>r<Enter>60<Enter>30<Enter><Escape>n");
-    assert!(game.screen().contains(">   1"), "{}", game.screen());
+    assert!(game.screen().contains(">  1"), "{}", game.screen());
     game.press("<Escape>");
     game.app_mut().settings_mut().player = "Bo".into();
     game.press("n");

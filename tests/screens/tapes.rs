@@ -27,7 +27,7 @@ const VARIANTS: [(&str, &str); 4] = [
 ];
 
 /// The tapes that are kept as snapshots, with charset and size.
-const KEPT: [(&str, &str, &str); 37] = [
+const KEPT: [(&str, &str, &str); 38] = [
     ("home", "unicode", "120x40"),
     ("home-player", "ascii", "80x24"),
     ("quiz-choose", "unicode", "120x40"),
@@ -47,6 +47,7 @@ const KEPT: [(&str, &str, &str); 37] = [
     ("learn-contents", "unicode", "120x40"),
     ("worked-shot", "unicode", "120x40"),
     ("lab-live", "ascii", "80x24"),
+    ("notebook", "unicode", "80x24"),
     ("stick", "unicode", "80x24"),
     ("mystery-coin", "ascii", "120x40"),
     ("miss", "ascii", "80x24"),

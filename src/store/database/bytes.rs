@@ -207,7 +207,11 @@ mod tests {
         let numbers: Vec<_> = (1..=200).collect();
         let whole = with(&numbers, 2).bytes().unwrap().unwrap();
         let (mut same, _) = Database::of_bytes(&whole, "aside").unwrap();
-        let leaf = (1..).find(|page| whole[page * 4096] == 13).unwrap() * 4096;
+        let is_leaf = |start: usize| whole[start] == 13 && whole[start + 4] > 0;
+        let leaf = (1..)
+            .map(|page| page * 4096)
+            .find(|start| is_leaf(*start))
+            .unwrap();
         let mut damaged = whole.clone();
         damaged[leaf..leaf + 4096].fill(0);
         for bytes in [damaged, whole[..whole.len() - 4096].to_vec()] {

@@ -274,11 +274,14 @@ fn mended(scratch: &Scratch, damaged: &[u8]) -> (String, usize) {
     (notice, answers)
 }
 
-/// The start of a page of this kind, not counting page 1. (Database File Format, section 1.6: 10 is
-/// a leaf of an index, 13 a leaf of a table.)
+/// The start of a page of this kind that has cells, not counting page 1. (Database File Format,
+/// section 1.6: 10 is a leaf of an index, 13 a leaf of a table.)
 fn page(database: &[u8], kind: u8) -> usize {
     let mut starts = (4096..database.len()).step_by(4096);
-    starts.find(|start| database[*start] == kind).unwrap()
+    let has_cells = |start: usize| database[start + 3..start + 5] != [0, 0];
+    starts
+        .find(|start| database[*start] == kind && has_cells(*start))
+        .unwrap()
 }
 
 #[test]

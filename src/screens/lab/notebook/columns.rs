@@ -46,7 +46,7 @@ type SettingRow = (
     CollisionField,
 );
 
-const SETTINGS: [SettingRow; 12] = [
+const SETTINGS: [SettingRow; 15] = [
     ("b_mm", "b", "mm", 1, CollisionField::Offset),
     ("alpha_deg", "α", "°", 1, CollisionField::ImpactAngle),
     ("m1_g", "m₁", "g", 1, CollisionField::StrikerMass),
@@ -59,10 +59,13 @@ const SETTINGS: [SettingRow; 12] = [
     ("aim2_deg", "aim₂", "°", 0, CollisionField::CoinAim),
     ("r1_mm", "r₁", "mm", 2, CollisionField::StrikerRadius),
     ("r2_mm", "r₂", "mm", 2, CollisionField::CoinRadius),
+    ("rim_friction", "μᵣ", "", 2, CollisionField::RimFriction),
+    ("spin1_rad_s", "ω₁", "rad/s", 1, CollisionField::StrikerSpin),
+    ("spin2_rad_s", "ω₂", "rad/s", 1, CollisionField::CoinSpin),
 ];
 
 /// The results: the name in a file, and the name of the quantity.
-const RESULTS: [(&str, &str); 13] = [
+const RESULTS: [(&str, &str); 16] = [
     ("v1_m_s", "v1"),
     ("v2_m_s", "v2"),
     ("separation_deg", "separation_deg"),
@@ -76,6 +79,9 @@ const RESULTS: [(&str, &str); 13] = [
     ("py_after_g_m_s", "py_after"),
     ("energy_before_mj", "energy_before_mj"),
     ("energy_after_mj", "energy_after_mj"),
+    ("throw_deg", "throw_deg"),
+    ("spin1_after_rad_s", "spin1_after"),
+    ("spin2_after_rad_s", "spin2_after"),
 ];
 
 const ANGLES: [(&str, &str, ColumnSource); 4] = [

@@ -47,6 +47,8 @@ enum Hits {
 pub(crate) enum NotebookAction {
     /// choose a hit, or set it up again
     List(ListAction),
+    /// choose another hit
+    Choose(isize),
     /// switch between the table and the plot
     Plot,
     /// plot another column along the axis to the right
@@ -102,12 +104,17 @@ impl Notebook {
     }
 
     pub(super) fn keys(&self) -> KeyTable<NotebookAction> {
-        use NotebookAction::{Across, Clear, Export, List, Plot, Up};
+        use NotebookAction::{Across, Choose, Clear, Export, List, Plot, Up};
         let some = !self.hits().is_empty();
         let other = if self.plots { "table" } else { "plot" };
+        let list = match some && !self.plots {
+            true => ListView::keys("set it up again"),
+            false => KeyTable::new("list"),
+        };
         KeyTable::new("notebook")
-            .with(ListView::keys("set it up again"), List)
-            .when(some)
+            .with(list, List)
+            .by([Key::Up, Key::Down], Choose, [-1, 1], "choose")
+            .when(self.plots)
             .on('g', Plot, other)
             .when(some)
             .by(['x', 'X'], Across, [1, -1], "across")
@@ -132,6 +139,9 @@ impl Notebook {
                 if let Outcome::Done(at) = self.list.act(action, count) {
                     return Outcome::Done(self.hits().get(at).map(|hit| hit.setup));
                 }
+            }
+            NotebookAction::Choose(by) => {
+                self.list.act(ListAction::Choose(by), self.hits().len());
             }
             NotebookAction::Plot => self.plots ^= true,
             NotebookAction::Across(by) => self.turn(0, by),

@@ -82,16 +82,25 @@ fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f6
         CollisionField::Offset => from_left(setup.contact_distance_mm()),
         CollisionField::Restitution => range,
         CollisionField::Aim | CollisionField::CoinAim => (-180.0, 180.0),
+        CollisionField::RimFriction => (0.0, 1.0_f64.min(range.1)),
         _ => {
-            let values = hits
-                .iter()
-                .filter_map(|hit| match field.field(&hit.setup).value {
-                    FieldValue::Number { value, .. } => Some(value),
-                    FieldValue::Choice { .. } => None,
-                });
-            let most = values.fold(0.0, f64::max);
-            (range.0, (1.5 * most).clamp(range.0, range.1))
+            let values = hits.iter().map(|hit| number(field, &hit.setup).abs());
+            let most = 1.5 * values.fold(0.0, f64::max);
+            match field {
+                CollisionField::StrikerSpin | CollisionField::CoinSpin => {
+                    (-most.max(100.0), most.max(100.0))
+                }
+                _ => (range.0, most.clamp(range.0, range.1)),
+            }
         }
+    }
+}
+
+/// The value of a setting; 0 for one that is no number.
+fn number(field: CollisionField, setup: &CollisionSpec) -> f64 {
+    match field.field(setup).value {
+        FieldValue::Number { value, .. } => value,
+        FieldValue::Choice { .. } => 0.0,
     }
 }
 
@@ -171,6 +180,7 @@ mod tests {
             hit("b:-9,u2:1.5,dir2:30"),
             hit("m1:20,m2:40,r1:12.4,r2:15.6,b:20"),
             hit("b:11,stick:true"),
+            hit("b:-13,mu:0.15,spin1:40,spin2:-20"),
         ];
         let numbers = || NotebookColumn::all().iter().filter(|it| it.is_number());
         for it in &hits {

@@ -65,8 +65,7 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     let (heads, shown): (Vec<_>, Vec<Vec<&NotebookColumn>>) = [
         number("b_mm", 5, 0),
         number("alpha_deg", 5, 85),
-        number("m1_g", 5, 0),
-        number("m2_g", 5, 0),
+        pair("m₁    m₂", ["m1_g", "m2_g"], 11),
         number("e", 4, 0),
         number("u1_m_s", 5, 93),
         pair("said S    C", ["said_theta1_deg", "said_theta2_deg"], 11),
