@@ -15,8 +15,8 @@ use crate::physics::units::mm_from_m;
 const BASE_LENGTH: f64 = 0.470;
 /// The distance from the frame to the outer line of a pair of base lines, in metres.
 const BASE_FROM_FRAME: f64 = 0.1015;
-/// The distance between the two lines of a pair, and the diameter of the circles at their ends, in
-/// metres.
+/// The distance between the two lines of a pair, which is also the diameter of the circles at their
+/// ends, in metres.
 const BASE_WIDTH: f64 = 0.0318;
 /// The smallest breadth of the frame that the Laws allow, in metres.
 const FRAME: f64 = 0.0635;
@@ -24,15 +24,15 @@ const FRAME: f64 = 0.0635;
 const ARROW_FROM_POCKET: f64 = 0.050;
 /// The length of a diagonal arrow, in metres.
 const ARROW_LENGTH: f64 = 0.267;
-/// The length of the two strokes of an arrow's head, in metres.
+/// The length of each of the two strokes of an arrow's head, in metres.
 const ARROW_HEAD: f64 = 0.030;
 /// The radius of the outer circle, in metres.
 const OUTER_CIRCLE: f64 = 0.085;
 /// The radius of the centre circle, in metres.
 const CENTRE_CIRCLE: f64 = 0.0159;
 
-/// The largest part of `area` in which a board is square, if a cell is twice as high as wide. It is
-/// left-aligned and vertically centred.
+/// The largest part of `area` in which a board is square, assuming that a cell is twice as high as
+/// it is wide. The part is left-aligned and vertically centred.
 pub(crate) fn square(area: Rect) -> Rect {
     // One column less than twice the rows, because the board's edges run through the middles
     // of the outermost cells.
@@ -45,8 +45,8 @@ pub(crate) fn square(area: Rect) -> Rect {
     }
 }
 
-/// The view of a whole board in a [`square`] area. A surface without a frame has the scale of a
-/// tournament board.
+/// The view of a whole board in a [`square`] area. A surface without a frame is drawn at the scale
+/// of a tournament board.
 pub(crate) fn view(area: Rect, board: &Board) -> View {
     let half = DVec2::splat(side(board) / 2.0);
     View::stretch(area, -half, half)
@@ -60,15 +60,15 @@ fn side(board: &Board) -> f64 {
     }
 }
 
-/// The middle of the pocket in a corner, numbered as in the engine: lower left, lower
-/// right, upper left, upper right. `None` if there is no such corner or no pocket.
+/// The centre of a corner's pocket; corners are numbered as in the engine: lower left, lower right,
+/// upper left, upper right. `None` if there is no such corner or no pocket.
 pub(crate) fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
     let middle = board.pockets().nth(corner)?;
     middle.is_finite().then_some(middle)
 }
 
-/// Draws the surface in its frame, the pockets and the lines. An open surface has none of them, and
-/// a board without pockets has no lines.
+/// Draws the surface with its frame, pockets and lines. An open surface has no frame, pockets or
+/// lines, and a board without pockets has no lines.
 pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     if !board.side.is_finite() {
         return;
@@ -99,7 +99,8 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     }
 }
 
-/// The positions of discs in millimetres from the middle of the board, one sentence each.
+/// Describes the positions of discs in millimetres from the centre of the board, one sentence per
+/// disc.
 pub(crate) fn places_in_words(discs: impl IntoIterator<Item = (String, DVec2)>) -> Vec<String> {
     let way = |metres: f64, [less, more]: [&str; 2]| {
         let mm = mm_from_m(metres).round();
@@ -112,14 +113,14 @@ pub(crate) fn places_in_words(discs: impl IntoIterator<Item = (String, DVec2)>) 
     discs.into_iter().map(place).collect()
 }
 
-/// The outline of a disc at contact: dotted if it is large enough.
+/// Draws the outline of a disc at contact, dotted if it is large enough.
 pub(crate) fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
     let pen = Pen::new(role).on(DrawLayer::Trail);
     let large = radius > picture.view().per_row();
     picture.circle(at, radius, if large { pen.dotted() } else { pen });
 }
 
-/// The diagonal arrow that points to a pocket, unless it is too small to be distinguished.
+/// Draws the diagonal arrow that points to a pocket, unless it is too small to be recognizable.
 fn arrow(picture: &mut Picture, pocket: DVec2, radius: f64, scale: f64) {
     if ARROW_HEAD * scale < picture.view().per_row() {
         return;
@@ -134,7 +135,7 @@ fn arrow(picture: &mut Picture, pocket: DVec2, radius: f64, scale: f64) {
     }
 }
 
-/// One pair of base lines, rotated from the bottom by this many quarter turns.
+/// Draws one pair of base lines, rotated by this many quarter turns from the bottom.
 fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
     let axis = DVec2::from_angle(quarter * std::f64::consts::FRAC_PI_2);
     let place = |across: f64, from_frame: f64| {
@@ -165,7 +166,7 @@ mod tests {
     use crate::widgets::picture::Mark;
     use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
-    /// The board drawn in an area with two cells of free space around it.
+    /// Draws the board in an area with two cells of free space around it.
     fn drawn(size: (u16, u16), board: &Board, charset: Charset, depth: Depth) -> (Rect, Buffer) {
         let theme = Theme::new(Palette::Dark, depth);
         let area = Rect::new(2, 2, size.0, size.1);
@@ -206,7 +207,7 @@ mod tests {
                     "{charset:?} {at}"
                 );
             }
-            // Halfway between the middle and the rail there is nothing but the surface.
+            // Halfway between the centre and the rail there is nothing but the surface.
             let at = (area.x + area.width / 2, area.y + area.height / 4 + 1);
             let surface = Theme::new(Palette::Dark, Depth::True).colour(Role::Surface);
             assert_eq!((cells[at].symbol(), cells[at].bg), (" ", surface));

@@ -1,4 +1,5 @@
-//! Plots of the outcome against the impact angle, with a draggable point and its collision below.
+//! Plots of the outcome against the impact angle, with a draggable point, and below the plot the
+//! collision at that point.
 
 use glam::DVec2;
 use ratatui::layout::{Margin, Rect};
@@ -90,8 +91,8 @@ fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plo
     }
 }
 
-/// The curves of one kind of figure, with the point for a collision with a disc at rest, and that
-/// collision below.
+/// The curves of one kind of figure, with a point at the impact angle of the given collision, and a
+/// picture of that collision below. The target is at rest.
 pub(crate) fn curves_and_hit(
     kind: FigureKind,
     collision: &Collision,
@@ -100,15 +101,14 @@ pub(crate) fn curves_and_hit(
 ) -> [Picture; 2] {
     use Overlay::{Angles, Lines, Trails, Triangle};
     let [room, hit] = rooms(area);
-    // Only the overlays that are readable in a small picture.
+    // Only the overlays that are readable in a small picture are shown.
     let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
     let watch = Watch::revealed(*collision).with_layers(layers);
     let hit = watch.picture(hit.inner(Margin::new(1, 0)));
     [curves_picture(kind, collision, room, look), hit]
 }
 
-/// The curves with the point: the directions, the shares of the energy or the speeds, against the
-/// impact angle.
+/// The directions, energy shares or speeds plotted against the impact angle, with the point.
 pub(crate) fn curves_picture(
     kind: FigureKind,
     collision: &Collision,
@@ -137,7 +137,7 @@ pub(crate) fn curves_picture(
     plot.picture()
 }
 
-/// Draws curves against α, with the points at one angle.
+/// Draws curves against α, each with a point at the given angle.
 fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, alpha: f64) {
     use LabelSide::{Above, Below, BelowLeft, BelowRight, Left, Right};
     let alpha_deg = deg_from_rad(alpha);
@@ -152,7 +152,7 @@ fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, 
         }
     }
     for curve in curves {
-        // The name is placed where this curve is high and the other is not.
+        // The name is placed where this curve is high and the other is low.
         let name_at = |deg: f64| Some(DVec2::new(deg, (curve.at)(pair, rad_from_deg(deg))?));
         let ends = [8.0, 82.0].into_iter().filter_map(name_at);
         if let Some(at) = ends.max_by(|a, b| a.y.total_cmp(&b.y)) {

@@ -16,9 +16,9 @@ use crate::widgets::{NumberInput, Outcome, RayInput, Role};
 /// An answer being entered.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AnswerInput {
-    /// Two rays that the player turns.
+    /// Two rays, which the player turns.
     Rays(RayInput),
-    /// A number that is typed or dialled.
+    /// A number, typed or set with the arrow keys.
     Number(NumberInput),
     /// A choice from a list.
     Choice {
@@ -27,7 +27,7 @@ pub enum AnswerInput {
         /// The number of choices.
         count: usize,
     },
-    /// An offset in millimetres that is typed or dialled.
+    /// An offset in millimetres, typed or set with the arrow keys.
     Shot(NumberInput),
 }
 
@@ -50,7 +50,7 @@ pub(crate) enum AnswerAction {
 }
 
 impl AnswerInput {
-    /// An input without an answer yet.
+    /// Creates an input that contains no answer yet.
     pub(crate) fn new(form: &Form) -> Self {
         match form {
             Form::Rays { side, .. } => Self::Rays(RayInput::new(*side)),
@@ -66,7 +66,7 @@ impl AnswerInput {
         }
     }
 
-    /// An earlier answer, so that the player can change it.
+    /// Creates an input that contains an earlier answer, which the player can change.
     pub(crate) fn saying(form: &Form, said: &Response) -> Self {
         let mut input = Self::new(form);
         match (&mut input, said) {
@@ -101,7 +101,7 @@ impl AnswerInput {
         }
     }
 
-    /// The keys for this form of answer.
+    /// The keys for entering an answer in this form.
     pub(crate) fn keys(&self) -> KeyTable<AnswerAction> {
         use AnswerAction::{Choose, Enter, Move, Number, Ray};
         match self {
@@ -151,9 +151,9 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Points at a place in the question's picture (in screen cells), with the mouse button
-    /// just pressed (`pressed`) or held down: turns a ray, or drags the coin sideways. Returns
-    /// whether there is anything to point at.
+    /// Handles the mouse button being pressed (`pressed`) or held down at a cell of the question's
+    /// picture: turns a ray, or drags the coin sideways. Returns whether the picture can be used
+    /// for the answer.
     pub(crate) fn point(
         &mut self,
         question: &Question,
@@ -178,7 +178,7 @@ impl AnswerInput {
         true
     }
 
-    /// A sentence about what can be dragged in the question's picture.
+    /// A sentence that says what can be dragged in the question's picture.
     pub(crate) fn drag(&self, question: &Question) -> Option<&'static str> {
         match (self, question.picture.collision()) {
             (Self::Rays(_), Some(_)) => Some(RayInput::DRAG),
@@ -187,8 +187,8 @@ impl AnswerInput {
         }
     }
 
-    /// Writes the answer so far, with all choices. Any gaps between the choices have the priority
-    /// `apart`.
+    /// Writes the answer entered so far, including all the choices. Gaps between choices have the
+    /// priority `apart`.
     pub(crate) fn write(&self, form: &Form, apart: Option<u8>, panel: &mut Panel<AnswerAction>) {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => {
@@ -210,8 +210,8 @@ impl AnswerInput {
         }
     }
 
-    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
-    /// the answer.
+    /// The action of the next prompt: entering the typed number, switching to the other ray, or
+    /// submitting the answer.
     fn go_on(&self) -> AnswerAction {
         match self {
             Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
@@ -220,7 +220,7 @@ impl AnswerInput {
         }
     }
 
-    /// The next prompt and its label; `last` is the label for giving the answer.
+    /// The next prompt and its label; `last` is the label for submitting the answer.
     pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning == Ray::Striker => {
@@ -236,7 +236,7 @@ impl AnswerInput {
         panel.prompts([self.next(form, last)]);
     }
 
-    /// How to answer, in a sentence or two.
+    /// One or two sentences on how to enter the answer.
     pub(crate) fn about(&self, form: &Form) -> String {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => rays.about(target),

@@ -1,4 +1,5 @@
-//! Answering a question, then choosing a confidence level: shared by all screens that do both.
+//! Answering a question, then choosing a confidence level; shared by all screens that ask questions
+//! this way.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -42,7 +43,7 @@ impl Asking {
         &self.input
     }
 
-    /// The answer being entered; `None` once it is given.
+    /// The answer being entered; `None` once it has been given.
     pub(crate) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         self.sure.is_none().then_some(&mut self.input)
     }
@@ -52,12 +53,12 @@ impl Asking {
         self.sure
     }
 
-    /// Goes back from the confidence to the answer; returns whether that was possible.
+    /// Returns from the confidence level to the answer; the result is whether that was possible.
     pub(crate) fn back(&mut self) -> bool {
         self.sure.take().is_some()
     }
 
-    /// The keys, in the screen's group: `next` is the label for confirming the confidence.
+    /// The keys, in the screen's group; `next` is the label for confirming the confidence level.
     pub(crate) fn keys(&self, group: &'static str, next: &'static str) -> KeyTable<AskingAction> {
         use AskingAction::{Answer, MoreSure, Sure, Take};
         let keys = KeyTable::new(group);
@@ -73,12 +74,14 @@ impl Asking {
             .or([(Key::Char(' '), Take)])
     }
 
-    /// Whether the screen can use Escape: while a number is being typed, Escape cancels it.
+    /// Whether Escape is left to the screen: while a number is being typed, Escape cancels the
+    /// number.
     pub(crate) fn leaves_escape(&self) -> bool {
         self.sure.is_some() || self.input.keys().exact(Key::Escape).is_none()
     }
 
-    /// Carries out an action; `Done` with the answer and the confidence once both are given.
+    /// Carries out an action; returns `Done` with the answer and the confidence once both are
+    /// given.
     pub(crate) fn act(&mut self, action: AskingAction) -> Outcome<(Response, Confidence)> {
         let chosen = match (action, self.sure) {
             (AskingAction::Answer(action), None) => {
@@ -105,7 +108,7 @@ impl Asking {
         said.map_or(Outcome::Ignored, Outcome::Done)
     }
 
-    /// Writes the confidence levels, with their columns under `heads`.
+    /// Writes the confidence levels, and beside each of them its values in the columns `heads`.
     pub(crate) fn write_confidence(
         &self,
         heads: &[&str],

@@ -10,8 +10,8 @@ use crate::widgets::picture::Picture;
 use crate::widgets::tracks::tracks_picture;
 use crate::widgets::{Look, sheet};
 
-/// The picture of a question, with only the given information and the answer so far; `None` for a
-/// question without a picture.
+/// The picture of a question, which shows only the given information and the answer so far; `None`
+/// for a question without a picture.
 pub(crate) fn question_picture(
     area: Rect,
     question: &Question,
@@ -41,7 +41,7 @@ pub(crate) fn question_picture(
     })
 }
 
-/// Draws the `question_picture`, if there is one.
+/// Draws the question's picture, if there is one.
 pub fn draw_question(
     area: Rect,
     buf: &mut Buffer,
@@ -55,8 +55,9 @@ pub fn draw_question(
     }
 }
 
-/// What the picture shows beyond the text of the question. The text describes the whole collision
-/// unless it gives no numbers; in that case all information is in the picture.
+/// Describes what the picture shows beyond the text of the question. The text already describes the
+/// whole collision unless it gives no numbers; in that case the picture contains all the
+/// information.
 fn shows(question: &Question) -> Vec<String> {
     match &question.picture {
         Illustration::Before { collision, shown } if !shown.figures => seen(collision, shown.angle),
@@ -64,7 +65,7 @@ fn shows(question: &Question) -> Vec<String> {
     }
 }
 
-/// A description of a collision as it can be estimated by eye.
+/// Describes a collision as far as it can be estimated by eye.
 fn seen(collision: &Collision, line: bool) -> Vec<String> {
     let share = collision.offset / collision.contact_distance();
     let percent = (100.0 * share.abs()).round();

@@ -1,5 +1,5 @@
-//! The picture after a collision: the initial and final paths, with their angles. It shows
-//! neither masses nor speeds.
+//! The picture after a collision: the original and final paths, with their angles, but no masses or
+//! speeds.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -10,7 +10,7 @@ use crate::physics::Collision;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// The length of every arrow, in radii of the larger disc; it does not represent a speed.
+/// The length of every arrow, in radii of the larger disc; it is the same for every speed.
 const ARROW: f64 = 2.1;
 
 /// The paths of a striker and a coin after a collision, with both angles.

@@ -8,7 +8,7 @@ use crate::physics::units::mm_from_m;
 use crate::physics::{Bond, CollisionOutcome, Meeting};
 use crate::quiz::why;
 
-/// The title, which may be empty, and the text for the panel.
+/// The title, which may be empty, and the text of the panel.
 pub(crate) fn explain(watch: &Watch) -> (&'static str, String) {
     let collision = watch.collision();
     let text = match watch.outcome().meeting {
@@ -61,7 +61,8 @@ fn stuck(watch: &Watch) -> String {
     )
 }
 
-/// The number of rotations per second of a pair that moves on together, with enough digits.
+/// Formats the rotation rate of a pair that moves on together, in turns per second, with enough
+/// digits.
 pub(crate) fn turns_a_second(outcome: &CollisionOutcome) -> String {
     let turns = outcome.spin.abs() / std::f64::consts::TAU;
     let decimals = if turns < 0.1 { 3 } else { 1 };

@@ -9,8 +9,8 @@ use crate::physics::units::g_from_kg;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
-/// The time to look at the picture and the time to read one word (150 words per minute), in
-/// seconds.
+/// The time for looking at the picture, and the time for reading one word (at 150 words per
+/// minute), in seconds.
 const LOOK: f64 = 3.0;
 const WORD: f64 = 0.4;
 /// The shortest duration of a step, in seconds.
@@ -18,16 +18,16 @@ const SHORTEST: f64 = 5.0;
 /// Components that differ by less than this, in m/s, are printed as equal.
 const ALIKE: f64 = 0.005;
 
-/// One step of the explanation. Each adds something to the picture of the previous steps.
+/// One step of the explanation. Each step adds something to the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum ExplanationStep {
     /// The rims touch.
     Contact,
-    /// Line of impact and tangent.
+    /// The line of impact and the tangent.
     Line,
     /// The initial velocities, resolved along n and t.
     Split,
-    /// Friction between the rims: the slip, and the impulse along t.
+    /// Friction between the rims: the slip velocity, and the impulse along t.
     Friction,
     /// The target's final velocity.
     Coin,
@@ -38,7 +38,7 @@ pub(crate) enum ExplanationStep {
 }
 
 impl ExplanationStep {
-    /// The steps of a collision, in order.
+    /// The steps that explain a collision, in order.
     pub(super) fn of(collision: &Collision, outcome: &CollisionOutcome) -> &'static [Self] {
         use ExplanationStep::{Coin, Contact, Friction, Line, Split, Striker, Whole};
         match (outcome.meeting, collision.bond) {
@@ -65,7 +65,7 @@ impl ExplanationStep {
     }
 }
 
-/// The texts for the steps of one collision, in a frame.
+/// Generates the text of each step for one collision in a given frame.
 pub(super) struct StepWords<'a> {
     collision: &'a Collision,
     outcome: &'a CollisionOutcome,
@@ -95,14 +95,14 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// The seconds that a step lasts without a key press: enough to read its text and look at the
-    /// picture.
+    /// How many seconds a step lasts if no key is pressed: enough to look at the picture and read
+    /// the text.
     pub(super) fn hold(&self, step: ExplanationStep) -> f64 {
         let words = self.of(step).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)
     }
 
-    /// The number of a step, the number of steps, and its name.
+    /// The heading of a step: its number, the total number of steps, and its name.
     pub(super) fn heading(&self, step: ExplanationStep) -> String {
         let steps = ExplanationStep::of(self.collision, self.outcome);
         let number = steps.iter().position(|it| *it == step).map_or(1, |i| i + 1);
@@ -114,7 +114,8 @@ impl<'a> StepWords<'a> {
         format!("{number} of {}: {name}", steps.len())
     }
 
-    /// The text of a step. Each screen explains the last step in its own way.
+    /// The text of a step. The last step has no text here, because each screen explains it in its
+    /// own way.
     pub(super) fn of(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.bond == Bond::Stick;
         match step {
@@ -152,7 +153,7 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// Whether the target is at rest before the collision and the velocities have their
+    /// Whether the target is at rest before the collision and velocities have their
     /// laboratory-frame names.
     fn is_plain(&self) -> bool {
         self.frame == Frame::Laboratory && self.collision.u2 == DVec2::ZERO
@@ -170,7 +171,7 @@ impl<'a> StepWords<'a> {
         )
     }
 
-    /// Friction's impulse: how large it can be, and how much stops the slip.
+    /// Explains friction's impulse: how large it can be, and how large it must be to stop the slip.
     fn friction(&self) -> String {
         let (collision, outcome) = (self.collision, self.outcome);
         let slip = collision.slip().unwrap_or_default().abs();
@@ -293,7 +294,7 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// The fraction of the striker's initial component along n that a final component is, with as
+    /// A final component along n as a fraction of the striker's initial component along n, with as
     /// many digits as the printed speeds require.
     fn fraction(&self, after: f64) -> String {
         let before = self.parts(self.collision.u1).n;
@@ -302,7 +303,7 @@ impl<'a> StepWords<'a> {
         true_minus(&fraction.to_string())
     }
 
-    /// The text for a body that also moves before the collision.
+    /// The text for a body that was already moving before the collision.
     fn changed(&self, body: usize, title: &str) -> String {
         let before = self.parts([self.collision.u1, self.collision.u2][body]);
         let after = self.parts([self.outcome.v1, self.outcome.v2][body]);
@@ -323,7 +324,7 @@ impl<'a> StepWords<'a> {
     }
 }
 
-/// Whether a component is printed as zero.
+/// Whether a component would be printed as zero.
 fn is_none(v: f64) -> bool {
     v.abs() < ALIKE
 }
@@ -332,7 +333,7 @@ fn speed(v: f64) -> String {
     format!("{:.2} m/s", v.abs())
 }
 
-/// A component along t.
+/// Formats a component along t.
 fn sideways(v: f64) -> String {
     match is_none(v) {
         true => "zero".into(),
@@ -340,7 +341,7 @@ fn sideways(v: f64) -> String {
     }
 }
 
-/// A component along n, with its direction in words.
+/// Formats a component along n, with its direction in words.
 fn signed(v: f64) -> String {
     match (is_none(v), v > 0.0) {
         (true, _) => "zero".into(),
@@ -379,7 +380,8 @@ mod tests {
         Collision::at_angle(striker, coin, 4.0 * DVec2::X, alpha_deg.to_radians())
     }
 
-    /// 4 m/s at 30°: u₁ₙ = 3.46, u₁ₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of u₁ₙ.
+    /// With 4 m/s at 30°, u₁ₙ = 3.46 and u₁ₜ = 2; the final components along n are u₁ₙ times 2
+    /// m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂).
     #[test]
     fn the_numbers_agree_with_the_closed_forms() {
         let lab = |m2, step| words(&hit(15.0, m2, 30.0), Frame::Laboratory, step);
@@ -429,7 +431,8 @@ mod tests {
         }
     }
 
-    /// Jₙ = 51.96 g m/s, so at most 2.598 g m/s; 7.5 g × 2 m/s / 3 would stop the slip.
+    /// Jₙ = 51.96 g m/s, so friction's impulse is at most 2.598 g m/s; stopping the slip would
+    /// require 7.5 g × 2 m/s / 3.
     #[test]
     fn the_step_about_friction_has_the_numbers_of_the_closed_form() {
         let rough = |friction, step| {

@@ -5,13 +5,13 @@ use strum::VariantArray;
 /// One layer of the explanation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub enum Overlay {
-    /// Line of impact n and tangent t through the contact.
+    /// The line of impact n and the tangent t, through the point of contact.
     Lines,
     /// The components of the striker's velocity along n and t.
     Split,
-    /// Velocities before and after.
+    /// The velocities before and after the collision.
     Velocities,
-    /// Arcs of θ₁ and θ₂, and the right-angle mark.
+    /// The arcs of θ₁ and θ₂, and the right-angle mark.
     Angles,
     /// The triangle of momenta.
     Triangle,
@@ -25,7 +25,7 @@ impl Overlay {
     /// All layers, in the order of their keys.
     pub(crate) const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// A short name for what the layer shows.
+    /// A short name for the contents of the layer.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Lines => "line of impact",
@@ -39,14 +39,14 @@ impl Overlay {
     }
 }
 
-/// The layers that are on.
+/// The set of layers that are switched on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Overlays {
     on: [bool; Overlay::ALL.len()],
 }
 
 impl Default for Overlays {
-    /// All layers except the components, which would cover the final velocities.
+    /// All layers except the components, which would hide the final velocities.
     fn default() -> Self {
         let mut layers = Self {
             on: [true; Overlay::ALL.len()],
@@ -61,7 +61,7 @@ impl Overlays {
         self.on[layer as usize]
     }
 
-    /// This set with the given layers off.
+    /// This set with the given layers switched off.
     #[must_use]
     pub(crate) fn without<const N: usize>(mut self, layers: [Overlay; N]) -> Self {
         for layer in layers {

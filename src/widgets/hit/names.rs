@@ -4,12 +4,13 @@ use glam::DVec2;
 
 use crate::physics::{Collision, Frame};
 
-/// The names of a collision's velocities, of the striker and of the target.
+/// The names of the velocities of a collision, each for the striker and the target.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct VelocityNames {
-    /// Before the collision; in another frame the name includes the subtracted velocity.
+    /// The names before the collision; in any frame other than the laboratory frame they include
+    /// the subtracted velocity.
     pub before: [&'static str; 2],
-    /// After the collision; in the centre-of-mass frame the names are those of chapter 11.
+    /// The names after the collision; in the centre-of-mass frame they are those of chapter 11.
     pub after: [&'static str; 2],
 }
 
@@ -28,8 +29,8 @@ impl VelocityNames {
     }
 }
 
-/// The name of the component of a velocity along n or t: u₁ₙ, (u − V)ₙ. Components have an index
-/// even if only one disc moves, as in the chapters.
+/// The name of the component of a velocity along n or t: u₁ₙ, (u − V)ₙ. As in the chapters,
+/// components have an index even if only one disc moves.
 pub(super) fn part_name(name: &str, axis: char) -> String {
     match name {
         "u" => format!("u₁{axis}"),

@@ -9,7 +9,8 @@ use crate::widgets::Role;
 use crate::widgets::hit::sketch::Sketch;
 
 impl Moment<'_> {
-    /// Draws the line of impact, only `outside` the discs if set, and the tangent.
+    /// Draws the tangent and the line of impact; if `outside` is set, only the part of the line
+    /// outside the discs.
     pub(super) fn axes(&self, sketch: &mut Sketch, outside: bool, n: DVec2, t: DVec2) {
         let unit = self.stage.unit();
         let ends = [
@@ -34,7 +35,7 @@ impl Moment<'_> {
         sketch.label("t", top, t, Role::TangentLine);
     }
 
-    /// Draws the masses, and the angle to the line of impact.
+    /// Draws the masses, and the angle between the striker's path and the line of impact.
     pub(super) fn measures(&self, sketch: &mut Sketch) {
         let [c1, c2] = self.stage.centres;
         let apart = (c2 - c1).normalize_or(DVec2::X);

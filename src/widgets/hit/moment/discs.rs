@@ -6,21 +6,22 @@ use super::Moment;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// The shortest path that is drawn, in radii of the disc.
+/// The shortest path that is drawn, in radii of the disc; a shorter path means that the disc is at
+/// rest.
 const STANDS: f64 = 1e-6;
-/// The distance of a displaced letter from the centre, in radii of the disc.
+/// The distance of a letter from the centre when it is moved aside, in radii of the disc.
 const LETTER_ASIDE: f64 = 0.55;
 
 impl Moment<'_> {
-    /// Draws a disc at its current position. During the explanation, and at the end of the shot,
-    /// the disc hides nothing and its letter is displaced.
+    /// Draws a disc at its current position. During the explanation and at the end of the shot, the
+    /// disc hides nothing and its letter is moved aside.
     pub(super) fn disc(&self, picture: &mut Picture, body: usize, now: DVec2) {
         let face = self.watch.faces[body];
         let radius = self.stage.radius(body);
         let gone = now - self.stage.centres[body];
         let has_left = self.watch.clock.has_met() && gone.length() > STANDS * radius;
         let beside = match gone.try_normalize() {
-            // The arrow runs through the disc's middle, so the letter is on the side away from the
+            // The arrow runs through the disc's centre, so the letter is on the side away from the
             // original path.
             Some(way) if has_left && !self.watch.clock.is_moving() => {
                 let off = self.stage.heading().perp();
@@ -39,11 +40,11 @@ impl Moment<'_> {
         }
     }
 
-    /// The side of a disc's centre on which no component of its velocity is drawn.
+    /// The side of a disc's centre on which none of its velocity components is drawn.
     fn aside(&self, body: usize) -> Option<DVec2> {
         let tangent = self.watch.outcome.tangent?;
         if self.split_step().is_some() && !self.target_rests() {
-            // All components are on the side away from the contact.
+            // All components are drawn on the side away from the contact.
             return (-self.stage.centres[body]).try_normalize();
         }
         let collision = &self.stage.collision;
@@ -58,7 +59,7 @@ impl Moment<'_> {
         Some(-tangent * 1.0_f64.copysign(sideways))
     }
 
-    /// Draws the paths of the discs up to now.
+    /// Draws the paths of the discs up to the current time.
     pub(super) fn trails(&self, picture: &mut Picture, time: f64) {
         let contact = self.watch.clock.contact;
         for body in 0..2 {
@@ -74,7 +75,7 @@ impl Moment<'_> {
                 continue;
             }
             let fresh = Pen::new(Role::Trail);
-            // A pair that moves on together also rotates, so its trail is curved.
+            // A pair that moves on together also rotates, so its trails are curved.
             let pieces = if self.sticks() { 48 } else { 1 };
             let point = |i: usize| {
                 let share = i as f64 / f64::from(pieces);

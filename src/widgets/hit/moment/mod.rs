@@ -31,11 +31,11 @@ impl Moment<'_> {
         self.watch.frame.velocity(&self.stage.collision)
     }
 
-    /// The position of a disc at a given time in the shot, in the chosen frame.
+    /// The position of a disc at a given time of the shot, in the chosen frame.
     fn place(&self, body: usize, time: f64) -> DVec2 {
         let position = match &self.watch.shot {
             Some(shot) => shot.at(body, time).position,
-            // Two discs with equal velocities have no contact; each follows its path.
+            // Two discs with equal velocities never touch; each follows its own path.
             None => {
                 let (p1, p2) = self
                     .stage
@@ -47,7 +47,7 @@ impl Moment<'_> {
         position - self.drift() * (time - self.watch.clock.contact)
     }
 
-    /// Whether lines and arrows are drawn on the discs at the contact.
+    /// Whether lines and arrows are drawn on top of the discs at the contact.
     fn is_explaining(&self) -> bool {
         self.watch.clock.at_contact() && self.watch.step() > Some(ExplanationStep::Contact)
     }
@@ -57,20 +57,20 @@ impl Moment<'_> {
         self.stage.collision.bond == Bond::Stick && self.watch.outcome.hit()
     }
 
-    /// The velocities before the contact, in the frame.
+    /// The velocities before the contact, in the chosen frame.
     fn before(&self) -> [DVec2; 2] {
         let collision = &self.stage.collision;
         [collision.u1, collision.u2].map(|u| u - self.drift())
     }
 
-    /// Whether the target is at rest before the collision, in the frame.
+    /// Whether the target is at rest before the collision, in the chosen frame.
     fn target_rests(&self) -> bool {
         self.before()[1] == DVec2::ZERO
     }
 
-    /// The velocities after the contact, for arrows at a given time. For a pair that moves on
-    /// together, both are the velocity of the centre of mass or, in the centre-of-mass frame, the
-    /// velocities of the discs.
+    /// The velocities after the contact, for the arrows at a given time. If the pair moves on
+    /// together, both are the velocity of the centre of mass; in the centre-of-mass frame they are
+    /// the velocities of the discs as the pair rotates.
     fn after(&self, time: f64) -> [DVec2; 2] {
         let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
         if self.sticks() && self.watch.frame == Frame::CentreOfMass {
@@ -82,8 +82,8 @@ impl Moment<'_> {
         shared.map(|v| v - self.drift())
     }
 
-    /// A pen for the geometry of the contact: it draws over the discs at the contact, and behind
-    /// them at other times.
+    /// The pen for the geometry of the contact: it draws on top of the discs at the contact, and
+    /// behind them at other times.
     fn pen(&self, role: Role) -> Pen {
         if self.watch.clock.at_contact() {
             Pen::new(role)
@@ -96,12 +96,12 @@ impl Moment<'_> {
         self.watch.layers.shows(layer)
     }
 
-    /// Whether the whole picture shows only the components of u.
+    /// Whether the completed picture shows only the components of u.
     fn is_split_alone(&self) -> bool {
         self.shows(Overlay::Split) && !self.shows(Overlay::Velocities)
     }
 
-    /// The step whose velocities are drawn with their components in the whole picture.
+    /// The step whose velocities are drawn together with their components.
     fn split_step(&self) -> Option<ExplanationStep> {
         let step = self.watch.step()?;
         match step {
@@ -129,7 +129,7 @@ impl Moment<'_> {
         let (step, split) = (self.watch.step(), self.split_step());
         let revealed = step == Some(ExplanationStep::Whole);
         let in_lab = self.watch.frame == Frame::Laboratory;
-        // In the centre-of-mass frame there is no triangle, because the momenta cancel.
+        // In the centre-of-mass frame the momenta cancel, so there is no triangle.
         let flat = self.watch.frame == Frame::CentreOfMass || !self.watch.outcome.hit();
         if revealed && self.shows(Overlay::Triangle) && !flat {
             self.triangle(&mut sketch, before, after);

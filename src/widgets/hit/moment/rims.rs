@@ -15,16 +15,16 @@ use crate::widgets::picture::{Pen, Picture};
 
 /// The mark on a disc, from the rim inwards to this fraction of the radius.
 const MARK: f64 = 0.6;
-/// The radius of the arrow of a spin, in radii of the disc.
+/// The radius of the curved arrow that shows a spin, in radii of the disc.
 const TURN: f64 = 0.8;
-/// The angle of the arrow of the faster spin, in radians.
+/// The angle spanned by the arrow of the faster spin, in radians.
 const LONGEST_TURN: f64 = 0.6 * PI;
-/// The length of the arrows of friction's impulse, in radii of the larger disc. It shows only the
+/// The length of the arrows of friction's impulse, in radii of the larger disc. They show only its
 /// direction, because Jₜ is small compared with Jₙ.
 const IMPULSE: f64 = 1.2;
 
 impl Moment<'_> {
-    /// Whether the discs have marks: if they spin or can be set spinning.
+    /// Whether the discs have marks, which they do if they spin or can be set spinning.
     fn has_marks(&self) -> bool {
         !self.stage.collision.rims.is_plain()
     }
@@ -37,7 +37,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The direction of the mark of a disc: at the contact, both marks point up.
+    /// The direction of a disc's mark; at the contact, both marks point up.
     fn mark_angle(&self, body: usize, time: f64) -> f64 {
         let since = time - self.watch.clock.contact;
         let spins = match since > 0.0 {
@@ -47,7 +47,7 @@ impl Moment<'_> {
         FRAC_PI_2 + spins[body] * since
     }
 
-    /// Draws the mark of a disc, which turns with it.
+    /// Draws the mark on a disc, which turns with the disc.
     pub(super) fn mark(&self, picture: &mut Picture, body: usize, at: DVec2, time: f64) {
         if !self.has_marks() {
             return;
@@ -62,7 +62,7 @@ impl Moment<'_> {
         );
     }
 
-    /// Draws the spin of each disc as an arrow around its centre, with its value beside the disc.
+    /// Draws each disc's spin as an arrow around its centre, with its value beside the disc.
     pub(super) fn spins(&self, sketch: &mut Sketch, now: [DVec2; 2]) {
         if !self.has_marks() {
             return;
@@ -99,7 +99,7 @@ impl Moment<'_> {
         }
     }
 
-    /// Draws friction's impulse on each disc, at the point of contact along the tangent.
+    /// Draws friction's impulse on each disc: an arrow along the tangent at the point of contact.
     pub(super) fn friction(&self, sketch: &mut Sketch) {
         let outcome = &self.watch.outcome;
         let Some((n, t)) = outcome.normal.zip(outcome.tangent) else {

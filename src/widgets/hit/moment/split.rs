@@ -28,7 +28,7 @@ impl Moment<'_> {
                 parts.into_iter().chain([(root, v)])
             })
             .collect();
-        // All steps have the same scale, so that arrows keep their lengths.
+        // All steps have the same scale, so the arrows keep their lengths.
         let along = before[0].dot(axes[0]) * axes[0];
         let along = if self.target_rests() {
             along
@@ -57,10 +57,10 @@ impl Moment<'_> {
         }
     }
 
-    /// Where the initial velocity of a disc is drawn. If the target is at rest, the arrow begins at
-    /// the centre, so that its component along n ends where the target's begins. If both discs
-    /// move, the arrow ends at the centre, unless the other disc is behind, so that each disc has
-    /// its arrows on its own side.
+    /// Determines where the initial velocity of a disc is drawn. If the target is at rest, the
+    /// arrow begins at the centre, so that its component along n ends where the target's component
+    /// begins. If both discs move, the arrow ends at the centre, so that each disc has its arrows
+    /// on its own side; but if the other disc is right behind, the arrow begins at the centre.
     fn root_before(&self, body: usize, v: DVec2) -> Root {
         let centre = self.stage.centres[body];
         if self.target_rests() || self.stage.runs_ahead(body, v) {
@@ -70,7 +70,7 @@ impl Moment<'_> {
         }
     }
 
-    /// Draws an initial velocity with its components, if there is one.
+    /// Draws an initial velocity with its components, unless the disc is at rest.
     pub(super) fn split_before(
         &self,
         sketch: &mut Sketch,
@@ -89,7 +89,7 @@ impl Moment<'_> {
     }
 
     /// Draws a final velocity with its components; without friction the component along t is
-    /// unchanged and keeps its name.
+    /// unchanged, so it keeps its name.
     fn split_after(
         &self,
         sketch: &mut Sketch,
@@ -110,7 +110,7 @@ impl Moment<'_> {
         sketch.split(scale, (body, root), whole, &[along, across]);
     }
 
-    /// A velocity after the collision.
+    /// The arrow and name of a velocity after the collision.
     fn velocity_after(&self, body: usize, v: DVec2) -> NamedVelocity {
         NamedVelocity {
             name: self.names().after[body].to_owned(),
@@ -119,7 +119,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The components of a velocity along n and t, with the names of the initial components.
+    /// The components of a velocity along n and t, named as initial components.
     fn parts_before(&self, body: usize, v: DVec2, axes: [DVec2; 2]) -> [NamedVelocity; 2] {
         let name = self.names().before[body];
         let part = |axis: DVec2, sign, role| NamedVelocity {

@@ -33,7 +33,8 @@ impl Moment<'_> {
         }
         let pen = self.pen(Role::Arc);
         if frame == Frame::CentreOfMass {
-            // Both discs of a pair are deflected by the same angle, so one arc is enough.
+            // Two discs that move on together are deflected by the same angle, so one arc is
+            // enough.
             if !self.sticks() {
                 sketch.arc(0, [before[0], after[0]], "Θ = ", pen);
             }
@@ -65,7 +66,7 @@ impl Moment<'_> {
 
     fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2], at: [DVec2; 2]) {
         if self.sticks() && self.watch.frame != Frame::CentreOfMass {
-            // A pair that moves on together has one velocity, drawn from its centre of mass.
+            // Discs that move on together have one velocity, drawn from their centre of mass.
             if !scale.is_still(after[0]) {
                 let collision = &self.stage.collision;
                 let (m1, m2) = (collision.striker.mass, collision.target.mass);
