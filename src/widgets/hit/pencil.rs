@@ -1,4 +1,4 @@
-//! Printed pictures that students complete with a pencil: a protractor for both directions, and a
+//! Printed pictures that students complete with a pencil: a protractor for two directions, or a
 //! scale for an offset.
 
 use glam::DVec2;
@@ -11,11 +11,11 @@ use crate::quiz::{AimTask, Ray};
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// The radius of the larger disc, in columns.
+/// The radius of the larger disc in a picture with a protractor, in columns.
 const COLUMNS: f64 = 4.7;
 /// The radius of the larger disc in a picture with a scale, in columns.
 const LARGE_COLUMNS: f64 = 6.0;
-/// Millimetres between two ticks of the scale, and between two numbered ticks.
+/// The distance in millimetres between two ticks of the scale, and between two numbered ticks.
 const TICK_MM: i32 = 5;
 const NUMBER_MM: i32 = 10;
 /// The length of the required path and the radius of its arc, in radii of the larger disc.
@@ -39,15 +39,15 @@ fn along(collision: &Collision) -> DVec2 {
         .unwrap_or(DVec2::X)
 }
 
-/// Two discs that are about to collide, with an empty protractor around the striker's position at
-/// contact. Both final paths begin at the protractor's centre, even the target's, because that path
-/// runs along the line through both centres.
+/// Two discs that are about to collide, with an empty protractor around the position of the striker
+/// at contact. Both final paths are drawn from the centre of the protractor, including the target's
+/// path, which lies on the line through both centres.
 pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
     let radius = collision.contact_distance() + collision.target.radius + 0.45 * unit;
     let fastest = collision.u1.length().max(collision.u2.length());
-    // The distance is so large that the arrow, too, is outside the protractor.
+    // The discs start far enough away for the arrow, too, to be outside the protractor.
     let time = (radius + 2.9 * unit) / fastest;
     let places: [DVec2; 2] = match time.is_finite() {
         true => collision.positions_before(time).into(),
@@ -77,7 +77,7 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
         picture.line(from, c1 + radius * direction, Pen::new(role));
         let at = c1 + (radius + 0.4 * unit) * direction;
         let under = |body: usize| at.distance(places[body]) < stage.radius(body) + 0.4 * unit;
-        // The direction straight back is the striker's initial path.
+        // There is no label for straight back, because the striker's initial path is there.
         if angle % 30 == 0 && angle != 180 && !under(0) && !under(1) {
             picture.text(at, i32::abs(angle).to_string(), Role::Dim);
         }
@@ -90,8 +90,8 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
 }
 
 /// A shot whose offset the student chooses: the striker on its path, a perpendicular scale of
-/// offsets in millimetres, at the scale of the discs, and the required path of one disc. The
-/// student marks the target's position on the scale; the head-on position at 0 is dotted.
+/// offsets in millimetres, drawn to the same scale as the discs, and the required path of one disc.
+/// The student marks the position of the target on the scale; the head-on position at 0 is dotted.
 pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     let collision = aim.with(0.0);
     let unit = collision.striker.radius.max(collision.target.radius);
@@ -121,7 +121,7 @@ pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     picture.disc(start, radius, face.role, face.letter);
     picture.line(zero - reach * right, zero + reach * right, Role::Text);
     let last = (1e3 * reach / f64::from(TICK_MM)).floor() as i32;
-    // Only every second number is printed if there is not enough room.
+    // If space is tight, only every second number is printed.
     let crowded = m_from_mm(f64::from(NUMBER_MM)) / unit * LARGE_COLUMNS < 3.5;
     let every = if crowded { 2 * NUMBER_MM } else { NUMBER_MM };
     for offset_mm in (-last..=last).map(|tick| TICK_MM * tick) {

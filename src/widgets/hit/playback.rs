@@ -5,11 +5,11 @@ use std::time::Duration;
 /// The shortest time between two frames: a sixtieth of a second.
 pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 
-/// The duration of the approach on the screen, without slowing down, in seconds.
+/// The duration of the approach on the screen if the motion did not slow down, in seconds.
 const APPROACH: f64 = 1.1;
-/// The time over which motion slows down before the contact and speeds up after it, in seconds.
+/// The time over which the motion slows down before the contact and speeds up after it, in seconds.
 const EASE: f64 = 0.35;
-/// A small step in time, as a fraction of the shot's duration.
+/// The size of a small step in time, as a fraction of the shot's duration.
 const STEP: f64 = 1.0 / 96.0;
 
 /// How a collision is played.
@@ -20,42 +20,46 @@ pub(crate) enum HitPace {
     Flowing,
     /// The discs move, and each step waits for a key.
     Waiting,
-    /// Nothing moves: the picture jumps from the contact, where each step waits for a key, to the
-    /// end.
+    /// Nothing moves: the picture shows the contact, where each step waits for a key, and then
+    /// jumps to the end.
     Still,
 }
 
-/// The stage of a collision that is being shown.
+/// The current stage of the playback.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PlaybackStage {
-    /// Running towards the contact; seconds on the screen so far.
+    /// The discs are approaching the contact; the value is the time on the screen so far, in
+    /// seconds.
     Approach(f64),
-    /// Held at the contact, at this step of the explanation; `stood` is the time so far in seconds.
+    /// The playback is at the contact, at this step of the explanation; `stood` is the time spent
+    /// on the step so far, in seconds.
     Contact { step: usize, stood: f64 },
-    /// Running on from the contact; seconds on the screen so far.
+    /// The discs are moving away from the contact; the value is the time on the screen since then,
+    /// in seconds.
     Departure(f64),
-    /// Halted by the player at this time in the shot, before or after the contact.
+    /// The player has paused the playback at this time of the shot, before or after the contact.
     Halted(f64),
 }
 
 /// The clock of a collision.
 ///
-/// `contact` and `end` are times in the shot, in its own seconds. The picture is always derived
-/// from the stage, so that steps, scrubbing and slow motion only set one number. At the contact the
-/// clock stops for the steps of the explanation.
+/// `contact` and `end` are times in the shot, in the shot's own seconds. The picture is always
+/// derived from the stage, so steps, scrubbing and slow motion only have to set one number. At the
+/// contact the clock stops for the steps of the explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Playback {
     pub(super) contact: f64,
     end: f64,
-    /// The seconds that each step lasts without a key press; the last step stays.
+    /// How many seconds each step lasts if no key is pressed; the last step lasts until a key is
+    /// pressed.
     holds: Vec<f64>,
     stage: PlaybackStage,
 }
 
 impl Playback {
-    /// A clock at the start of a shot whose discs touch at `contact` and that is shown until `end`;
-    /// with reduced motion the clock begins at the contact. There is at least one step of
-    /// explanation.
+    /// Creates a clock at the start of a shot whose discs touch at `contact` and that is shown
+    /// until `end`; with reduced motion, the clock starts at the contact. The explanation always
+    /// has at least one step.
     pub(crate) fn new(contact: f64, end: f64, holds: Vec<f64>, pace: HitPace) -> Self {
         Self {
             contact,
@@ -68,7 +72,7 @@ impl Playback {
         }
     }
 
-    /// This clock with only one step at the contact.
+    /// This clock with a single step at the contact.
     #[must_use]
     pub(super) fn in_one_step(mut self) -> Self {
         self.holds.truncate(1);
@@ -83,11 +87,11 @@ impl Playback {
         self.holds.len().saturating_sub(1)
     }
 
-    /// The time in the shot to show, in its own seconds.
+    /// The current time of the shot, in the shot's own seconds.
     pub(crate) fn time(&self) -> f64 {
         match self.stage {
             PlaybackStage::Approach(s) => {
-                // The rate is constant, then it decreases linearly to 0 over EASE.
+                // The rate is constant at first, then decreases linearly to 0 over EASE.
                 let coasting = s.min(self.coasting());
                 let easing = (s - coasting).min(EASE);
                 let time = self.rate() * (coasting + easing - easing * easing / (2.0 * EASE));
@@ -103,22 +107,23 @@ impl Playback {
         }
     }
 
-    /// Seconds of the shot per second on the screen, at constant rate.
+    /// Seconds of the shot per second on the screen while the rate is constant.
     pub(crate) fn rate(&self) -> f64 {
         self.contact / APPROACH
     }
 
-    /// The factor by which the collision is slowed down.
+    /// The factor by which the playback is slower than the real collision.
     pub(crate) fn slowed(&self) -> f64 {
         1.0 / self.rate()
     }
 
-    /// Seconds on the screen before the motion slows down.
+    /// How many seconds pass on the screen before the motion slows down.
     fn coasting(&self) -> f64 {
         APPROACH - EASE / 2.0
     }
 
-    /// The delay until the clock next has to advance; `None` while it waits for a key, or is over.
+    /// The delay until the clock next has to advance; `None` while the clock waits for a key or the
+    /// playback is over.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match self.stage {
             PlaybackStage::Approach(_) => Some(FRAME),
@@ -140,7 +145,7 @@ impl Playback {
         }
     }
 
-    /// Whether the shot is at or after the contact.
+    /// Whether the shot has reached the contact.
     pub(crate) fn has_met(&self) -> bool {
         self.time() >= self.contact
     }
@@ -155,7 +160,7 @@ impl Playback {
         self.time() >= self.end
     }
 
-    /// The step of the explanation that has been reached: none before the contact, the last one
+    /// The step of the explanation that has been reached: `None` before the contact, the last step
     /// after it.
     pub(crate) fn step_reached(&self) -> Option<usize> {
         match self.stage {
@@ -169,8 +174,8 @@ impl Playback {
         self.step_reached() == Some(self.last())
     }
 
-    /// Advances by `passed` of screen time. Time left over at the end of a step is carried over to
-    /// the next.
+    /// Advances by `passed` of screen time. Time left over at the end of a step counts towards the
+    /// next step.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if self.wake(pace).is_none() {
             return;
@@ -209,8 +214,8 @@ impl Playback {
         };
     }
 
-    /// Continues: jumps to the contact during the approach, goes to the next step at the contact,
-    /// and runs to the end from a halt or from the last step.
+    /// Continues: during the approach, jumps to the contact; at the contact, goes to the next step;
+    /// after the last step or a pause, plays on to the end.
     pub(crate) fn go_on(&mut self) {
         self.stage = match self.stage {
             PlaybackStage::Approach(_) => PlaybackStage::at_step(0),
@@ -229,12 +234,13 @@ impl Playback {
         };
     }
 
-    /// Jumps to the contact, with the whole explanation.
+    /// Jumps to the contact and shows the whole explanation.
     pub(crate) fn reveal(&mut self) {
         self.stage = PlaybackStage::at_step(self.last());
     }
 
-    /// Goes to the end of the explanation, and from there to the end of the shot.
+    /// Jumps to the end of the explanation; if it has already been reached, jumps to the end of the
+    /// shot.
     pub(crate) fn finish(&mut self) {
         match self.is_revealed() {
             true => self.stage = PlaybackStage::Halted(self.end),
@@ -251,8 +257,8 @@ impl Playback {
         self.stage = PlaybackStage::Approach(0.0);
     }
 
-    /// Goes this many steps forwards or backwards: steps of the explanation at the contact, small
-    /// steps in time before and after it.
+    /// Moves this many steps forwards or backwards: at the contact these are steps of the
+    /// explanation, otherwise small steps in time.
     pub(crate) fn step(&mut self, by: i8) {
         let next = match self.stage {
             PlaybackStage::Contact { step, .. } => step.checked_add_signed(by.into()),
@@ -264,8 +270,9 @@ impl Playback {
         }
     }
 
-    /// Halts, and moves by this fraction of the shot's duration. A move across the contact stops
-    /// there: forwards at the first step of the explanation, backwards at the last.
+    /// Pauses, and moves by this fraction of the shot's duration. A move across the contact stops
+    /// at the contact: at the first step of the explanation if it is forwards, at the last if it is
+    /// backwards.
     pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();
         let to = (from + share * self.end).clamp(0.0, self.end);
@@ -278,7 +285,7 @@ impl Playback {
         };
     }
 
-    /// Inverse of the approach in [`Playback::time`].
+    /// The inverse of the approach in [`Playback::time`].
     fn screen_time_before(&self, time: f64) -> f64 {
         let s = time / self.rate();
         if s <= self.coasting() {
@@ -288,7 +295,7 @@ impl Playback {
         self.coasting() + EASE - (2.0 * EASE * left).sqrt()
     }
 
-    /// Inverse of the departure in [`Playback::time`].
+    /// The inverse of the departure in [`Playback::time`].
     fn screen_time_after(&self, time: f64) -> f64 {
         let s = (time - self.contact) / self.rate();
         if s <= EASE / 2.0 {
@@ -300,7 +307,7 @@ impl Playback {
 }
 
 impl PlaybackStage {
-    /// The stage at the beginning of a step of the explanation.
+    /// The stage at the start of a step of the explanation.
     const fn at_step(step: usize) -> Self {
         Self::Contact { step, stood: 0.0 }
     }
@@ -339,7 +346,7 @@ mod tests {
             assert_eq!(clock.step_reached(), Some(step), "the step has not ended");
             run(&mut clock, HitPace::Flowing, 0.4);
         }
-        // The last step stays.
+        // The last step lasts until a key is pressed.
         run(&mut clock, HitPace::Flowing, 100.0);
         assert!(clock.at_contact() && clock.is_revealed());
         assert_eq!(clock.wake(HitPace::Flowing), None);

@@ -14,7 +14,7 @@ pub(crate) struct Reveal {
 }
 
 impl Reveal {
-    /// The state before watching; without a collision, the outcome is already revealed.
+    /// The initial state; if there is no collision, the outcome is already revealed.
     pub(crate) fn new(watch: Option<Watch>) -> Self {
         Self {
             revealed: watch.as_ref().is_none_or(Watch::is_revealed),
@@ -27,25 +27,26 @@ impl Reveal {
         self.watch.as_ref()
     }
 
-    /// Whether the outcome has been revealed; it stays revealed during a replay.
+    /// Whether the outcome has been revealed; a replay does not hide the outcome again.
     pub(crate) fn is_revealed(&self) -> bool {
         self.revealed
     }
 
-    /// Whether the picture is showing the explanation step by step, for the first time or in a
-    /// replay.
+    /// Whether the picture is showing the explanation step by step, whether for the first time or
+    /// in a replay.
     pub(crate) fn is_explaining(&self) -> bool {
         let watch = self.watch.as_ref();
         let at_step = watch.is_some_and(|watch| watch.has_met() && !watch.is_revealed());
         at_step || !self.revealed
     }
 
-    /// Shows another collision; a revealed outcome stays revealed.
+    /// Switches to another collision; if the outcome was revealed, the new one is too.
     pub(crate) fn show(&mut self, watch: Watch) {
         self.watch = Some(watch);
     }
 
-    /// The keys of the collision, if there is one; at its end the space bar plays it again.
+    /// The keys of the collision, if there is one; at the end of the collision the space bar
+    /// replays it.
     pub(crate) fn keys(&self) -> KeyTable<WatchAction> {
         let Some(watch) = &self.watch else {
             return KeyTable::new("hit");
@@ -72,12 +73,12 @@ impl Reveal {
         }
     }
 
-    /// The delay until the picture next has to change; `None` while nothing moves.
+    /// The delay until the picture next has to change; `None` if nothing is moving.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         self.watch.as_ref().and_then(|watch| watch.wake(pace))
     }
 
-    /// Reveals the outcome at once.
+    /// Reveals the outcome immediately.
     pub(crate) fn at_once(&mut self) {
         if let Some(watch) = &mut self.watch {
             watch.reveal();

@@ -1,4 +1,4 @@
-//! The picture before the collision: the given information, and the predicted rays.
+//! The picture before the collision, with the given information and the predicted rays.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -12,11 +12,12 @@ use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
 
-/// The shortest and the longest arrow for the faster disc, in radii of the larger disc.
+/// The shortest and the longest possible arrow of the faster disc, in radii of the larger disc.
 const SHORTEST: f64 = 0.5;
 const LONGEST: f64 = 1.1;
 
-/// Two discs that are about to collide, with the given information and the rays being turned.
+/// Two discs that are about to collide, with the given information and the rays that the player is
+/// turning.
 pub(crate) fn setup_picture(
     area: Rect,
     faces: [Face; 2],
@@ -34,8 +35,8 @@ pub(crate) fn setup_picture(
 /// The title of [`contact_picture`].
 pub(crate) const CONTACT: &str = "the contact, enlarged";
 
-/// The striker's outline where it meets the target, and its path to that point: this shows the aim
-/// on a board with small discs.
+/// The striker's path to the target and its outline at the point of contact, which show the aim
+/// when the discs on the board are small.
 pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collision) -> Picture {
     let [striker, target]: [DVec2; 2] = collision.placed_at_contact().into();
     let [r1, r2] = [collision.striker, collision.target].map(|disc| disc.radius);
@@ -53,7 +54,7 @@ pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collisio
     picture
 }
 
-/// A striker and a coin that are about to collide at an offset in metres, with the required path
+/// A striker and a coin that are about to collide with an offset in metres, and the required path
 /// of one of them.
 pub(crate) fn aim_picture(area: Rect, aim: &AimTask, offset: f64, given: Markings) -> Picture {
     let mut sketch = setup(area, Face::STRIKER_AND_COIN, &aim.with(offset), given);
@@ -70,9 +71,9 @@ fn setup(area: Rect, faces: [Face; 2], collision: &Collision, given: Markings) -
     sketch
 }
 
-/// Two discs before the contact, and the given information. The offset is drawn at the distance
-/// `ahead` of the target's centre at contact; the line of impact extends by `beyond` behind that
-/// centre.
+/// Draws two discs before the contact, with the given information. The offset is drawn at the
+/// distance `ahead` beyond the centre of the target at contact, and the line of impact extends
+/// beyond that centre by the distance `beyond`.
 pub(super) fn about_to_meet(
     sketch: &mut Sketch,
     faces: [Face; 2],
@@ -106,8 +107,8 @@ pub(super) fn about_to_meet(
     moving(sketch, [p1, p2], given.figures);
 }
 
-/// Where the two discs are drawn before the collision: both completely visible and inside the
-/// picture.
+/// The positions at which the two discs are drawn before the collision, chosen so that both discs
+/// are completely inside the picture.
 fn before(stage: &HitLayout) -> [DVec2; 2] {
     let speed = stage.collision.relative_velocity().length();
     if speed > 0.0 {
@@ -125,8 +126,8 @@ fn before(stage: &HitLayout) -> [DVec2; 2] {
     }
 }
 
-/// The impact parameter: the line through the coin's centre parallel to the striker's path, and
-/// the distance between them.
+/// Draws the impact parameter: the line through the coin's centre parallel to the striker's path,
+/// and the distance between the two lines.
 fn offset(sketch: &mut Sketch, along: DVec2, ahead: f64, figures: bool) {
     let stage = sketch.stage;
     let [c1, c2] = stage.centres;
@@ -143,12 +144,12 @@ fn offset(sketch: &mut Sketch, along: DVec2, ahead: f64, figures: bool) {
     sketch.label(text, foot - 0.5 * across, along, Role::Arc);
 }
 
-/// The name of a quantity, with its value if it is given.
+/// The name of a quantity, followed by its value if one is given.
 fn named(name: &str, value: Option<String>) -> String {
     value.map_or(name.to_owned(), |value| format!("{name} = {value}"))
 }
 
-/// The line of impact at the future contact, and the angle to it.
+/// Draws the line of impact at the future contact, and the angle between it and the striker's path.
 fn impact_angle(sketch: &mut Sketch, beyond: f64, figures: bool) {
     let stage = sketch.stage;
     let [c1, c2] = stage.centres;
@@ -172,13 +173,14 @@ fn impact_angle(sketch: &mut Sketch, beyond: f64, figures: bool) {
     sketch.label(text, end, n, Role::LineOfImpact);
 }
 
-/// An arrow ahead of each disc that moves.
+/// Draws an arrow ahead of each moving disc.
 pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
     let stage = sketch.stage;
     let speeds = [stage.collision.u1, stage.collision.u2];
     let fastest = speeds[0].length().max(speeds[1].length());
     let names = VelocityNames::new(&stage.collision, Frame::Laboratory);
-    // An arrow ends before a disc in its way; two that point at each other share the room.
+    // An arrow stops short of a disc in its way; two arrows that point at each other share the
+    // space.
     let facing = (0..2).filter(|body| stage.is_towards(places, *body, speeds[*body]));
     let apart = places[0].distance(places[1]) - stage.radius(0) - stage.radius(1);
     let room = match facing.count() {
@@ -197,7 +199,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
         sketch.picture.arrow(from, from + length * direction, pen);
         let text = named(name, figures.then(|| format!("{:.2} m/s", v.length())));
         let beside = direction.perp() * stage.side();
-        // The label is beside its own disc, on the side away from the other.
+        // The label is beside its own disc, on the side away from the other disc.
         let away = match body {
             1 if beside.dot(places[1] - places[0]) < 0.0 => -beside,
             _ => beside,
@@ -207,7 +209,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
     }
 }
 
-/// The rays predicted so far, from where the discs will touch.
+/// Draws the rays predicted so far, starting from where the discs will touch.
 fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     let said = rays.so_far();
     for ray in Ray::BOTH.into_iter().filter(|ray| rays.asks(*ray)) {
@@ -230,8 +232,8 @@ fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     }
 }
 
-/// Points a ray at a place on the screen (in screen cells): the ray whose tip is nearer when the
-/// button is pressed (`choose`), otherwise the ray being turned.
+/// Points a ray at a position on the screen (in cells): if the button was just pressed (`choose`),
+/// the ray whose tip is nearer, otherwise the ray that is already being turned.
 pub(crate) fn point_at(
     area: Rect,
     collision: &Collision,
@@ -258,14 +260,14 @@ pub(crate) fn point_at(
     }
 }
 
-/// The offset in metres that places the coin at a cell of the picture beside the striker's path.
+/// The offset in metres for which the coin is drawn at the given cell beside the striker's path.
 pub(crate) fn drag_offset(area: Rect, collision: &Collision, place: DVec2) -> f64 {
     let stage = HitLayout::new(area, collision);
     let at = stage.view.to_world(place);
     let Some(along) = collision.relative_velocity().try_normalize() else {
         return collision.offset;
     };
-    // Positive is to the right of the path. The contact point is in the middle, so the coin's
-    // centre moves by only its share of the offset.
+    // A positive offset is to the right of the path. The contact point stays in the middle of the
+    // picture, so the coin's centre moves by only a fraction of the offset.
     -at.dot(along.perp()) * collision.contact_distance() / collision.target.radius
 }

@@ -1,5 +1,5 @@
-//! A collision that the player watches without any explanation, and then describes: what did you
-//! see?
+//! A collision that the player first watches without any explanation and then describes: what did
+//! you see?
 
 use std::time::Duration;
 
@@ -20,12 +20,12 @@ use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Outcome, RayInput, Role, brief};
 
-/// A collision that is watched first, and then described by two rays. Nothing is filled in, so that
-/// the prediction does not suggest the answer.
+/// A collision that the player watches first and then describes by setting two rays. The rays are
+/// empty at the start, so that the prediction does not suggest the answer.
 #[derive(Debug, Clone)]
 pub(crate) struct Sighting {
     watch: Watch,
-    /// The information in the picture in which the rays are set.
+    /// The information given in the picture in which the rays are set.
     given: Markings,
     rays: RayInput,
     /// Whether the collision is over, so that the rays can be set.
@@ -67,7 +67,7 @@ impl Sighting {
         }
     }
 
-    /// The hint about what can be dragged, once the rays can be set.
+    /// The hint that says what can be dragged, once the rays can be set.
     pub(crate) fn drag(&self) -> Option<&'static str> {
         self.is_over.then_some(RayInput::DRAG)
     }
@@ -85,7 +85,8 @@ impl Sighting {
         keys.on('s', Skip, "skip")
     }
 
-    /// Carries out an action; `Done` with what the player saw, or with nothing if they skip it.
+    /// Carries out an action; returns `Done` with what the player saw, or with `None` if the player
+    /// skips this.
     pub(crate) fn act(&mut self, action: SightingAction) -> Outcome<Option<Rays>> {
         match action {
             SightingAction::GoOn => {
@@ -107,7 +108,7 @@ impl Sighting {
         Outcome::Used
     }
 
-    /// Turns a ray by pointing into the picture.
+    /// Turns a ray when the player points at the picture.
     pub(crate) fn point(&mut self, picture: Rect, place: DVec2, pressed: bool) {
         if self.is_over {
             let collision = *self.watch.collision();
@@ -129,7 +130,7 @@ impl Sighting {
         self.watch.wake(pace)
     }
 
-    /// Continues from the contact, where a collision that is explained would stop.
+    /// Continues past the contact, where an explained collision would stop.
     fn pass_contact(&mut self) {
         let clock = self.watch.clock();
         if clock.at_contact() && !clock.is_moving() {
@@ -145,7 +146,8 @@ impl Sighting {
         }
     }
 
-    /// The collision; when it is over, its beginning, with the rays.
+    /// The picture of the collision; once the collision is over, the picture before it, with the
+    /// rays.
     pub(crate) fn picture(&self, area: Rect) -> Picture {
         match self.is_over {
             true => {
@@ -185,7 +187,7 @@ impl Sighting {
     }
 }
 
-/// Writes what the player saw, and how it compares with the prediction and the truth.
+/// Writes what the player saw, and compares it with the prediction and the true outcome.
 pub(crate) fn write_observation<A>(
     collision: &Collision,
     observation: &Observation,
@@ -249,7 +251,7 @@ mod tests {
         }
     }
 
-    /// Neither an angle nor an arrow nor a path helps the eye.
+    /// Watching relies on the eye alone: the picture has no angles, arrows or paths.
     #[test]
     fn no_number_of_the_outcome_is_drawn() {
         let collision = CollisionSpec::default().collision();

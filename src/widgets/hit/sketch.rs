@@ -1,4 +1,4 @@
-//! A picture of a collision under construction, with the parts that all such pictures share.
+//! A picture of a collision under construction, with the elements that all of these pictures share.
 
 use glam::DVec2;
 
@@ -9,40 +9,41 @@ use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
 
 /// The length of the longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
-/// The length of the longest arrow of a velocity with components, in the same radii.
+/// The length of the longest arrow of a velocity with components, in radii of the larger disc.
 const LONGEST_ROOTED: f64 = 2.9;
-/// The length of the longest component along n that begins at a centre, as a fraction of the
-/// distance to the other centre, where the other disc's component begins.
+/// The length of the longest component along n that begins at a disc's centre, as a fraction of the
+/// distance to the other centre, where the component of the other disc begins.
 const LONGEST_ALONG: f64 = 0.96;
-/// The distance from the leading disc's rim to the arrow drawn beside that disc, in the same radii.
+/// The distance between a leading disc's rim and the arrow drawn beside that disc, in radii of the
+/// larger disc.
 const BESIDE: f64 = 0.4;
-/// The room for the head of an arrow, in the same radii.
+/// The space for the head of an arrow, in radii of the larger disc.
 const HEAD: f64 = 0.3;
 /// The radius of an arc, in radii of its disc.
 const ARC: f64 = 1.55;
 /// The smallest angle for which an arc is drawn, in radians.
 const LEAST_ARC: f64 = 1e-6;
-/// The tolerance of a right angle, in radians.
+/// The tolerance for a right angle: the largest cosine that still counts as 0.
 const SQUARE: f64 = 1e-9;
 /// The fraction of the greatest speed below which a disc counts as at rest.
 const STILL: f64 = 1e-9;
 /// A speed below this, in m/s, is printed as 0.00.
 const LEAST_SPEED: f64 = 0.005;
-/// The width and height of the triangle of momenta, as fractions of the picture's.
+/// The width and height of the triangle of momenta, as fractions of those of the picture.
 const INSET: DVec2 = DVec2::new(0.26, 0.30);
 
 /// The scale of velocity arrows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArrowScale {
-    /// Metres on the picture per m/s.
+    /// Metres in the picture per m/s.
     per_speed: f64,
     /// The greatest speed in the picture.
     fastest: f64,
 }
 
 impl ArrowScale {
-    /// The largest scale at which the arrows for `after`, drawn outwards from the rims at contact,
-    /// stay within the picture.
+    /// The largest scale at which the arrows of `after`, drawn outwards from the rims at contact,
+    /// fit into the picture.
     pub(super) fn fit(stage: &HitLayout, before: [DVec2; 2], after: [DVec2; 2]) -> Self {
         let speeds = before.iter().chain(&after).map(|v| v.length());
         let fastest = speeds.fold(0.0, f64::max);
@@ -54,8 +55,8 @@ impl ArrowScale {
         Self::scaled(room.fold(LONGEST * stage.unit(), f64::min), fastest)
     }
 
-    /// The largest scale at which velocities attached at their roots stay within the picture, and a
-    /// component `along` the line of impact that begins at one centre ends before the other.
+    /// The largest scale at which velocities attached at their roots fit into the picture, and a
+    /// component `along` the line of impact that begins at one centre does not reach the other.
     pub(super) fn fit_rooted(
         stage: &HitLayout,
         along: DVec2,
@@ -76,7 +77,8 @@ impl ArrowScale {
         Self::scaled(room.fold(longest, f64::min), fastest)
     }
 
-    /// The scale at which the greatest speed has the length `longest`, in metres on the picture.
+    /// The scale at which an arrow for the greatest speed has the length `longest`, in metres in
+    /// the picture.
     fn scaled(longest: f64, fastest: f64) -> Self {
         let per_speed = if fastest > 0.0 {
             longest / fastest
@@ -97,17 +99,17 @@ impl ArrowScale {
     }
 }
 
-/// The end at which a velocity and its components are attached.
+/// The point at which a velocity and its components are attached.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Root {
-    /// The velocity and its components begin here.
+    /// The velocity and its components begin at this point.
     From(DVec2),
-    /// The velocity ends here; its components begin where the velocity begins.
+    /// The velocity ends at this point; its components begin where the velocity begins.
     UpTo(DVec2),
 }
 
 impl Root {
-    /// Where the arrow of the velocity begins.
+    /// The point at which the arrow of the velocity begins.
     fn tail(self, way: DVec2) -> DVec2 {
         match self {
             Self::From(tail) => tail,
@@ -136,7 +138,7 @@ impl Sketch {
         Self { stage, picture }
     }
 
-    /// Adds a label beside its anchor, in the given direction.
+    /// Adds a label beside its anchor, preferably in the given direction.
     pub(super) fn label(
         &mut self,
         text: impl Into<String>,
@@ -148,8 +150,8 @@ impl Sketch {
             .label(text, anchor, &LabelSide::towards(towards), role)
     }
 
-    /// Draws the arc from one direction to another around the centre of `body`, with its reference
-    /// line and the angle beside it.
+    /// Draws the arc from one direction to another around the centre of `body`, with a line in the
+    /// first direction, and the angle as a label.
     pub(super) fn arc(&mut self, body: usize, [from, to]: [DVec2; 2], name: &str, pen: Pen) {
         let (Some(from), Some(to)) = (from.try_normalize(), to.try_normalize()) else {
             return;
@@ -167,7 +169,7 @@ impl Sketch {
         self.angle(name, turn, middle, middle - centre);
     }
 
-    /// Whether an arc is drawn from one direction to another.
+    /// Whether the angle between two directions is large enough for an arc.
     pub(super) fn has_arc(from: DVec2, to: DVec2) -> bool {
         from.angle_to(to).abs() >= LEAST_ARC
     }
@@ -178,8 +180,9 @@ impl Sketch {
         self.label(text, at, towards, Role::Arc);
     }
 
-    /// Draws the right-angle mark between two final paths at the striker's centre: both lines pass
-    /// through it, one along the tangent, the other along the line of impact.
+    /// Draws the right-angle mark between the two final paths. Its corner is at the striker's
+    /// centre, because one path runs along the tangent and the other along the line of impact, and
+    /// both lines pass through that centre.
     pub(super) fn square_corner(&mut self, v1: DVec2, v2: DVec2, pen: Pen) {
         if let (Some(a), Some(b)) = (v1.try_normalize(), v2.try_normalize())
             && a.dot(b).abs() <= SQUARE
@@ -193,15 +196,16 @@ impl Sketch {
     /// Draws the required path as a dashed line from the disc at the contact, and the target mark.
     pub(super) fn wanted_way(&mut self, aim: &AimTask) {
         let (direction, [rim, end]) = self.stage.ray(aim.ray, aim.wanted);
-        // This radius is too small for a disc, so a token is drawn.
+        // This radius is too small for a round disc, so a token is drawn instead.
         let radius = 0.01 * self.stage.view.per_row();
         self.picture.line(rim, end, Pen::new(Role::Good).dashed());
         self.picture.disc(end, radius, Role::Marble, ' ');
         self.label("mark", end, direction, Role::Good);
     }
 
-    /// Draws an arrow that ends at the rim of an arriving disc, with the speed beside its visible
-    /// part. If the other disc is right behind this one, the arrow is beside the disc.
+    /// Draws an arrow that ends at the rim of an arriving disc, with the speed beside the visible
+    /// part of the arrow. If the other disc is right behind this one, the arrow is drawn beside the
+    /// disc.
     pub(super) fn incoming(
         &mut self,
         scale: &ArrowScale,
@@ -233,9 +237,9 @@ impl Sketch {
         self.label(text, anchor, across, Role::Incoming).short(name);
     }
 
-    /// Draws an arrow from the rim of a disc that leaves, with the speed at the tip; or writes
-    /// that the disc stops. The arrow ends at the edge of the picture, and is left out if there is
-    /// no room for its head. `room` is the room for the label around the disc's centre.
+    /// Draws an arrow from the rim of a departing disc, with the speed at its tip, or writes that
+    /// the disc stops. The arrow ends at the edge of the picture, and is left out if there is no
+    /// space for its head. `room` is the space reserved for the label around the disc's centre.
     pub(super) fn outgoing(
         &mut self,
         scale: &ArrowScale,
@@ -263,8 +267,8 @@ impl Sketch {
                 DVec2::NEG_Y,
             ),
         };
-        // The label is beside the disc, because after a head-on collision the arrow may be on
-        // the other disc.
+        // The label is beside the disc, because after a head-on collision the arrow may overlap the
+        // other disc.
         let across = v.perp().normalize_or_zero();
         let across = across * 1.0_f64.copysign(across.y);
         self.picture
@@ -273,7 +277,7 @@ impl Sketch {
     }
 
     /// Draws a velocity of a disc and its components along n and t, with the sides that complete
-    /// the rectangle. If there is only one component, it is the same arrow, with both names.
+    /// the rectangle. If one of the components is zero, a single arrow is drawn, with both names.
     pub(super) fn split(
         &mut self,
         scale: &ArrowScale,
@@ -298,15 +302,15 @@ impl Sketch {
             both => {
                 let tail = root.tail(scale.per_speed * whole.v);
                 let end = |v: DVec2| tail + scale.per_speed * v;
-                // The side at the tip of one component has the length and colour of the other
-                // component.
+                // The side that begins at the tip of one component has the length and colour of the
+                // other component.
                 for (part, other) in both.iter().zip(both.iter().rev()) {
                     let pen = Pen::new(other.role).dotted();
                     let closing = pen.on(DrawLayer::Construction);
                     self.picture.line(end(part.v), end(whole.v), closing);
                 }
                 // The longest arrow is drawn first, because all arrows share cells near the root.
-                // Its name is written last, because it can be at either end.
+                // Its name is written last, because the name can be at either end.
                 let pen = Pen::new(whole.role).bold();
                 self.picture.arrow(tail, end(whole.v), pen);
                 for part in both {
@@ -315,7 +319,8 @@ impl Sketch {
                         Root::From(_) => self.velocity(scale, root, part),
                         Root::UpTo(_) => {
                             self.picture.arrow(tail, tip, Pen::new(part.role).bold());
-                            // Outside the rectangle, on the side away from the other disc.
+                            // The name is outside the rectangle, on the side away from the other
+                            // disc.
                             let aside = (tip - end(whole.v / 2.0)).normalize_or_zero();
                             self.name(part, tip, aside + tip.normalize_or_zero());
                         }
@@ -341,8 +346,8 @@ impl Sketch {
         self.name(velocity, at, towards);
     }
 
-    /// The free end of an arrow, and the direction in which it points away: out of the discs, which
-    /// labels never cover.
+    /// The free end of an arrow, and the direction in which this end points: out of the discs,
+    /// which labels never cover.
     fn free_end(&self, root: Root, [tail, tip]: [DVec2; 2]) -> (DVec2, DVec2) {
         let direction = (tip - tail).normalize_or_zero();
         if let Root::UpTo(_) = root {
@@ -369,8 +374,8 @@ impl Sketch {
             .short(&velocity.name);
     }
 
-    /// Draws the triangle of momenta in kg·m/s: total = p₁ + p₂, tail to tip, in the corner
-    /// furthest from `busy`, the directions in which something is drawn.
+    /// Draws the triangle of momenta in kg·m/s, tail to tip, with total = p₁ + p₂. It is in the
+    /// corner farthest from `busy`, the directions in which something else is drawn.
     pub(super) fn triangle(&mut self, p1: DVec2, p2: DVec2, busy: &[DVec2]) {
         let total = p1 + p2;
         let points = [DVec2::ZERO, p1, total];
@@ -398,7 +403,7 @@ impl Sketch {
         {
             picture.square_corner(joint, [tail - joint, tip - joint], side, Role::SquareCorner);
         }
-        // The name goes below the base, where no side of the triangle is.
+        // The name goes below the base, where there is no side of the triangle.
         let below = tail.y.min(joint.y).min(tip.y);
         let caption = DVec2::new(middle.x, below);
         let sides = [LabelSide::Below, LabelSide::Above];
@@ -408,7 +413,7 @@ impl Sketch {
     }
 }
 
-/// The corner, as signs of x and y, that is furthest from all busy directions.
+/// The corner, as signs of x and y, that is farthest from all busy directions.
 fn freest_corner(half: DVec2, busy: &[DVec2]) -> DVec2 {
     let corners = [(-1.0, 1.0), (-1.0, -1.0), (1.0, 1.0), (1.0, -1.0)].map(DVec2::from);
     let crowding = |corner: &DVec2| {

@@ -10,11 +10,11 @@ use crate::widgets::picture::View;
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
 
-/// Half of a low picture's shorter side, in the same radii. It is smaller because the discs would
-/// otherwise be too small to look round.
+/// Half of the shorter side of a low picture, in radii of the larger disc. This is smaller than
+/// [`HALF_HEIGHT`], because otherwise the discs would be too small to look round.
 const LOW_HALF_HEIGHT: f64 = 2.9;
 
-/// The fraction of half the picture's height that is certainly visible.
+/// The fraction of half the picture's height that is always visible.
 const IN_SIGHT: f64 = 0.92;
 
 /// The number of rows below which a picture counts as low.
@@ -55,7 +55,7 @@ impl HitLayout {
     }
 
     /// The layout of `collision` on paper: just large enough to show the rectangle between two
-    /// corners, with this many columns for the radius of the larger disc.
+    /// corners, with the given number of columns for the radius of the larger disc.
     pub(super) fn between(collision: &Collision, [low, high]: [DVec2; 2], columns: f64) -> Self {
         let largest = collision.striker.radius.max(collision.target.radius);
         let size = (high - low) / largest * columns;
@@ -88,8 +88,8 @@ impl HitLayout {
         self.collision.side()
     }
 
-    /// Whether, at these positions, the other disc is straight ahead of a disc moving in a
-    /// direction.
+    /// Whether the other disc, at these positions, is straight ahead of a disc that moves in the
+    /// given direction.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
         let other = places[1 - body] - places[body];
         let direction = direction.normalize_or_zero();
@@ -101,13 +101,13 @@ impl HitLayout {
         self.is_towards(self.centres, body, -v)
     }
 
-    /// The direction of a ray at an angle in radians, with the signs used in physics.
+    /// The direction of a ray at an angle in radians, with the sign convention of physics.
     fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
         DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
     }
 
-    /// The ray of a disc at an angle in radians, from its position at contact: the direction, and
-    /// the points where it leaves the rim and where it ends.
+    /// A disc's ray at an angle in radians, starting from the disc's position at contact: its
+    /// direction, the point where it leaves the rim, and its end.
     pub(crate) fn ray(&self, ray: Ray, angle: f64) -> (DVec2, [DVec2; 2]) {
         let centre = self.centres[ray as usize];
         let direction = self.direction(ray, angle);
@@ -116,14 +116,15 @@ impl HitLayout {
         (direction, ends.map(|away| centre + away * direction))
     }
 
-    /// The angle of a ray in this direction, in degrees, as players write it: for the striker
-    /// positive on the side away from the coin, for the coin positive on the coin's side.
+    /// The angle of a ray in this direction, in degrees, with the signs that players use: the
+    /// striker's angle is positive on the side away from the coin, the coin's angle on the coin's
+    /// side.
     pub(crate) fn angle_deg_of(&self, ray: Ray, direction: DVec2) -> f64 {
         self.side() * turn(ray) * self.heading().angle_to(direction).to_degrees()
     }
 
-    /// Half the width and height of the picture, less a margin for arrow tips and labels. A low
-    /// picture has hardly any margin, because otherwise there would be no room for arrows.
+    /// Half the width and height of the picture, minus a margin for arrow tips and labels. A low
+    /// picture has hardly any margin, because otherwise there would be no space for arrows.
     pub(crate) fn half_extent(&self) -> DVec2 {
         let area = self.view.area();
         let margin = if area.height < LOW { 0.5 } else { 1.5 };
@@ -152,8 +153,8 @@ impl HitLayout {
     }
 }
 
-/// The time after the contact for which both discs are completely inside the picture, both in the
-/// laboratory frame and in the centre-of-mass frame.
+/// How long both discs stay completely inside the picture after the contact, both in the laboratory
+/// frame and in the centre-of-mass frame.
 pub(super) fn time_in_sight(collision: &Collision) -> f64 {
     let largest = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
@@ -177,8 +178,8 @@ pub(super) fn time_in_sight(collision: &Collision) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// The sign of a ray's angle: the scattering angle is positive anticlockwise, the recoil angle
-/// clockwise.
+/// The sign convention for a ray's angle: scattering angles are positive anticlockwise, recoil
+/// angles clockwise.
 fn turn(ray: Ray) -> f64 {
     match ray {
         Ray::Striker => 1.0,
@@ -192,8 +193,7 @@ mod tests {
     use crate::physics::Disc;
 
     /// For all masses and angles, both discs stay completely inside the picture while they are
-    /// shown, in the laboratory frame and in the centre-of-mass frame, and in one of the two
-    /// frames a disc reaches the edge.
+    /// shown, in both frames, and in one of the frames a disc just reaches the edge.
     #[test]
     fn discs_are_shown_while_they_are_completely_inside_the_picture() {
         let disc = |mass, radius| Disc { mass, radius };

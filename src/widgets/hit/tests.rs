@@ -59,8 +59,8 @@ fn file(picture: &Picture) -> String {
     Svg::new("a hit", picture, &look, 0.75).file()
 }
 
-/// The labels of a picture, after checking that the file is complete: it fits the paper, is
-/// well-formed, and consists of lines and circles with finite numbers.
+/// The labels of a picture. The file is also checked for completeness: the picture fits the paper,
+/// is well-formed, and consists of lines and circles with finite coordinates.
 fn labels(picture: &Picture) -> Vec<String> {
     let area = picture.area();
     assert!(area.width.min(area.height) >= 10, "{area}");
@@ -165,7 +165,7 @@ fn a_shot_to_set_up_shows_its_angle_and_a_scale_in_true_size() {
 fn letters_and_numbers_match_the_collision() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
-    // 4 m/s sin 30° and cos 30°.
+    // The components are 4 m/s times sin 30° and cos 30°.
     let mut found = labels(&revealed(&hit));
     found.sort();
     let mut expected = [
@@ -216,8 +216,8 @@ fn cells(picture: &Picture, look: &Look) -> Buffer {
     buffer
 }
 
-/// The distances along an arrow, in columns from its tail, of cells that show its colour and differ
-/// from what is beneath.
+/// The distances from the tail, in columns along an arrow, of the cells that show the arrow's
+/// colour on top of something different.
 fn seen_along(
     buffer: &Buffer,
     picture: &Picture,
@@ -235,7 +235,7 @@ fn seen_along(
     near.map(|offset| offset.dot(along)).collect()
 }
 
-/// The steps of a collision that explain arrows, in a frame, with their pictures.
+/// The steps of the explanation that have arrows, with their pictures, in the given frame.
 fn steps(
     collision: &Collision,
     frame: Frame,
@@ -341,7 +341,7 @@ fn an_arrow_of_one_step_has_the_same_length_in_the_next() {
     };
     let part = length(2, Role::NormalPart).unwrap();
     assert_eq!(length(3, Role::NormalPart), Some(part));
-    // The coin gets what the striker loses: v₂ = u₁ₙ, v₁ = u₁ₜ.
+    // The coin gains what the striker loses: v₂ = u₁ₙ, v₁ = u₁ₜ.
     assert!((length(3, Role::CoinOut).unwrap() - part).abs() < 1e-12);
     let across = length(2, Role::TangentPart).unwrap();
     assert!((length(4, Role::StrikerOut).unwrap() - across).abs() < 1e-12);
@@ -378,7 +378,7 @@ fn no_name_is_beside_the_other_disc() {
                     let Some(label) = label else {
                         continue;
                     };
-                    // The end of the label that is nearer to the disc's own side.
+                    // The end of the label that is closer to the disc's own side.
                     let ends = [label.place.left(), label.place.right()];
                     let end = ends[usize::from([c1.x, c2.x][body] > 0.0)];
                     let x = picture.view().world_at(end, label.place.y).x;
@@ -390,7 +390,7 @@ fn no_name_is_beside_the_other_disc() {
     }
 }
 
-/// Before a head-on collision, an arrow ends before the other disc.
+/// Before a head-on collision, an arrow stops short of the other disc.
 #[test]
 fn no_arrow_before_the_collision_runs_into_the_other_disc() {
     let piece = Disc::from_g_mm(15.0, 15.0);

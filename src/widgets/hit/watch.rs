@@ -1,4 +1,4 @@
-//! Watching a collision: its clock, its layers and the reference frame, with their keys.
+//! Watching a collision: the clock, layers and reference frame, with their keys.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use crate::quiz::{AimTask, Rays};
 use crate::widgets::panels::{impact_angle, masses, offset, rim_facts, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
-/// The fraction of the shot's duration by which `<` and `>` scrub.
+/// The fraction of the shot's duration by which the keys `<` and `>` move.
 const SCRUB: f64 = 1.0 / 16.0;
 
 /// A collision being watched.
@@ -30,7 +30,7 @@ pub(crate) struct Watch {
     pub(super) wanted: Option<AimTask>,
     pub(super) measured: bool,
     pub(super) faces: [Face; 2],
-    /// The explanation at the contact, step by step.
+    /// The steps of the explanation at the contact.
     steps: &'static [ExplanationStep],
     /// The layer that the last key switched on or off.
     switched: Option<Overlay>,
@@ -58,12 +58,12 @@ pub enum WatchAction {
     ToggleLayer(Overlay),
 }
 
-/// How a disc of a collision is drawn.
+/// The appearance of a disc in a collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Face {
     /// Its colour.
     pub role: Role,
-    /// The letter on it.
+    /// The letter on the disc.
     pub letter: char,
 }
 
@@ -79,7 +79,7 @@ impl Face {
 }
 
 impl Watch {
-    /// The collision from its start, or from the contact with reduced motion, with the player's
+    /// The collision from its start, or with reduced motion from its contact, with the player's
     /// prediction.
     pub(crate) fn new(collision: Collision, said: Option<Rays>, pace: HitPace) -> Self {
         let (contact, end) = times(&collision);
@@ -104,14 +104,14 @@ impl Watch {
         }
     }
 
-    /// The collision at its contact, with the whole explanation.
+    /// The collision at the moment of contact, with the whole explanation.
     pub(crate) fn revealed(collision: Collision) -> Self {
         let mut watch = Self::new(collision, None, HitPace::Still);
         watch.reveal();
         watch
     }
 
-    /// This collision without steps at the contact: the whole explanation appears at once.
+    /// This collision without steps at the contact: the whole explanation appears immediately.
     #[must_use]
     pub(crate) fn at_once(self) -> Self {
         Self {
@@ -127,7 +127,7 @@ impl Watch {
         Self { frame, ..self }
     }
 
-    /// This collision with pieces other than a striker and a coin.
+    /// This collision with these faces instead of those of a striker and a coin.
     #[must_use]
     pub(crate) fn with_faces(self, faces: [Face; 2]) -> Self {
         Self { faces, ..self }
@@ -181,7 +181,7 @@ impl Watch {
         self.said.as_ref()
     }
 
-    /// The step of the explanation that has been reached; none before the contact.
+    /// The step of the explanation that has been reached; `None` before the contact.
     pub(super) fn step(&self) -> Option<ExplanationStep> {
         self.clock
             .step_reached()
@@ -193,13 +193,14 @@ impl Watch {
         self.clock.has_met()
     }
 
-    /// Whether the outcome may be revealed: once all steps at the contact have been shown.
+    /// Whether the outcome may be revealed, which is the case once all steps at the contact have
+    /// been shown.
     pub(crate) fn is_revealed(&self) -> bool {
         self.clock.is_revealed()
     }
 
-    /// The title of the picture: `name` in the laboratory frame, otherwise the frame. After a layer
-    /// has been switched on or off, the title names that layer.
+    /// The title of the picture: `name` in the laboratory frame, otherwise the name of the frame.
+    /// After a layer has been switched on or off, the title shows the layer's name.
     pub(crate) fn title(&self, name: &str) -> String {
         if let Some(layer) = self.switched {
             let state = if self.layers.shows(layer) {
@@ -224,7 +225,7 @@ impl Watch {
         self.title(&format!("the hit, slowed {:.0}×", self.clock.slowed()))
     }
 
-    /// Writes the step of the explanation and its text, until the explanation is complete.
+    /// Writes the current step of the explanation and its text, until the explanation is complete.
     pub(crate) fn write_explanation<A>(&self, panel: &mut Panel<A>) {
         let (heading, words) = self.explanation();
         if let Some(heading) = heading {
@@ -234,9 +235,9 @@ impl Watch {
         panel.paragraph(words, Role::Text);
     }
 
-    /// Writes the facts of the collision, except `secret` masses, and what has been revealed so
-    /// far. Returns whether the explanation follows: in the laboratory frame, once everything is
-    /// revealed.
+    /// Writes the facts of the collision, except `secret` masses, and everything that has been
+    /// revealed so far. Returns whether the explanation should follow, which is the case in the
+    /// laboratory frame once everything has been revealed.
     pub(crate) fn write_facts<A>(&self, secret: [bool; 2], panel: &mut Panel<A>) -> bool {
         offset(&self.collision, panel);
         impact_angle(&self.collision, panel);
@@ -263,7 +264,7 @@ impl Watch {
         false
     }
 
-    /// The current text of the explanation, with a heading after the contact.
+    /// The text for the current step of the explanation; after the contact it has a heading.
     pub(crate) fn explanation(&self) -> (Option<String>, String) {
         let words = StepWords::new(&self.collision, &self.outcome, self.frame, self.faces);
         match self.step() {
@@ -272,7 +273,7 @@ impl Watch {
         }
     }
 
-    /// Goes to the contact at once and reveals the outcome.
+    /// Goes to the contact and reveals the outcome immediately.
     pub(crate) fn reveal(&mut self) {
         self.clock.reveal();
     }
@@ -342,8 +343,8 @@ impl Watch {
     }
 }
 
-/// The times of the contact and the end, in the shot's seconds. They are chosen so that discs of
-/// any speed start and end at the edge of the picture.
+/// The times of the contact and of the end, in the shot's own seconds. They are chosen so that
+/// discs of any speed start and end at the edge of the picture.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
