@@ -5,11 +5,11 @@ use glam::DVec2;
 use super::{canvas::Canvas, cell::Glyph};
 use crate::widgets::{Charset, picture::Pen};
 
-/// The length of a head in columns; a shorter arrow has a shorter head.
+/// The length of an arrow's head, in columns; a shorter arrow has a shorter head.
 const HEAD_LENGTH: f64 = 3.0;
 /// The length of the head of a bold arrow, in columns.
 const BOLD_HEAD_LENGTH: f64 = 4.0;
-/// Half the width of a head, as a fraction of its length.
+/// Half the width of an arrow's head, as a fraction of the head's length.
 const HEAD_SLIMNESS: f64 = 0.45;
 
 impl Canvas {
@@ -45,13 +45,13 @@ impl Canvas {
         let stroke = self.stroke_mut();
         stroke.piece(tail, base, pen);
         stroke.triangle([tip, base + side, base - side]);
-        // Near the tip the triangle is finer than a dot, so its axis is drawn.
+        // Near the tip the triangle is narrower than a dot, so its axis is drawn.
         stroke.piece(base, tip, Pen::new(pen.role));
         self.commit(pen);
     }
 
     fn glyph_head(&mut self, tail: DVec2, tip: DVec2, pen: Pen) {
-        // The shaft ends in the middle of the tip's cell, where the tip's glyph is.
+        // The shaft ends in the middle of the cell that contains the tip's glyph.
         let middle = DVec2::new(tip.x.floor() + 0.5, 2.0 * (tip.y / 2.0).floor() + 1.0);
         self.stroke_mut().piece(tail, middle, pen);
         self.commit(pen);

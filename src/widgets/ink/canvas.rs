@@ -29,21 +29,21 @@ pub(super) fn cell_of(paper: DVec2) -> CellPlace {
     (paper.x.floor() as i32, (paper.y / 2.0).floor() as i32)
 }
 
-/// The cells on which strokes, discs and labels in world coordinates are collected, before
-/// [`Canvas::draw`] copies them all into a buffer.
+/// The cells in which strokes, discs and labels in world coordinates are collected, before
+/// [`Canvas::draw`] copies all the cells into a buffer.
 #[derive(Debug, Clone)]
 pub(in crate::widgets) struct Canvas {
     view: View,
     pub(super) charset: Charset,
     /// The block elements for discs.
     pub(super) blocks: Blocks,
-    /// Whether there are colours between that of a disc and the background.
+    /// Whether the terminal has colours between a disc's colour and the background.
     pub(super) has_shades: bool,
-    /// Whether there are no colours at all.
+    /// Whether the terminal has no colours at all.
     pub(super) is_mono: bool,
     pub(super) cells: Vec<Cell>,
     pub(super) labels: Vec<PlacedLabel>,
-    /// The cells of the points that labels name, counted from the corner of the area.
+    /// The cells of the points that labels refer to, counted from the corner of the area.
     pub(super) expected: Vec<CellPlace>,
     stroke: StrokeSamples,
 }
@@ -66,14 +66,14 @@ impl Canvas {
         }
     }
 
-    /// A canvas with a whole picture on it.
+    /// A canvas on which a whole picture has been drawn.
     pub(in crate::widgets) fn of(picture: &Picture, look: &Look) -> Self {
         let mut canvas = Self::new(*picture.view(), look.charset);
         let is_hidden = look.charset == Charset::Unicode && gallery::hides_cells();
         canvas.blocks = look.blocks;
         canvas.has_shades = look.theme.has_shades() && !is_hidden;
         canvas.is_mono = look.theme.is_mono();
-        // The surface of a board gets in the way of no label, so it is not needed where it is hidden.
+        // A board's surface never blocks a label, so it is not needed where it is hidden.
         let is_needed = |mark: &&Mark| !(is_hidden && matches!(mark, Mark::Ground { .. }));
         for mark in picture.marks.iter().filter(is_needed) {
             canvas.mark(mark);
@@ -115,7 +115,7 @@ impl Canvas {
     }
 
     /// Draws a straight line. A horizontal or vertical line is shifted to the middles of its cells
-    /// (in Unicode: of its dots), so that it looks the same in every position.
+    /// (in Unicode, of its dots), so that it looks the same wherever it is.
     pub(super) fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         let (from, to) = self.snapped(self.paper(from), self.paper(to), pen);
@@ -124,8 +124,8 @@ impl Canvas {
         self.commit(pen);
     }
 
-    /// Draws a line through many points; an open line includes its last point. It is interrupted at
-    /// points that are not finite.
+    /// Draws a line through many points; an open line includes its last point. The line is
+    /// interrupted at points that are not finite.
     fn through(&mut self, points: impl IntoIterator<Item = DVec2>, pen: Pen, open: bool) {
         let mut last: Option<DVec2> = None;
         for point in points {
@@ -149,15 +149,16 @@ impl Canvas {
         self.commit(pen);
     }
 
-    /// Draws an arc from one angle to another (radians, anticlockwise from +x; clockwise if
-    /// to < from). A whole turn or more gives a circle.
+    /// Draws an arc from one angle to another (in radians, anticlockwise from +x; clockwise if to <
+    /// from). An arc of a full turn or more becomes a circle.
     fn arc(&mut self, (centre, radius): (DVec2, f64), [from, to]: [f64; 2], pen: Pen) {
         let turn = (to - from).clamp(-TAU, TAU);
         let reach = radius.abs() / self.view.per_column();
         if !(turn.is_finite() && reach.is_finite()) {
             return;
         }
-        // Each piece is about half a column long, so that the sagitta is too small to see.
+        // Each piece is about half a column long, so its distance from the true arc is too small to
+        // see.
         let pieces = (turn.abs() * reach * 2.0).ceil().clamp(4.0, 720.0) as u32;
         let step = DVec2::from_angle(turn / f64::from(pieces));
         let mut arm = DVec2::from_angle(from) * radius;
@@ -194,7 +195,7 @@ impl Canvas {
         }
     }
 
-    /// The final character and style of a cell.
+    /// The final character and style of a cell on this canvas.
     fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let (symbol, style) = self.look_on_paper(cell, theme);
         match cell.ground_role().filter(|_| style.bg.is_none()) {
@@ -203,7 +204,7 @@ impl Canvas {
         }
     }
 
-    /// The character and style of a cell if the background below it is not changed.
+    /// The character and style of a cell whose background is not changed.
     fn look_on_paper(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let is_faint = cell.cover() != 0 && cell.is_faint();
         if let Some(glyph) = cell.glyph {
@@ -239,14 +240,14 @@ impl Canvas {
                 };
                 (braille(cell.ink), upon)
             }
-            // At a disc's edge the stroke is interrupted, so that the disc stays round.
+            // A stroke is interrupted at a disc's edge, so that the disc looks round.
             Charset::Unicode if cell.ink != 0 && !cell.has_edge() => (braille(cell.ink), stroke),
             Charset::Unicode if cell.is_flat() => (' ', Style::new()),
             Charset::Unicode => self.disc_look(cell, theme),
         }
     }
 
-    /// The mean colour below the strokes of a cell.
+    /// The mean colour of everything below the strokes of a cell.
     fn paper_of(&self, cell: &Cell, theme: &Theme) -> Color {
         theme.shade(Shades::of(cell, theme).mean(u64::MAX))
     }
@@ -267,7 +268,8 @@ impl Canvas {
         if mono {
             return (block.symbol, theme.style(disc.role));
         }
-        // If another disc fills most of the rest of the cell, the edge is drawn on that disc.
+        // If another disc fills most of the remaining part of the cell, that disc's colour is the
+        // background of the edge.
         let others = beside.bits.count_ones();
         let is_beside = others > 0 && 2 * others >= (!disc.bits).count_ones();
         let rest = if is_beside {
@@ -283,34 +285,33 @@ impl Canvas {
         (block.symbol, Style::new().fg(ink).bg(paper))
     }
 
-    /// Converts a point in the world to paper.
+    /// Converts a point in the world to paper coordinates.
     pub(super) fn paper(&self, world: DVec2) -> DVec2 {
         let area = self.view.area();
         let cell = self.view.to_cell(world) - dvec2(f64::from(area.x), f64::from(area.y));
         dvec2(cell.x, 2.0 * cell.y)
     }
 
-    /// Whether anything is drawn in a cell of the screen.
+    /// Whether anything has been drawn in a cell of the screen.
     pub(super) fn is_drawn(&self, at: Position) -> bool {
         let cell = self.on_screen(at);
         cell.is_some_and(|cell| cell.layer().is_some())
     }
 
-    /// The contents of a cell of the screen, if it is on this canvas.
+    /// The contents of a cell of the screen, if the cell is on this canvas.
     fn on_screen(&self, at: Position) -> Option<&Cell> {
         let area = self.view.area();
         let (x, y) = (at.x.checked_sub(area.x)?, at.y.checked_sub(area.y)?);
         self.cell((x.into(), y.into()))
     }
 
-    /// The index of a cell, if it is on this canvas.
+    /// The index of a cell, if the cell is on this canvas.
     pub(super) fn index(&self, (column, row): CellPlace) -> Option<usize> {
         let (columns, rows) = self.size();
         let inside = (0..columns).contains(&column) && (0..rows).contains(&row);
         inside.then(|| (row * columns + column) as usize)
     }
 
-    /// A cell of the canvas.
     pub(super) fn cell(&self, place: CellPlace) -> Option<&Cell> {
         self.cells.get(self.index(place)?)
     }
@@ -327,8 +328,8 @@ impl Canvas {
         self.cell_mut(place?)
     }
 
-    /// The ends of a line on paper. If it is horizontal or vertical, they are shifted to the
-    /// samples: to the middles of the cells in ASCII, otherwise to the dots.
+    /// The ends of a line on paper. If the line is horizontal or vertical, both ends are shifted to
+    /// the nearest samples: the middles of cells in ASCII, otherwise the dots.
     pub(super) fn snapped(&self, mut from: DVec2, mut to: DVec2, pen: Pen) -> (DVec2, DVec2) {
         let step = match self.charset {
             Charset::Ascii => dvec2(1.0, 2.0),
@@ -356,7 +357,7 @@ impl Canvas {
         &mut self.stroke
     }
 
-    /// Ends a stroke and writes its samples into the cells.
+    /// Ends a stroke and copies its samples into the cells.
     pub(super) fn commit(&mut self, pen: Pen) {
         let (cells, charset) = (&mut self.cells, self.charset);
         self.stroke.take(|order, index, samples| {

@@ -8,11 +8,11 @@ use crate::widgets::{Charset, Role};
 pub(super) struct Cell {
     /// The samples that strokes pass through, in the charset's grid.
     pub(super) ink: u16,
-    /// The pen that gives the cell its style, if there is ink.
+    /// The pen that determines the cell's style, if there is ink.
     pub(super) pen: Pen,
-    /// The disc on top, and the visible part of the one below it.
+    /// The topmost disc, and the visible part of the disc below it.
     pub(super) discs: [DiscCover; 2],
-    /// The parts of a board, below everything else.
+    /// The parts of a board, which are below everything else.
     pub(super) ground: [DiscCover; 3],
     /// A glyph that fills the whole cell.
     pub(super) glyph: Option<Glyph>,
@@ -26,7 +26,7 @@ pub(super) struct DiscCover {
     /// The covered part, in a grid of 8 × 8.
     pub(super) bits: u64,
     pub(super) role: Role,
-    /// Whether the disc is so faint that marks above and below it are visible.
+    /// Whether the disc is so faint that marks above and below it remain visible.
     pub(super) faint: bool,
 }
 
@@ -37,7 +37,8 @@ impl DiscCover {
         faint: false,
     };
 
-    /// Covers parts of a cell and becomes the first of them, in place of the smallest.
+    /// Covers parts of a cell and takes the first place among them, which replaces the smallest
+    /// part.
     pub(super) fn cover<const N: usize>(self, parts: &mut [Self; N]) {
         if self.bits == u64::MAX {
             *parts = [Self::NONE; N];
@@ -58,7 +59,7 @@ pub(super) struct Glyph {
     pub(super) symbol: char,
     pub(super) role: Role,
     pub(super) layer: DrawLayer,
-    /// Whether it is written on a disc of this role rather than in the role's colour.
+    /// Whether the glyph is written on a disc of this role instead of in the role's colour.
     pub(super) upon: bool,
     /// Whether foreground and background are swapped.
     pub(super) reversed: bool,
@@ -74,25 +75,25 @@ impl Cell {
         reserved: false,
     };
 
-    /// Whether nothing has been drawn here.
+    /// Whether nothing has been drawn in this cell.
     pub(super) fn is_empty(&self) -> bool {
         self.ink == 0 && self.cover() == 0 && self.glyph.is_none() && !self.has_ground()
     }
 
-    /// Whether a part of a board is below.
+    /// Whether the cell shows part of a board.
     fn has_ground(&self) -> bool {
         self.ground[0].bits != 0
     }
 
-    /// The largest part of a board here; of two equal ones the upper one, so that a token beside the
-    /// frame is on the surface.
+    /// The role of the largest part of a board in this cell; if two parts are equally large, that
+    /// of the upper one, so that a token beside the frame is on the surface.
     pub(super) fn ground_role(&self) -> Option<Role> {
         let parts = self.ground.iter().rev();
         let largest = parts.max_by_key(|part| part.bits.count_ones());
         largest.filter(|_| self.has_ground()).map(|part| part.role)
     }
 
-    /// Whether there is nothing here but one part of a board.
+    /// Whether the cell contains only a single part of a board.
     pub(super) fn is_flat(&self) -> bool {
         self.cover() == 0 && self.ground[0].bits == u64::MAX
     }
@@ -102,13 +103,13 @@ impl Cell {
         self.discs[0].bits | self.discs[1].bits
     }
 
-    /// Whether all visible parts of discs here are faint.
+    /// Whether all visible parts of discs in this cell are faint.
     pub(super) fn is_faint(&self) -> bool {
         self.discs.iter().all(|disc| disc.faint || disc.bits == 0)
     }
 
-    /// Whether the edge of a disc is clearly visible in this cell, or that of a part of a board
-    /// with nothing but lines of the board on it.
+    /// Whether the edge of a disc is clearly visible in this cell, or the edge of a part of a board
+    /// with only board lines on it.
     pub(super) fn has_edge(&self) -> bool {
         let is_edge = |cover: &DiscCover| (8..64).contains(&cover.bits.count_ones());
         is_edge(&self.discs[0]) || self.pen.layer == DrawLayer::Ground && is_edge(&self.ground[0])
@@ -121,12 +122,11 @@ impl Cell {
         ink.max(disc).max(self.glyph.map(|glyph| glyph.layer))
     }
 
-    /// Whether a label may use this cell if it may cover strokes up to the layer `over`.
+    /// Whether a label that may cover strokes up to the layer `over` can use this cell.
     pub(super) fn is_free(&self, over: Option<DrawLayer>) -> bool {
         !self.reserved && self.cover() == 0 && self.layer() <= over
     }
 
-    /// Adds a stroke through `samples`.
     pub(super) fn stroke(&mut self, mut samples: u16, pen: Pen, charset: Charset) {
         if pen.layer < DrawLayer::Disc && self.cover() != 0 && !self.is_faint() {
             samples &= !under(self.cover(), charset);
@@ -134,10 +134,10 @@ impl Cell {
         if samples == 0 {
             return;
         }
-        // A stroke that only touches a cell of another stroke does not change the cell's style.
+        // A stroke that barely touches a cell with another stroke does not change the cell's style.
         let takes = self.ink == 0 || (pen.layer >= self.pen.layer && samples.count_ones() > 1);
         match charset {
-            // No glyph shows a crossing, so the upper stroke alone is clearer.
+            // No glyph shows a crossing, so showing only the upper stroke is clearer.
             Charset::Ascii if takes => self.ink = samples,
             Charset::Ascii => {}
             Charset::Unicode => self.ink |= samples,
@@ -156,7 +156,7 @@ impl Cell {
     }
 }
 
-/// The samples of a charset's grid below a covered part.
+/// The samples in a charset's grid that lie below a covered part.
 fn under(cover: u64, charset: Charset) -> u16 {
     let (columns, rows) = super::grid(charset);
     (0..columns * rows)

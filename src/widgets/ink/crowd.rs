@@ -6,30 +6,31 @@ use super::canvas::{Canvas, CellPlace, cell_of};
 use super::disc::{token, token_rows};
 use crate::widgets::{Charset, Role, picture::Body};
 
-/// The maximum distance of a token from its own cell, in cells.
+/// The maximum distance between a token and its disc's true cell, in cells.
 const FARTHEST: i32 = 4;
 
 /// The width of an [`outline`], in columns.
 const OUTLINE_WIDTH: i32 = 3;
 
-/// The radius, in columns, below which a disc is as wide as its [`outline`].
+/// The radius, in columns, below which a disc is drawn as an [`outline`].
 const OUTLINED: f64 = 2.0;
 
-/// The radius of the ring around a marked disc, in radii of the disc.
+/// The radius of the ring around a marked disc, in units of the disc's radius.
 const RING: f64 = 1.25;
 
 impl Canvas {
     /// Draws discs at one scale: all as circles if the smallest is large enough, otherwise all as
     /// [tokens](token).
     ///
-    /// A round disc is at its true position, with its letter in the cell that holds its centre.
-    /// Every token and every outline has cells of its own. If two would share a cell, the token
-    /// farther from the cell's middle moves to the nearest free cell; the queen never moves. No
-    /// stroke or arrow hides a token, whatever the drawing order.
+    /// A round disc is at its true position, with its letter in the cell that contains its centre.
+    /// Tokens and outlines never share cells: if two would overlap, the one farther from the middle
+    /// of the cell moves to the nearest free cell; the queen never moves. No stroke or arrow hides
+    /// a token, whatever the drawing order.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         if self.are_round(bodies) {
             let real = bodies.iter().filter(|body| body.radius > 0.0);
-            // Without colours adjacent blocks merge, so small discs are outlines with their token.
+            // Without colours adjacent blocks merge, so a small disc is drawn as an outline with
+            // its token.
             let is_outline =
                 |body: &&Body| self.is_mono && body.radius / self.view().per_column() < OUTLINED;
             let (outlined, round): (Vec<_>, Vec<_>) = real.partition(is_outline);
@@ -54,14 +55,14 @@ impl Canvas {
         }
     }
 
-    /// Whether discs at one scale are drawn as circles: if the smallest is high enough to be
-    /// distinguished from its neighbours.
+    /// Whether discs at one scale are drawn as circles, which is the case if the smallest is high
+    /// enough to be distinguished from its neighbours.
     pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         let fewest_rows = match self.charset {
             Charset::Ascii => token_rows(self.charset),
-            // A little less than the height of a coin on the whole board in a window with 30 rows.
+            // Slightly less than the height of a coin on the whole board in a window with 30 rows.
             Charset::Unicode if self.has_shades => 1.05,
             Charset::Unicode => 1.4,
         };
@@ -74,7 +75,7 @@ impl Canvas {
         self.places(bodies, width)
     }
 
-    /// Separate cells for bodies of this many columns, one row high.
+    /// Assigns separate cells to bodies that are this many columns wide and one row high.
     fn places<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a Body>,
@@ -130,7 +131,7 @@ fn middle((column, row): CellPlace) -> DVec2 {
     dvec2(f64::from(column) + 0.5, 2.0 * f64::from(row) + 1.0)
 }
 
-/// The form of a small disc without colours: its token within a rim.
+/// A small disc drawn without colours: its token between two brackets.
 fn outline(role: Role) -> String {
     match token(role, Charset::Unicode) {
         sign @ "(S)" => sign.to_owned(),
@@ -147,7 +148,7 @@ mod tests {
     use crate::widgets::Theme;
     use crate::widgets::picture::View;
 
-    /// A queen with two rings of coins, all touching: the opening pack.
+    /// The opening pack: a queen with two rings of coins around it, all touching.
     fn pack() -> Vec<Body> {
         let body = |at: DVec2, role, letter| Body::new(at, 0.5, role, letter);
         let mut pack = Vec::new();

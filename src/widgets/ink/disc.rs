@@ -7,8 +7,8 @@ use super::cell::{Cell, DiscCover, Glyph};
 use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
-/// The height, in rows, below which a disc is drawn as a token. Blocks are finer than letters, so
-/// discs made of blocks can be smaller and still look round.
+/// The height, in rows, below which a disc is drawn as a token. Blocks are finer than letters, so a
+/// smaller disc made of blocks still looks round.
 pub(super) const fn token_rows(charset: Charset) -> f64 {
     match charset {
         Charset::Ascii => 3.0,
@@ -18,8 +18,8 @@ pub(super) const fn token_rows(charset: Charset) -> f64 {
 
 impl Canvas {
     /// Draws a disc with a letter in its middle (a space for none): filled in Unicode, a rim in
-    /// ASCII. It hides lower layers. A disc too small to be round becomes the [`token`] of its
-    /// role.
+    /// ASCII. The disc hides lower layers. A disc that is too small to look round becomes the
+    /// [`token`] of its role.
     pub(super) fn disc(&mut self, body: &Body) {
         if body.radius.is_nan() || body.radius <= 0.0 {
             return;
@@ -41,7 +41,7 @@ impl Canvas {
         self.round_at(self.paper(body.at), body);
     }
 
-    /// Draws a disc in its true shape with its middle at a point on paper.
+    /// Draws a disc in its true shape, centred on a point on paper.
     pub(super) fn round_at(&mut self, place: DVec2, body: &Body) {
         let (role, letter) = (body.role, body.letter);
         let reach = body.radius / self.view().per_column();
@@ -56,8 +56,8 @@ impl Canvas {
         }
     }
 
-    /// Draws a disc that hides nothing, with its letter at `letter`: faint if there are shades for
-    /// that, otherwise an outline.
+    /// Draws a disc that hides nothing, with its letter at `letter`: in a faint colour if the
+    /// terminal has shades, otherwise as an outline.
     pub(super) fn ring(&mut self, body: &Body, letter: DVec2) {
         if self.is_token(body) {
             return self.disc(body);
@@ -76,7 +76,7 @@ impl Canvas {
         self.stamp(place, &self.charset.text(&sign), body.role, upon);
     }
 
-    /// Covers the cells under a disc, span by span; all lengths are on paper.
+    /// Covers the cells under a disc, row by row; all lengths are in paper units.
     fn cover(&mut self, centre: DVec2, radius: f64, (role, faint): (Role, bool)) {
         let charset = self.charset;
         self.covered(centre, radius, |cell, bits| {
@@ -84,8 +84,8 @@ impl Canvas {
         });
     }
 
-    /// Calls `each` with the cells under a circle and the covered part of each; all lengths are on
-    /// paper.
+    /// Calls `each` with every cell under a circle and the covered part of that cell; all lengths
+    /// are in paper units.
     pub(super) fn covered(
         &mut self,
         centre: DVec2,
@@ -100,7 +100,7 @@ impl Canvas {
         let top = clamp((centre.y - radius) / 2.0, rows);
         let bottom = clamp((centre.y + radius) / 2.0 + 1.0, rows);
         for row in top..bottom {
-            // The eight spans of this row: from left to right, in columns.
+            // The spans of the eight lines in this row of cells, from left to right, in columns.
             let spans: [Option<(f64, f64)>; 8] = std::array::from_fn(|eighth| {
                 let y = 2.0 * f64::from(row) + (eighth as f64 + 0.5) / 4.0 - centre.y;
                 let half = radius.mul_add(radius, -y * y);
@@ -122,7 +122,7 @@ impl Canvas {
     }
 
     /// Writes a token or a letter centred on a point on paper. An arrow's head never covers a
-    /// token, because the disc would be invisible without it.
+    /// token, because without its token the disc would be invisible.
     pub(super) fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
         let width = text.chars().count() as f64;
         let left = centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor();

@@ -1,8 +1,8 @@
 //! The pictures drawn so far, for a shell that can show more than cells.
 //!
 //! A screen draws itself into cells, where the shapes of its pictures are lost. A browser can draw
-//! true circles, so its shell collects the pictures during a call that draws the screen. Only that
-//! call receives them.
+//! true circles, so its shell collects the pictures during a call that draws the screen. Only the
+//! caller receives these pictures.
 
 use std::cell::{Cell, RefCell};
 
@@ -25,7 +25,8 @@ pub struct DrawnPicture {
     pub(in crate::widgets) look: Look,
     /// The positions of its labels.
     pub(in crate::widgets) labels: Vec<PlacedLabel>,
-    /// The cells of its area when it was drawn. Cells that differ now were drawn over later.
+    /// The cells of its area at the time when it was drawn. Cells that have changed since then were
+    /// drawn over.
     pub(in crate::widgets) cells: Buffer,
 }
 
@@ -36,8 +37,8 @@ impl DrawnPicture {
     }
 }
 
-/// Runs the drawing function and returns its result with the pictures that it drew. If vectors hide
-/// the cells (`hides_cells`), the shades at the edges of discs are skipped.
+/// Runs the drawing function and returns its result together with the pictures that it drew. If the
+/// cells are hidden by vectors (`hides_cells`), the shades at the edges of discs are skipped.
 pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
     GATHERED.set(Some(Vec::new()));
     HIDES_CELLS.set(hides_cells);
@@ -46,7 +47,7 @@ pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPi
     (drawn, GATHERED.take().unwrap_or_default())
 }
 
-/// Whether the cells of pictures are hidden.
+/// Whether the cells of pictures are hidden by vectors.
 pub(super) fn hides_cells() -> bool {
     HIDES_CELLS.get()
 }

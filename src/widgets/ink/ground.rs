@@ -1,4 +1,4 @@
-//! The parts of a board, which are filled below everything else.
+//! The parts of a board, which are drawn below everything else.
 
 use glam::DVec2;
 
@@ -9,8 +9,8 @@ use crate::widgets::picture::Region;
 use crate::widgets::{Charset, Role};
 
 impl Canvas {
-    /// Fills a part of a board, or draws its outline. In ASCII, where only whole cells can be filled,
-    /// the outline is drawn too, and a part without one is left out.
+    /// Fills a part of a board, or draws its outline. In ASCII only whole cells can be filled, so
+    /// the outline is drawn as well, and a part without an outline is left out.
     pub(super) fn ground(&mut self, region: Region, role: Role, outline: Option<Role>) {
         let is_ascii = self.charset == Charset::Ascii;
         if self.has_shades && (!is_ascii || outline.is_some()) {

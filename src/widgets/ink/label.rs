@@ -13,11 +13,11 @@ use crate::widgets::{Role, Theme};
 pub(in crate::widgets) struct PlacedLabel {
     pub(in crate::widgets) text: String,
     pub(in crate::widgets) role: Role,
-    /// Its cells, in one row of the screen.
+    /// The cells of the label, in one row of the screen.
     pub(in crate::widgets) place: Rect,
-    /// The side of the anchor on which it is.
+    /// The side of the anchor on which the label is.
     pub(in crate::widgets) side: LabelSide,
-    /// The cell of the point that it names, counted from the corner of the area.
+    /// The cell of the point that the label refers to, counted from the corner of the area.
     anchor: (i32, i32),
 }
 
@@ -36,12 +36,12 @@ impl PlacedLabel {
     }
 }
 
-/// The number of columns that a label may move outwards so that there is space around it.
+/// The number of columns by which a label may move outwards to leave space around it.
 const ASIDE: i32 = 2;
 /// The maximum distance of a label from its anchor, in rows.
 const FARTHEST: i32 = 4;
 
-/// What is allowed in the cells directly beside the two ends of a label.
+/// What is allowed in the cells next to the two ends of a label.
 #[derive(Debug, Clone, Copy)]
 enum Ends {
     Blank,
@@ -49,15 +49,16 @@ enum Ends {
     Any,
 }
 
-/// Whether a point, given in cells, could be on any screen.
+/// Whether a point, given in cells, could lie on any screen.
 fn is_within_reach(cell: DVec2) -> bool {
     cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX)
 }
 
 impl Canvas {
-    /// Writes labels after everything else, in order of priority. Each label avoids the
-    /// surroundings of the others' anchors. A label for which there is no room nearby is shortened;
-    /// if that does not help, the whole label is placed farther away, clear of other anchors.
+    /// Writes labels after everything else has been drawn, in order of priority. Each label avoids
+    /// the surroundings of the other labels' anchors. A label is shortened if there is no room
+    /// nearby; if it still does not fit, the full label is placed farther away, clear of other
+    /// anchors.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
         let mut left = self.write_near(apart);
@@ -79,7 +80,7 @@ impl Canvas {
         }
     }
 
-    /// Writes the labels that fit near their anchors, and returns the rest.
+    /// Writes the labels that fit near their anchors, and returns the others.
     fn write_near<'a>(&mut self, labels: Vec<&'a Label>) -> Vec<&'a Label> {
         let is_left = |label: &&Label| !self.write_at_places(&label.text, label);
         labels.into_iter().filter(is_left).collect()
@@ -93,8 +94,8 @@ impl Canvas {
     }
 
     /// Writes `text` (in the canvas's charset) beside a point in the world: on the first of `sides`
-    /// that is free, near positions before far ones; then on the other sides. If `clear` is set,
-    /// not even the ends of the label touch an arrow.
+    /// that is free, at near positions before distant ones, and otherwise on another side. If
+    /// `clear` is set, not even the ends of the label touch an arrow.
     ///
     /// A label never leaves the area, and unless it is too wide it also leaves the first and the
     /// last column free. It never covers another label, a disc, a velocity, a reserved cell or an
@@ -108,8 +109,8 @@ impl Canvas {
         role: Role,
         clear: bool,
     ) -> bool {
-        // First try empty cells with a blank at both ends; then without the blanks, then over boards
-        // and trails, then over geometry.
+        // Empty cells with a blank at both ends are tried first, then empty cells without the
+        // blanks, then cells with boards and trails, then cells with geometry.
         let ends = if clear { Ends::NoArrow } else { Ends::Any };
         let places = [
             (FARTHEST, true, Ends::Blank, None),
@@ -120,16 +121,16 @@ impl Canvas {
         self.label_at(text, anchor, sides, role, &places)
     }
 
-    /// A cell counted from the corner of the area.
+    /// Converts a cell to one counted from the corner of the area.
     fn counted(&self, cell: DVec2) -> (i32, i32) {
         let area = self.view().area();
         let (column, row) = (cell.x.floor() as i32, cell.y.floor() as i32);
         (column - i32::from(area.x), row - i32::from(area.y))
     }
 
-    /// Writes a label at the first of `places` that is free. Each place gives the number of rows to
-    /// search, whether the label must be beside its own anchor, the cells required at both ends,
-    /// and the layer up to which it may cover strokes.
+    /// Writes a label at the first of `places` that is free. Each place specifies the number of
+    /// rows to search, whether the label must be closer to its own anchor, what is required at both
+    /// ends, and the highest layer whose strokes the label may cover.
     fn label_at(
         &mut self,
         text: &str,
@@ -157,7 +158,7 @@ impl Canvas {
                 .flat_map(|(side, away)| (0..=ASIDE).map(move |aside| (side, away, aside)));
             all.map(|(side, away, aside)| {
                 let (x, y) = side.start(at, width, away);
-                // Above or below the anchor, the label may shift to stay within the area.
+                // Above or below its anchor, a label may shift to stay within the area.
                 let x = x + aside * side.outwards().0;
                 match side {
                     LabelSide::Right | LabelSide::Left => (side, x, y),
@@ -188,7 +189,7 @@ impl Canvas {
         true
     }
 
-    /// Whether a label may end beside this cell.
+    /// Whether a label may end next to this cell.
     fn may_end(&self, at: (i32, i32), ends: Ends) -> bool {
         match ends {
             Ends::Blank => self.is_blank(at),
@@ -208,10 +209,10 @@ impl Canvas {
                 && self.is_clear_of_labels((x, y), 1)
     }
 
-    /// Whether a label here is beside its own anchor rather than another label's, so that it is not
-    /// mistaken for the name of the other point.
+    /// Whether a label at this position is beside its own anchor rather than the anchor of another
+    /// label, so that it does not seem to belong to the other point.
     fn is_beside_own_anchor(&self, (x, y): (i32, i32), width: i32, own: (i32, i32)) -> bool {
-        // Squared distances, in columns; a row is two columns high.
+        // The squared distance, in columns; a row is two columns high.
         let apart = |(column, row): (i32, i32)| {
             let aside = (x - column).max(column - (x + width - 1)).max(0);
             aside * aside + 4 * (row - y) * (row - y)
@@ -223,7 +224,7 @@ impl Canvas {
         other.is_none_or(|other| own <= 3 * other)
     }
 
-    /// Whether a part of a row, and the cells beside it, are free of labels.
+    /// Whether part of a row, including the cells at its ends, is free of labels.
     fn is_clear_of_labels(&self, (x, y): (i32, i32), width: i32) -> bool {
         let area = self.view().area();
         self.labels.iter().all(|label| {
@@ -233,7 +234,8 @@ impl Canvas {
         })
     }
 
-    /// Whether a label fits here, on empty cells or over strokes up to the layer `over`.
+    /// Whether a label fits at this position, on empty cells or over strokes up to the layer
+    /// `over`.
     fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<DrawLayer>) -> bool {
         let is_free = |x| self.cell((x, y)).is_some_and(|cell| cell.is_free(over));
         self.is_clear_of_labels((x, y), width) && (x..x + width).all(is_free)

@@ -10,7 +10,7 @@ use crate::widgets::text::{self, blocks::LOWER};
 use crate::widgets::{Charset, Look, Role};
 
 impl Canvas {
-    /// Keeps the cells of the axes free of labels.
+    /// Reserves the cells of the axes, so that no label covers them.
     pub(super) fn reserve_axes(&mut self) {
         let view = *self.view();
         let paper = view.area();
@@ -22,7 +22,7 @@ impl Canvas {
         }
     }
 
-    /// Keeps the cells of text centred on a point free of labels.
+    /// Reserves the cells of text centred on a point, so that no label covers them.
     pub(super) fn reserve_text(&mut self, at: DVec2, text: &str) {
         let width = self.view().per_column() * text::width(text) as f64;
         let half = (width - self.view().per_column()) / 2.0 * DVec2::X;
@@ -30,7 +30,7 @@ impl Canvas {
         self.reserve(at);
     }
 
-    /// Keeps the cells that a filled area touches free of labels.
+    /// Reserves the cells that a filled area touches, so that no label covers them.
     pub(super) fn reserve_area(&mut self, low: DVec2, high: DVec2) {
         let view = *self.view();
         let half = dvec2(view.per_column(), view.per_row()) / 2.0;
@@ -72,7 +72,7 @@ impl Picture {
     }
 }
 
-/// Draws marks that fill whole cells.
+/// Draws the marks that fill whole cells.
 struct Cells<'a> {
     canvas: &'a Canvas,
     picture: &'a Picture,
@@ -80,8 +80,9 @@ struct Cells<'a> {
 }
 
 impl Cells<'_> {
-    /// Draws filled areas: every column except that of the axis shows the area at its middle. A
-    /// first bar that the axis would hide is drawn in the column beside it.
+    /// Draws filled areas: every column except the axis's column shows the area that contains the
+    /// middle of the column. If the axis would hide the first bar, the bar is drawn in the next
+    /// column.
     fn areas(&self, buf: &mut Buffer) {
         let view = self.canvas.view();
         let paper = view.area();
@@ -110,8 +111,8 @@ impl Cells<'_> {
         }
     }
 
-    /// Fills a cell from below: to the nearest eighth in Unicode, but completely or not at all in
-    /// ASCII and under a curve, where only the background can be filled.
+    /// Fills a cell from below: to the nearest eighth in Unicode, but either completely or not at
+    /// all in ASCII and under a curve, where only the background can be filled.
     fn fill(&self, buf: &mut Buffer, at: (u16, u16), share: f64, role: Role) {
         let theme = &self.look.theme;
         let share = match self.canvas.is_drawn(at.into()) {
@@ -127,7 +128,7 @@ impl Cells<'_> {
             (Charset::Ascii, _) => (':', theme.style(role)),
             (Charset::Unicode, Some(part)) => (*part, theme.style(role)),
             (Charset::Unicode, None) if theme.is_mono() => ('░', theme.style(role)),
-            // Filled as background, so that a curve can be drawn over it.
+            // The cell's background is filled, so that a curve can be drawn over it.
             (Charset::Unicode, None) => (' ', theme.fill(role)),
         };
         self.write(buf, at, symbol.encode_utf8(&mut [0; 4]), style);
@@ -195,7 +196,7 @@ impl Cells<'_> {
         }
     }
 
-    /// Writes within the picture's area; what does not fit is cut off.
+    /// Writes text within the picture's area; anything that does not fit is cut off.
     fn write(&self, buf: &mut Buffer, (column, row): (u16, u16), text: &str, style: Style) {
         let room = self.picture.area().right().saturating_sub(column);
         if buf.area.contains((column, row).into()) && room > 0 {

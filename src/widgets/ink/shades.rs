@@ -5,7 +5,8 @@ use super::glyphs::block;
 use crate::widgets::theme::{Rgb, Theme};
 use crate::widgets::{Blocks, Role};
 
-/// The true colours of a cell: of the discs, and of the board and the background beside them.
+/// The true colours in a cell: those of discs, and those of the board and the background beside
+/// them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shades {
     parts: [(u64, Rgb); 6],
@@ -30,14 +31,14 @@ impl Shades {
         }
     }
 
-    /// The mean colour of a part of the cell, in a grid of 8 × 8.
+    /// The mean colour of part of a cell, which is divided into 8 × 8 squares.
     pub(super) fn mean(&self, bits: u64) -> Rgb {
         let all = f64::from(bits.count_ones().max(1));
         let [red, green, blue] = self.sum(bits).map(|sum| (sum / all).round() as u8);
         Rgb(red, green, blue)
     }
 
-    /// The sum of each channel over a part of the cell.
+    /// The sum of each colour channel over part of the cell.
     fn sum(&self, bits: u64) -> [f64; 3] {
         self.parts.iter().filter(|(part, _)| part & bits != 0).fold(
             [0.0; 3],
@@ -53,8 +54,8 @@ impl Shades {
         )
     }
 
-    /// The sum of squared errors, except for a constant, if a part of the cell and the rest are drawn
-    /// in their mean colours.
+    /// The sum of squared errors, up to a constant, if part of the cell and the rest are each drawn
+    /// in their mean colour.
     fn error(&self, bits: u64) -> f64 {
         let square_of_mean = |bits: u64| {
             let squares: f64 = self.sum(bits).iter().map(|sum| sum * sum).sum();
@@ -63,7 +64,7 @@ impl Shades {
         -square_of_mean(bits) - square_of_mean(!bits)
     }
 
-    /// The block element of a set with the smallest error, and its foreground and background
+    /// The block element of a set that has the smallest error, with its foreground and background
     /// colours.
     pub(super) fn fitted(&self, set: Blocks) -> (char, [Rgb; 2]) {
         let (_, symbol, bits) = self.best(set);
@@ -124,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_slope_is_drawn_no_worse_than_in_one_colour_and_a_sliver_becomes_a_shade() {
-        // No block element has the shape of a staircase of eighths.
+        // This slope is a staircase of eighths, for which no block element has the right shape.
         let slope = (0..8).fold(0, |bits, row| bits | ((1_u64 << row) - 1) << (8 * row));
         let one = shades(slope, 0);
         let (symbol, [ink, paper]) = one.fitted(Blocks::Quadrants);
@@ -136,7 +137,7 @@ mod tests {
 
     #[test]
     fn for_two_colours_no_finer_block_is_better_than_those_tried() {
-        // The edges of discs, and patterns without any order.
+        // The test uses the edges of discs, and irregular patterns.
         let edge = |at: u32| {
             let (x, y) = (
                 f64::from(at) * 0.618 % 1.0 * 20.0 - 10.0,

@@ -7,18 +7,18 @@ use glam::{DVec2, dvec2};
 
 use crate::widgets::picture::{Dash, Pen};
 
-/// The samples of one stroke, in the order in which it passes through the cells.
+/// The samples of one stroke, cell by cell in the order in which the stroke passes through them.
 #[derive(Debug, Clone)]
 pub(super) struct StrokeSamples {
     /// The number of samples in a cell: columns, rows.
     grid: (usize, usize),
     /// The number of cells in the area: columns, rows.
     size: (usize, usize),
-    /// The samples of each cell; all are empty between two strokes.
+    /// The samples of each cell; between strokes there are none.
     samples: Vec<u16>,
-    /// The cells that have samples, in the order of the stroke.
+    /// The cells that have samples, in the order in which the stroke passed through them.
     touched: Vec<usize>,
-    /// The length of the stroke so far in samples, including its gaps.
+    /// The length of the stroke so far, in samples and including its gaps.
     length: usize,
     /// The point that was marked last, in samples.
     last: Option<DVec2>,
@@ -36,7 +36,7 @@ impl StrokeSamples {
         }
     }
 
-    /// Ends the stroke, and passes its cells and their samples to `each`, in order.
+    /// Ends the stroke, and passes each of its cells with the samples in it to `each`, in order.
     pub(super) fn take(&mut self, mut each: impl FnMut(usize, usize, u16)) {
         self.length = 0;
         self.last = None;
@@ -47,7 +47,7 @@ impl StrokeSamples {
         }
     }
 
-    /// The size of a sample on paper.
+    /// The size of a sample, in paper units.
     fn sample(&self) -> DVec2 {
         dvec2(1.0 / self.grid.0 as f64, 2.0 / self.grid.1 as f64)
     }
@@ -59,7 +59,7 @@ impl StrokeSamples {
     }
 
     /// Adds a straight piece from `from` up to, but not including, `to`: adjacent pieces share no
-    /// sample, and each sample of the longer direction is hit once.
+    /// sample, and each sample along the longer direction is hit once.
     pub(super) fn piece(&mut self, from: DVec2, to: DVec2, pen: Pen) {
         let (a, b) = (from / self.sample(), to / self.sample());
         if !(a.is_finite() && b.is_finite()) {
@@ -80,7 +80,7 @@ impl StrokeSamples {
         }
     }
 
-    /// Adds the last point of a stroke, which its pieces do not include.
+    /// Adds the last point of a stroke, which its pieces leave out.
     pub(super) fn end(&mut self, at: DVec2, pen: Pen) {
         let at = at / self.sample();
         if at.is_finite() {
@@ -107,8 +107,8 @@ impl StrokeSamples {
         }
     }
 
-    /// Marks a point `at` of the stroke, in samples; a bold stroke covers the two nearest
-    /// samples, `half` a sample to each side.
+    /// Marks a point `at` of the stroke, in samples; a bold stroke covers the two nearest samples,
+    /// which are `half` a sample away on each side.
     fn hit(&mut self, at: DVec2, half: DVec2, pen: Pen) {
         let place = self.length;
         self.length += 1;
@@ -122,7 +122,7 @@ impl StrokeSamples {
         if !inked {
             return;
         }
-        // A curve can skip a sample where it changes from flat to steep.
+        // Where a curve changes from flat to steep, it can skip a sample.
         if let Some(last) = self.last
             && pen.dash == Dash::Solid
             && (1.5..2.5).contains(&(at.floor() - last.floor()).abs().max_element())
@@ -163,7 +163,7 @@ impl StrokeSamples {
 }
 
 /// The middles of the samples from `from` up to, but not including, `to`, in the direction of the
-/// stroke, restricted to the range from 0 to `limit`.
+/// stroke, limited to the range from 0 to `limit`.
 fn steps(from: f64, to: f64, limit: f64) -> impl Iterator<Item = f64> {
     let forward = to > from;
     let (low, high) = if forward {

@@ -1,4 +1,4 @@
-//! Tests of the whole painter: marks are where the geometry requires.
+//! Tests of the whole painter: marks appear where the geometry requires.
 
 pub(crate) mod centres;
 
@@ -32,7 +32,7 @@ fn is_blank(symbol: &str) -> bool {
     matches!(symbol, " " | "\u{2800}")
 }
 
-/// The cells that show something, as (column, row).
+/// The cells that are not blank, as (column, row).
 fn inked(buffer: &Buffer) -> Vec<(u16, u16)> {
     buffer
         .area
@@ -49,7 +49,7 @@ fn a_circle_is_round() {
             let mut canvas = canvas(charset);
             canvas.circle(DVec2::ZERO, radius, Role::Arc);
             let (columns, rows) = super::grid(charset);
-            // The extent of the samples on either side, in columns on paper.
+            // The extent of the samples on both sides, in paper columns.
             let mut low = DVec2::MAX;
             let mut high = DVec2::MIN;
             for (index, cell) in canvas.cells.iter().enumerate() {
@@ -101,7 +101,7 @@ fn a_filled_disc_covers_its_true_area() {
             .iter()
             .map(|cell| cell.cover().count_ones())
             .sum();
-        // A cell has an area of two square columns and 64 parts.
+        // A cell has an area of two square columns and consists of 64 parts.
         let area = f64::from(covered) / 32.0;
         let exact = TAU / 2.0 * radius * radius;
         assert!(
@@ -354,7 +354,7 @@ fn unusual_sizes_and_numbers_are_drawn_without_a_panic() {
                     View::fit(area, -corner, corner),
                     View::stretch(area, -corner, corner),
                 ] {
-                    // On a buffer smaller than the canvas, the part that fits is drawn.
+                    // If the buffer is smaller than the canvas, the part that fits is drawn.
                     let mut buffer = Buffer::empty(Rect::new(0, 0, 40, 20));
                     everything(view, charset, size).draw(&mut buffer, &Theme::default());
                 }
@@ -368,7 +368,7 @@ fn a_round_disc_appears_at_its_true_position() {
     let mut worst = DVec2::ZERO;
     for step in 0..400 {
         let step = f64::from(step);
-        // The radius ranges from that of a coin on the whole board at 100 × 30 to that at 200 × 60.
+        // The radii range from that of a coin on the whole board at 100 × 30 to that at 200 × 60.
         let radius = 1.1 + 1.7 * (step * 0.618).fract();
         let at = dvec2((step * 0.755).fract() * 9.0, (step * 0.57).fract() * 9.0);
         for letter in ['W', ' '] {
@@ -384,7 +384,7 @@ fn a_round_disc_appears_at_its_true_position() {
     assert!(worst.max_element() <= 0.25, "{worst}");
 }
 
-/// Whether a block element covers a point of its cell, given from 0 to 1.
+/// Whether a block element covers a point of its cell, with coordinates from 0 to 1.
 fn covers(symbol: char, at: DVec2) -> bool {
     let of = |symbols: &[char]| symbols.iter().position(|it| *it == symbol);
     let has_part = |bits: u32, rows: f64| {
@@ -405,11 +405,11 @@ fn covers(symbol: char, at: DVec2) -> bool {
     }
 }
 
-/// The mean and the greatest distance of the rim of a drawn disc from the true circle, in columns.
-/// A point is inside if its colour is nearer to that of the disc than to the background; the rim
-/// separates inside from outside.
+/// The mean and the greatest distance between the rim of a drawn disc and the true circle, in
+/// columns. A point is inside if its colour is closer to the disc's colour than to the
+/// background's; the rim is the boundary between inside and outside.
 fn rim(blocks: Blocks, depth: Depth, at: DVec2, radius: f64) -> (f64, f64) {
-    // Pixels in a cell: every edge of a block element is between pixels.
+    // Pixels per cell, chosen so that every edge of a block element lies between two pixels.
     const ACROSS: usize = 8;
     const DOWN: usize = 24;
     let pixel = dvec2(1.0 / ACROSS as f64, 2.0 / DOWN as f64);

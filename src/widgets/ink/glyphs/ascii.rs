@@ -25,13 +25,13 @@ const HUNDREDTHS: [(u8, [u8; SAMPLES]); 13] = [
     (b'"', [0, 0, 0, 18, 49, 18, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
 ];
 
-/// The amounts of ink on a scale where 1 is a full sample.
+/// The amounts of ink, where 1 is a full sample.
 pub(in super::super) static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
     HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
 });
 
-/// The fraction of a sample's ink that its neighbours receive: strokes are a little wider than the
-/// samples that they hit, and so are the glyphs.
+/// The fraction of a sample's ink that its neighbours receive, because both strokes and glyphs are
+/// slightly wider than the samples that they pass through.
 const BLUR: f32 = 0.5;
 
 /// The amount of ink in a sample that a stroke passes through.
@@ -40,8 +40,8 @@ const FULL: f32 = 0.4;
 /// The glyph nearest to each mask.
 ///
 /// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first term is the same
-/// for all glyphs, and d·g is a sum over the samples of the mask, so it is the sum of a part for
-/// the low half of the mask and a part for the high half.
+/// for all glyphs, and d·g is a sum over the samples of the mask, so it can be split into one sum
+/// for the low half of the mask and one for the high half.
 static NEAREST: LazyLock<Box<[u8]>> = LazyLock::new(|| {
     let weights = INK.map(|(_, ink)| weights(&ink));
     let sizes = INK.map(|(_, ink)| blurred(&ink).iter().map(|ink| ink * ink).sum::<f32>());
@@ -76,14 +76,14 @@ const GLYPHS: usize = HUNDREDTHS.len();
 /// The number of samples in the low half of a mask.
 const LOW: usize = 8;
 
-/// The glyph nearest to a mask of samples (bit 0 is the top left one).
+/// The glyph nearest to a mask of samples (bit 0 is the top left sample).
 pub(in super::super) fn nearest(mask: u16) -> char {
     NEAREST
         .get(usize::from(mask))
         .map_or(' ', |&glyph| char::from(glyph))
 }
 
-/// What each sample of a drawing contributes to its similarity to a glyph.
+/// The contribution of each sample of a drawing to its similarity to a glyph.
 fn weights(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
     let ink = blurred(ink);
     std::array::from_fn(|sample| {

@@ -6,7 +6,7 @@ use crate::widgets::Blocks;
 use crate::widgets::text::blocks::{self, LEFT, LOWER, QUARTERS};
 
 /// A block element, and whether it is drawn in the background's colour on the disc's colour, which
-/// gives shapes for which Unicode has no character.
+/// provides shapes for which Unicode has no character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(in super::super) struct BlockGlyph {
     pub(in super::super) symbol: char,
@@ -47,12 +47,13 @@ fn grid(inside: impl Fn(u32, u32) -> bool) -> u64 {
         .fold(0, |cover, i| cover | 1 << i)
 }
 
-/// The finer blocks of a set.
+/// The finer block elements of a set.
 struct Finer {
-    /// The part of a cell for each bit.
+    /// The part of a cell that corresponds to each bit.
     parts: Vec<u64>,
-    /// The block with these bits; `None` if it is among [`BLOCKS`]. A block without a character in
-    /// every terminal with this set is the inverse of another block.
+    /// The block that consists of the parts with these bits; `None` if it is among [`BLOCKS`]. A
+    /// block for which some terminals with this set lack the character is drawn as the inverse of
+    /// another block.
     blocks: Vec<Option<BlockGlyph>>,
 }
 
@@ -60,7 +61,7 @@ static SEXTANTS: LazyLock<Finer> = LazyLock::new(|| Finer::new(&[0, 3, 5, 8], bl
 static OCTANTS: LazyLock<Finer> = LazyLock::new(|| Finer::new(&[0, 2, 4, 6, 8], blocks::octants()));
 
 impl Finer {
-    /// The finer blocks that a set includes: octants are better at quarters of a cell, sextants at
+    /// The finer blocks in a set: octants for shapes in quarters of a cell, sextants for shapes in
     /// thirds.
     fn of(set: Blocks) -> impl Iterator<Item = &'static Self> {
         [(Blocks::Sextants, &SEXTANTS), (Blocks::Octants, &OCTANTS)]
@@ -69,7 +70,7 @@ impl Finer {
             .map(|(_, finer)| &**finer)
     }
 
-    /// Blocks in two columns, and in rows between these edges (in eighths of a cell).
+    /// Creates blocks with two columns, and with rows between these edges (in eighths of a cell).
     fn new(edges: &[u32], symbols: impl Iterator<Item = (char, u8)>) -> Self {
         let rows = edges.iter().zip(edges.iter().skip(1));
         let parts: Vec<u64> = rows
@@ -95,8 +96,8 @@ impl Finer {
         Self { parts, blocks }
     }
 
-    /// The block made of the parts that lie in `cover` at least to the same extent as the part
-    /// `least`.
+    /// The block made of the parts that are covered by `cover` to at least the same extent as the
+    /// part `least`.
     fn split(&self, least: u64, cover: u64) -> Option<BlockGlyph> {
         let inside = |part: u64| (part & cover).count_ones();
         let lies =
@@ -108,8 +109,8 @@ impl Finer {
     }
 }
 
-/// The blocks to try in a cell with colours in these places, each with the part that its character
-/// covers.
+/// The blocks to try in a cell whose colours have these areas, each with the area that its
+/// character covers.
 ///
 /// If the cell has two colours, the best of the finer blocks separates the parts with more of a
 /// colour from those with less; for three colours this is nearly true. So only a few need to be
@@ -119,7 +120,7 @@ pub(in super::super) fn shapes<const COLOURS: usize>(
     colours: [u64; COLOURS],
 ) -> impl Iterator<Item = (char, u64)> {
     let upright = BLOCKS.iter().filter(|block| !block.inverse).copied();
-    // Each of two colours that fill the cell separates the same parts.
+    // If two colours fill the cell, splitting by either of them gives the same result.
     let is_needed = move |at: &usize| {
         let mut before = colours.iter().take(*at);
         colours[*at] != 0 && before.all(|it| *it != !colours[*at])
@@ -137,7 +138,7 @@ pub(in super::super) fn shapes<const COLOURS: usize>(
     })
 }
 
-/// The block nearest to `cover`; inverse blocks are used only if `inverse` is set.
+/// The block nearest to `cover`; inverse blocks are considered only if `inverse` is set.
 pub(in super::super) fn nearest(set: Blocks, cover: u64, inverse: bool) -> BlockGlyph {
     BLOCKS
         .iter()

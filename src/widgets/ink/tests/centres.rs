@@ -16,8 +16,8 @@ pub(crate) enum Drawn {
     Round,
 }
 
-/// The discs drawn together in a picture, each with its form and the displacement of its drawn
-/// centre from the true one, in cells.
+/// The discs drawn together in a picture, each with its form and the displacement, in cells, of its
+/// drawn centre from the true centre.
 pub(crate) fn centre_errors(picture: &Picture, charset: Charset) -> Vec<(Body, Drawn, DVec2)> {
     let look = Look {
         charset,
@@ -53,7 +53,7 @@ pub(crate) fn centre_errors(picture: &Picture, charset: Charset) -> Vec<(Body, D
     errors
 }
 
-/// The position at which a disc appears when it is drawn alone and as a circle.
+/// The position at which a disc appears when it is drawn as a circle on its own.
 fn round_at(canvas: &Canvas, body: &Body, look: &Look) -> DVec2 {
     let mut alone = Canvas::of(&Picture::new(*canvas.view()), look);
     let letter = match look.charset {
@@ -61,7 +61,7 @@ fn round_at(canvas: &Canvas, body: &Body, look: &Look) -> DVec2 {
         Charset::Unicode => body.letter,
     };
     alone.round(&Body { letter, ..*body });
-    // The cells of the disc, and one more on each side.
+    // The cells of the disc, plus one more on each side.
     let half = dvec2(1.0, 0.5) * body.radius / alone.view().per_column() + 1.0;
     let [low, high] = [-half, half].map(|to| alone.view().to_cell(body.at) + to);
     let cells = Rect::new(low.x as u16, low.y as u16, 0, 0).union(Rect::new(
@@ -87,7 +87,8 @@ fn rim_at(buffer: &Buffer) -> DVec2 {
             sums + ink * inside.extend(1.0)
         });
         if sums.z > 0.0 {
-            // On paper, where a circle is round: a row is two columns high.
+            // The fit uses paper coordinates, in which a circle is round: a row is two columns
+            // high.
             let at = dvec2(at.x.into(), at.y.into()) + sums.truncate() / sums.z;
             let at = dvec2(at.x, 2.0 * at.y).extend(1.0);
             matrix += DMat3::from_cols(at * at.x, at * at.y, at);
@@ -98,7 +99,7 @@ fn rim_at(buffer: &Buffer) -> DVec2 {
     dvec2(fit.x / 2.0, fit.y / 4.0)
 }
 
-/// The position at which a lone disc on a canvas appears: the mean position of its colour, in
+/// The position at which a single disc on a canvas appears: the mean position of its colour, in
 /// cells.
 pub(super) fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
     let theme = Theme::default();
@@ -135,7 +136,8 @@ pub(super) fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
     sum / weight
 }
 
-/// The middles of the samples of a glyph, in cells from its upper left corner, each with its ink.
+/// The middles of the samples of a glyph, in cells from the upper left corner, each with its amount
+/// of ink.
 fn samples(glyph: &str) -> impl Iterator<Item = (DVec2, f64)> {
     let known = ascii::INK
         .iter()
