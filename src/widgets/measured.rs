@@ -1,4 +1,5 @@
-//! The picture of a measured collision: its points, the fitted paths and the predicted ones.
+//! The picture of a measured collision: the measured points, the fitted paths and the predicted
+//! paths.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -7,17 +8,18 @@ use super::Role;
 use super::picture::{Body, LabelSide, Pen, Picture, View};
 use crate::measure::{Known, Leg, LineFrom, Measurement, line};
 
-/// The maximum number of points of a leg that are drawn.
+/// The maximum number of points drawn for each leg of a path.
 const MOST_POINTS: usize = 150;
 /// The radius of a point in columns.
 const POINT: f64 = 0.22;
-/// The roles of each body: its points before and after, and itself.
+/// The roles for each body: its points before the collision, its points after the collision, and
+/// the body itself.
 const ROLES: [[Role; 3]; 2] = [
     [Role::Incoming, Role::StrikerOut, Role::Striker],
     [Role::CoinOut, Role::CoinOut, Role::Coin],
 ];
 
-/// The picture of a measurement with this many columns and at most this many rows.
+/// The picture of a measurement, with this many columns and at most this many rows.
 pub(crate) fn measured_picture(columns: u16, rows: u16, measurement: &Measurement) -> Picture {
     let fit = &measurement.fit;
     let (state, model) = (&fit.state, &fit.model);
@@ -101,7 +103,7 @@ pub(crate) fn measured_picture(columns: u16, rows: u16, measurement: &Measuremen
     picture
 }
 
-/// The picture in words.
+/// The picture described in words.
 pub(crate) fn measured_words(measurement: &Measurement) -> String {
     let [first, second] = measurement.names();
     format!(

@@ -1,5 +1,5 @@
-//! The settings of a collision: one table of names, ranges, steps and units for the lab, the
-//! figures of chapters and all other screens that set up a collision.
+//! The settings of a collision: one table of names, ranges, steps and units for the lab, for
+//! figures in chapters and for all other screens that set up a collision.
 
 use strum::VariantArray;
 
@@ -12,7 +12,7 @@ use crate::physics::{Bond, CollisionSpec, ImpactPoint};
 pub(crate) enum CollisionField {
     /// Impact parameter b.
     Offset,
-    /// Impact angle α, which is equivalent to the offset.
+    /// Impact angle α, an alternative way to set the offset.
     ImpactAngle,
     /// Direction of the striker.
     Aim,
@@ -20,7 +20,7 @@ pub(crate) enum CollisionField {
     Speed,
     /// Coefficient of restitution.
     Restitution,
-    /// Slip or stick.
+    /// Whether the rims slip or stick.
     Contact,
     /// Mass of the striker.
     StrikerMass,
@@ -36,15 +36,15 @@ pub(crate) enum CollisionField {
     CoinAim,
     /// Coefficient of friction between the rims.
     RimFriction,
-    /// Spin of the striker; shown if the rims have friction or a disc spins.
+    /// Spin of the striker; shown only if the rims have friction or a disc spins.
     StrikerSpin,
-    /// Spin of the coin; shown like the striker's.
+    /// Spin of the coin; shown under the same conditions as the striker's spin.
     CoinSpin,
 }
 
 type Row = FieldRow<CollisionSpec>;
 
-/// All settings, in the order of [`CollisionField`] and of the lab's panel.
+/// All settings, in the order of [`CollisionField`] and of the panel in the lab.
 static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     Row {
         name: "offset b",
@@ -169,20 +169,20 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
 ];
 
 impl CollisionField {
-    /// The setting with its current value.
+    /// The form field for this setting, with its current value.
     pub(crate) fn field(self, spec: &CollisionSpec) -> Field {
         ROWS[self as usize].field(spec)
     }
 
-    /// Sets it, clamped to its range. The relative offset stays the same, or as close as smaller
-    /// discs allow.
+    /// Sets the value, clamped to its range. When a radius changes, the offset keeps its ratio to
+    /// r₁ + r₂ as closely as possible.
     pub(crate) fn set(self, spec: &mut CollisionSpec, value: f64) {
         set_at(self as usize, spec, value);
     }
 }
 
-/// All settings with their current values, in the order of [`CollisionField`]. Without friction a
-/// spin changes nothing, so the spins, which are last, are left out.
+/// All settings with their current values, in the order of [`CollisionField`]. Without friction,
+/// spin has no effect, so the spins, which come last, are left out.
 pub(crate) fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
     let shown = match spec.rims.is_plain() {
         true => CollisionField::StrikerSpin as usize,
@@ -203,22 +203,22 @@ pub(crate) fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
     spec.point = ImpactPoint::Offset { offset_mm };
 }
 
-/// Every number is a valid direction.
+/// The range of a direction: every number is valid.
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-/// The range of a field in files.
+/// The range that a field may have in files.
 fn within(name: &str) -> (f64, f64) {
     let range = CollisionSpec::RANGES.iter().find(|it| it.name == name);
     range.map_or(ANY, |range| (range.least, range.most))
 }
 
-/// The impact angle in degrees; for a miss, that of a graze on the same side.
+/// The impact angle in degrees; for a miss, the angle of a graze on the same side.
 fn alpha_deg(spec: &CollisionSpec) -> f64 {
     let ratio = spec.offset_mm() / spec.contact_distance_mm();
     ratio.clamp(-1.0, 1.0).asin().to_degrees()
 }
 
-/// The text for the coin's side.
+/// Describes the side on which the coin lies.
 fn side(spec: &CollisionSpec) -> &'static str {
     match spec.offset_mm() {
         mm if mm > 0.0 => " right",
@@ -227,12 +227,12 @@ fn side(spec: &CollisionSpec) -> &'static str {
     }
 }
 
-/// The largest offset in mm, slightly more than r₁ + r₂, beyond which every shot misses.
+/// The largest offset in mm, slightly more than r₁ + r₂, so that a miss can be set.
 fn widest_mm(spec: &CollisionSpec) -> f64 {
     spec.contact_distance_mm() * CollisionSpec::WIDEST
 }
 
-/// A direction in (−180, 180].
+/// Wraps a direction to the range (−180, 180].
 fn wrap_degrees(degrees: f64) -> f64 {
     180.0 - (180.0 - degrees).rem_euclid(360.0)
 }

@@ -1,4 +1,4 @@
-//! Forms: one setting per row, either a number with its range and step, or a choice.
+//! Forms with one setting per row, which is either a number with a range and a step, or a choice.
 
 use std::borrow::Cow;
 
@@ -8,28 +8,29 @@ use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
 use crate::widgets::{Role, panel::Panel};
 
-/// The size of a fine step, as a fraction of a step.
+/// The size of a fine step, as a fraction of an ordinary step.
 const FINE: f64 = 0.1;
-/// The size of a big step, in steps.
+/// The size of a big step, in ordinary steps.
 const BIG: f64 = 10.0;
 
 /// A setting with its current value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Field {
-    /// Its name on the panel.
+    /// The name in the panel.
     pub name: Cow<'static, str>,
-    /// Its value as text, with its unit.
+    /// The value as text, with its unit.
     pub shown: String,
-    /// Its value and range.
+    /// The value and its range.
     pub value: FieldValue,
-    /// Its description in one line, shown while it is selected.
+    /// A one-line description, shown while the field is selected.
     pub about: Cow<'static, str>,
-    /// Why it cannot be changed now.
+    /// Why the field cannot be changed at present.
     pub locked: Option<&'static str>,
 }
 
 impl Field {
-    /// A field that can be changed: its name, its value as text, its value, and its description.
+    /// A field that can be changed, given by its name, its value as text, its value, and its
+    /// description.
     pub(crate) fn new(
         name: impl Into<Cow<'static, str>>,
         shown: String,
@@ -49,19 +50,19 @@ impl Field {
 /// The value and range of a field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum FieldValue {
-    /// A number that can be typed and stepped.
+    /// A number that can be typed or changed in steps.
     Number {
         /// The value, in the unit shown on the screen.
         value: f64,
         /// The smallest and the largest value.
         range: (f64, f64),
-        /// The increment of the key to the right; values are whole multiples of it. Negative if "to
-        /// the right" means less.
+        /// The change made by the right arrow key; values are whole multiples of this step. It is
+        /// negative if moving to the right means a smaller value.
         step: f64,
-        /// The unit as written after a number: " mm", "°", or nothing.
+        /// The unit as written after a number: " mm", "°", or an empty string.
         unit: &'static str,
     },
-    /// One of several options, counted from 0; the last is followed by the first.
+    /// One of several options, counted from 0; they wrap around.
     Choice {
         /// The index of the current option.
         at: usize,
@@ -86,7 +87,7 @@ impl FieldValue {
         }
     }
 
-    /// The value this many steps away, on the grid of steps.
+    /// The value after this many steps, rounded to a whole number of steps.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
             Self::Choice { at, count } => {
@@ -96,40 +97,41 @@ impl FieldValue {
             Self::Number { value, step, .. } => {
                 let size = step.abs() * steps.abs().min(1.0);
                 let by = steps * step / size;
-                // A value within a thousandth of a step counts as on the grid.
+                // A value within a thousandth of a step of a whole multiple counts as that
+                // multiple.
                 let onto = match by > 0.0 {
                     true => (value / size + by + 1e-3).floor(),
                     false => (value / size + by - 1e-3).ceil(),
                 };
-                // This removes the rounding error of a sum of tenths, and turns −0 into 0.
+                // This removes the rounding error of adding tenths, and turns −0 into 0.
                 (onto * size * 1e6).round() / 1e6 + 0.0
             }
         }
     }
 }
 
-/// A setting of `S`, as a row of a table: everything that a form needs.
+/// A setting of `S` as a row of a table, with everything that a form needs.
 #[derive(Debug)]
 pub(crate) struct FieldRow<S> {
-    /// Its name on the panel.
+    /// The name in the panel.
     pub name: &'static str,
-    /// Its description in one line.
+    /// A one-line description.
     pub about: &'static str,
-    /// Its value and range.
+    /// The value and its range.
     pub value: fn(&S) -> FieldValue,
-    /// Its value as text, with its unit.
+    /// The value as text, with its unit.
     pub shown: fn(&S) -> String,
-    /// Sets a number, clamped to its range, or the index of a choice.
+    /// Sets a number, clamped to its range, or selects a choice by its index.
     pub put: fn(&mut S, f64),
 }
 
 impl<S> FieldRow<S> {
-    /// The setting with its current value.
+    /// The form field for this setting, with its current value.
     pub(crate) fn field(&self, of: &S) -> Field {
         Field::new(self.name, (self.shown)(of), (self.value)(of), self.about)
     }
 
-    /// Sets a number, clamped to its range, or the index of a choice.
+    /// Sets a number, clamped to its range, or selects a choice by its index.
     pub(crate) fn set(&self, of: &mut S, value: f64) {
         let (least, most) = match (self.value)(of) {
             FieldValue::Number { range, .. } => range,
@@ -150,7 +152,8 @@ pub(crate) trait FormFields {
     /// All fields with their values, from top to bottom.
     fn fields(&self) -> Vec<Field>;
 
-    /// Sets the field at an index to a number, clamped to its range, or the index of a choice.
+    /// Sets the field at an index: a number, which is clamped to its range, or the index of a
+    /// choice.
     fn set(&mut self, at: usize, value: f64);
 }
 
@@ -174,20 +177,20 @@ pub enum FormAction {
     Point(usize),
 }
 
-/// The selected field of a form, and the number that is being typed for it.
+/// The selected field of a form, and the number being typed into it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct SettingsForm {
     at: usize,
     entry: NumberEntry,
-    /// Whether the last typed number was out of range and was clamped.
+    /// Whether the number typed last was out of range and was clamped.
     held: bool,
 }
 
 impl SettingsForm {
-    /// The action that sets the typed number.
+    /// The action that accepts the typed number.
     pub(crate) const SET: FormAction = FormAction::Number(EntryAction::Enter);
 
-    /// A form with this field selected.
+    /// Creates a form in which the field at this index is selected.
     pub(crate) fn at(at: usize) -> Self {
         Self {
             at,
@@ -206,7 +209,7 @@ impl SettingsForm {
         fields.into_iter().nth(at)
     }
 
-    /// Selects a field, after accepting a number that was typed for the previous one.
+    /// Selects a field, after accepting any number that was typed into the previous one.
     pub(crate) fn select(&mut self, at: usize, form: &mut impl FormFields) {
         self.commit(form);
         self.held = false;
@@ -279,7 +282,7 @@ impl SettingsForm {
         self.step_at(self.at, steps, form);
     }
 
-    /// Changes any field by this many steps, without selecting it.
+    /// Changes the field at an index by this many steps, without selecting it.
     pub(crate) fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();
@@ -290,7 +293,7 @@ impl SettingsForm {
         }
     }
 
-    /// Selects a field; a choice also goes to its next value.
+    /// Selects a field; if it is a choice, also switches to its next value.
     fn point(&mut self, at: usize, form: &mut impl FormFields) {
         self.select(at, form);
         let field = self.chosen(form);
@@ -330,7 +333,7 @@ impl SettingsForm {
         }
     }
 
-    /// Writes a line about the selected field: why it is locked, its range after a number was
+    /// Writes a line about the selected field: why it cannot be changed, its range if a number was
     /// clamped, or its description.
     pub(crate) fn write_about<A>(&self, form: &impl FormFields, panel: &mut Panel<A>) {
         let Some(field) = self.chosen(form) else {

@@ -1,16 +1,16 @@
-//! The keys of a screen, as data: the current keys, their labels and their actions. The handling of
-//! keys, the bottom line, the help page and the buttons of a touch screen all read the same table.
+//! The keys of a screen, as data: the current keys with their labels and actions. The key handling,
+//! the bottom line, the help page and the buttons of a touch screen all use the same table.
 
 use std::collections::BTreeMap;
 
 use crate::messages::Key;
 
-/// The actions of a screen or a part of one. The doc comment of each variant is its line on the
-/// help page, and its name in kebab-case is its name in `keys.toml`.
+/// The actions of a screen or of part of a screen. The doc comment of each variant is its line on
+/// the help page, and its name in kebab-case is its name in `keys.toml`.
 pub trait KeyAction: Copy {
-    /// Its name in `keys.toml`, such as "next-set".
+    /// The name of the action in `keys.toml`, such as "next-set".
     fn id(self) -> &'static str;
-    /// Its description, a sentence without a full stop.
+    /// The description of the action, a sentence without a full stop.
     fn help(self) -> &'static str;
 }
 
@@ -24,49 +24,49 @@ impl<A: Copy + Into<&'static str> + strum::EnumMessage> KeyAction for A {
     }
 }
 
-/// The keys that the player has rebound, by the name of the row, such as "lab.next-set".
+/// The keys that the player has rebound, indexed by the id of the row, such as "lab.next-set".
 pub type Rebound = BTreeMap<String, Vec<Key>>;
 
 /// Keys for one action, or for one action in several directions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KeyRow<A> {
-    /// Its name in `keys.toml`, such as "lab.next-set".
+    /// The name of the row in `keys.toml`, such as "lab.next-set".
     pub id: String,
-    /// Its label of one or two words in the bottom line; empty if it is not shown there.
+    /// The label in the bottom line, one or two words; empty if the row is not shown there.
     pub name: &'static str,
-    /// Its text on the help page.
+    /// The text on the help page.
     pub help: &'static str,
-    /// The labels of its keys on separate buttons, if there are any.
+    /// The labels of the keys if they have separate buttons; otherwise empty.
     pub words: &'static [&'static str],
-    /// What the bottom line shows instead of all its keys.
+    /// The text that the bottom line shows instead of listing all the keys.
     brief: Option<&'static str>,
     keys: Vec<(Key, A)>,
     aliases: Vec<(Key, A)>,
 }
 
 impl<A: Copy> KeyRow<A> {
-    /// The keys that the screen shows for it.
+    /// The keys that the screen shows for this row.
     pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.keys.iter().map(|(key, _)| *key)
     }
 
-    /// All its keys, including those that are not shown.
+    /// All keys of this row, including those that are not shown.
     pub fn all_keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.keys.iter().chain(&self.aliases).map(|(key, _)| *key)
     }
 
-    /// The names of the keys on the screen, such as "arrows", "0-9", ", .".
+    /// The names of the keys as shown on the screen, such as "arrows", "0-9", ", .".
     pub fn shown(&self) -> String {
         shown(&self.keys().collect::<Vec<_>>())
     }
 
-    /// The keys in the bottom line.
+    /// The keys as shown in the bottom line.
     pub(crate) fn brief(&self) -> String {
         self.brief.map_or_else(|| self.shown(), str::to_owned)
     }
 
-    /// Replaces the keys for the same actions, in the same order. If fewer are given, the remaining
-    /// actions have no key.
+    /// Replaces the keys, in the same order; the actions stay the same. If there are fewer new keys
+    /// than actions, the remaining actions have no key.
     fn rebind(&mut self, keys: &[Key]) {
         self.brief = None;
         self.aliases.clear();
@@ -85,13 +85,13 @@ impl<A: Copy> KeyRow<A> {
     }
 }
 
-/// The current keys, the most useful first.
+/// The current keys, with the most useful first.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
-    /// Whether the last call for adding keys made a row; a call without keys makes none.
+    /// Whether the last call that adds keys added a row; a call without keys adds none.
     added: bool,
 }
 
@@ -101,8 +101,8 @@ impl<A: KeyAction> KeyTable<A> {
         self.each([(key, action)], name)
     }
 
-    /// Adds keys for one action in several directions; the first gives the row its name in
-    /// `keys.toml` and its help text.
+    /// Adds keys for one action in several directions. The row takes its name in `keys.toml` and
+    /// its help text from the first.
     pub fn each<K: Into<Key>>(
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,
@@ -124,7 +124,7 @@ impl<A: KeyAction> KeyTable<A> {
         self
     }
 
-    /// Adds keys for one action by different amounts, in the same order.
+    /// Adds one key for each amount of an action, in the same order.
     pub fn by<const N: usize, T>(
         self,
         keys: [impl Into<Key>; N],
@@ -137,7 +137,7 @@ impl<A: KeyAction> KeyTable<A> {
 }
 
 impl<A: Copy> KeyTable<A> {
-    /// An empty table, whose rows are called "group.action" in `keys.toml`.
+    /// Creates an empty table, whose rows are called "group.action" in `keys.toml`.
     pub fn new(group: &'static str) -> Self {
         Self {
             group,
@@ -146,7 +146,7 @@ impl<A: Copy> KeyTable<A> {
         }
     }
 
-    /// Adds other keys for the actions of the last row; these keys are not shown.
+    /// Adds alternative keys for the actions of the last row; these keys are not shown.
     pub fn or<K: Into<Key>>(mut self, aliases: impl IntoIterator<Item = (K, A)>) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             let aliases = aliases.into_iter().map(|(key, a)| (key.into(), a));
@@ -155,7 +155,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Keeps the last row only if `holds`.
+    /// Removes the last row unless `holds` is true.
     pub fn when(mut self, holds: bool) -> Self {
         if !holds && std::mem::take(&mut self.added) {
             self.rows.pop();
@@ -171,8 +171,8 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Sets what the bottom line shows instead of the keys of the rows with matching actions: the
-    /// most useful keys, or an example.
+    /// Sets the text that the bottom line shows instead of all keys of the rows with matching
+    /// actions: the most useful keys, or an example.
     pub fn in_brief(mut self, brief: &'static str, is: impl Fn(A) -> bool) -> Self {
         for row in &mut self.rows {
             if row.keys.first().is_some_and(|(_, action)| is(*action)) {
@@ -182,7 +182,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Sets another label in the bottom line for the rows with matching actions.
+    /// Changes the label in the bottom line of the rows with matching actions.
     pub fn renamed(mut self, name: &'static str, is: impl Fn(A) -> bool) -> Self {
         for row in &mut self.rows {
             if row.keys.first().is_some_and(|(_, action)| is(*action)) {
@@ -199,13 +199,13 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// This table without these keys, which mean something else on the screen.
+    /// This table without these keys, which have another meaning on the screen.
     pub(crate) fn without_keys(mut self, keys: &[Key]) -> Self {
         self.rows.iter_mut().for_each(|row| row.lose(keys));
         self
     }
 
-    /// Sets another id for the rows whose only shown key is `key`.
+    /// Changes the id of the rows in which `key` is the only shown key.
     pub(crate) fn identified(mut self, key: Key, id: &str) -> Self {
         for row in &mut self.rows {
             if let [(own, _)] = row.keys.as_slice()
@@ -217,8 +217,8 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// This table without keys that an earlier row already has, without rows that have no keys
-    /// left, and with one row for each id, to which the keys of later rows are added.
+    /// This table without keys that an earlier row already uses and without rows that have no keys
+    /// left; rows with the same id are merged into the first of them.
     pub(crate) fn distinct(mut self) -> Self {
         let mut taken = Vec::new();
         let mut rows: Vec<KeyRow<A>> = Vec::new();
@@ -237,7 +237,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Adds the keys of a part of the screen.
+    /// Adds the keys of part of the screen.
     pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {
         self.rows.extend(part.map(action).rows);
         self.added = false;
@@ -263,8 +263,8 @@ impl<A: Copy> KeyTable<A> {
         }
     }
 
-    /// This table with the player's keys: rebound rows have their new keys, which are removed from
-    /// all other rows.
+    /// This table with the player's own key bindings: rebound rows have the new keys, and no other
+    /// row uses them.
     pub fn rebound(mut self, rebound: &Rebound) -> Self {
         if rebound.is_empty() {
             return self;
@@ -285,7 +285,7 @@ impl<A: Copy> KeyTable<A> {
         &self.rows
     }
 
-    /// The action of a key; a capital letter without an action of its own has that of the
+    /// The action of a key; a capital letter without its own action has the action of the
     /// lower-case letter.
     pub fn find(&self, key: Key) -> Option<A> {
         self.exact(key).or_else(|| self.folded(key))
@@ -308,12 +308,12 @@ impl<A: Copy> KeyTable<A> {
         self.rows.iter().flat_map(KeyRow::all_keys)
     }
 
-    /// The action of a key, with capital letters distinguished.
+    /// The action of a key; capital and lower-case letters are different keys.
     pub fn exact(&self, key: Key) -> Option<A> {
         self.rows.iter().find_map(|row| row.find(key))
     }
 
-    /// The action of a capital letter without an action of its own: that of the lower-case letter.
+    /// The action of the lower-case letter for a capital letter.
     pub(crate) fn folded(&self, key: Key) -> Option<A> {
         match key {
             Key::Char(c) if c.is_ascii_uppercase() => self.exact(Key::Char(c.to_ascii_lowercase())),
@@ -322,7 +322,7 @@ impl<A: Copy> KeyTable<A> {
     }
 }
 
-/// The names of keys on the screen.
+/// The names of keys as shown on the screen.
 fn shown(keys: &[Key]) -> String {
     let mut words: Vec<String> = Vec::new();
     let mut rest = keys;

@@ -1,11 +1,11 @@
-//! A list with a chosen line. All lists behave in the same way.
+//! A list with one line selected. All lists behave in the same way.
 
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{KeyTable, Outcome};
 use crate::messages::Key;
 
-/// The number of lines by which a page key moves the mark.
+/// The number of lines by which a page key moves the selection.
 const PAGE: isize = 10;
 
 /// The key actions on a list.
@@ -24,29 +24,30 @@ pub enum ListAction {
     Point(usize),
 }
 
-/// The chosen line of a list. It does not wrap around.
+/// The selected line of a list. The selection does not wrap around.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct ListView {
     at: usize,
 }
 
 impl ListView {
-    /// A list with the mark at a line, counted from 0.
+    /// Creates a list with this line selected, counted from 0.
     pub(crate) const fn at(at: usize) -> Self {
         Self { at }
     }
 
-    /// The index of the chosen line; 0 if there are no lines.
+    /// The index of the selected line; 0 if there are no lines.
     pub(crate) fn chosen(&self, lines: usize) -> usize {
         self.at.min(lines.saturating_sub(1))
     }
 
-    /// Puts the mark at a line.
+    /// Selects a line.
     pub(crate) fn choose(&mut self, at: usize) {
         self.at = at;
     }
 
-    /// The keys that move the mark and open its line; `open` is the label for opening.
+    /// The keys that move the selection and open the selected line; `open` is the label for
+    /// opening.
     pub(crate) fn keys(open: &'static str) -> KeyTable<ListAction> {
         use ListAction::{Choose, End, Open, Page};
         KeyTable::new("list")
@@ -58,7 +59,8 @@ impl ListView {
             .by([Key::Home, Key::End], End, [-1, 1], "")
     }
 
-    /// Carries out an action in a list of this many lines; `Done` with the line to open.
+    /// Carries out an action in a list with this many lines; returns `Done` with the index of the
+    /// line to open.
     pub(crate) fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
         match action {
             ListAction::Choose(by) => self.go(by, lines),

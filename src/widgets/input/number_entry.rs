@@ -29,7 +29,7 @@ pub enum EntryAction {
 }
 
 impl NumberEntry {
-    /// Whether something has been typed that was neither entered nor discarded.
+    /// Whether there is text that was neither entered nor discarded.
     pub(crate) fn is_open(&self) -> bool {
         !self.text.is_empty()
     }
@@ -49,7 +49,7 @@ impl NumberEntry {
         self.text.parse().ok().filter(|v: &f64| v.is_finite())
     }
 
-    /// Clears the entry and returns its number.
+    /// Clears the typed text and returns its number.
     pub(crate) fn take(&mut self) -> Option<f64> {
         let value = self.value();
         self.text.clear();
@@ -72,7 +72,7 @@ impl NumberEntry {
             .when(open)
     }
 
-    /// Carries out an action; `Done` with the number once it is entered.
+    /// Carries out an action; returns `Done` with the number once it is entered.
     pub(crate) fn act(&mut self, action: EntryAction) -> Outcome<f64> {
         match action {
             EntryAction::Type(c) => self.push(c),

@@ -12,11 +12,11 @@ use crate::widgets::{Role, panel::Panel};
 #[derive(Debug, Clone, PartialEq)]
 pub struct NumberInput {
     quantity: Measure,
-    /// Its range.
+    /// The range in which a number is accepted.
     range: (f64, f64),
     value: Option<f64>,
     entry: NumberEntry,
-    /// Whether the number entered last is outside the range.
+    /// Whether the number entered last was out of range.
     refused: bool,
 }
 
@@ -32,7 +32,7 @@ pub(crate) enum NumberAction {
     Number(EntryAction),
 }
 
-/// A step of the dial, up or down.
+/// A step up or down made with an arrow key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DialStep {
     /// This many small steps.
@@ -42,13 +42,13 @@ pub(crate) enum DialStep {
 }
 
 impl NumberInput {
-    /// An input without a number yet.
+    /// Creates an input that contains no number yet.
     pub(crate) fn new(quantity: Measure) -> Self {
         let (least, most) = (quantity.smallest(), quantity.largest());
         Self::within(quantity, least, most)
     }
 
-    /// An input without a number yet, which keeps its number within these bounds.
+    /// Creates an input that contains no number yet, and only accepts numbers between these bounds.
     pub(crate) fn within(quantity: Measure, least: f64, most: f64) -> Self {
         Self {
             quantity,
@@ -64,7 +64,7 @@ impl NumberInput {
         self.value
     }
 
-    /// Sets the number, clamped to its bounds.
+    /// Sets the number, clamped to the range.
     pub(crate) fn set(&mut self, value: f64) {
         // Adding 0 turns −0 into 0.
         self.value = Some(value.clamp(self.range.0, self.range.1) + 0.0);
@@ -84,8 +84,8 @@ impl NumberInput {
         }
     }
 
-    /// Carries out an action; Enter gives `Done` once there is a number. A typed number outside the
-    /// range is refused.
+    /// Carries out an action; Enter returns `Done` once there is a number. A typed number outside
+    /// the range is refused.
     pub(crate) fn act(&mut self, action: NumberAction) -> Outcome {
         self.refused = false;
         match action {
@@ -111,7 +111,8 @@ impl NumberInput {
                 _ => match self.entry.value() {
                     Some(value) if self.holds(value) => self.set(value),
                     Some(_) => self.value = None,
-                    // A number that cannot be set with arrows must be typed.
+                    // A quantity without steps cannot be set with the arrow keys, so a number must
+                    // be typed.
                     None if steps(&self.quantity).is_none() => self.value = None,
                     None => {}
                 },
@@ -120,7 +121,7 @@ impl NumberInput {
         Outcome::Used
     }
 
-    /// The number as text: as typed so far, or its current value.
+    /// The number as text: the text typed so far, or the current value.
     pub(crate) fn shown(&self) -> String {
         let unit = self.quantity.unit();
         let number = self.value.map_or("_".into(), |value| short(value, 3));
@@ -131,7 +132,7 @@ impl NumberInput {
         (self.range.0..=self.range.1).contains(&value)
     }
 
-    /// Writes the number, and its range after a number outside it.
+    /// Writes the number; if the last number entered was out of range, also writes the range.
     pub(crate) fn write<A>(&self, name: &str, panel: &mut Panel<A>) {
         let name = match &self.quantity {
             Measure::Own { sign, .. } => format!("{sign} ="),
@@ -154,7 +155,7 @@ impl NumberInput {
         }
     }
 
-    /// How to enter the number, in a sentence.
+    /// A sentence on how to enter the number.
     pub(crate) fn about(&self) -> String {
         match self.quantity.unit() {
             "" => "Type a number.".into(),
@@ -165,13 +166,13 @@ impl NumberInput {
 
     fn step(&mut self, by: f64) {
         self.entry.take();
-        // Rounding keeps the sum of steps of a hundredth at whole hundredths.
+        // Rounding keeps sums of hundredths at whole hundredths.
         let stepped = self.value.unwrap_or(0.0) + by;
         self.set((stepped * 100.0).round() / 100.0);
     }
 }
 
-/// The small and the large step; `None` if the number can only be typed.
+/// The sizes of the small and the large step; `None` if the number can only be typed.
 const fn steps(quantity: &Measure) -> Option<(f64, f64)> {
     match quantity {
         Measure::Angle | Measure::Share => Some((1.0, 5.0)),

@@ -1,9 +1,9 @@
 //! The result of a key or a mouse event.
 
-/// The result of an input for the widget that received it.
+/// How the widget that received an input handled it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome<T = ()> {
-    /// The input was not used, and other widgets may use it.
+    /// The input was not used, so another widget may use it.
     Ignored,
     /// The input was used, and there is no result yet.
     Used,

@@ -9,10 +9,10 @@ use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
 use crate::widgets::{Role, panel::Panel};
 
-/// The instruction while a ray is not set.
+/// The instruction shown while a ray has not been set.
 const UNSAID: &str = "Turn the ray, or type its angle.";
 
-/// The instruction after an angle that is too large.
+/// The instruction shown after an angle that is too large has been entered.
 const TOO_LARGE: &str = "Please give an angle from −180° to 180°.";
 
 /// A prediction being entered.
@@ -22,14 +22,14 @@ const TOO_LARGE: &str = "Please give an angle from −180° to 180°.";
 /// until it has been turned.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RayInput {
-    /// The predictions; `Some(None)` for a disc that stays still.
+    /// The predicted angle of each disc; `Some(None)` for a disc that stays still.
     angles_deg: [Option<Option<f64>>; 2],
     pub(crate) turning: Ray,
     /// The ray to predict, if only one is required.
     only: Option<Ray>,
     side: f64,
     entry: NumberEntry,
-    /// Whether the angle entered last is more than 180°.
+    /// Whether the angle entered last was more than 180°.
     refused: bool,
 }
 
@@ -52,11 +52,11 @@ pub enum RayAction {
 }
 
 impl RayInput {
-    /// The hint about what can be dragged in a picture with rays.
+    /// The hint that says what can be dragged in a picture with rays.
     pub(crate) const DRAG: &str = "Drag in the picture to turn the ray.";
 
-    /// An input without a prediction yet. `side` is +1 if the coin is to the right of the striker's
-    /// path and −1 if it is to the left.
+    /// Creates an input that contains no prediction yet. `side` is +1 if the coin is to the right
+    /// of the striker's path and −1 if it is to the left.
     pub(crate) fn new(side: f64) -> Self {
         Self {
             angles_deg: [None; 2],
@@ -80,7 +80,7 @@ impl RayInput {
         self
     }
 
-    /// This input with only one ray to set. The other disc is assumed to stay still.
+    /// This input with only one ray to set. The other disc is taken to stay still.
     #[must_use]
     pub(crate) fn only(mut self, ray: Ray) -> Self {
         self.turning = ray;
@@ -88,7 +88,7 @@ impl RayInput {
         self
     }
 
-    /// Whether a ray is required.
+    /// Whether the player has to set this ray.
     pub(crate) fn asks(&self, ray: Ray) -> bool {
         self.only.is_none_or(|only| only == ray)
     }
@@ -109,7 +109,7 @@ impl RayInput {
         self.said().filter(|_| self.only.is_none())
     }
 
-    /// The rays so far; a disc whose ray is not set is assumed to stay still.
+    /// The rays so far; a disc whose ray is not set is taken to stay still.
     pub(crate) fn so_far(&self) -> Rays {
         let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {
@@ -136,8 +136,8 @@ impl RayInput {
             .when(self.only.is_none())
     }
 
-    /// Carries out an action; `Done` once the answer is complete. A typed angle of more than 180°
-    /// is refused.
+    /// Carries out an action; returns `Done` once the prediction is complete. A typed angle of more
+    /// than 180° is refused.
     pub(crate) fn act(&mut self, action: RayAction) -> Outcome {
         self.refused = false;
         match action {
@@ -181,13 +181,13 @@ impl RayInput {
         self.angles_deg[ray as usize].flatten()
     }
 
-    /// The answer for a ray as text: as typed so far, or its current value.
+    /// The prediction for a ray as text: the text typed so far, or the current value.
     pub(crate) fn shown(&self, ray: Ray) -> String {
         let typed = self.entry.shown().filter(|_| ray == self.turning);
         typed.unwrap_or_else(|| self.angles_deg[ray as usize].map_or("_".into(), shown))
     }
 
-    /// Writes the required rays, one per row; `target` is the target's name.
+    /// Writes the required rays, one per row; `target` is the name of the target.
     pub(crate) fn write(&self, panel: &mut Panel<RayAction>, target: &str) {
         let both = [(Ray::Striker, "striker"), (Ray::Target, target)];
         for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
@@ -205,8 +205,8 @@ impl RayInput {
         }
     }
 
-    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
-    /// the prediction.
+    /// The action of the next prompt: entering the typed number, switching to the other ray, or
+    /// submitting the prediction.
     pub(crate) fn go_on(&self) -> RayAction {
         match self.entry.is_open() {
             true => RayAction::Number(EntryAction::Enter),
@@ -214,7 +214,8 @@ impl RayInput {
         }
     }
 
-    /// Writes the next prompt: turn this ray, then the other one, then `last` once all are set.
+    /// Writes the next prompt: to turn this ray, then to turn the other ray, then `last` once all
+    /// rays are set.
     pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
         if self.refused {
             return panel.paragraph(TOO_LARGE, Role::Warn);
@@ -232,7 +233,7 @@ impl RayInput {
         }
     }
 
-    /// The sign convention for the ray that keys turn, in a sentence.
+    /// A sentence on the sign convention for the ray that the keys turn.
     pub(crate) fn about(&self, target: &str) -> String {
         match self.turning {
             Ray::Striker => format!(
@@ -246,12 +247,12 @@ impl RayInput {
         }
     }
 
-    /// Whether all rays are set, and the last one is being turned.
+    /// Whether all rays are set and the last one is being turned.
     fn is_done(&self) -> bool {
         self.said().is_some() && self.is_last()
     }
 
-    /// Goes to the other ray once this one is set.
+    /// Switches to the other ray once this one is set.
     fn next(&mut self) -> Outcome {
         if !self.is_said(self.turning) {
             return Outcome::Used;
@@ -286,7 +287,7 @@ fn is_angle(angle_deg: f64) -> bool {
     angle_deg.abs() <= Rays::FURTHEST_DEG
 }
 
-/// The text of an angle in degrees; `None` for a disc that stays still.
+/// An angle in degrees as text; `None` is a disc that stays still.
 pub fn shown(angle_deg: Option<f64>) -> String {
     match angle_deg {
         Some(_) => format!("{}°", brief(angle_deg)),
@@ -294,7 +295,7 @@ pub fn shown(angle_deg: Option<f64>) -> String {
     }
 }
 
-/// The short text of an angle for a table: no unit, and one word for a disc that stays still.
+/// An angle as short text for a table: no unit, and one word for a disc that stays still.
 pub(crate) fn brief(angle_deg: Option<f64>) -> String {
     angle_deg.map_or("still".into(), |angle| true_minus(&fixed(angle, 1)))
 }
@@ -303,8 +304,8 @@ fn other(ray: Ray) -> Ray {
     Ray::BOTH[1 - ray as usize]
 }
 
-/// True or predicted directions in degrees, with the screen's signs, which depend on the coin's
-/// side.
+/// True or predicted directions in degrees, with the signs used on the screen, which depend on the
+/// side on which the coin lies.
 pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
     Ray::BOTH.map(|ray| {
         let angle = rays.get(ray)?;

@@ -5,19 +5,20 @@ use unicode_segmentation::UnicodeSegmentation;
 
 use crate::messages::Key;
 
-/// The maximum number of characters in one pasted letter: enough for accents and emoji sequences.
+/// The maximum number of characters in one pasted letter, which is enough for accents and emoji
+/// sequences.
 const LONGEST_LETTER: usize = 32;
 
 /// Text being typed, with a cursor.
 #[derive(Debug, Clone, Default)]
 pub struct TextField {
     line: Line,
-    /// The maximum number of letters, as a reader counts them.
+    /// The maximum length in letters as perceived by a reader (grapheme clusters).
     most: usize,
 }
 
 impl TextField {
-    /// A field for at most this many letters that already contains this text.
+    /// Creates a field that contains this text and holds at most this many letters.
     pub fn new(text: &str, most: usize) -> Self {
         let text: String = text.graphemes(true).take(most).collect();
         Self {
@@ -44,8 +45,8 @@ impl TextField {
         format!("{before}_{after}")
     }
 
-    /// Handles a key: letters, keys that move the cursor by a letter, by a word or to the ends, and
-    /// keys that delete. Returns whether the key was used.
+    /// Handles a key: a letter; a key that moves the cursor by a letter, by a word, or to one of
+    /// the ends; or a key that deletes. Returns whether the key was used.
     pub fn update(&mut self, key: Key) -> bool {
         let request = match key {
             Key::Char(c) if !c.is_control() => Request::InsertChar(c),
@@ -69,7 +70,7 @@ impl TextField {
         true
     }
 
-    /// Inserts a letter at the cursor; returns whether there is room for it.
+    /// Inserts a letter at the cursor; returns whether there was room for it.
     fn insert(&mut self, letter: &str) -> bool {
         let before = self.line.clone();
         for c in letter.chars() {
@@ -82,8 +83,7 @@ impl TextField {
         fits
     }
 
-    /// Inserts as much pasted text as there is room for. The rest, which may be long, is not
-    /// examined.
+    /// Inserts as much of the pasted text as fits. The rest, which may be long, is not examined.
     pub fn paste(&mut self, text: &str) {
         let is_letter = |letter: &&str| {
             !letter.contains(char::is_control) && letter.chars().nth(LONGEST_LETTER).is_none()
