@@ -7,19 +7,19 @@ use crate::widgets::{Lines, Role, Words, text};
 
 /// The height of large letters, in rows.
 const LETTERS: u16 = 4;
-/// The rows of a name in large type: its letters, one row for its bar, and if possible an empty
-/// row.
+/// The number of rows for a name in large type: one for each row of its letters, one for its bar,
+/// and one empty row if there is room.
 const LARGE: [u16; 2] = [LETTERS + 1, LETTERS + 2];
-/// Columns between a name and the points in large type.
+/// The number of columns between a name and its points in large type.
 const APART: u16 = 3;
-/// The number of columns beside a name for the points and the gain together.
+/// The total number of columns beside a name for its points and its gain.
 const NUMBERS: u16 = 20;
 const NUMBER: usize = 6;
 
 /// A name with its score.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BoardRow {
-    /// The place and the name, such as "1. Ants".
+    /// The rank and the name, such as "1. Ants".
     pub name: String,
     /// The points, such as "27.5".
     pub points: String,
@@ -61,7 +61,7 @@ impl BoardRow {
         lines.skip_to(top + high.min(LARGE[1]));
     }
 
-    /// Writes the score in one line, with a bar below it if there is room.
+    /// Writes the name and the score in one line, with a bar below if there is room.
     fn write(&self, high: u16, lines: &mut Lines) {
         let top = lines.written();
         let room = usize::from(lines.width().saturating_sub(NUMBERS));
@@ -79,7 +79,7 @@ impl BoardRow {
     }
 }
 
-/// Names and points in large type, if there is room for all of them.
+/// The names and points in large type, if there is room for all of them.
 fn large(rows: &[BoardRow], high: u16, lines: &Lines) -> Option<Vec<[Big; 2]>> {
     if high < LARGE[0] {
         return None;

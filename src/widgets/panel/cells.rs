@@ -1,5 +1,5 @@
-//! The layout of panels in cells: the rows of each block, which blocks have room, and the cells
-//! that react to clicks.
+//! The layout of panels in cells: how many rows each block has, which blocks fit, and which cells
+//! can be clicked.
 
 use std::ops::Range;
 
@@ -12,27 +12,26 @@ use crate::widgets::bar::{bar, stretch};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Lines, Look, Role, Room, Words, areas, formula, text};
 
-/// The style of a panel: glyphs and colours, and the labels of the page keys.
+/// How a panel is written: its glyphs and colours, and the labels of the page keys.
 #[derive(Debug, Clone)]
 pub(crate) struct Writing {
-    /// The glyphs and colours.
     pub look: Look,
-    /// The labels of the keys that page back and forward, if the text has pages.
+    /// The labels of the keys that go back and forward one page, if the text has pages.
     pub pages: Option<[String; 2]>,
 }
 
-/// A panel after layout: the blocks that have room, and their positions.
+/// A panel after layout: the blocks that fit, with their positions.
 pub(crate) struct Placed<'p> {
     area: Rect,
-    /// The blocks that stay visible above and below the rest.
+    /// The blocks that stay visible above the scrollable text, and those below it.
     fixed: [Fixed<'p>; 2],
     /// Each block with its first row, counted from the top of the text.
     blocks: Vec<(u16, PlacedBlock<'p>)>,
     rows: u16,
     targets: Vec<Target>,
-    /// The rows of the chosen item.
+    /// The rows of the selected item.
     chosen: Option<Range<u16>>,
-    /// Whether the chosen item belongs to a list, rather than being a setting.
+    /// Whether the selected item belongs to a list rather than being a setting.
     pub(crate) is_list: bool,
     /// The rows of the area in which the panel was laid out.
     whole: u16,
@@ -49,15 +48,16 @@ struct Fixed<'p> {
     rows: u16,
 }
 
-/// A block, without the type of its actions.
+/// A block without its actions.
 struct PlacedBlock<'p> {
     content: &'p Content,
     worth: Option<u8>,
-    /// The label of the key of each action; `None` if there is no key, or it is not shown.
+    /// For each action, the label of its key; `None` if the action has no key or the label is not
+    /// shown.
     keys: Vec<Option<String>>,
 }
 
-/// Cells that react to clicks, in rows from the top of the text and columns from the left.
+/// Cells that can be clicked, in rows from the top of the text and columns from the left.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Target {
     rows: Range<u16>,
@@ -74,7 +74,8 @@ impl Target {
         }
     }
 
-    /// The target's cells in an area scrolled by this many rows; `None` if it is not visible.
+    /// The cells of the target in an area scrolled by this many rows; `None` if the target is not
+    /// visible.
     fn cells(&self, area: Rect, scrolled: u16) -> Option<Rect> {
         let top = area.y + self.rows.start.saturating_sub(scrolled);
         let below = area.y + self.rows.end.checked_sub(scrolled)?;
@@ -89,11 +90,12 @@ impl Target {
     }
 }
 
-/// The position of an action in a panel: the index of its block, and its index in the block.
+/// The position of an action in a panel: the index of the block, and the index of the action in the
+/// block.
 pub(super) type ActionAt = (usize, usize);
 
 impl<A: Copy> Panel<A> {
-    /// Lays the panel out in `area`; if the panel is longer, it can be scrolled. `key` returns the
+    /// Lays the panel out in `area`; a panel that is too long can be scrolled. `key` returns the
     /// label of an action's key.
     pub(crate) fn placed(
         &self,
@@ -115,14 +117,14 @@ impl<A: Copy> Panel<A> {
         let below = self.below.unwrap_or(self.blocks.len());
         let mut placed = placed(pieces.collect(), self.pinned..below, area, writing);
         if self.open && placed.overflow() > 0 {
-            // The note that there is more text has its own row.
+            // The note that there is more text has a separate row.
             placed.area.height = placed.area.height.saturating_sub(1);
         }
         placed
     }
 
-    /// Lays the panel out on pages in large letters beside a picture, on a screen with a body of
-    /// this many rows; `None` if a letter has no large form.
+    /// Lays the panel out on pages in large letters beside a picture, on a screen whose body has
+    /// this many rows; `None` if some letter has no large form.
     pub(crate) fn paged(
         &self,
         beside: Beside,
@@ -137,13 +139,13 @@ impl<A: Copy> Panel<A> {
         })
     }
 
-    /// The action of a click on one of its targets.
+    /// The action at this position, which is triggered by clicking its target.
     pub(crate) fn action(&self, (block, own): ActionAt) -> Option<A> {
         self.blocks.get(block)?.actions.get(own).copied()
     }
 }
 
-/// Lays blocks out; those in `middle` can be scrolled.
+/// Lays out blocks; the blocks in `middle` can be scrolled.
 fn placed<'p>(
     pieces: Vec<PlacedBlock<'p>>,
     middle: Range<usize>,
@@ -173,7 +175,7 @@ fn placed<'p>(
         0 => 0,
         rows => rows + 1,
     };
-    // If there is hardly any room left for the middle, the head and foot scroll too.
+    // If there is hardly any room left for the middle, the head and the foot are scrolled too.
     let (head, foot, middle) = match head + foot + LEAST <= area.height {
         true => (head, foot, middle),
         false => (0, 0, 0..pieces.len()),
@@ -222,7 +224,7 @@ fn placed<'p>(
     placed
 }
 
-/// Whether each block has room in this many rows.
+/// For each block, whether it is shown in a panel of this height.
 fn with_room(pieces: &[PlacedBlock], height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
     let rows: Vec<u16> = rows.collect();
     let of = |worth: Option<u8>| -> u16 {
@@ -277,7 +279,8 @@ impl<'p> Placed<'p> {
         self.rows
     }
 
-    /// The number of rows for which the area has no room, or of pages after the first.
+    /// The number of rows that do not fit into the area; if there are pages, the number of pages
+    /// after the first.
     pub(crate) fn overflow(&self) -> u16 {
         match &self.pages {
             Some(pages) => pages.count().saturating_sub(1),
@@ -285,20 +288,20 @@ impl<'p> Placed<'p> {
         }
     }
 
-    /// The row of the chosen item.
+    /// The first row of the selected item.
     pub(crate) fn chosen(&self) -> Option<u16> {
         self.chosen.as_ref().map(|rows| rows.start)
     }
 
-    /// The scroll position while the player does not scroll: if there is not room for everything,
-    /// the chosen item is in the middle.
+    /// The scroll position until the player scrolls: if not everything fits, the selected item is
+    /// in the middle.
     pub(crate) fn following(&self) -> u16 {
         let chosen = self.chosen().unwrap_or(0);
         let above = chosen.saturating_sub(self.area.height / 2);
         above.min(self.overflow())
     }
 
-    /// The cells that react to clicks and their actions, scrolled by this many rows.
+    /// The cells that can be clicked and their actions, with the text scrolled by this many rows.
     pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
         let [head, foot] = &self.fixed;
         let parts = [
@@ -314,8 +317,8 @@ impl<'p> Placed<'p> {
         targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
 
-    /// Draws the panel, scrolled by this many rows. If it does not fit, the bottom of the frame
-    /// names the key that shows the rest.
+    /// Draws the panel, scrolled by this many rows. If the panel does not fit, the bottom of the
+    /// frame names the key that shows the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
         if let Some(pages) = &self.pages {
             return pages.draw(scrolled, buf, writing);
@@ -344,12 +347,12 @@ impl<'p> Placed<'p> {
     }
 }
 
-/// Receives cells that react to clicks: their rows, their columns, and the index of the action in
-/// its block.
+/// A callback for cells that can be clicked: their rows, their columns, and the index of the action
+/// in its block.
 type TakeTarget<'t> = dyn FnMut(Range<u16>, Range<u16>, usize) + 't;
 
 impl PlacedBlock<'_> {
-    /// Writes the block, and passes the cells that react to clicks to `take`.
+    /// Writes the block, and passes the cells that can be clicked to `take`.
     fn write(&self, lines: &mut Lines, take: &mut TakeTarget) {
         let from = lines.written();
         match self.content {
@@ -369,7 +372,7 @@ impl PlacedBlock<'_> {
     }
 }
 
-/// Writes a block that has one action for all its cells, or none.
+/// Writes a block that has a single action for all its cells, or none.
 fn write(content: &Content, lines: &mut Lines) {
     match content {
         Content::Gap => lines.gap(),
@@ -421,7 +424,7 @@ fn write(content: &Content, lines: &mut Lines) {
             let (_, side_role) = roles[1].of_choice(*chosen);
             lines.choice(*chosen, roles[0], |lines, mark, role| {
                 let name = format!("{mark} {name}");
-                // The name has priority over the text beside it.
+                // The name takes precedence over the text beside it.
                 let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
                 let side = Some(side).filter(|side| text::width(side) <= room);
                 lines.pair(&name, side.map_or("", String::as_str), role, side_role);
@@ -583,7 +586,7 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
         };
         lines.beside(column, words, &shown, role, i == open);
         let end = column + text::width(&shown) as u16;
-        // A panel's first column is its margin.
+        // The first column of a panel is its margin.
         take(row..row + 1, column + 1..end + 1, i);
         column = end + BETWEEN_TABS;
     }
@@ -591,7 +594,7 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
 }
 
 /// Writes names side by side, as closely together as possible. If there are too many rows, the
-/// first ones are left out.
+/// first rows are left out.
 fn write_grid(
     cells: &[[String; 2]],
     chosen: Option<usize>,
@@ -629,7 +632,7 @@ fn write_grid(
     }
 }
 
-/// The number of columns beside a name in a grid, for the mark, number and sign of the name.
+/// The number of columns added to a name in a grid, for its mark, number and sign.
 const BESIDE_NAME: usize = 10;
 /// The maximum height of a grid, in tenths of the panel's rows.
 const MOST_ROWS: usize = 3;
@@ -637,7 +640,7 @@ const MOST_ROWS: usize = 3;
 /// The minimum number of rows for the text that scrolls beside fixed blocks.
 const LEAST: u16 = 6;
 
-/// The indentation of a formula, and of the continuation of a line of working, in columns.
+/// The indentation, in columns, of a formula and of the continuation of a line of working.
 const FORMULA: u16 = 2;
 const WORKING: u16 = 4;
 /// The maximum width of a gauge, in columns.
@@ -647,21 +650,21 @@ const BESIDE_GAUGE: u16 = 10;
 /// The width of a share such as `100 %`, in columns.
 const SHARE: usize = 5;
 
-/// The width of a text field's label and the space after it, in columns.
+/// The width of a text field's label, including the space after it, in columns.
 const LABEL: usize = 8;
 
-/// The number of columns between the names of two pages.
+/// The number of columns between the names of adjacent tabs.
 const BETWEEN_TABS: u16 = 2;
 
-/// The width of the letter and name in a line of a menu, in columns.
+/// The width of the letter and the name in a line of a menu, in columns.
 const ENTRY: usize = 15;
 
-/// The minimum width, in cells, of a panel in which a table has gaps between its columns.
+/// The minimum width, in columns, of a panel in which a table has gaps between its columns.
 const WIDE_TABLE: u16 = 72;
 
-/// Writes a table: its headings, and one line per row. If there is room, there are gaps before
-/// numbers, and between numbers and the text after them. A table that `leaves` rows free shows only
-/// the part around its chosen row.
+/// Writes a table: its headings, then one line per row. If there is room, there are gaps before
+/// numbers, and between numbers and the text after them. A table that `leaves` some rows free shows
+/// only the part around its selected row.
 fn write_table(
     columns: &[TableColumn],
     rows: &[TableRow<()>],
@@ -700,7 +703,7 @@ fn write_table(
         }
     };
     let heads: Vec<_> = columns.iter().map(|column| column.head.as_str()).collect();
-    // Only rows with an action can be chosen.
+    // Only rows with an action can be selected.
     let has_marks = rows.iter().any(|row| row.action.is_some());
     let head = written(if has_marks { " " } else { "" }, &mut heads.iter().copied());
     lines.written_as(
@@ -729,7 +732,7 @@ fn write_table(
     }
 }
 
-/// Writes the possible next actions as running text: the key of each, and its description.
+/// Writes the possible next actions as running text, each with its key and its description.
 fn write_prompts(
     prompts: &[String],
     keys: &[Option<String>],
@@ -752,7 +755,8 @@ fn write_prompts(
     let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
     let rows = lines.hung("", &sentences.join(" ")).1;
-    // The rows differ from the text only in spaces, so only the other characters are counted.
+    // The written rows differ from the text only in their spaces, so only the other characters are
+    // counted.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let mut end = 0;
     for (number, sentence) in sentences.iter().enumerate() {
@@ -762,7 +766,7 @@ fn write_prompts(
         let mut first = None;
         for (row, text) in (from..).zip(&rows) {
             let mut columns: Option<Range<u16>> = None;
-            // A panel's first column is its margin.
+            // The first column of a panel is its margin.
             let mut column = 1;
             for letter in text.chars() {
                 let next = column + text::width(letter.encode_utf8(&mut [0; 4])) as u16;

@@ -1,5 +1,5 @@
-//! The text beside a picture, as a list of blocks with their meaning and the actions of clicks, but
-//! without the positions of letters. [`cells`] lays a panel out and draws it.
+//! The text beside a picture, as a list of blocks that describe its meaning and the actions
+//! triggered by clicks, but not the positions of letters. [`cells`] lays a panel out and draws it.
 
 mod board;
 mod cells;
@@ -17,14 +17,14 @@ use crate::lessons::Formula;
 use crate::widgets::Role;
 use crate::widgets::flow::Run;
 
-/// A list of blocks under a title, one below the other; `A` is the type of their actions.
+/// A list of blocks under a title, from top to bottom; `A` is the type of their actions.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Panel<A> {
     /// The title on the frame; empty for none.
     pub title: String,
-    /// The number of the panel's subject: a new number resets the scroll position.
+    /// A number that identifies the panel's subject: when it changes, the scroll position is reset.
     pub subject: usize,
-    /// Whether the panel starts at its top, rather than following the chosen item.
+    /// Whether the panel starts at the top instead of following the selected item.
     pub(crate) from_top: bool,
     /// Whether the panel has no frame.
     pub(crate) open: bool,
@@ -33,7 +33,7 @@ pub(crate) struct Panel<A> {
     pinned: usize,
     /// The index of the first block that stays visible at the bottom, if any do.
     below: Option<usize>,
-    /// The priority of the blocks being written.
+    /// The priority of the blocks that are being written.
     worth: Option<u8>,
 }
 
@@ -41,10 +41,11 @@ pub(crate) struct Panel<A> {
 #[derive(Debug, Clone, PartialEq)]
 struct Block<A> {
     content: Content,
-    /// The actions of clicks: none or one; for the rows of a table and for prompts, one each.
+    /// The actions triggered by clicks: none or one for most blocks, one per row for a table, and
+    /// one per prompt for prompts.
     actions: Vec<A>,
-    /// If there is not room for all blocks, those of the highest priority come first. Either all
-    /// blocks of one priority are shown or none; a block without a priority is always shown.
+    /// If not all blocks fit, those with the highest priority come first. Blocks of the same
+    /// priority are either all shown or all left out; a block without a priority is always shown.
     worth: Option<u8>,
 }
 
@@ -53,14 +54,14 @@ struct Block<A> {
 enum Content {
     /// An empty row after the block above.
     Gap,
-    /// A heading for the next blocks, in one row.
+    /// A heading for the blocks after it, in one row.
     Heading(String),
-    /// Short text in large letters, if the panel has this many rows: the first of these strings
-    /// that fits.
+    /// Short text in large letters, if the panel has at least this many rows: the first of these
+    /// strings that fits.
     Large(Vec<String>, Role, u16),
     /// Text in the largest letters that fit.
     LargeText(LargeText),
-    /// The next block begins a new page, in a panel of [`LargeText`].
+    /// Starts a new page in a panel with [`LargeText`].
     PageBreak,
     /// Names side by side, each with a sign, in as many rows as necessary.
     Grid {
@@ -69,11 +70,11 @@ enum Content {
     },
     /// Names with their scores, large if there is room.
     Board(Vec<BoardRow>),
-    /// Short text in one row.
+    /// Short text in a single row.
     Line(String, Role),
     /// Text that is wrapped over several rows.
     Paragraph(String, Role),
-    /// Something to share: its description, the command that opens it, and its address.
+    /// Something to share: a description, the command that opens it, and an address.
     Code {
         text: String,
         command: String,
@@ -92,55 +93,56 @@ enum Content {
         name: (String, Role),
         values: Vec<(String, Role)>,
     },
-    /// One of several items to choose from, in one row.
+    /// One of several items of a list, in one row.
     Row {
         name: String,
         /// The text at the right edge.
         side: String,
-        /// The role of the line while another is chosen.
+        /// The role of the line unless it is selected; the two values are for the name and for the
+        /// text at the right edge.
         roles: [Role; 2],
         chosen: bool,
     },
-    /// A line of a menu: the letter that opens it, its name, and its description if there is
-    /// room.
+    /// A line of a menu: the letter that opens it, the name, and, if there is room, the
+    /// description.
     Entry {
         letter: char,
         name: String,
         about: String,
-        /// The role of the name while another setting is chosen.
+        /// The role of the name unless this item is selected.
         role: Role,
         chosen: bool,
     },
-    /// Several pages, one of which is open, in one row.
+    /// The names of several tabs in one row, one of which is open.
     Tabs { names: Vec<String>, open: usize },
     /// Text in more than one style, after an optional mark.
     Flow(String, Vec<Run>),
     /// A formula, which may have several rows.
     Formula(Formula, Role),
-    /// A line of working: it may be broken before an operator, and the rest is indented.
+    /// A line of working: it may be broken before an operator, and the continuation is indented.
     Working(String),
     /// A setting.
     Field {
         name: String,
         value: String,
-        /// The role of its name while another setting is chosen.
+        /// The role of the name unless this setting is selected.
         role: Role,
         chosen: bool,
         locked: bool,
     },
-    /// Text after a mark, indented so that nothing is below the mark.
+    /// Text after a mark. All its rows are indented to the same column, to the right of the mark.
     Marked {
         mark: String,
         text: String,
         role: Role,
     },
-    /// A share of a whole, from 0 to 1, as a bar.
+    /// A fraction between 0 and 1, as a bar.
     Meter {
         name: String,
         share: f64,
         value: String,
     },
-    /// A share of a whole and its target range, each with a description.
+    /// A fraction between 0 and 1 and its target range, each with a description.
     Gauge {
         share: f64,
         value: String,
@@ -154,25 +156,25 @@ enum Content {
         text: Vec<Run>,
         chosen: bool,
     },
-    /// One of several items to choose from, with a value for each column.
+    /// One of several items of a list, with a value for each column.
     ChoiceColumns {
         name: String,
         values: Vec<String>,
         chosen: bool,
     },
-    /// A text field: the text before the cursor and the text after it; the cursor is visible while
-    /// the field is chosen.
+    /// A text field, with the text before and after the cursor, which is visible while the field is
+    /// selected.
     TextField {
         label: String,
         typed: [String; 2],
         chosen: bool,
     },
-    /// Rows of cells under column headings; each row can be chosen.
+    /// Rows of cells under column headings; rows can be selected.
     Table {
         columns: Vec<TableColumn>,
         rows: Vec<TableRow<()>>,
-        /// The rows of the panel that a long table leaves free: it shows only the part around the
-        /// chosen row.
+        /// The number of panel rows that a long table leaves free; only the part around the
+        /// selected row is shown.
         leaves: Option<u16>,
     },
     /// The possible next actions, the most likely first.
@@ -184,9 +186,9 @@ enum Content {
 struct LargeText {
     text: String,
     role: Role,
-    /// Whether it must not be split over pages.
+    /// Whether the text must stay on one page.
     whole: bool,
-    /// The share that a bar below the text shows, if it has one.
+    /// The fraction that a bar below the text shows, if there is a bar.
     share: Option<f64>,
 }
 
@@ -195,18 +197,18 @@ struct LargeText {
 pub(crate) struct TableColumn {
     /// Its heading.
     pub head: String,
-    /// The number of letters in its widest cell.
+    /// The number of letters in the widest cell.
     pub width: u16,
-    /// Whether its cells are right-aligned, as numbers are.
+    /// Whether the cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
-    /// The minimum width of the panel at which the column is shown, in columns.
+    /// The minimum width of a panel that shows the column, in columns.
     pub room: u16,
-    /// Whether its cells are graphics that repeat the information of other cells.
+    /// Whether the cells are graphics that repeat the information in other cells.
     pub drawn: bool,
 }
 
 impl TableColumn {
-    /// A column of text, with its heading and the number of letters in its widest cell.
+    /// A column of text, with a heading and the number of letters in the widest cell.
     pub(crate) fn words(head: &str, width: u16) -> Self {
         Self {
             head: head.into(),
@@ -217,7 +219,7 @@ impl TableColumn {
         }
     }
 
-    /// A column of numbers, with its heading and the number of letters in its widest cell.
+    /// A column of numbers, with a heading and the number of letters in the widest cell.
     pub(crate) fn numbers(head: &str, width: u16) -> Self {
         Self {
             flush_right: true,
@@ -225,7 +227,7 @@ impl TableColumn {
         }
     }
 
-    /// This column, shown only in panels with at least this many columns.
+    /// This column, but shown only in panels with at least this many columns.
     pub(crate) fn from(self, room: u16) -> Self {
         Self { room, ..self }
     }
@@ -236,16 +238,16 @@ impl TableColumn {
 pub(crate) struct TableRow<A> {
     /// A cell for each column.
     pub cells: Vec<String>,
-    /// The role of its text while another row is chosen.
+    /// The role of the text unless the row is selected.
     pub role: Role,
-    /// Whether the row is chosen.
+    /// Whether the row is selected.
     pub chosen: bool,
-    /// The action of a click on the row.
+    /// The action triggered by clicking the row.
     pub action: Option<A>,
 }
 
 impl<A> TableRow<A> {
-    /// A row that cannot be chosen.
+    /// A row that cannot be selected.
     pub(crate) fn of(cells: Vec<String>, role: Role) -> Self {
         Self {
             cells,
@@ -255,7 +257,7 @@ impl<A> TableRow<A> {
         }
     }
 
-    /// The row without its action, and the action of a click on it.
+    /// Separates the row from the action triggered by clicking it.
     fn apart(self) -> (TableRow<()>, Option<A>) {
         let row = TableRow {
             cells: self.cells,
@@ -294,7 +296,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Writes blocks that are left out if there is no room for all blocks of this priority.
+    /// Writes blocks that are left out unless all blocks of this priority fit.
     pub(crate) fn worth(&mut self, worth: u8, write: impl FnOnce(&mut Self)) {
         let around = self.worth.replace(worth);
         write(self);
@@ -306,12 +308,12 @@ impl<A> Panel<A> {
         self.pinned = self.blocks.len();
     }
 
-    /// Keeps the following blocks visible below the previous ones when those are scrolled.
+    /// Keeps the blocks that follow visible below the scrolling blocks.
     pub(crate) fn pin_below(&mut self) {
         self.below = Some(self.blocks.len());
     }
 
-    /// Writes a part of the panel whose actions are wrapped in the panel's actions.
+    /// Writes part of the panel, whose actions are converted to the panel's actions.
     pub(crate) fn part<B>(&mut self, wrap: impl Fn(B) -> A, write: impl FnOnce(&mut Panel<B>)) {
         let mut part = Panel::new("");
         write(&mut part);
@@ -334,8 +336,8 @@ impl<A> Panel<A> {
         self.push(Content::Heading(text.into()));
     }
 
-    /// Adds text that can be read from a distance, in a panel of at least this many rows: the first
-    /// of these strings that fits in large letters.
+    /// Adds text that is legible from a distance if the panel has at least this many rows: the
+    /// first of these strings that fits in large letters.
     pub(crate) fn large<'t>(
         &mut self,
         texts: impl IntoIterator<Item = &'t str>,
@@ -356,8 +358,8 @@ impl<A> Panel<A> {
         }));
     }
 
-    /// Adds a choice in the largest letters that fit, with the share of people who chose it and the
-    /// action of a click.
+    /// Adds a choice in the largest letters that fit, with the fraction of people who chose it and
+    /// the action triggered by clicking it.
     pub(crate) fn large_choice(
         &mut self,
         text: impl Into<String>,
@@ -373,12 +375,12 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Begins a new page, in a panel of large text.
+    /// Starts a new page in a panel with large text.
     pub(crate) fn page_break(&mut self) {
         self.push(Content::PageBreak);
     }
 
-    /// Adds names side by side, each with a sign and the action of a click.
+    /// Adds names side by side, each with a sign and the action triggered by clicking it.
     pub(crate) fn grid(
         &mut self,
         cells: impl IntoIterator<Item = ([String; 2], A)>,
@@ -393,7 +395,7 @@ impl<A> Panel<A> {
         self.push(Content::Board(rows));
     }
 
-    /// Adds short text in one row.
+    /// Adds short text in a single row.
     pub(crate) fn line(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Line(text.into(), role));
     }
@@ -403,8 +405,8 @@ impl<A> Panel<A> {
         self.push(Content::Paragraph(text.into(), role));
     }
 
-    /// Adds something to share: its description, the command that opens it, and its address, which
-    /// the web page shows as a link.
+    /// Adds something to share: a description, the command that opens it, and an address, which the
+    /// web page shows as a link.
     pub(crate) fn code(
         &mut self,
         text: impl Into<String>,
@@ -434,7 +436,7 @@ impl<A> Panel<A> {
         self.coloured_fact(name, value, Role::Text);
     }
 
-    /// Adds a name, and a value in a colour such as that of its arrow.
+    /// Adds a name and a value; the value has a colour, such as that of its arrow.
     pub(crate) fn coloured_fact(
         &mut self,
         name: impl Into<String>,
@@ -470,8 +472,8 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Adds one of several items to choose from: its name, the text at the right edge, and the
-    /// action of a click.
+    /// Adds one of several items of a list, with a name, the text at the right edge, and the action
+    /// triggered by clicking it.
     pub(crate) fn row(
         &mut self,
         (name, role): (impl Into<String>, Role),
@@ -488,7 +490,8 @@ impl<A> Panel<A> {
         self.push_with(content, [action]);
     }
 
-    /// Adds a line of a menu: its letter, its name, its description, and the action of a click.
+    /// Adds a line of a menu, with a letter, a name, a description, and the action triggered by
+    /// clicking it.
     pub(crate) fn entry(
         &mut self,
         letter: char,
@@ -506,7 +509,8 @@ impl<A> Panel<A> {
         self.push_with(content, [action]);
     }
 
-    /// Adds the names of several pages, one of which is open, and the action of a click on each.
+    /// Adds a row of tabs, one of which is open, each with a name and the action triggered by
+    /// clicking it.
     pub(crate) fn tabs<N: Into<String>>(
         &mut self,
         pages: impl IntoIterator<Item = (N, A)>,
@@ -527,7 +531,7 @@ impl<A> Panel<A> {
         self.push(Content::Flow(mark.into(), runs));
     }
 
-    /// Adds a formula in rows of its own.
+    /// Adds a formula on separate rows.
     pub(crate) fn formula(&mut self, formula: Formula, role: Role) {
         self.push(Content::Formula(formula, role));
     }
@@ -536,7 +540,7 @@ impl<A> Panel<A> {
         self.push(Content::Working(line.into()));
     }
 
-    /// Adds a setting: its name, its value as text, and the action of a click.
+    /// Adds a setting, with a name, a value as text, and the action triggered by clicking it.
     pub(crate) fn field(
         &mut self,
         name: impl Into<String>,
@@ -572,7 +576,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Adds text after a mark, indented so that nothing is below the mark.
+    /// Adds text after a mark, with all rows indented to the right of the mark.
     pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
         self.push(Content::Marked {
             mark: mark.into(),
@@ -581,7 +585,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Adds a share of a whole, from 0 to 1, as a bar with its value.
+    /// Adds a fraction between 0 and 1, as a bar with its value.
     pub(crate) fn meter(&mut self, name: &str, share: f64, value: impl Into<String>) {
         self.push(Content::Meter {
             name: name.into(),
@@ -590,8 +594,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Adds a share of a whole, from 0 to 1, as a bar with its value, and the named range in which
-    /// it should be.
+    /// Adds a fraction between 0 and 1, as a bar with its value, and a named target range.
     pub(crate) fn gauge(
         &mut self,
         (share, value, role): (f64, impl Into<String>, Role),
@@ -606,7 +609,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Adds one of several answers, with its letter and the action of a click.
+    /// Adds one of several answers, with a letter and the action triggered by clicking it.
     pub(crate) fn choice(&mut self, letter: char, text: Vec<Run>, chosen: bool, action: Option<A>) {
         let content = Content::Choice {
             letter,
@@ -616,7 +619,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Adds one of several items to choose from, with a value for each column.
+    /// Adds one of several items of a list, with a value for each column.
     pub(crate) fn choice_columns(
         &mut self,
         name: impl Into<String>,
@@ -632,7 +635,7 @@ impl<A> Panel<A> {
         self.push_with(content, [action]);
     }
 
-    /// Adds a text field, and the action of a click on it.
+    /// Adds a text field, with the action triggered by clicking it.
     pub(crate) fn text_field(
         &mut self,
         label: impl Into<String>,
@@ -648,13 +651,13 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Adds a table with column headings, in which either every row can be chosen or none can.
+    /// Adds a table with column headings; either all its rows can be selected or none.
     pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
         self.push_table(columns, rows, None);
     }
 
-    /// Adds a table that may be longer than the panel: then only the part around the chosen row is
-    /// shown, and these rows of the panel stay free for other blocks.
+    /// Adds a table that may be longer than the panel. In that case only the part around the
+    /// selected row is shown, and this many rows of the panel stay free for other blocks.
     pub(crate) fn long_table(
         &mut self,
         columns: Vec<TableColumn>,
@@ -679,12 +682,12 @@ impl<A> Panel<A> {
         self.push_with(content, actions.into_iter().flatten());
     }
 
-    /// Adds a possible next action: a short description without the key, and the action.
+    /// Adds a possible next action, with a short description that does not mention the key.
     pub(crate) fn prompt(&mut self, words: impl Into<String>, action: A) {
         self.prompts([(words, action)]);
     }
 
-    /// Adds several possible next actions, the most likely first.
+    /// Adds several possible next actions, with the most likely first.
     pub(crate) fn prompts<W: Into<String>>(&mut self, prompts: impl IntoIterator<Item = (W, A)>) {
         let prompts = prompts.into_iter();
         let (words, actions): (_, Vec<A>) = prompts
@@ -695,7 +698,7 @@ impl<A> Panel<A> {
 }
 
 impl Content {
-    /// Whether the block is chosen.
+    /// Whether the block is the selected one.
     fn is_chosen(&self) -> bool {
         match self {
             Self::Field { chosen, .. }

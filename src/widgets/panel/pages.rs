@@ -1,7 +1,8 @@
 //! Panels for the back row of a class: text in the largest letters that fit beside a picture.
 //!
-//! The back row has to read the text, so it has priority: a picture shrinks before letters do, and
-//! long text continues on further pages rather than in letters that are too small.
+//! The text must be legible from the back row, so it takes precedence: a picture shrinks before
+//! letters do, and long text continues on further pages instead of being set in letters that are
+//! too small.
 
 use std::rc::Rc;
 
@@ -15,28 +16,28 @@ use crate::widgets::big::{BigPages, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
-/// The number of rows between two paragraphs: normally, and if fewer rows save a page.
+/// The number of rows between two paragraphs: normally, and if that would take more pages.
 const GAPS: [u16; 2] = [1, 0];
-/// The number of columns between a picture and the text beside it, and to the right of the text.
+/// The number of columns between a picture and the text beside it, and on the right of the text.
 const APART: u16 = 1;
 /// The minimum width of text beside a picture, in columns.
 const LEAST: u16 = 24;
 /// The number of rows of the screen that are not part of its body.
 const CHROME: u16 = 2;
 
-/// The picture beside the text.
+/// The kind of picture beside the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Beside {
-    /// None.
+    /// There is no picture.
     Nothing,
-    /// A picture on which the text does not depend.
+    /// A picture that the text does not depend on.
     Helps,
     /// A picture that shows more than the text.
     Needed,
 }
 
 impl Beside {
-    /// The allowed sizes in tenths of the full size, the largest first.
+    /// The allowed sizes of the picture, in tenths of the full size.
     fn tenths(self) -> std::ops::RangeInclusive<u16> {
         match self {
             Self::Nothing => 0..=0,
@@ -46,7 +47,7 @@ impl Beside {
     }
 }
 
-/// A panel of [`LargeText`] and its picture, divided into pages.
+/// A panel with [`LargeText`] and its picture, divided into pages.
 pub(crate) struct PlacedPages<'p> {
     /// The parts, each of which begins a new page.
     parts: Vec<PagedText<'p>>,
@@ -62,11 +63,11 @@ struct PagedText<'p> {
 struct SetPages {
     pages: BigPages,
     size: LetterSize,
-    /// The layouts of the first page and of all others.
+    /// The layout of the first page, and that of all other pages.
     layouts: [PageLayout; 2],
 }
 
-/// The areas of the picture, which may be empty, and of the text.
+/// The area of the picture, which may be empty, and the area of the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct PageLayout {
     picture: Rect,
@@ -74,7 +75,7 @@ struct PageLayout {
 }
 
 impl<'p> PlacedPages<'p> {
-    /// Lays a panel out beside a picture, on a screen with a body of this many rows; `None` if a
+    /// Lays a panel out beside a picture, on a screen whose body has this many rows; `None` if some
     /// letter has no large form.
     pub(crate) fn new<A>(
         panel: &'p Panel<A>,
@@ -83,7 +84,7 @@ impl<'p> PlacedPages<'p> {
         body_rows: u16,
         look: &Look,
     ) -> Option<Self> {
-        // A web page that lays out the recorded blocks itself does not use these cells.
+        // A web page lays out the recorded blocks itself and does not use these cells.
         let screen_rows = match room.pictures {
             Some(_) => 0,
             None => body_rows + CHROME,
@@ -128,14 +129,15 @@ impl<'p> PlacedPages<'p> {
         })
     }
 
-    /// The areas of the picture, which may be empty, and of the text on a page.
+    /// The area of the picture, which may be empty, and the area of the text on a page.
     pub(crate) fn places(&self, page: u16) -> [Rect; 2] {
         let layout = self.at(page).map(|(part, page)| part.set.layout(page));
         layout.map_or([Rect::default(); 2], |it| [it.picture, it.words])
     }
 
-    /// Whether a heading in large letters has no cost, compared with `other`, the layout without a
-    /// heading: no extra page, no smaller letters, and not a much smaller picture.
+    /// Whether these pages, which have a heading in large letters above them, are as good as
+    /// `other`, the layout without a heading: a single page, letters of the same size, and a
+    /// picture that is not much smaller.
     pub(crate) fn are_as_good_as(&self, other: &Self, look: &Look) -> bool {
         let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
             return false;
@@ -147,8 +149,8 @@ impl<'p> PlacedPages<'p> {
             && 4 * own.layouts[0].picture.height >= 3 * other.layouts[0].picture.height
     }
 
-    /// For each part: the size of its letters, their number, the number of pages, and the area of
-    /// the picture on the first page.
+    /// For each part: the size of its letters, the number of letters, the number of pages, and the
+    /// area of the picture on the first page.
     #[cfg(test)]
     pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
         self.parts.iter().map(|PagedText { texts, set }| {
@@ -157,14 +159,15 @@ impl<'p> PlacedPages<'p> {
         })
     }
 
-    /// The cells of a page that react to clicks.
+    /// The cells of a page that can be clicked.
     pub(super) fn targets(&self, page: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
         let at = self.at(page).into_iter();
         at.flat_map(|(part, page)| part.places(page))
             .map(|(block, cells)| (cells, (block, 0)))
     }
 
-    /// Draws a page with the bars of its paragraphs, and its number if there are several pages.
+    /// Draws a page with the bars of its paragraphs, and the page number if there are several
+    /// pages.
     pub(super) fn draw(&self, page: u16, buf: &mut Buffer, writing: &Writing) {
         let Some((part, own)) = self.at(page) else {
             return;
@@ -189,7 +192,7 @@ impl<'p> PlacedPages<'p> {
 }
 
 impl PagedText<'_> {
-    /// The blocks on a page, by index, and their areas.
+    /// The indices and areas of the blocks on a page that can be clicked.
     fn places(&self, page: usize) -> impl Iterator<Item = (usize, Rect)> + '_ {
         let words = self.set.layout(page).words;
         let shown = self.set.pages.page(page).into_iter();
@@ -225,7 +228,7 @@ impl PagedText<'_> {
         }
     }
 
-    /// Records all paragraphs, for shells that show them without pages.
+    /// Records all paragraphs for shells that show them without pages.
     fn record(&self, page: usize, place: Rect, charset: Charset) {
         for (block, text, acts) in &self.texts {
             sheet::note(place, || {
@@ -254,9 +257,9 @@ impl LargeText {
 }
 
 impl SetPages {
-    /// Sets paragraphs on as few pages as possible, then in the largest letters, then with the
-    /// largest picture; `more` means that there are also other pages. Characters without a large
-    /// form are spelt out; `None` if that is not possible.
+    /// Sets paragraphs on as few pages as possible, preferring larger letters and then a larger
+    /// picture; `more` means that there are also other pages. Characters without a large form are
+    /// spelt out; `None` if that is not possible.
     fn new(
         large: &[(usize, &LargeText, bool)],
         beside: Beside,
@@ -266,7 +269,7 @@ impl SetPages {
         look: &Look,
     ) -> Option<Self> {
         let has_bar = |(_, it, _): &(usize, &LargeText, bool)| it.share.is_some();
-        // A bar below the last paragraph needs a row, too.
+        // A bar below the last paragraph also requires a row.
         let last = u16::from(large.last().is_some_and(has_bar));
         let alone = PageLayout::new(room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }
@@ -296,7 +299,7 @@ impl SetPages {
             });
             let texts: Vec<_> = texts.collect();
             let texts = &texts;
-            // Larger letters and pictures come first.
+            // Layouts with larger letters and pictures are tried first.
             let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
             let sizes = gaps.flat_map(|gap| {
                 let sizes = LetterSize::legible(look.charset, screen_rows);
@@ -320,8 +323,8 @@ impl SetPages {
 }
 
 impl PageLayout {
-    /// A picture of this many tenths of the largest square one, with the text beside it, or below
-    /// it if the area is higher than wide.
+    /// A picture whose height is this many tenths of the largest possible height, with the text
+    /// beside the picture, or below it in an upright area.
     fn new(room: Room, beside: Beside, tenths: u16) -> Self {
         let area = room.area;
         let [_, words] = areas::left(area, APART);
@@ -351,8 +354,8 @@ impl PageLayout {
     }
 }
 
-/// The first layout with the fewest pages; a page that ends early counts twice. The search stops at
-/// a layout with a single page.
+/// The first layout with the fewest pages, where a page that ends early counts twice. The search
+/// stops at the first layout with a single page.
 fn fewest_pages(all: impl Iterator<Item = SetPages>) -> Option<SetPages> {
     let cost = |it: &SetPages| it.pages() + usize::from(it.pages.ends_early);
     let mut best: Option<SetPages> = None;

@@ -6,23 +6,23 @@ use ratatui::layout::Rect;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Item, Look, Role, Words, areas, sheet, text};
 
-/// The minimum number of rows in a screen's body for a heading in large type.
+/// The minimum number of rows in the body of a screen with a heading in large type.
 const LARGE_FROM: u16 = 21;
-/// The minimum number of rows in a body for an even larger heading.
+/// The minimum number of rows in the body of a screen with an even larger heading.
 const LARGER_FROM: u16 = 56;
-/// The minimum number of rows in a body for empty rows around the heading.
+/// The minimum number of rows in the body of a screen with empty rows around the heading.
 const AIRY_FROM: u16 = 30;
 
 /// A heading with a line of instructions below it.
 #[derive(Debug, Clone)]
 pub(crate) struct Heading {
-    /// The possible wordings, the best first; the first that fits is used.
+    /// The possible wordings, with the best first; the first one that fits is used.
     texts: Vec<String>,
     line: String,
 }
 
 impl Heading {
-    /// A heading with these possible wordings and this line below it.
+    /// Creates a heading with these possible wordings and this line below.
     pub(crate) fn new(texts: &[&str], line: impl Into<String>) -> Self {
         Self {
             texts: texts.iter().map(ToString::to_string).collect(),
@@ -30,7 +30,7 @@ impl Heading {
         }
     }
 
-    /// The heading in large type, if there is room for it.
+    /// The heading in large type, if it fits.
     fn big(&self, area: Rect, look: &Look) -> Option<Big> {
         let most = match area.height {
             ..LARGE_FROM => return None,
@@ -42,7 +42,7 @@ impl Heading {
         texts.find_map(|text| Big::fit(text, width, most, look.charset))
     }
 
-    /// The area left below the heading. A `small` heading is one line of plain type, or nothing if
+    /// The area left below the heading. A `small` heading takes one line of plain type, or none if
     /// there is no instruction.
     pub(crate) fn rest(&self, area: Rect, look: &Look, small: bool) -> Rect {
         if small {
@@ -93,12 +93,12 @@ impl Heading {
     }
 }
 
-/// The part of an area below this many rows.
+/// The part of an area below its first rows.
 fn below(area: Rect, rows: u16) -> Rect {
     areas::upper(area, rows)[1]
 }
 
-/// Writes a centred line into the first row of an area, if it has one.
+/// Writes a centred line into the first row of an area, if the area has any rows.
 fn centred(words: &str, area: Rect, buf: &mut Buffer, look: &Look, role: Role) {
     if area.height == 0 {
         return;

@@ -19,7 +19,8 @@ pub(crate) fn contact_distance<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("r₁ + r₂", format!("{apart:.1} mm"));
 }
 
-/// Writes the angle between the motion and the line of impact; nothing for a miss.
+/// Writes the angle between the direction of motion and the line of impact; writes nothing for a
+/// miss.
 pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     if let Some(alpha) = collision.alpha() {
         let alpha = deg_from_rad(alpha.abs());
@@ -27,7 +28,7 @@ pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     }
 }
 
-/// Writes the masses, except `secret` ones, and e if energy is lost.
+/// Writes the masses, except `secret` masses, and e if energy is lost.
 pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Panel<A>) {
     let discs = [collision.striker, collision.target];
     let [striker, target] = [0, 1].map(|body| match secret[body] {

@@ -1,5 +1,5 @@
 //! Frames and their contents: a picture with a panel beside it, the facts of a collision, and
-//! predictions beside the true directions.
+//! predictions next to the true directions.
 
 mod heading;
 mod impact_facts;

@@ -10,7 +10,7 @@ use ratatui::{
 
 use crate::widgets::{Charset, Role, Theme, sheet};
 
-/// A frame of characters that every terminal has.
+/// A frame made of characters that every terminal has.
 const ASCII: border::Set<'static> = border::Set {
     top_left: "+",
     top_right: "+",
@@ -23,7 +23,7 @@ const ASCII: border::Set<'static> = border::Set {
 };
 
 /// Draws an empty frame with a title, like `+- title --+` in ASCII and with rounded corners in
-/// Unicode, and returns the area inside. With an empty title the top line has no gap.
+/// Unicode, and returns the area inside. If the title is empty, the top line has no gap.
 pub(crate) fn draw_panel(
     buffer: &mut Buffer,
     area: Rect,

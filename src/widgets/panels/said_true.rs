@@ -1,4 +1,4 @@
-//! Predicted directions beside the true ones.
+//! Predicted directions next to the true directions.
 
 use crate::numbers;
 use crate::physics::{Bond, Collision, Meeting};
@@ -6,8 +6,9 @@ use crate::quiz::{Ray, Rays};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, brief, input::degrees};
 
-/// Writes the predicted angles beside the true ones, with the screen's signs, one row per disc; a
-/// ray that was not required has no name and no row. `errors` adds the error of each angle.
+/// Writes the predicted angles next to the true angles, with the signs used on the screen, one row
+/// per disc; a ray that was not required has no name and no row. If `errors` is set, the error of
+/// each angle is added.
 pub(crate) fn said_and_true<A>(
     collision: &Collision,
     said: &Rays,
@@ -22,7 +23,7 @@ pub(crate) fn said_and_true<A>(
         let apart = said.apart(&true_rays, ray);
         apart.map_or("-".into(), numbers::bare_degrees)
     });
-    // The path of a pair that moves on together is that of its centre of mass.
+    // For a pair that moves on together, the true path is that of the centre of mass.
     let truth = match (collision.bond, outcome.meeting) {
         (Bond::Stick, Meeting::Hit) => "V",
         _ => "truth",

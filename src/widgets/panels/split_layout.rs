@@ -1,22 +1,22 @@
-//! The layout of a picture with a panel of text beside it, or below it on a portrait screen, each
-//! in its frame.
+//! The layout of a picture and a panel of text in separate frames, side by side or, on a portrait
+//! screen, one above the other.
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::draw_panel;
 use crate::widgets::{Look, Room, areas};
 
-/// The width of the panel with its frame, in columns.
+/// The width of the panel, including its frame, in columns.
 const PANEL: u16 = 30;
-/// The minimum width of the panel beside a square picture, including the panel's frame.
+/// The minimum width of a panel beside a square picture, including the panel's frame.
 const LEAST: u16 = 24;
-/// The number of extra columns of the panel on a wide screen.
+/// The number of additional columns of the panel on a wide screen.
 const MORE: u16 = 8;
-/// The maximum width of a panel of text alone, including its frame.
+/// The maximum width of a panel without a picture, including its frame.
 const TEXT: u16 = 76;
-/// The maximum size of a card including its frame: columns, rows.
+/// The maximum size of a card, including its frame: columns, rows.
 const CARD: (u16, u16) = (68, 22);
-/// The number of columns from which a screen counts as wide.
+/// The number of columns from which a screen is considered wide.
 const WIDE: u16 = 110;
 
 /// The areas of a picture and the panel beside it.
@@ -30,7 +30,7 @@ pub struct SplitLayout {
 }
 
 impl SplitLayout {
-    /// Lays out a picture and a panel in the available room.
+    /// Lays out a picture and a panel in the available area.
     pub fn new(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
@@ -42,8 +42,8 @@ impl SplitLayout {
         Self::with_panel(room, wanted.min(area.width / 2))
     }
 
-    /// Lays out a picture just wide enough for a square board of its height, and gives the rest to
-    /// the panel.
+    /// Lays out a picture just wide enough for a square board of the same height, and gives the
+    /// remaining width to the panel.
     pub fn square(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
@@ -55,12 +55,12 @@ impl SplitLayout {
         Self::with_panel(room, panel_width.max(LEAST.min(area.width / 2)))
     }
 
-    /// Lays out a centred panel of text alone.
+    /// Lays out a centred panel of text without a picture.
     pub(crate) fn text_alone(room: impl Into<Room>) -> Self {
         Self::text_of(room, TEXT)
     }
 
-    /// Lays out a centred panel of text alone, with at most this many columns.
+    /// Lays out a centred panel of text without a picture, with at most this many columns.
     pub(crate) fn text_of(room: impl Into<Room>, columns: u16) -> Self {
         let area = room.into().area;
         let panel = areas::middle(area, columns);
@@ -72,12 +72,12 @@ impl SplitLayout {
         }
     }
 
-    /// Lays out a centred card of text alone, with a margin if there is room.
+    /// Lays out a centred card of text without a picture, with a margin if there is room.
     pub fn card(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
         let rows = match room.pictures {
-            // A web page shows all rows instead of a card.
+            // A web page uses all rows instead of showing a card.
             Some(_) => area.height,
             None => area.height.min(CARD.1),
         };
@@ -103,12 +103,12 @@ impl SplitLayout {
         }
     }
 
-    /// Lays out a picture and a panel of this many columns, including its frame.
+    /// Lays out a picture and a panel with this many columns, including the panel's frame.
     pub(crate) fn with_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         Self::of(areas::picture_and_panel(room.into(), panel_width))
     }
 
-    /// Lays out a picture and a panel of this many columns without a frame.
+    /// Lays out a picture and a panel with this many columns and no frame.
     pub(crate) fn with_open_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         let [picture, panel] = areas::picture_and_panel(room.into(), panel_width);
         Self {
@@ -118,7 +118,7 @@ impl SplitLayout {
         }
     }
 
-    /// A picture and text in these areas, without frames.
+    /// Places a picture and text in these areas, without frames.
     pub fn open(picture: Rect, panel: Rect) -> Self {
         let [no_picture, no_panel] = [picture, panel].map(|it| Rect { width: 0, ..it });
         Self {
