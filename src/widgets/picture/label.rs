@@ -11,18 +11,18 @@ pub struct Label {
     pub text: String,
     /// A shorter version, used if there is no room nearby for the whole label.
     pub short: Option<String>,
-    /// The role, which determines the colour.
+    /// The role, which determines the colour of the label.
     pub role: Role,
-    /// The points beside which it may be, in order of preference, each with its preferred sides;
-    /// there is always at least one.
+    /// The points beside which the label may be placed, in order of preference, each with its
+    /// preferred sides; there is always at least one point.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
     /// Whether this label and others avoid the surroundings of each other's points.
     pub(in crate::widgets) keeps_others_off: bool,
 }
 
 impl Label {
-    /// Marks a label that cannot be mistaken for another point's name: it is placed first, and may
-    /// be close to the points of other labels.
+    /// Marks a label that cannot be mistaken for the name of another point: it is placed first, and
+    /// may be close to the points of other labels.
     pub fn apart(&mut self) -> &mut Self {
         self.keeps_others_off = false;
         self
@@ -41,24 +41,24 @@ impl Label {
     }
 }
 
-/// The side of its anchor on which a label is.
+/// The side of a label's anchor on which the label is placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LabelSide {
-    /// In the row of the anchor, to the right.
+    /// On the anchor's row, to its right.
     Right,
-    /// Above and to the right.
+    /// Above the anchor, to its right.
     AboveRight,
-    /// Centred above.
+    /// Centred above the anchor.
     Above,
-    /// Above and to the left.
+    /// Above the anchor, to its left.
     AboveLeft,
-    /// In the row of the anchor, to the left.
+    /// On the anchor's row, to its left.
     Left,
-    /// Below and to the left.
+    /// Below the anchor, to its left.
     BelowLeft,
-    /// Centred below.
+    /// Centred below the anchor.
     Below,
-    /// Below and to the right.
+    /// Below the anchor, to its right.
     BelowRight,
     /// Centred on the anchor itself.
     Over,
@@ -80,7 +80,7 @@ impl LabelSide {
     ];
 
     /// All sides, sorted by how close they are to a direction in the world. For a label at the tip
-    /// of an arrow, that is the direction of the arrow.
+    /// of an arrow, pass the arrow's direction.
     #[must_use]
     pub fn towards(direction: DVec2) -> [Self; 8] {
         let mut sides = Self::ALL;
@@ -97,8 +97,8 @@ impl LabelSide {
         DVec2::from_angle(eighths.unwrap_or(0) as f64 * std::f64::consts::FRAC_PI_4)
     }
 
-    /// The direction in which a label on this side moves away from its anchor: columns to the
-    /// right, rows up.
+    /// The direction in which a label on this side moves away from its anchor, in columns to the
+    /// right and rows up.
     pub(in crate::widgets) fn outwards(self) -> (i32, i32) {
         match self {
             S::Right => (1, 0),
@@ -113,8 +113,9 @@ impl LabelSide {
         }
     }
 
-    /// The first cell of a label of this `width`, `away` rows from its anchor; a label in the row
-    /// of the anchor is twice as many columns away, because a cell is twice as high as wide.
+    /// The first cell of a label of this `width` that is `away` rows from its anchor; a label on
+    /// the anchor's row is twice as many columns away, because a cell is twice as high as it is
+    /// wide.
     pub(in crate::widgets) fn start(
         self,
         (column, row): (i32, i32),

@@ -67,47 +67,47 @@ pub(crate) enum Mark {
         at: DVec2,
         pen: Pen,
     },
-    /// A disc, which hides lower layers.
+    /// A disc, which hides everything on lower layers.
     Disc(Body),
-    /// A disc that hides nothing, drawn faintly or as an outline, with its letter at `letter`, for
-    /// use behind other marks.
+    /// A disc that hides nothing, drawn faintly or as an outline, with its letter at `letter`. It
+    /// is used behind other marks.
     Ring {
         body: Body,
         letter: DVec2,
     },
     /// Many discs, all drawn in the same way and all visible.
     Discs(Vec<Body>),
-    /// A part of a board. It is filled, below everything else, if the terminal has shades for that;
+    /// A part of a board. If the terminal has shades, the part is filled, below everything else;
     /// otherwise only its outline is drawn, if it has one.
     Ground {
         region: Region,
         role: Role,
         outline: Option<Role>,
     },
-    /// A filled rectangle between its lower left and its upper right corner.
+    /// A filled rectangle, given by its lower left and upper right corners.
     Area {
         low: DVec2,
         high: DVec2,
         pen: Pen,
     },
-    /// A sign or a few letters centred on a point. Labels do not cover it.
+    /// A sign or a few letters, centred on a point. Labels do not cover this text.
     Text {
         at: DVec2,
         text: String,
         role: Role,
     },
-    /// The axes of a plot, along the left and the lower edge of the view.
+    /// The axes of a plot, along the left and the lower edges of the view.
     Axes(Axes),
-    /// An invisible mark at a point that labels do not cover.
+    /// An invisible mark at a point, which keeps the point free of labels.
     Reserved(DVec2),
 }
 
 /// The shape of a part of a board.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Region {
-    /// The square around the origin with this half side.
+    /// The square centred on the origin, given by half the length of its side.
     Square(f64),
-    /// The circle around a centre with a radius.
+    /// The circle with this centre and radius.
     Circle(DVec2, f64),
 }
 
@@ -118,18 +118,18 @@ pub struct Body {
     pub at: DVec2,
     /// Its radius, in world units.
     pub radius: f64,
-    /// Its role, which determines the colour.
+    /// The role, which determines the colour of the disc.
     pub role: Role,
-    /// The letter in its middle if it is large enough; a space for none.
+    /// The letter in the middle of the disc if the disc is large enough; a space for none.
     pub letter: char,
-    /// Whether a ring marks it among the others.
+    /// Whether a ring distinguishes the disc from the others.
     pub pointed_out: bool,
 }
 
 /// The axes of a plot: first x, then y.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axes {
-    /// The position of each tick, and its text.
+    /// For each axis, the position and the text of each tick.
     pub(crate) ticks: [Vec<(f64, String)>; 2],
     /// The names of the axes.
     pub(crate) names: [String; 2],
@@ -158,18 +158,18 @@ impl Picture {
         }
     }
 
-    /// This picture with a larger total area, which has room for the text beside the axes.
+    /// This picture with a larger total area, which leaves room for the text beside the axes.
     #[must_use]
     pub fn within(self, area: Rect) -> Self {
         Self { area, ..self }
     }
 
-    /// The area that it fills.
+    /// The area that the picture fills.
     pub fn area(&self) -> Rect {
         self.area
     }
 
-    /// The mapping from the world to its cells.
+    /// The mapping from the world to the picture's cells.
     pub const fn view(&self) -> &View {
         &self.view
     }

@@ -2,8 +2,8 @@
 
 use crate::widgets::Role;
 
-/// The order of layers, which is independent of the order of drawing. If two strokes share a cell,
-/// the cell shows the stroke on the higher layer; on the same layer, the later one.
+/// The order of layers, which does not depend on the order of drawing. If two strokes share a cell,
+/// the cell shows the stroke on the higher layer or, on the same layer, the later stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DrawLayer {
     /// Boards, axes, frames.

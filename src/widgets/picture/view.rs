@@ -11,7 +11,7 @@ use ratatui::layout::Rect;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     area: Rect,
-    /// The point in the world that is in the middle of the screen's area.
+    /// The point in the world that is shown in the middle of the screen area.
     centre: DVec2,
     /// The point on the screen, in cells, at which `centre` is drawn.
     middle: DVec2,
@@ -21,8 +21,8 @@ pub struct View {
 
 impl View {
     /// An undistorted view with `centre` in the middle of the area's middle cell, so that
-    /// horizontal and vertical lines through it follow the cells. A `metres_per_column` that is
-    /// not positive is replaced by 1.
+    /// horizontal and vertical lines through `centre` follow the cells. A `metres_per_column` that
+    /// is not positive is replaced by 1.
     pub fn new(area: Rect, centre: DVec2, metres_per_column: f64) -> Self {
         let scale = positive(metres_per_column);
         Self {
@@ -37,14 +37,14 @@ impl View {
     /// the world.
     pub fn fit(area: Rect, corner: DVec2, opposite: DVec2) -> Self {
         let size = (opposite - corner).abs();
-        // The room on the narrower side of the middle limits the scale.
+        // The space on the narrower side of the middle limits the scale.
         let free = (middle(area) - top_left(area)).max(dvec2(0.5, 0.5)) * 2.0;
         let scale = (size.x / free.x).max(size.y / (2.0 * free.y));
         Self::new(area, (corner + opposite) / 2.0, scale)
     }
 
-    /// This view shifted by at most half a cell so that `world` is in the middle of a cell and a
-    /// small mark there is drawn exactly.
+    /// This view, shifted by at most half a cell so that `world` is in the middle of a cell. A
+    /// small mark at that point is then drawn exactly in its place.
     #[must_use]
     pub fn with_in_a_middle(self, world: DVec2) -> Self {
         let cell = self.to_cell(world);
@@ -55,8 +55,8 @@ impl View {
         }
     }
 
-    /// A view with a separate scale for each axis, for plots: the corners of the world's rectangle
-    /// are in the middles of the area's corner cells.
+    /// A view with a separate scale for each axis, for plots: the corners of the given rectangle in
+    /// the world are in the middles of the corner cells of the area.
     pub fn stretch(area: Rect, bottom_left: DVec2, top_right: DVec2) -> Self {
         let cells = dvec2(f64::from(area.width), f64::from(area.height)) - DVec2::ONE;
         let size = top_right - bottom_left;
@@ -71,7 +71,7 @@ impl View {
         }
     }
 
-    /// The area of the screen that it covers.
+    /// The area of the screen that the view covers.
     pub const fn area(&self) -> Rect {
         self.area
     }
@@ -98,8 +98,8 @@ impl View {
         self.centre + dvec2(away.x, -away.y) * self.per_cell
     }
 
-    /// The cell of a point in the world, as (column, row) on the screen, or `None` outside the
-    /// area.
+    /// The cell that contains a point in the world, as (column, row) on the screen; `None` if the
+    /// point is outside the area.
     pub fn cell_at(&self, world: DVec2) -> Option<(u16, u16)> {
         let cell = self.to_cell(world);
         let inside = cell.x >= f64::from(self.area.left())
@@ -109,7 +109,7 @@ impl View {
         inside.then_some((cell.x as u16, cell.y as u16))
     }
 
-    /// The point in the world in the middle of a cell, for a click on the cell.
+    /// The point in the world at the middle of a cell, for handling a click on the cell.
     pub fn world_at(&self, column: u16, row: u16) -> DVec2 {
         self.to_world(dvec2(f64::from(column) + 0.5, f64::from(row) + 0.5))
     }

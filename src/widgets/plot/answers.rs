@@ -11,11 +11,12 @@ use crate::widgets::{Look, Role};
 
 /// The number of answers over which each point of the error line is averaged.
 pub(crate) const REACH: usize = 5;
-/// The number of answers above which means of groups are drawn instead.
+/// The number of answers above which the plot shows means of groups instead of single answers.
 const MOST_MARKS: usize = 120;
 
-/// The error of each recent answer, and the mean of the last few; if there are many answers, the
-/// means of groups. Also returns the size of a group. `None` if no answer was an angle.
+/// Plots the error of each recent answer, and the mean of the last few errors; if there are many
+/// answers, plots the means of groups instead. Also returns the size of a group. `None` if no
+/// answer was an angle.
 pub(crate) fn errors_picture(
     attempts: &[Attempt],
     last: usize,
@@ -39,7 +40,7 @@ pub(crate) fn errors_picture(
         1 => shown.iter().map(|(_, error, _)| *error).fold(0.0, f64::max),
         _ => line.iter().map(|point| point.y).fold(0.0, f64::max),
     };
-    // A multiple of ten with some room above the highest value.
+    // The top of the axis is a multiple of ten, with some space above the highest value.
     let top = (10.0 * (highest / 10.0).floor() + 10.0).clamp(20.0, 180.0);
     let from = first.min((last - 9.0).max(1.0));
     let to = last.max(from + 9.0);
@@ -60,8 +61,8 @@ pub(crate) fn errors_picture(
     Some((plot.picture(), group))
 }
 
-/// For each confidence level, the share of right answers among the last `reach` answers, over the
-/// recent answers. `None` if there are too few.
+/// Plots, for each confidence level, how the fraction of right answers among its last `reach`
+/// answers changes over the recent answers. `None` if there are too few answers.
 pub(crate) fn sureness_picture(
     attempts: &[Attempt],
     last: usize,
@@ -89,7 +90,7 @@ pub(crate) fn sureness_picture(
             Confidence::ThinkSo => (Pen::new(Role::CoinOut).dashed(), 't'),
             Confidence::Sure => (Pen::new(Role::StrikerOut).bold(), 's'),
         };
-        // Points are thinned out from the end, so that the last one is always included.
+        // Points are left out starting from the end, so that the last point is always included.
         let step = line.len().div_ceil(MOST_MARKS * 2).max(1);
         let points = line.iter().rev().step_by(step);
         let points: Vec<_> = points

@@ -9,7 +9,7 @@ pub(crate) struct Axis {
     from: f64,
     to: f64,
     scale: AxisScale,
-    /// The distance between ticks, if it does not depend on the available space.
+    /// The distance between ticks, if it is fixed.
     step: Option<f64>,
 }
 
@@ -32,7 +32,8 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis, for 0 < `from` < `to`. Values of 0 and below have no place on it.
+    /// A logarithmic axis, for 0 < `from` < `to`. Values of 0 and below have no position on this
+    /// axis.
     pub(crate) fn log(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             scale: AxisScale::Log,
@@ -40,7 +41,7 @@ impl Axis {
         }
     }
 
-    /// This axis with ticks at the multiples of `step`, if there is room; it has no effect on a
+    /// This axis with ticks at the multiples of `step`, if there is room; `step` has no effect on a
     /// logarithmic axis.
     #[must_use]
     pub(crate) fn every(mut self, step: f64) -> Self {
@@ -53,8 +54,8 @@ impl Axis {
         &self.name
     }
 
-    /// The place of a value, in units in which the axis is linear; `None` for a value without a
-    /// place on any axis of this scale.
+    /// The position of a value, in units in which the axis is linear; `None` if the value has no
+    /// position on any axis with this scale.
     pub(crate) fn place(&self, value: f64) -> Option<f64> {
         let place = match self.scale {
             AxisScale::Linear => value,
@@ -63,7 +64,7 @@ impl Axis {
         place.is_finite().then_some(place)
     }
 
-    /// The value at a place.
+    /// The value at a position.
     pub(super) fn value(&self, place: f64) -> f64 {
         match self.scale {
             AxisScale::Linear => place,
@@ -71,7 +72,7 @@ impl Axis {
         }
     }
 
-    /// The places of the ends: two different numbers in ascending order for any input.
+    /// The positions of the two ends, which are always two different numbers in ascending order.
     pub(crate) fn ends(&self) -> (f64, f64) {
         match (self.place(self.from), self.place(self.to)) {
             (Some(from), Some(to)) if from < to => (from, to),
@@ -80,7 +81,7 @@ impl Axis {
         }
     }
 
-    /// The ticks for an axis that has room for at most `most` ticks.
+    /// At most `most` ticks for this axis.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {

@@ -19,14 +19,14 @@ pub(crate) struct Plot {
 }
 
 impl Plot {
-    /// An empty plot that fills `area`, with the name of `y` in the first row and the name of `x`
-    /// in the last.
+    /// Creates an empty plot that fills `area`, with the name of `y` in the first row and the name
+    /// of `x` in the last.
     pub(crate) fn new(area: Rect, look: Look, x: Axis, y: Axis) -> Self {
         let rows = area.height.saturating_sub(3);
         let y_ticks = y.ticks(usize::from(rows / 3).max(1));
         let width_of = |tick: &Tick| text::width(&look.charset.text(&tick.text)) as u16;
         let left = (y_ticks.iter().map(width_of).max().unwrap_or(0) + 1).min(area.width);
-        // Half of the last number below the axis extends beyond its right end.
+        // Half of the last number below the axis extends beyond the right end of the axis.
         let right = 2.min(area.width - left);
         let paper = Rect {
             x: area.x + left,
@@ -52,12 +52,12 @@ impl Plot {
         }
     }
 
-    /// The cells of the plot, including those of the axes.
+    /// The cells of the plot, including the cells of its axes.
     pub(crate) fn paper(&self) -> Rect {
         self.picture.view().area()
     }
 
-    /// The values in the middle of a cell (column, row), if it is on the [`Plot::paper`].
+    /// The values in the middle of a cell (column, row), if the cell is on the [`Plot::paper`].
     pub(crate) fn values_at(&self, (column, row): (u16, u16)) -> Option<DVec2> {
         self.paper().contains((column, row).into()).then(|| {
             let place = self.picture.view().world_at(column, row);
@@ -71,21 +71,22 @@ impl Plot {
         self.axes[1].value(low + self.picture.view().per_row())
     }
 
-    /// The place of a pair of values in the picture.
+    /// The position of a pair of values in the picture.
     fn place(&self, at: DVec2) -> Option<DVec2> {
         Some(dvec2(self.axes[0].place(at.x)?, self.axes[1].place(at.y)?))
     }
 
-    /// Adds a line through points, interrupted where a point has no place.
+    /// Adds a line through points; the line is interrupted at points that have no position.
     pub(crate) fn curve(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
         let place = |at| self.place(at).unwrap_or(DVec2::NAN);
         let places: Vec<DVec2> = points.into_iter().map(place).collect();
         self.picture.curve(places, pen);
     }
 
-    /// Adds the curve of a function over the whole x axis, interrupted where there is no value.
+    /// Adds the graph of a function over the whole x axis; the graph is interrupted where the
+    /// function has no value.
     pub(crate) fn function(&mut self, y: impl Fn(f64) -> Option<f64>, pen: impl Into<Pen>) {
-        // Four points per column are finer than the dots.
+        // Four points per column are finer than the dots of the screen.
         let pieces = 4 * u32::from(self.paper().width.saturating_sub(1)).max(1);
         let (from, to) = self.axes[0].ends();
         let points: Vec<DVec2> = (0..=pieces)
@@ -97,7 +98,7 @@ impl Plot {
         self.curve(points, pen);
     }
 
-    /// Adds a vertical line over the whole height at `x`, down to the axis.
+    /// Adds a vertical line at `x`, from the top down to the x axis.
     pub(crate) fn vline(&mut self, x: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[1].ends();
         if let Some(x) = self.axes[0].place(x) {
@@ -106,7 +107,7 @@ impl Plot {
         }
     }
 
-    /// Adds a horizontal line over the whole width at `y`, up to the axis.
+    /// Adds a horizontal line at `y` across the whole width, up to the y axis.
     pub(crate) fn hline(&mut self, y: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[0].ends();
         if let Some(y) = self.axes[1].place(y) {
@@ -115,7 +116,7 @@ impl Plot {
         }
     }
 
-    /// Adds a bar from the bottom of the plot to `height`, between two values of x.
+    /// Adds a bar between two values of x, from the bottom of the plot up to `height`.
     pub(crate) fn bar(&mut self, from: f64, to: f64, height: f64, pen: impl Into<Pen>) {
         let [x, y] = &self.axes;
         if let (Some(from), Some(to), Some(height)) = (x.place(from), x.place(to), y.place(height))

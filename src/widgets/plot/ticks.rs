@@ -5,20 +5,20 @@ use crate::numbers::{fixed, true_minus};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
-    /// Its place, in units in which the axis is linear.
+    /// The position, in units in which the axis is linear.
     pub place: f64,
-    /// The text beside it.
+    /// The text beside the tick.
     pub text: String,
 }
 
-/// A number of ticks for which no screen has room.
+/// More ticks than fit on any screen.
 const MOST: usize = 100;
 
-/// The smallest step at which numbers are written with a power of ten.
+/// The smallest step for which numbers are written with a power of ten.
 const LARGE: f64 = 1e5;
 
-/// At most `most` ticks at the multiples of `step`, or of twice `step`, and so on; without a step,
-/// at the multiples of 1, 2 or 5 times a power of ten.
+/// At most `most` ticks, at the multiples of `step`, or of `step` doubled as often as necessary;
+/// without a step, at the multiples of 1, 2 or 5 times a power of ten.
 pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let wanted = (to - from) / most;
@@ -51,8 +51,8 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
         .collect()
 }
 
-/// At most `most` ticks at the powers of ten between two exponents; if that gives fewer than two,
-/// also at 2 and 5 times these powers.
+/// At most `most` ticks at the powers of ten between two exponents; if there are fewer than two of
+/// these, also at 2 and 5 times each power.
 pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let (first, last) = ((from - 1e-9).ceil(), (to + 1e-9).floor());
@@ -60,7 +60,7 @@ pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
         return fine_decades(from, to);
     }
     let step = ((last - first + 1.0) / most).ceil().max(1.0);
-    // Exponents are multiples of the step, so that 1 is among the ticks if possible.
+    // Exponents are multiples of the step, so that 1 has a tick if possible.
     let first = (first / step).ceil() * step;
     (0..MOST)
         .map(|i| first + i as f64 * step)
@@ -90,7 +90,7 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// The text of a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1 always in the form
+/// The text for a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1, always the form
 /// 10⁻¹.
 fn power_of_ten(exponent: i32) -> String {
     if (0..=3).contains(&exponent) {
@@ -100,7 +100,7 @@ fn power_of_ten(exponent: i32) -> String {
     format!("10{}", exponent.unwrap_or_default())
 }
 
-/// The smallest number, not below `least`, that is 1, 2 or 5 times a power of ten.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is not below `least`.
 fn round_up(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     let digits = [1.0, 2.0, 5.0, 10.0];
@@ -115,7 +115,7 @@ fn round_up(least: f64) -> f64 {
     }
 }
 
-/// The number of decimals that distinguishes the multiples of a step.
+/// The number of decimal places needed to distinguish the multiples of a step.
 fn decimals(step: f64) -> usize {
     (0..9)
         .find(|decimals| {

@@ -1,15 +1,15 @@
-//! The clock of a stroke being watched. It can run at other speeds, pause and step.
+//! The clock of a stroke being replayed. The clock can run at other speeds, pause and step.
 
 use std::time::Duration;
 
-/// A replay speed: a power of two, from 1/16 of real speed to four times real speed.
+/// A replay speed: a power of two, from 1/16 of the real speed to four times the real speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WatchRate(i32);
 
 impl WatchRate {
     /// Real speed.
     pub(crate) const REAL: Self = Self(0);
-    /// All speeds, the slowest first.
+    /// All speeds, from slowest to fastest.
     pub(crate) const ALL: [Self; 7] = [
         Self(-4),
         Self(-3),
@@ -53,8 +53,8 @@ pub(crate) struct ShotClock {
 }
 
 impl ShotClock {
-    /// A clock that runs at this speed, from the start of a stroke of `end` seconds; with `reduced`
-    /// motion it is already at the end.
+    /// Creates a clock that runs at this speed, at the start of a stroke that lasts `end` seconds;
+    /// with `reduced` motion, the clock is already at the end.
     pub(crate) fn new(end: f64, rate: WatchRate, reduced: bool) -> Self {
         Self {
             time: if reduced { end } else { 0.0 },
@@ -69,22 +69,21 @@ impl ShotClock {
         self.time
     }
 
-    /// Whether time runs.
+    /// Whether the clock is running.
     pub(crate) fn is_running(&self) -> bool {
         self.running
     }
 
-    /// Whether everything has come to rest.
+    /// Whether all discs have come to rest.
     pub(crate) fn is_over(&self) -> bool {
         self.time >= self.end
     }
 
-    /// The time at which everything has come to rest, in seconds since the start of the stroke.
+    /// The time at which all discs have come to rest, in seconds since the start of the stroke.
     pub(crate) fn end(&self) -> f64 {
         self.end
     }
 
-    /// The speed of the clock.
     pub(crate) fn rate(&self) -> WatchRate {
         self.rate
     }
@@ -102,7 +101,7 @@ impl ShotClock {
         }
     }
 
-    /// Continues after a pause; while running, jumps to the end.
+    /// Continues after a pause; if the clock is already running, jumps to the end.
     pub(crate) fn go_on(&mut self) {
         if self.running {
             self.seek(self.end);
@@ -111,19 +110,19 @@ impl ShotClock {
         }
     }
 
-    /// Starts again from the beginning.
+    /// Goes back to the start of the stroke.
     pub(crate) fn rewind(&mut self) {
         self.time = 0.0;
         self.running = self.end > 0.0;
     }
 
-    /// Pauses at a time, clamped to the duration of the stroke.
+    /// Pauses at a time of the stroke, clamped to the stroke's duration.
     pub(crate) fn seek(&mut self, time: f64) {
         self.time = time.clamp(0.0, self.end);
         self.running = false;
     }
 
-    /// Pauses, and moves forward or back by this many seconds.
+    /// Pauses, and moves forwards or backwards by this many seconds.
     pub(crate) fn step(&mut self, seconds: f64) {
         self.seek(self.time + seconds);
     }

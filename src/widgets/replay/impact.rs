@@ -1,4 +1,4 @@
-//! The impacts of a shot, each as a collision that the lab can show.
+//! The impacts of a shot, each as a collision that can be examined in the lab.
 
 use glam::DVec2;
 
@@ -9,13 +9,14 @@ use crate::physics::{Collision, Disc, EventKind, Shot};
 pub(crate) struct ShotImpact {
     /// The time, in seconds since the start of the shot.
     pub time: f64,
-    /// The discs, body 1 first: the disc that was shot if it took part, otherwise the faster one.
+    /// The two discs. Body 1 comes first: this is the disc that was shot, if it took part,
+    /// otherwise the faster disc.
     pub discs: [usize; 2],
-    /// The collision in isolation.
+    /// The impact as an isolated collision.
     pub collision: Collision,
 }
 
-/// All impacts, in order, of a shot that set the disc `set_off` in motion.
+/// All impacts, in order, of a shot that began with the disc `set_off`.
 pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotImpact> + '_ {
     shot.events()
         .iter()
@@ -64,7 +65,8 @@ mod tests {
     use super::*;
     use crate::physics::{Board, Limits, Motion, play};
 
-    /// A disc shot into a loose row: some of the discs that it hits then collide while both move.
+    /// A disc shot into a loose row: some of the discs that it hits collide with each other while
+    /// both are moving.
     fn row() -> Shot {
         let disc = Disc::from_g_mm(15.0, 20.0);
         let places = [

@@ -1,4 +1,5 @@
-//! The replay of a shot on the board: its clock, and its impacts, which can be examined one by one.
+//! The replay of a shot on the board: its clock, and its impacts, which can be examined
+//! individually.
 
 mod clock;
 mod impact;

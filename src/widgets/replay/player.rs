@@ -1,4 +1,4 @@
-//! Watching a shot, and examining its enlarged impacts one by one.
+//! Watching a shot, and examining its enlarged impacts individually.
 
 use std::time::Duration;
 
@@ -12,9 +12,9 @@ use crate::quiz::Rays;
 use crate::widgets::hit::{FRAME, Face, HitPace, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView, Outcome};
 
-/// The time, in seconds, by which the step keys move.
+/// The time by which the step keys move the replay, in seconds.
 const STEP: f64 = 0.02;
-/// The time, in seconds, by which the keys for bigger steps move.
+/// The time by which the keys for bigger steps move the replay, in seconds.
 const SCRUB: f64 = 0.25;
 
 /// The action that goes to the end of the shot.
@@ -31,7 +31,7 @@ pub(crate) struct ShotPlayer {
     lists: bool,
     list: ListView,
     showing: Showing,
-    /// The time to return to when the impacts are closed.
+    /// The time to return to when the list of impacts is closed.
     left_at: f64,
 }
 
@@ -39,9 +39,9 @@ pub(crate) struct ShotPlayer {
 #[derive(Debug, Clone)]
 enum Showing {
     Board,
-    /// The board at the time of the impact that is chosen in the list.
+    /// The board at the time of the impact that is selected in the list.
     Impacts,
-    /// The chosen impact alone, enlarged.
+    /// The selected impact on its own, enlarged.
     Impact(Box<Watch>),
 }
 
@@ -76,7 +76,7 @@ pub enum ShotAction {
 }
 
 impl ShotPlayer {
-    /// A shot that set the disc `set_off` in motion, with its clock; impacts after the end of the
+    /// Creates a player for a shot that began with the disc `set_off`; impacts after the end of the
     /// clock are left out.
     pub(crate) fn new(shot: Shot, set_off: usize, clock: ShotClock) -> Self {
         let seen = impacts(&shot, set_off).take_while(|impact| impact.time <= clock.end());
@@ -99,13 +99,13 @@ impl ShotPlayer {
         Self { faces, ..self }
     }
 
-    /// This shot with the prediction for its first impact.
+    /// This shot with a prediction for its first impact.
     #[must_use]
     pub(crate) fn with_said(self, said: Option<Rays>) -> Self {
         Self { said, ..self }
     }
 
-    /// This shot with a list of impacts, from which one is chosen before it is enlarged.
+    /// This shot with a list of impacts, from which the player selects one before it is enlarged.
     #[must_use]
     pub(crate) fn with_list(mut self) -> Self {
         self.lists = true;
@@ -117,7 +117,7 @@ impl ShotPlayer {
         &self.shot
     }
 
-    /// Its clock.
+    /// The clock of the shot.
     pub(crate) fn clock(&self) -> &ShotClock {
         &self.clock
     }
@@ -127,7 +127,7 @@ impl ShotPlayer {
         &self.impacts
     }
 
-    /// The chosen impact and its index, if there is one.
+    /// The selected impact and its index, if there is one.
     pub(crate) fn chosen(&self) -> Option<(usize, &ShotImpact)> {
         if let Showing::Board = self.showing {
             return None;
@@ -136,12 +136,12 @@ impl ShotPlayer {
         Some((number, self.impacts.get(number)?))
     }
 
-    /// The list of impacts, while it is shown.
+    /// The list of impacts, if it is being shown.
     pub(crate) fn list(&self) -> Option<&ListView> {
         matches!(self.showing, Showing::Impacts).then_some(&self.list)
     }
 
-    /// The chosen impact, while it is enlarged.
+    /// The selected impact, if it is enlarged.
     pub(crate) fn zoom(&self) -> Option<&Watch> {
         match &self.showing {
             Showing::Impact(watch) => Some(watch),
@@ -149,7 +149,7 @@ impl ShotPlayer {
         }
     }
 
-    /// The discs that are now on the board, with their positions.
+    /// The discs that are on the board at the current time, with their positions.
     pub(crate) fn discs(&self) -> impl Iterator<Item = (usize, DVec2)> + '_ {
         let now = |disc| self.shot.at(disc, self.clock.time());
         let all = (0..self.shot.discs().len()).map(move |disc| (disc, now(disc)));
@@ -196,7 +196,8 @@ impl ShotPlayer {
         }
     }
 
-    /// The action of a click on the picture: the same as for Space, except in the list of impacts.
+    /// The action triggered by clicking the picture: that of the space bar, but none in the list of
+    /// impacts.
     pub(crate) fn clicked(&self) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => None,
@@ -204,8 +205,8 @@ impl ShotPlayer {
         }
     }
 
-    /// The action of the mouse wheel, up (-1) or down (1): a step, or a move in the list of
-    /// impacts.
+    /// The action triggered by turning the mouse wheel up (-1) or down (1): a step in time, or a
+    /// move in the list of impacts.
     pub(crate) fn wheel(&self, by: i8) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => Some(ShotAction::List(ListAction::Choose(by.into()))),
@@ -213,8 +214,8 @@ impl ShotPlayer {
         }
     }
 
-    /// Carries out an action. A chosen speed is stored in `rate`; an enlarged impact is played with
-    /// this `pace`.
+    /// Carries out an action. If the speed changes, it is stored in `rate`; an enlarged impact is
+    /// played at this `pace`.
     pub(crate) fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, pace: HitPace) {
         match action {
             ShotAction::GoOn => self.clock.go_on(),
@@ -228,7 +229,7 @@ impl ShotPlayer {
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
-                // This chooses the last impact shown so far, or at the end of the shot the first
+                // This selects the last impact shown so far or, at the end of the shot, the first
                 // impact.
                 let now = if self.clock.is_over() {
                     0.0
@@ -271,7 +272,7 @@ impl ShotPlayer {
         }
     }
 
-    /// Sets the clock to the time of the chosen impact.
+    /// Sets the clock to the time of the selected impact.
     fn show_chosen(&mut self) {
         if let Some((_, impact)) = self.chosen() {
             self.clock.seek(impact.time);
@@ -313,7 +314,7 @@ mod tests {
     use super::*;
     use crate::physics::{Board, Disc, Limits, Motion, play};
 
-    /// A disc that drives a second one into a third: two impacts.
+    /// A shot with two impacts: a disc drives a second disc into a third.
     fn player(lists: bool) -> ShotPlayer {
         let disc = Disc::from_g_mm(15.0, 20.0);
         let mut start = [0.0, 0.1, 0.2].map(|x| Motion::at_rest(DVec2::new(x, 0.1 * x)));

@@ -5,7 +5,7 @@ use ratatui::style::{Color, Modifier};
 
 use crate::widgets::theme::Rgb;
 
-/// The background, as in a dark terminal.
+/// The background colour, as in a dark terminal.
 pub(super) const PAPER: Rgb = Rgb::hex(0x101418);
 /// The default colour of text.
 const INK: Rgb = Rgb::hex(0xd0d0d0);
@@ -30,13 +30,14 @@ const SIXTEEN: [(Color, u32); 16] = [
     (Color::White, 0xffffff),
 ];
 
-/// One of the 256 colours: one of the first sixteen, or a fixed one.
+/// One of the 256 indexed colours: one of the first sixteen, or one of the fixed colours after
+/// them.
 fn indexed(index: u8) -> Rgb {
     let named = SIXTEEN.get(usize::from(index));
     named.map_or_else(|| Rgb::fixed(index), |(_, code)| Rgb::hex(*code))
 }
 
-/// The colour that a cell names; `otherwise` if it names none.
+/// The colour specified by a cell, or `otherwise` if the cell does not specify one.
 fn colour_of(colour: Color, otherwise: Rgb) -> Rgb {
     match colour {
         Color::Rgb(red, green, blue) => Rgb(red, green, blue),
@@ -48,7 +49,7 @@ fn colour_of(colour: Color, otherwise: Rgb) -> Rgb {
     }
 }
 
-/// The two visible colours of a cell.
+/// The two colours that a cell shows.
 pub(super) struct CellColours {
     /// The foreground colour.
     pub(super) ink: Rgb,
@@ -57,7 +58,7 @@ pub(super) struct CellColours {
 }
 
 impl CellColours {
-    /// The colours of a cell, with reverse and dim taken into account.
+    /// The colours of a cell after applying the reverse and dim modifiers.
     pub(super) fn of(cell: &Cell) -> Self {
         let (mut ink, mut ground) = (colour_of(cell.fg, INK), colour_of(cell.bg, PAPER));
         if cell.modifier.contains(Modifier::REVERSED) {

@@ -28,7 +28,7 @@ use colour::{CellColours, PAPER};
 const CELL: (usize, usize) = (9, 18);
 /// The columns and rows of a panel.
 const PANEL: (u16, u16) = (84, 32);
-/// The distance of the letters' baseline from the top of the cell, in units of the picture.
+/// The distance from the top of a cell to the baseline of its letters, in units of the picture.
 const BASE: usize = 14;
 
 /// A screen as an SVG file.
@@ -37,7 +37,7 @@ pub(crate) fn of_screen(cells: &Buffer) -> String {
 }
 
 /// A panel with pictures as an SVG file. `fill` writes the text into the cells of the panel and
-/// returns the pictures to draw in it.
+/// returns the pictures to be drawn in it.
 pub(crate) fn of_panel(
     title: &str,
     look: &Look,
@@ -110,7 +110,7 @@ fn screen(cells: &Buffer, vectors: &str) -> String {
     )
 }
 
-/// A picture as vectors, for use in [`maud::html!`] or in a file of its own.
+/// A picture as vectors, for use in [`maud::html!`] or as a separate file.
 #[derive(Debug, Clone)]
 pub struct Svg {
     words: String,
@@ -122,8 +122,8 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// A picture whose area begins in the corner of the screen. `words` is its text alternative. At
-    /// a `scale` of 1, letters are 14 CSS pixels high.
+    /// Creates a picture whose area begins in the corner of the screen. `words` is its text
+    /// alternative. At a `scale` of 1, letters are 14 CSS pixels high.
     pub(crate) fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
         Self {
             words: words.to_owned(),
@@ -134,7 +134,7 @@ impl Svg {
         }
     }
 
-    /// The width and height as shown, in CSS pixels.
+    /// The width and height at which the picture is shown, in CSS pixels.
     #[must_use]
     pub(crate) fn size(&self) -> [f64; 2] {
         self.size.map(|length| length * self.scale)
@@ -174,8 +174,8 @@ impl Render for Svg {
     }
 }
 
-/// A number in a picture. It has two decimal places, finer than any printer can show, and the
-/// output is always finite.
+/// A number in a picture. It is written with two decimal places, which is finer than any printer
+/// can show, and is always finite.
 struct Number(f64);
 
 impl std::fmt::Display for Number {
@@ -195,7 +195,7 @@ impl std::fmt::Display for Number {
     }
 }
 
-/// Outlines to fill, with one path per colour.
+/// Outlines to be filled, with one path per colour.
 #[derive(Default)]
 struct Paths(BTreeMap<Rgb, String>);
 

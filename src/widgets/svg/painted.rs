@@ -1,4 +1,4 @@
-//! A screen for another painter, such as a browser's canvas: cells in their final colours, and
+//! A screen for a different renderer, such as a browser's canvas: cells in their final colours, and
 //! the pictures among them as vectors.
 
 use ratatui::buffer::Buffer;
@@ -17,20 +17,22 @@ pub struct PaintedCell {
     pub ink: u32,
     /// The background colour, 0xRRGGBB.
     pub paper: u32,
-    /// Bold, underlined and so on; reverse and dim are already part of the colours.
+    /// Bold, underlined and so on; the reverse and dim modifiers have already been applied to the
+    /// colours.
     pub modifier: Modifier,
-    /// Whether it only shows part of a picture, so that vectors replace it.
+    /// Whether the cell only shows part of a picture that is also drawn with vectors.
     pub is_vector: bool,
 }
 
 /// A picture among the cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaintedPicture {
-    /// The area that it fills.
+    /// The area that the picture fills.
     pub area: Rect,
     /// The background colour, 0xRRGGBB.
     pub paper: u32,
-    /// The elements for an SVG of the whole screen, in which a cell is 9 by 18; empty in ASCII.
+    /// The elements for an SVG of the whole screen, in which a cell is 9 units wide and 18 units
+    /// high; empty in ASCII.
     pub svg: String,
 }
 
@@ -79,8 +81,8 @@ pub fn inks(theme: &Theme) -> Vec<(Role, u32)> {
     Role::ALL.iter().map(ink).collect()
 }
 
-/// The shape of a glyph: an SVG path in a cell of 9 by 18, and its opacity from 0 to 1. `None` if
-/// the glyph is written as a letter.
+/// The shape of a glyph: an SVG path in a cell 9 units wide and 18 units high, and its opacity from
+/// 0 to 1. `None` if the glyph is written as text.
 pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
     let mut path = String::new();
     let strength = shape::strength(symbol);
@@ -88,7 +90,7 @@ pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
 }
 
 impl DrawnPicture {
-    /// Whether a page covers most of the picture.
+    /// Whether something has been drawn over most of the picture.
     fn is_erased(&self, screen: &Buffer) -> bool {
         let drawn = |at: &Position| {
             self.cells
@@ -103,8 +105,8 @@ impl DrawnPicture {
         2 * gone > all
     }
 
-    /// The cells that nothing covers: in each row, those outside the range of changed cells,
-    /// because a page over a picture may contain spaces.
+    /// The cells that nothing covers. In each row these are the cells outside the range of changed
+    /// cells, because a page drawn over a picture may contain spaces.
     fn uncovered(&self, screen: &Buffer) -> impl Iterator<Item = Position> {
         let area = self.cells.area;
         area.rows().flat_map(move |row| {

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use super::CELL;
 use crate::widgets::text::blocks::{BRAILLE, QUARTERS, octants, sextants};
 
-/// Adds the outline of a glyph in the cell with its corner at `corner`; returns whether the glyph
-/// is drawn as a shape.
+/// Adds the outline of a glyph in the cell whose corner is at `corner`; returns whether the glyph
+/// has a shape.
 pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> bool {
     let mut letters = symbol.chars();
     let (Some(glyph), None) = (letters.next(), letters.next()) else {
@@ -41,7 +41,7 @@ pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> b
     true
 }
 
-/// The bits of the parts of a glyph.
+/// The bits that represent the parts of a glyph.
 fn bits(glyph: char, mut glyphs: impl Iterator<Item = (char, u8)>) -> u8 {
     glyphs.find(|it| it.0 == glyph).map_or(0, |it| it.1)
 }
@@ -51,7 +51,7 @@ pub(super) fn is_dotted(symbol: &str) -> bool {
     matches!(symbol.chars().next(), Some('\u{2800}'..='\u{28ff}'))
 }
 
-/// The opacity of a glyph, which is less than 1 for the shades.
+/// The opacity of a glyph, which is less than 1 for shade characters.
 pub(super) fn strength(symbol: &str) -> f64 {
     match symbol {
         "░" => 0.25,
@@ -61,7 +61,7 @@ pub(super) fn strength(symbol: &str) -> f64 {
     }
 }
 
-/// The directions of box lines from the middle of their cell.
+/// The directions of box lines from the middle of a cell.
 mod arm {
     pub(super) const LEFT: u8 = 1;
     pub(super) const RIGHT: u8 = 2;
@@ -69,8 +69,8 @@ mod arm {
     pub(super) const DOWN: u8 = 8;
 }
 
-/// The arms of a box line and their thickness. Double lines are drawn as thick lines, and round
-/// corners as square ones.
+/// The arms of a box-drawing character, and their thickness. Double lines are drawn as thick lines,
+/// and rounded corners as square corners.
 fn arms(glyph: char) -> Option<(u8, f64)> {
     use arm::{DOWN, LEFT, RIGHT, UP};
     let arms = match glyph {
@@ -132,7 +132,8 @@ impl CellPen<'_> {
         }
     }
 
-    /// Adds the parts of a block element with two columns and this many rows, one bit each.
+    /// Adds the parts of a block element that has two columns and this many rows; each bit stands
+    /// for one part.
     fn parts(&mut self, rows: u8, bits: u8) {
         for part in (0..2 * rows).filter(|part| bits >> part & 1 == 1) {
             let x = f64::from(part % 2) / 2.0;
@@ -143,7 +144,7 @@ impl CellPen<'_> {
 
     fn lines(&mut self, arms: u8, thick: f64) {
         let (width, height) = (CELL.0 as f64, CELL.1 as f64);
-        // Whole units make lines sharp and align them with those of adjacent cells.
+        // Whole units make lines sharp and align them with the lines of adjacent cells.
         let x = ((width - thick) / 2.0).floor();
         let y = ((height - thick) / 2.0).floor();
         let bars = [

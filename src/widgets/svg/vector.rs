@@ -20,9 +20,10 @@ const SIGN: f64 = 1.2;
 const HEAD: (f64, f64) = (11.0, 4.2);
 /// The radius of the ring around a marked disc, in radii of the disc.
 const POINTED_OUT: f64 = 1.25;
-/// The number of pieces of an arc that is not completely in the view.
+/// The number of pieces used for an arc that is only partly in the view.
 const PIECES: u32 = 180;
-/// The distance below which a line leaves out the next point, in units of the picture.
+/// The distance from the last point below which a line leaves out the next point, in units of the
+/// picture.
 const NEAR: f64 = 0.3;
 /// The radius of a dot, which is also the smallest radius of a disc.
 const DOT: f64 = 3.5;
@@ -94,7 +95,7 @@ fn layer(mark: &Mark) -> DrawLayer {
     }
 }
 
-/// Whether a mark is a line, and the next line continues from its end with the same pen.
+/// Whether a mark is a line that the next mark continues with the same pen.
 fn goes_on(mark: &Mark, next: &Mark) -> bool {
     match (mark, next) {
         (Mark::Line { to, pen, .. }, Mark::Line { from, pen: own, .. }) => to == from && pen == own,
@@ -102,7 +103,7 @@ fn goes_on(mark: &Mark, next: &Mark) -> bool {
     }
 }
 
-/// The part of a string that is placed at the given position.
+/// The part of a string that is aligned with the given position.
 #[derive(Clone, Copy, strum::Display)]
 #[strum(serialize_all = "lowercase")]
 enum Anchor {
@@ -115,11 +116,11 @@ fn cell() -> DVec2 {
     dvec2(CELL.0 as f64, CELL.1 as f64)
 }
 
-/// The part of a straight line inside a rectangle, if there is one.
+/// The part of a straight line that is inside a rectangle, if any.
 fn clipped([from, to]: [DVec2; 2], low: DVec2, high: DVec2) -> Option<[DVec2; 2]> {
     let way = to - from;
-    // The positions along the line at which it crosses each pair of edges; a line parallel to them
-    // does not cross them.
+    // The positions along the line at which the line crosses each pair of edges; a line parallel to
+    // a pair of edges does not cross them.
     let [a, b] = [(low - from) / way, (high - from) / way];
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
@@ -152,7 +153,7 @@ impl Display for Point {
 struct Vectors<'a> {
     view: &'a View,
     look: &'a Look,
-    /// The colour below lines and labels.
+    /// The background colour of lines and labels.
     paper: Rgb,
     body: String,
 }
@@ -174,7 +175,7 @@ impl Vectors<'_> {
         self.look.theme.rgb(role)
     }
 
-    /// Draws a mark, or a chain of connected lines, such as a trail, as one path.
+    /// Draws a mark; a chain of connected lines, such as a trail, becomes a single path.
     fn chain(&mut self, marks: &[&Mark]) {
         let [Mark::Line { from, pen, .. }, _, ..] = marks else {
             return marks.iter().for_each(|mark| self.mark(mark));
@@ -347,7 +348,7 @@ impl Vectors<'_> {
         self.path(&path, self.inked(pen), "");
     }
 
-    /// Draws a disc of a collision, in a pale colour so that marks over it are clearly visible.
+    /// Draws a disc of a collision, in a pale colour so that marks on it are clearly visible.
     fn disc(&mut self, body: &Body) {
         let radius = self.length(body.radius);
         let role = self.rgb(body.role);
@@ -358,7 +359,7 @@ impl Vectors<'_> {
         self.circle(body.at, radius, self.look.theme.faint(body.role), &stroke);
     }
 
-    /// Writes the letter of a disc of a collision, over the marks on the disc.
+    /// Writes the letter of a disc of a collision, on top of the marks on the disc.
     fn letter(&mut self, body: &Body, at: DVec2) {
         let radius = self.length(body.radius);
         if body.letter != ' ' && radius > DOT {
@@ -368,7 +369,7 @@ impl Vectors<'_> {
         }
     }
 
-    /// Draws a disc among others, in its full colour.
+    /// Draws one of many discs, in its full colour.
     fn solid(&mut self, body: &Body) {
         let radius = self.length(body.radius).max(DOT);
         let role = self.rgb(body.role);
@@ -393,12 +394,13 @@ impl Vectors<'_> {
         self.write(text, at, anchor, colours);
     }
 
-    /// Writes text with an outline in the background colour, which keeps it readable over a line.
+    /// Writes text with an outline in the background colour, so that it is readable on top of a
+    /// line.
     fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         self.write_of(LETTERS, text, at, anchor, colours);
     }
 
-    /// Writes outlined text in letters of the given size, but at most the usual size.
+    /// Writes outlined text in letters of the given size, but no larger than the usual size.
     fn write_of(&mut self, size: f64, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         let [ink, rim] = colours;
         let size = size.min(LETTERS);
@@ -414,7 +416,7 @@ impl Vectors<'_> {
         self.put(format_args!(">{}</text>\n", escape(text)));
     }
 
-    /// Draws a sign: as a shape if it represents one, otherwise as text.
+    /// Draws a sign, as a shape if the sign has one, otherwise as text.
     fn sign(&mut self, world: DVec2, text: &str, role: Role) {
         let ink = self.rgb(role);
         let at = self.at(world);
@@ -481,7 +483,7 @@ mod tests {
         draw(&picture, &look)
     }
 
-    /// A trail of many segments is one path, unless its pen changes or it has a gap.
+    /// A trail of many segments is drawn as a single path, unless its pen changes or it has a gap.
     #[test]
     fn connected_lines_are_one_path() {
         let [a, b, c, d] = [0.0, 1.0, 2.0, 3.0].map(|x| dvec2(x, 0.0));
@@ -499,7 +501,7 @@ mod tests {
 
     #[test]
     fn arcs_turn_in_the_visible_direction() {
-        // A quarter turn from the right ends above the centre, where y is smaller.
+        // A quarter turn that starts on the right ends above the centre, where y is smaller.
         let found = drawn(|it| it.arc(DVec2::ZERO, 2.0, 0.0, PI / 2.0, Role::Arc));
         assert!(found.contains("M67.5 45A18 18 0 0 0 49.5 27"), "{found}");
     }
