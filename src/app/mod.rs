@@ -17,6 +17,7 @@ use ratatui::layout::Rect;
 
 use crate::lessons::Book;
 use crate::levels::Shelf;
+use crate::measure::Measurement;
 use crate::messages::{
     Effect, Input, Key, Mouse, MouseKind, StoreAnswer, StoreCall, StoreReply, StoreRequest,
 };
@@ -32,6 +33,7 @@ use crate::screens::{
     lab::Lab,
     learn::{Contents, Reading},
     levels::{LevelPlay, Levels},
+    measured::MeasuredScreen,
     progress::Progress,
     quiz::{Choosing, Quiz},
     rules::RulesScreen,
@@ -569,6 +571,13 @@ impl App {
         }
     }
 
+    /// Shows a measured collision.
+    pub fn show(&mut self, measurement: Measurement) {
+        self.open(Route::Measured {
+            measurement: Arc::new(measurement),
+        });
+    }
+
     fn open(&mut self, route: Route) {
         let cx = &mut self.context;
         self.stack.push(match route {
@@ -611,6 +620,7 @@ impl App {
             Route::Table => hosted(Table::ask(cx)),
             Route::Board { code } => hosted(Table::board(code, cx)),
             Route::Rules { rules } => hosted(RulesScreen { rules }),
+            Route::Measured { measurement } => hosted(MeasuredScreen { measurement }),
             Route::Progress => hosted(Progress::ask(cx)),
             Route::Settings => hosted(SettingsScreen::ask(cx)),
         });

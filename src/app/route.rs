@@ -171,6 +171,8 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         Route::Table => "table".into(),
         Route::Board { code: None } => "board".into(),
         Route::Board { code: Some(code) } => named("board", &code.to_string()),
+        // Its file is not part of a link.
+        Route::Measured { .. } => String::new(),
         Route::Rules { rules } => named("rules", (*rules).into()),
         Route::Progress => "progress".into(),
         Route::Settings => "settings".into(),

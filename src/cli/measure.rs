@@ -47,6 +47,9 @@ pub(super) struct Args {
     /// Whether the bodies slow down: auto, if the data show it clearly
     #[arg(long, value_name = "WHEN", default_value = "auto", value_parser = slowing())]
     slowing: SlowingDown,
+    /// Open a screen with a picture
+    #[arg(long, conflicts_with_all = ["json", "report"])]
+    pub(super) screen: bool,
     /// Print one JSON object
     #[arg(long, conflicts_with = "report")]
     json: bool,
@@ -98,7 +101,8 @@ fn report_file(path: &str) -> Result<NamedFile, String> {
 }
 
 impl Args {
-    fn measurement(&self) -> Result<Measurement, Failure> {
+    /// The measurement of the files.
+    pub(super) fn measurement(&self) -> Result<Measurement, Failure> {
         let mut contents = Vec::new();
         for path in &self.files {
             let name = path.display().to_string();

@@ -121,7 +121,6 @@ enum Command {
     Open(OpenCommand),
     Solve(solve::Args),
     Simulate(simulate::Args),
-    Measure(measure::Args),
     Replay(replay::Args),
     #[command(subcommand)]
     Level(level::Command),
@@ -208,6 +207,7 @@ enum OpenCommand {
     /// Open the table: carrom itself, the whole board
     Table,
     Board(board::Args),
+    Measure(measure::Args),
     Progress(progress::Args),
     /// Open the settings: appearance, motion, the player
     Settings,
@@ -249,6 +249,7 @@ impl OpenCommand {
         match self {
             Self::Progress(args) => !args.prints(),
             Self::Board(args) => !args.prints(),
+            Self::Measure(args) => args.screen,
             _ => true,
         }
     }
@@ -296,6 +297,9 @@ impl OpenCommand {
             Self::Table => Route::Table,
             Self::Board(args) => Route::Board { code: args.code() },
             Self::Progress(_) => Route::Progress,
+            Self::Measure(args) => Route::Measured {
+                measurement: Arc::new(args.measurement().map_err(|it| it.error().to_string())?),
+            },
             Self::Settings => Route::Settings,
             Self::Levels { name } => named(data, "levels", name.as_deref())?,
         })
@@ -429,11 +433,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             progress::run(args, &cli.options)
         }
         Some(Command::Open(OpenCommand::Board(args))) if args.prints() => board::run(args),
+        Some(Command::Open(OpenCommand::Measure(args))) if !args.screen => {
+            measure::run(args, &cli.options)
+        }
         Some(Command::Open(screen)) => return play::run(&cli.options, Some(screen), cli.plain),
         Some(Command::Solve(args)) if args.plain => solve::plain(args),
         Some(Command::Solve(args)) => return solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
-        Some(Command::Measure(args)) => measure::run(args, &cli.options),
         Some(Command::Replay(args)) => replay::run(args),
         Some(Command::Level(command)) => level::run(command, &cli.options),
         Some(Command::Lesson(command)) => lesson::run(command, &cli.options),

@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::fit::{Fit, ONE_SIGMA};
 use super::quantities::{Known, QUANTITIES, measured};
-use super::simulated::{Film, PUCKS, normal};
+use super::simulated::{Film, normal};
 use super::{Given, SlowingDown, Unit};
 
 /// How often an interval contained the truth.
@@ -57,7 +57,6 @@ fn film(random: &mut Pcg64Mcg) -> Film {
         frames,
         noise: random.random_range(0.2..1.0),
         pixel: dvec2(pixel, pixel * unequal),
-        ..PUCKS
     }
 }
 

@@ -12,6 +12,9 @@ use super::{Fault, SlowingDown};
 /// A straight line is rejected in favour of slowing down if chance alone would improve the fit this
 /// much in less than one of a hundred measurements.
 pub const LEVEL: f64 = 0.01;
+/// With fewer degrees of freedom than this, the noise of one body alone would be too uncertain: both
+/// bodies then have the same noise in x, and the same in y.
+const FEW: f64 = 25.0;
 /// The standard uncertainty of the sum of two radii, as measured with a calliper, in metres.
 const RADII_SIGMA: f64 = 1e-4;
 /// A quantity below this number of standard uncertainties has no direction, and nothing can be
@@ -21,6 +24,9 @@ const CLEAR: f64 = 4.0;
 const CONTRADICTS: f64 = 3.0;
 /// The probability of a standard normal variable beyond ±1.
 pub(super) const ONE_SIGMA: f64 = 0.317_310_507_862_914;
+
+/// A quantity as a function of the state.
+type OfState<'f> = dyn Fn(&State) -> Option<f64> + 'f;
 
 /// A quantity with its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,7 +93,7 @@ pub struct Apart {
 }
 
 /// The fit to both tracks.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
     pub(crate) state: State,
     pub(crate) model: Model,
@@ -108,6 +114,8 @@ pub struct Fit {
     weights: [f64; CHANNELS],
     covariance: Matrix,
     freedom: [f64; CHANNELS],
+    /// Whether both bodies have the same noise, because there are few points.
+    is_pooled: bool,
 }
 
 impl Fit {
@@ -249,6 +257,7 @@ impl Fit {
     ) -> Option<Self> {
         const ROUNDS: usize = 4;
         let mut last = None;
+        let mut is_pooled = false;
         for _ in 0..ROUNDS {
             let (next, normal) = descend(state, model, &weights, points)?;
             state = next;
@@ -263,7 +272,12 @@ impl Fit {
                 if freedom[channel] < 0.5 {
                     return None;
                 }
-                let variance = normal.squares[channel] / freedom[channel];
+            }
+            is_pooled = freedom.iter().any(|freedom| *freedom < FEW);
+            for channel in 0..CHANNELS {
+                let other = if is_pooled { (channel + 2) % CHANNELS } else { channel };
+                let squares = normal.squares[channel] + normal.squares[other];
+                let variance = squares / (freedom[channel] + freedom[other]);
                 noise[channel] = variance.sqrt().max(least);
             }
             weights = noise.map(|sigma| 1.0 / (sigma * sigma));
@@ -284,6 +298,7 @@ impl Fit {
             weights,
             covariance,
             freedom,
+            is_pooled,
         })
     }
 
@@ -347,9 +362,18 @@ impl Fit {
         let variance = dot(&gradient, &reach).max(0.0);
         // Welch and Satterthwaite: each channel's share of the variance has its own freedom.
         let mut spread = 0.0;
-        for channel in 0..CHANNELS {
-            let share = self.weights[channel] * self.normal.form(channel, &reach);
-            spread += share * share / self.freedom[channel];
+        let shares: [f64; CHANNELS] = std::array::from_fn(|channel| {
+            self.weights[channel] * self.normal.form(channel, &reach)
+        });
+        for (channel, share) in shares.iter().enumerate() {
+            spread += match (self.is_pooled, channel) {
+                (false, _) => share * share / self.freedom[channel],
+                (true, 0 | 1) => {
+                    let share = share + shares[channel + 2];
+                    share * share / (self.freedom[channel] + self.freedom[channel + 2])
+                }
+                (true, _) => 0.0,
+            };
         }
         let most = self.freedom();
         let freedom = if spread > 0.0 {
@@ -365,7 +389,7 @@ impl Fit {
     }
 
     /// The probability that two quantities which are truly zero are at least this far from it.
-    pub(super) fn chance_of_zero(&self, of: [&dyn Fn(&State) -> Option<f64>; 2]) -> Option<f64> {
+    pub(super) fn chance_of_zero(&self, of: [&OfState; 2]) -> Option<f64> {
         let [a, b] = of.map(|of| self.estimate(of));
         let (a, b) = (a?, b?);
         let [first, second] = of.map(|of| self.gradient(&of, &|difference| difference));

@@ -25,9 +25,9 @@ impl Measurement {
                 Ok(it) => {
                     let reach = it.uncertainty95();
                     json!(Quantity {
-                        value: unit.from_si(it.value),
-                        uncertainty: unit.from_si(it.uncertainty()),
-                        interval_95: [it.value - reach, it.value + reach].map(|x| unit.from_si(x)),
+                        value: unit.in_unit(it.value),
+                        uncertainty: unit.in_unit(it.uncertainty()),
+                        interval_95: [it.value - reach, it.value + reach].map(|x| unit.in_unit(x)),
                         degrees_of_freedom: it.freedom,
                     })
                 }
@@ -35,7 +35,7 @@ impl Measurement {
             };
             quantities.insert(format!("{}{}", quantity.id, unit.ending()), value);
         }
-        let noise = self.fit.noise.map(|noise| Unit::Length.from_si(noise));
+        let noise = self.fit.noise.map(|noise| Unit::Length.in_unit(noise));
         let test = self
             .fit
             .test

@@ -100,7 +100,7 @@ impl Fault {
 }
 
 /// An analysed collision.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     /// The tracks.
     pub tracks: [Track; 2],

@@ -4,6 +4,11 @@
 //! constant rate along its path, to a stop. Both legs of a body meet at its centre at the time of
 //! contact, which both bodies share. The fit is by Gauss-Newton steps with Levenberg's damping.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "sums over a matrix are read by their indices"
+)]
+
 use glam::{DVec2, dvec2};
 
 use super::track::{Leg, Point};
@@ -174,7 +179,7 @@ impl Model {
 }
 
 /// The normal equations of each channel with weight 1, at a state.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Normal {
     matrix: [Matrix; CHANNELS],
     gradient: [Vector; CHANNELS],

@@ -56,7 +56,7 @@ impl Unit {
     }
 
     /// A value in SI units, in this unit.
-    pub(crate) fn from_si(self, value: f64) -> f64 {
+    pub(crate) fn in_unit(self, value: f64) -> f64 {
         match self {
             Self::Length => mm_from_m(value),
             Self::Angle => deg_from_rad(value),
@@ -77,7 +77,7 @@ pub enum LineFrom {
 }
 
 /// What is known besides the tracks.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Known {
     /// Both masses in kilograms; 1 and 1 if they are only assumed to be equal.
     pub(crate) masses: [f64; 2],

@@ -421,8 +421,8 @@ fn chosen(opening: &Opening, chosen: &[String]) -> Result<Vec<(usize, Role)>, St
             .parse::<usize>()
             .ok()
             .and_then(|number| number.checked_sub(1));
-        let is_head = |text: &&str| text.eq_ignore_ascii_case(name) || head(text).0 == head(name).0;
-        let named = opening.heads.iter().position(|text| is_head(&text));
+        let is_head = |text: &str| text.eq_ignore_ascii_case(name) || head(text).0 == head(name).0;
+        let named = opening.heads.iter().position(|text| is_head(text));
         let width = opening.width.max(opening.heads.len());
         match number.filter(|index| *index < width).or(named) {
             Some(index) => columns.push(index),

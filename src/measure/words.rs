@@ -58,9 +58,9 @@ fn decimals(uncertainty: f64) -> usize {
 
 /// A value with its uncertainty, without a unit.
 fn bare(estimate: &Estimate, unit: Unit) -> [String; 2] {
-    let uncertainty = unit.from_si(estimate.uncertainty());
+    let uncertainty = unit.in_unit(estimate.uncertainty());
     let decimals = decimals(uncertainty);
-    [unit.from_si(estimate.value), uncertainty].map(|x| fixed(x, decimals))
+    [unit.in_unit(estimate.value), uncertainty].map(|x| fixed(x, decimals))
 }
 
 /// A value with its uncertainty: "87° ± 3°", "1.02 ± 0.03 m/s".
@@ -86,9 +86,9 @@ pub(crate) fn sigmas(number: f64) -> String {
 /// reaches further than `wide`.
 fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) -> String {
     let number = |x: f64| match unit {
-        Unit::Angle => format!("{}°", fixed(unit.from_si(x), 0)),
-        Unit::Percent => format!("{} %", fixed(unit.from_si(x), 0)),
-        _ => four_figures(unit.from_si(x)),
+        Unit::Angle => format!("{}°", fixed(unit.in_unit(x), 0)),
+        Unit::Percent => format!("{} %", fixed(unit.in_unit(x), 0)),
+        _ => four_figures(unit.in_unit(x)),
     };
     let (found, expected) = (printed(estimate, unit), number(exact));
     let far = sigmas(estimate.sigmas(exact));
@@ -147,7 +147,7 @@ impl Measurement {
         let names = self.names();
         let fit = &self.fit;
         let noise = |body: usize| {
-            let [x, y] = [0, 1].map(|axis| Unit::Length.from_si(fit.noise[2 * body + axis]));
+            let [x, y] = [0, 1].map(|axis| Unit::Length.in_unit(fit.noise[2 * body + axis]));
             format!(
                 "{} mm in x, {} mm in y",
                 four_figures(round2(x)),
@@ -309,7 +309,7 @@ impl Measurement {
     fn distance(&self) -> Option<String> {
         let apart = self.fit.apart?;
         let found = printed(&apart.found, Unit::Length);
-        let radii = four_figures(Unit::Length.from_si(apart.radii));
+        let radii = four_figures(Unit::Length.in_unit(apart.radii));
         let far = sigmas(apart.found.sigmas(apart.radii));
         Some(match apart.agrees {
             true => format!("{found} from the tracks, {radii} mm from the radii ({far})"),
@@ -400,7 +400,7 @@ impl Measurement {
             .fit
             .chance_of_zero([&|state| part(state, 0), &|state| part(state, 1)])?;
         let far = sigmas(t_beyond(p, 1e9));
-        let share = Unit::Percent.from_si(change);
+        let share = Unit::Percent.in_unit(change);
         let share = fixed(share, if share < 1.0 { 1 } else { 0 });
         Some(if p < IMPOSSIBLE {
             format!("Momentum disagrees: it changed by {share} % ({far}).")
@@ -409,7 +409,7 @@ impl Measurement {
                 "Momentum changed by {share} %: {far}, too much to agree and too little to disagree."
             )
         } else if along.uncertainty95() > 0.25 {
-            let reach = fixed(Unit::Percent.from_si(along.uncertainty95()), 0);
+            let reach = fixed(Unit::Percent.in_unit(along.uncertainty95()), 0);
             format!(
                 "Momentum agrees within {share} %: {far}. It says little: a change of {reach} % \
                  would hardly be noticed."
@@ -520,7 +520,7 @@ impl Measurement {
                  add up to {} mm. Check the scale, whether x and y have the same scale, whether the \
                  marks are at the centres, and parallax. The radii are not used.",
                 printed(&apart.found, Unit::Length),
-                four_figures(Unit::Length.from_si(apart.radii)),
+                four_figures(Unit::Length.in_unit(apart.radii)),
             ));
         }
         let (gap, step) = fit.gap;

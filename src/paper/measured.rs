@@ -1,10 +1,11 @@
 //! The report on a measured collision.
 
 use maud::html;
+use ratatui::layout::Rect;
 
-use super::{Paper, clean, html_page, svg};
+use super::{LOOK, Paper, clean, html_page, svg};
 use crate::measure::Measurement;
-use crate::widgets::{measured_picture, measured_words};
+use crate::widgets::{measured_picture, measured_rows, measured_words};
 
 const STYLE: &str = "
 h2 { margin: 5mm 0 1.5mm }
@@ -16,20 +17,25 @@ ul { padding-left: 5mm }
 li { margin: 1mm 0 }
 .warn { border-left: 1mm solid var(--accent); padding-left: 4mm }
 ";
-/// The columns of the picture, and the maximum number of rows.
+/// The columns and rows of the picture.
 const COLUMNS: u16 = 90;
-const ROWS: u16 = 36;
+const FEWEST_ROWS: u16 = 10;
+const MOST_ROWS: u16 = 36;
 /// The maximum number of columns of the name of a file.
 const NAME: usize = 80;
 
 /// The report on a measurement of these files as HTML.
 pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
+    let rows = measured_rows(COLUMNS, measurement).clamp(FEWEST_ROWS, MOST_ROWS);
+    let area = Rect::new(0, 0, COLUMNS, rows);
     let picture = svg(
         &measured_words(measurement),
-        &measured_picture(COLUMNS, ROWS, measurement),
+        &measured_picture(area, measurement),
     );
     let sentences = measurement.sentences();
-    let sentences = sentences.iter().map(|it| signed(it));
+    let sentences = sentences
+        .iter()
+        .map(|it| LOOK.charset.text(it).into_owned());
     let warnings = measurement.warnings();
     let files: Vec<_> = files.iter().map(|name| clean(name, NAME)).collect();
     let sheet = html! {
@@ -51,7 +57,7 @@ pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
         @for section in measurement.sections() {
             h2 { (section.title) }
             table {
-                @for row in section.rows { tr { td { (row.name) } td { (signed(&row.text)) } } }
+                @for row in section.rows { tr { td { (row.name) } td { (LOOK.charset.text(&row.text)) } } }
             }
         }
         p.dim {
@@ -60,19 +66,4 @@ pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
         }
     };
     html_page("A measured collision", STYLE, Paper::A4, [sheet])
-}
-
-/// `text` with minus signs before numbers; options and compound words keep their hyphens.
-fn signed(text: &str) -> String {
-    let mut signed = String::with_capacity(text.len());
-    let mut letters = text.chars().peekable();
-    let mut last = ' ';
-    while let Some(letter) = letters.next() {
-        let is_minus = letter == '-'
-            && !(last.is_alphanumeric() || last == '-')
-            && letters.peek().is_some_and(char::is_ascii_digit);
-        signed.push(if is_minus { '−' } else { letter });
-        last = letter;
-    }
-    signed
 }

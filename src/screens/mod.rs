@@ -18,6 +18,7 @@ pub(crate) mod join;
 pub(crate) mod lab;
 pub mod learn;
 pub(crate) mod levels;
+pub(crate) mod measured;
 pub(crate) mod progress;
 pub(crate) mod quiz;
 pub(crate) mod rules;

@@ -1,7 +1,10 @@
 //! The routes of the app.
 
+use std::sync::Arc;
+
 use crate::class::JoinCode;
 use crate::game::{BoardCode, Rules};
+use crate::measure::Measurement;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 
@@ -92,6 +95,11 @@ pub enum Route {
     Rules {
         /// The set of rules.
         rules: Rules,
+    },
+    /// A measured collision.
+    Measured {
+        /// The measurement.
+        measurement: Arc<Measurement>,
     },
     /// What the player has done so far.
     Progress,

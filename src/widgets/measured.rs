@@ -1,29 +1,32 @@
-//! The picture of a measured collision: the measured points, the fitted paths and the predicted
-//! paths.
+//! The picture of a measured collision: its points, the fitted paths and the predicted ones.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{Body, LabelSide, Pen, Picture, View};
+use super::picture::{LabelSide, Pen, Picture, View};
 use crate::measure::{Known, Leg, LineFrom, Measurement, line};
 
-/// The maximum number of points drawn for each leg of a path.
+/// The maximum number of points of a leg that are drawn.
 const MOST_POINTS: usize = 150;
-/// The radius of a point in columns.
-const POINT: f64 = 0.22;
-/// The roles for each body: its points before the collision, its points after the collision, and
-/// the body itself.
+/// The margin as a share of the diagonal.
+const MARGIN: f64 = 0.06;
+/// The roles of each body: its points before and after, and itself.
 const ROLES: [[Role; 3]; 2] = [
     [Role::Incoming, Role::StrikerOut, Role::Striker],
     [Role::CoinOut, Role::CoinOut, Role::Coin],
 ];
 
-/// The picture of a measurement, with this many columns and at most this many rows.
-pub(crate) fn measured_picture(columns: u16, rows: u16, measurement: &Measurement) -> Picture {
-    let fit = &measurement.fit;
-    let (state, model) = (&fit.state, &fit.model);
-    let radii = measurement.given.radii.unwrap_or([0.0; 2]);
+/// The rows of a picture with this many columns, so that it is filled.
+pub(crate) fn measured_rows(columns: u16, measurement: &Measurement) -> u16 {
+    let [low, high] = corners(measurement);
+    let size = high - low;
+    // A cell is twice as high as it is wide.
+    (0.5 * f64::from(columns) * size.y / size.x).ceil() as u16
+}
+
+/// The lower left and the upper right corner of everything that is drawn, with a margin.
+fn corners(measurement: &Measurement) -> [DVec2; 2] {
     let mut low = DVec2::INFINITY;
     let mut high = DVec2::NEG_INFINITY;
     for track in &measurement.tracks {
@@ -31,17 +34,23 @@ pub(crate) fn measured_picture(columns: u16, rows: u16, measurement: &Measuremen
             (low, high) = (low.min(point.at), high.max(point.at));
         }
     }
-    for (body, radius) in radii.iter().enumerate() {
-        let centre = state.centre(body);
-        (low, high) = (low.min(centre - *radius), high.max(centre + *radius));
+    let radii = measurement.given.radii.unwrap_or([0.0; 2]);
+    for (body, radius) in radii.into_iter().enumerate() {
+        let centre = measurement.fit.state.centre(body);
+        (low, high) = (low.min(centre - radius), high.max(centre + radius));
     }
-    let margin = 0.06 * low.distance(high).max(1e-9);
-    let size = high - low + 2.0 * margin;
-    // A cell is twice as high as it is wide.
-    let fitting = (0.5 * f64::from(columns) * size.y / size.x).ceil() as u16;
-    let area = Rect::new(0, 0, columns, fitting.clamp(8, rows));
-    let view = View::fit(area, low - margin, high + margin);
-    let radius = POINT * view.per_column();
+    let margin = MARGIN * low.distance(high).max(1e-9);
+    [low - margin, high + margin]
+}
+
+/// The picture of a measurement in an area.
+pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture {
+    let fit = &measurement.fit;
+    let (state, model) = (&fit.state, &fit.model);
+    let radii = measurement.given.radii.unwrap_or([0.0; 2]);
+    let [low, high] = corners(measurement);
+    let margin = MARGIN * low.distance(high);
+    let view = View::fit(area, low, high);
     let mut picture = Picture::new(view);
     for (body, track) in measurement.tracks.iter().enumerate() {
         let [before, after, disc] = ROLES[body];
@@ -59,15 +68,14 @@ pub(crate) fn measured_picture(columns: u16, rows: u16, measurement: &Measuremen
             picture.line(centre, end, Pen::new(Role::Predicted).dashed());
         }
         let step = track.points.len().div_ceil(2 * MOST_POINTS).max(1);
-        let points = track.points.iter().step_by(step).map(|point| {
+        for point in track.points.iter().step_by(step) {
             let role = if point.t < state.time() {
                 before
             } else {
                 after
             };
-            Body::new(point.at, radius, role, ' ')
-        });
-        picture.discs(points);
+            picture.dot(point.at, Pen::new(role).bold());
+        }
         if radii[body] > 0.0 {
             picture.ring(centre, radii[body], disc, (['1', '2'][body], centre));
         }
@@ -103,7 +111,7 @@ pub(crate) fn measured_picture(columns: u16, rows: u16, measurement: &Measuremen
     picture
 }
 
-/// The picture described in words.
+/// The picture in words.
 pub(crate) fn measured_words(measurement: &Measurement) -> String {
     let [first, second] = measurement.names();
     format!(

@@ -3,6 +3,7 @@
 use carrom::app::App;
 use carrom::game::{BoardCode, Rules};
 use carrom::levels::Shelf;
+use carrom::measure::{self, Given, Measurement, Reading};
 use carrom::quiz::Code;
 use carrom::screens::{Route, Settings};
 use carrom::shells::classroom::Who;
@@ -296,6 +297,7 @@ pub(crate) const TOUR: &[TourStop] = &[
         "<Enter><Up><Down><Space><End><Escape>ys",
     ),
     moment("rules", "rules", ""),
+    moment("measured", "measured", ""),
     moment("help at the table", "table", "?").taking_any(),
     moment("progress", "progress", ""),
     moment("settings", "settings", ""),
@@ -372,6 +374,7 @@ impl TourStop {
             "rules" => Route::Rules {
                 rules: Rules::Tournament,
             },
+            "measured" => measured(),
             "progress" => Route::Progress,
             "settings" => Route::Settings,
             _ => Route::Home,
@@ -379,6 +382,24 @@ impl TourStop {
         let mut game = Headless::new(App::new(place, settings, 7), 80, 24);
         game.press(self.keys);
         game
+    }
+}
+
+/// The measurement of a shipped example.
+pub(crate) fn measured() -> Route {
+    let coins = include_bytes!("../../assets/examples/measured/coins.csv");
+    let tracks = measure::read(&[("coins.csv", &coins[..])], &Reading::default());
+    let given = Given {
+        masses: Some([0.0085, 0.0075]),
+        radii: Some([0.012_875, 0.011_625]),
+        ..Given::default()
+    };
+    let measurement = Measurement::new(tracks.unwrap_or_default(), given);
+    match measurement {
+        Ok(measurement) => Route::Measured {
+            measurement: measurement.into(),
+        },
+        Err(_) => Route::Home,
     }
 }
 

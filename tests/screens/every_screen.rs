@@ -35,6 +35,7 @@ fn places() -> Vec<Route> {
         Route::Rules {
             rules: Rules::Tournament,
         },
+        crate::tour::measured(),
         Route::Levels,
         Route::Progress,
         Route::Settings,

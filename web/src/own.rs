@@ -6,6 +6,7 @@ use carrom::app::Data;
 use carrom::files::FileLibrary;
 use carrom::lessons::{Book, ChapterLibrary};
 use carrom::levels::{LevelLibrary, Shelf};
+use carrom::measure::{self, Given, Measurement, Reading};
 use carrom::quiz::concepts::Library;
 use carrom::screens::KeptSettings;
 use carrom::store::FileBytes;
@@ -76,6 +77,19 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
     })
 }
 
+/// The measured collision in a file of tracks; `None` if the file is of another kind.
+pub(crate) fn measured(name: &str, bytes: &[u8]) -> Option<Result<Measurement, String>> {
+    let is_table = [".txt", ".csv", ".tsv"]
+        .iter()
+        .any(|ending| name.ends_with(ending));
+    is_table.then(|| {
+        let tracks = measure::read(&[(name, bytes)], &Reading::default());
+        let tracks = tracks.map_err(|errors| errors.to_string())?;
+        let measured = Measurement::new(tracks, Given::default());
+        measured.map_err(|fault| fault.of_file(name).to_string())
+    })
+}
+
 /// Adds a file that the player has opened. Returns a notice, and whether carrom has to be opened
 /// again to show the contents.
 ///
@@ -124,7 +138,7 @@ pub(crate) fn take_in(
     }
     Err(format!(
         "carrom cannot open {name}. It opens progress.db, a saved game, a round of a class, a level, a \
-         chapter and a file of questions."
+         chapter, a file of questions and the tracks of a collision."
     ))
 }
 
@@ -146,6 +160,10 @@ mod tests {
         }
         let own = data(&[("own/concepts/our-coins.toml".into(), questions.to_vec())]).own;
         assert!(own.problems.is_empty() && !own.concepts.is_empty());
+        let tracks = include_bytes!("../../assets/examples/measured/pucks.txt");
+        assert!(measured("pucks.txt", tracks).is_some_and(|it| it.is_ok()));
+        assert!(measured("notes.txt", b"hello").is_some_and(|it| it.is_err()));
+        assert!(measured("a.toml", level).is_none());
         assert_eq!(path("saved.toml", b"format = 1\nmoves = []\n"), None);
         assert_eq!(path("picture.png", b"\x89PNG"), None);
     }

@@ -177,9 +177,13 @@ impl Shell {
                     self.input(&Input::Saving(ticket));
                 }
             }
-            Command::File { name } => match own::take_in(&mut self.keeping, &name, bytes) {
-                Ok((words, true)) => reply.renewed = Some(words),
-                Ok((words, false)) | Err(words) => self.app.notify(words),
+            Command::File { name } => match own::measured(&name, bytes) {
+                Some(Ok(measurement)) => self.app.show(measurement),
+                Some(Err(error)) => self.app.notify(error),
+                None => match own::take_in(&mut self.keeping, &name, bytes) {
+                    Ok((words, true)) => reply.renewed = Some(words),
+                    Ok((words, false)) | Err(words) => self.app.notify(words),
+                },
             },
             Command::Progress => match self.keeping.store().files() {
                 Ok(files) => {

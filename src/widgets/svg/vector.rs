@@ -194,7 +194,10 @@ impl Vectors<'_> {
             Mark::Curve { points, pen } => self.curve(points, *pen),
             Mark::Arc { circle, turn, pen } => self.arc(*circle, *turn, *pen),
             Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
-            Mark::Dot { at, pen } => self.circle(*at, 1.2, self.inked(*pen), ""),
+            Mark::Dot { at, pen } => {
+                let radius = if pen.bold { 2.2 } else { 1.2 };
+                self.circle(*at, radius, self.inked(*pen), "");
+            }
             Mark::Disc(body) | Mark::Ring { body, .. } => self.disc(body),
             Mark::Discs(bodies) => bodies.iter().for_each(|body| self.solid(body)),
             Mark::Ground { region, role, .. } => self.ground(*region, *role),
