@@ -360,16 +360,16 @@ fn asked(sheet: &Sheet, types: bool, rows: &[KeyRow<()>]) -> Asked {
     }
 }
 
-/// The unit of a value: the word after its number.
+/// The unit of a value: the word after its number, or both words of "g m/s".
 pub(super) fn unit(value: &str) -> String {
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '−' | OPEN);
     let behind = value.trim_start_matches(number).trim_start();
     let is_number = behind.len() < value.len();
-    let first = behind.split(' ').next().unwrap_or_default();
-    if is_number {
-        first.to_owned()
-    } else {
-        String::new()
+    let mut words = behind.split(' ');
+    match (words.next().unwrap_or_default(), words.next()) {
+        _ if !is_number => String::new(),
+        (first @ ("g" | "kg"), Some("m/s")) => format!("{first} m/s"),
+        (first, _) => first.to_owned(),
     }
 }
 

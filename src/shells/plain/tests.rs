@@ -2,7 +2,7 @@
 
 use super::by_words::by_words;
 use super::formula::aloud;
-use super::page::read;
+use super::page::{read, unit};
 use super::{PlainReader, assert_spoken, spoken};
 use crate::app::App;
 use crate::lessons::{ChapterLibrary, CheckpointKind, Inline, TextBlock};
@@ -128,5 +128,12 @@ fn file_names_are_read_unchanged() {
         ("b/(r_1 + r_2)", "b over (r 1 plus r 2)"),
     ] {
         assert_eq!(read(text), expected);
+    }
+}
+
+#[test]
+fn a_unit_may_have_two_words() {
+    for (value, expected) in [("60.0 g m/s", "g m/s"), ("12 mm", "mm"), ("none", "")] {
+        assert_eq!(unit(value), expected);
     }
 }
