@@ -275,7 +275,11 @@ impl Fit {
             }
             is_pooled = freedom.iter().any(|freedom| *freedom < FEW);
             for channel in 0..CHANNELS {
-                let other = if is_pooled { (channel + 2) % CHANNELS } else { channel };
+                let other = if is_pooled {
+                    (channel + 2) % CHANNELS
+                } else {
+                    channel
+                };
                 let squares = normal.squares[channel] + normal.squares[other];
                 let variance = squares / (freedom[channel] + freedom[other]);
                 noise[channel] = variance.sqrt().max(least);
