@@ -1,4 +1,4 @@
-//! Paths of particles past a nucleus, in the picture's units of length.
+//! Paths of particles past a nucleus, in units of the picture.
 
 use std::f64::consts::PI;
 
@@ -16,8 +16,8 @@ const PIECES: u32 = 160;
 /// The length of the arrow at the point where a path leaves the picture, in columns.
 const ARROW: f64 = 5.0;
 
-/// Draws a path and an arrow where it leaves the picture; returns the arrow's tip and direction, if
-/// the path is visible.
+/// Draws a path, with an arrow where the path leaves the picture; returns the tip and the direction
+/// of the arrow, if the path is visible.
 pub(crate) fn draw_way(
     picture: &mut Picture,
     points: &[DVec2],
@@ -32,7 +32,7 @@ pub(crate) fn draw_way(
     Some((tip, (tip - tail).normalize_or_zero()))
 }
 
-/// The last visible piece of a path with this length, as its two end points on the path.
+/// The last visible piece of a path, with the given length, as two points on the path.
 fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(DVec2, DVec2)> {
     // Long straight pieces are divided into small steps.
     let steps = points.windows(2).flat_map(|pair| {
@@ -47,17 +47,17 @@ fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(
     Some((tail, tip))
 }
 
-/// Two particles that a nucleus deflects by these angles in radians, one on either side, each on
-/// its exact hyperbola, with its angle beside it.
+/// Two particles that a nucleus deflects by these angles in radians, one on each side of the
+/// nucleus. Each follows its exact hyperbola, with the angle beside it.
 pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> Picture {
-    // A head-on or an undeflected particle cannot be drawn beside another one.
+    // A particle that is head-on or undeflected cannot be drawn beside another particle.
     let angles = angles.map(|angle| angle.clamp(0.01, PI));
     let offsets = angles.map(|angle| rutherford.impact_parameter(angle).unwrap_or(0.0));
     let widest = offsets[0].max(offsets[1]);
     let half = (1.9 * widest).max(1.6 * rutherford.head_on_approach);
     let view = View::fit(area, dvec2(-half, -half), dvec2(half, half));
     let mut picture = Picture::new(view);
-    // The paths reach the corners of a picture of any width.
+    // The paths reach the corners of the picture, whatever its width.
     let right = view.to_world(dvec2(f64::from(area.right()), 0.0)).x;
     let reach = 1.2 * right.hypot(half);
     let axis = Pen::new(Role::Axis).dotted();
@@ -69,7 +69,7 @@ pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 
     for (i, side) in [1.0, -1.0].into_iter().enumerate() {
         let offset = side * offsets[i];
         let points = rutherford.path(offset).points(reach, PIECES);
-        // The crossing of the straight initial and final paths, where the angle is measured.
+        // The angle is measured where the straight initial and final paths cross.
         let corner = dvec2(-rutherford.head_on_approach / 2.0, offset);
         let aim = Pen::new(Role::Aim).dashed();
         picture.line(corner, dvec2(reach, offset), aim);

@@ -1,28 +1,28 @@
-//! Parts of an area of the screen.
+//! Ways to divide an area of the screen.
 
 use ratatui::layout::Rect;
 use serde::Deserialize;
 
-/// The area of a screen, and the size of its pictures.
+/// The area that a screen may fill, and the sizes of its pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Room {
     /// The cells.
     pub area: Rect,
-    /// The sizes of pictures if they do not follow from the area: a web page lays out the recorded
-    /// contents in its own way.
+    /// The sizes of pictures if they do not follow from the area, as on a web page, which lays out
+    /// the recorded contents in its own way.
     pub pictures: Option<PictureSizes>,
 }
 
-/// The sizes of pictures without their frames: columns, rows.
+/// The sizes of pictures, without their frames: columns, rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub struct PictureSizes {
-    /// A picture that uses the available area.
+    /// The size of a picture that fills the available area.
     pub any: [u16; 2],
-    /// A picture that has to be square, such as a board.
+    /// The size of a picture that has to be square, such as a board.
     pub square: [u16; 2],
 }
 
-/// A screen that consists only of cells.
+/// The room for a screen that consists only of cells.
 impl From<Rect> for Room {
     fn from(area: Rect) -> Self {
         let pictures = None;
@@ -30,14 +30,14 @@ impl From<Rect> for Room {
     }
 }
 
-/// A framed picture of this size in the corner of an area, and the columns beside it.
+/// The area of a framed picture of this size in the corner of an area, and the columns beside it.
 pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> [Rect; 2] {
     let [picture, panel] = left(area, columns.saturating_add(2));
     let [picture, _] = upper(picture, rows.saturating_add(2));
     [picture, panel]
 }
 
-/// At most this many rows at the top of an area, and the rest below them.
+/// At most this many rows at the top of an area, and the remaining rows below them.
 pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     let height = rows.min(area.height);
     let below = Rect {
@@ -48,7 +48,7 @@ pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     [Rect { height, ..area }, below]
 }
 
-/// At most this many columns on the left of an area, and the rest beside them.
+/// At most this many columns on the left of an area, and the remaining columns on the right.
 pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     let width = columns.min(area.width);
     let beside = Rect {
@@ -59,8 +59,9 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     [Rect { width, ..area }, beside]
 }
 
-/// The areas of a picture, and of a panel with this many columns on its right. In a portrait area,
-/// such as on a phone, the panel is below, and the picture is just high enough to be square.
+/// The area of a picture, and that of a panel with this many columns on its right. In a portrait
+/// area, such as on a phone, the panel is below the picture, which is just high enough to be
+/// square.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;
     if let Some(sizes) = room.pictures {

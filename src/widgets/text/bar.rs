@@ -4,7 +4,7 @@ use super::{Charset, blocks::LEFT};
 
 /// A bar `width` cells wide, filled to `share`, which is clamped to 0 to 1; NaN gives an empty bar.
 ///
-/// In Unicode it is filled to the nearest eighth of a cell, in ASCII to the nearest cell.
+/// In Unicode the bar is filled to the nearest eighth of a cell, in ASCII to the nearest cell.
 ///
 /// ```
 /// use carrom::widgets::{Charset, bar::bar};
@@ -31,7 +31,7 @@ pub fn bar(share: f64, width: u16, charset: Charset) -> String {
     }
 }
 
-/// A line that marks the part of a bar between the shares `from` and `to`.
+/// A line that marks the part of a bar between the fractions `from` and `to`.
 pub(crate) fn stretch(from: f64, to: f64, width: u16, charset: Charset) -> String {
     let [from, to] = [from, to].map(|share| (share * f64::from(width)).round() as usize);
     let [left, line, right] = match charset {

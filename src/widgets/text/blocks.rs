@@ -1,8 +1,8 @@
-//! Characters that fill part of their cell.
+//! Characters that fill part of a cell.
 
 use strum::{EnumString, VariantNames};
 
-/// The finest block elements that a screen may use. Each set includes the coarser ones, and the
+/// The finest block elements that a screen may use. Each set includes the coarser sets, and the
 /// eighths from below and from the left.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, EnumString, VariantNames,
@@ -12,9 +12,9 @@ pub enum Blocks {
     /// Two columns and two rows in each cell. Every font has them.
     #[default]
     Quadrants,
-    /// Two columns and three rows, of Unicode 13.
+    /// Two columns and three rows in each cell, from Unicode 13.
     Sextants,
-    /// Two columns and four rows, of Unicode 16.
+    /// Two columns and four rows in each cell, from Unicode 16.
     Octants,
 }
 
@@ -33,17 +33,17 @@ pub(crate) const LEFT: [char; 7] = ['▏', '▎', '▍', '▌', '▋', '▊', '�
 /// a grid of 2 × 4. Unicode numbers dots 1-3 down the left, 4-6 down the right, then 7 and 8.
 pub(crate) const BRAILLE: [u32; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
 
-/// The sextants. The bits of their parts are numbered row by row from the top left, as in the name
-/// BLOCK SEXTANT-1346. The sextants are sorted by their bits; the left and the right half are older
-/// characters.
+/// The sextants and their parts as bits, numbered row by row from the top left as in the name BLOCK
+/// SEXTANT-1346. The sextants are sorted by their bits; the left half and the right half are left
+/// out because they are older characters.
 pub(crate) fn sextants() -> impl Iterator<Item = (char, u8)> {
     let own = (1..63).filter(|parts| ![0b01_01_01, 0b10_10_10].contains(parts));
     ('\u{1fb00}'..='\u{1fb3b}').zip(own)
 }
 
-/// The octants, like [`sextants`]. This leaves out octants that consist of quadrants, those with
-/// older names (such as UPPER ONE QUARTER BLOCK), and the single corners, which are in another
-/// place.
+/// The octants and their parts, like [`sextants`]. Octants that consist of quadrants are left out,
+/// as are those with older names (such as UPPER ONE QUARTER BLOCK) and the single corners, which
+/// have other code points.
 pub(crate) fn octants() -> impl Iterator<Item = (char, u8)> {
     const OTHERS: [u8; 10] = [0x01, 0x02, 0x03, 0x14, 0x28, 0x3f, 0x40, 0x80, 0xc0, 0xfc];
     let consists_of_quadrants = |parts: u8| (parts ^ parts >> 2) & 0b00_11_00_11 == 0;
@@ -56,7 +56,7 @@ pub(crate) fn octants() -> impl Iterator<Item = (char, u8)> {
 mod tests {
     use super::*;
 
-    /// The bits of the parts that a name of Unicode lists.
+    /// The bits of the parts listed in a Unicode name.
     fn named(parts: &str) -> u8 {
         let digits = parts.bytes().map(|digit| digit - b'1');
         digits.fold(0, |bits, part| bits | 1 << part)

@@ -1,10 +1,10 @@
-//! The cells of a screen as rows, symbols and text.
+//! The cells of a screen, as rows, symbols and text.
 
 use ratatui::buffer::{Buffer, Cell};
 
 use super::wrap::width;
 
-/// The rows of a screen without trailing spaces, with a line break after each.
+/// The rows of a screen without trailing spaces, each followed by a line break.
 pub fn text(buffer: &Buffer) -> String {
     let mut text = String::new();
     for cells in rows(buffer) {
@@ -25,7 +25,7 @@ pub fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
     buffer.content.chunks(columns)
 }
 
-/// The cells of a row that are not hidden by a wide symbol before them, with their columns.
+/// The cells of a row with their columns, without the cells hidden by a wide symbol before them.
 pub(crate) fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
     let mut next = 0;
     cells.iter().enumerate().filter(move |(column, cell)| {

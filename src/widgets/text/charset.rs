@@ -10,7 +10,7 @@ use super::signs::{greek, superscript};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]
 #[strum(serialize_all = "lowercase")]
 pub enum Charset {
-    /// Only printable ASCII.
+    /// Printable ASCII only.
     Ascii,
     /// Also braille, block elements, box lines and the symbols of physics.
     #[default]
@@ -18,7 +18,7 @@ pub enum Charset {
 }
 
 impl Charset {
-    /// The other charset, for the key that switches between them.
+    /// The other charset, for the key that switches between the two.
     #[must_use]
     pub const fn other(self) -> Self {
         match self {
@@ -59,14 +59,14 @@ impl Charset {
             } else if letter.is_ascii() {
                 plain.push(if is_plain(letter as u8) { letter } else { '?' });
             } else if letter == '°' {
-                // A space separates a unit from its number: 60 deg, but (deg).
+                // A unit is separated from its number by a space: 60 deg, but (deg).
                 let after_number = plain.ends_with(|c: char| c.is_ascii_alphanumeric());
                 plain.push_str(if after_number { " deg" } else { "deg" });
             } else {
                 if letter == '√' && plain.ends_with(|c: char| c.is_ascii_alphanumeric()) {
                     plain.push(' ');
                 }
-                // An index after a letter has an underscore: n_x, but v2x.
+                // An index after a letter is preceded by an underscore: n_x, but v2x.
                 if matches!(letter, 'ₓ' | 'ᵧ') && plain.ends_with(|c: char| c.is_ascii_alphabetic())
                 {
                     plain.push('_');
@@ -94,13 +94,13 @@ fn with_minus_signs(text: &str) -> Cow<'_, str> {
     Cow::Owned(written)
 }
 
-/// Whether a hyphen here is the sign of a number.
+/// Whether a hyphen at this position is the sign of a number.
 fn is_sign(before: &str, after: &str) -> bool {
     let opens = before.is_empty() || before.ends_with([' ', '(', '[', '=', '\n', '\u{a0}']);
     opens && after.starts_with(|first: char| first.is_ascii_digit())
 }
 
-/// Whether a hyphen here is a minus between two terms.
+/// Whether a hyphen at this position is a minus between two terms.
 fn is_difference(before: &str, after: &str) -> bool {
     let term = |last: char| last.is_numeric() || matches!(last, '°' | ')' | ']');
     let next = |first: char| first.is_numeric() || matches!(first, '(' | '[' | '√' | 'α'..='ω');
@@ -112,15 +112,15 @@ fn is_difference(before: &str, after: &str) -> bool {
             .is_some_and(|after| after.starts_with(next))
 }
 
-/// Whether a byte is allowed in an ASCII text: a printable character, or a line break.
+/// Whether a byte is allowed in ASCII text: a printable character or a line break.
 const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\n')
 }
 
-/// The ASCII spelling of any other letter.
+/// The ASCII spelling of a character that is not ASCII.
 fn spelling(letter: char) -> &'static str {
     match letter {
-        // The unit prefix micro.
+        // The prefix micro.
         'µ' => "u",
         '₀'..='₉' => {
             let digit = letter as usize - '₀' as usize;

@@ -7,20 +7,20 @@ use serde::Serialize;
 use crate::lessons::Formula;
 use crate::widgets::{Charset, Role, text};
 
-/// A piece of text in one style. No-break spaces keep words together.
+/// A piece of text in a single style. No-break spaces keep words together.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Run {
     /// The text.
     pub text: String,
     /// Its style.
     pub role: Role,
-    /// The formula that the text represents, if any, for screen readers.
+    /// The formula that the text represents, if there is one, for screen readers.
     #[serde(skip)]
     pub(crate) formula: Option<Formula>,
 }
 
 impl Run {
-    /// A piece of text in one style.
+    /// Creates a piece of text in a single style.
     pub fn new(text: impl Into<String>, role: Role) -> Self {
         Self {
             text: text.into(),
@@ -29,7 +29,7 @@ impl Run {
         }
     }
 
-    /// A formula in one line, with no-break spaces.
+    /// Creates a formula on one line, with no-break spaces.
     pub(crate) fn formula(formula: &Formula, role: Role) -> Self {
         Self {
             formula: Some(formula.clone()),
@@ -37,7 +37,7 @@ impl Run {
         }
     }
 
-    /// This text spelt in a charset, with no-break spaces where no line should break.
+    /// This text spelt in a charset, with no-break spaces where lines must not break.
     pub(crate) fn spelt(&self, charset: Charset) -> Self {
         let text = text::unbroken(&charset.text(&self.text));
         Self {
@@ -47,7 +47,7 @@ impl Run {
     }
 }
 
-/// A word, which consists of pieces without a space between them.
+/// A word, made of pieces without a space between them.
 type FlowWord = Vec<Run>;
 
 /// Breaks `runs` at spaces into rows of at most `columns` (at least 1), spelt in `charset`. A
@@ -91,7 +91,7 @@ fn width(word: &FlowWord) -> usize {
     word.iter().map(|run| text::width(&run.text)).sum()
 }
 
-/// Joins words that belong together into one, if a row has room for it.
+/// Joins words that belong together into one word, if it fits into a row.
 fn held(words: &[FlowWord], columns: usize) -> Vec<FlowWord> {
     let letters = |word: &FlowWord| word.iter().map(|run| run.text.as_str()).collect::<String>();
     let letters: Vec<String> = words.iter().map(letters).collect();
@@ -137,7 +137,7 @@ fn words(runs: &[Run]) -> Vec<FlowWord> {
     words
 }
 
-/// A word in a charset; if no row has room for it, its parts between no-break spaces.
+/// A word in a charset; if the word is too long for a row, its parts between no-break spaces.
 fn within(word: FlowWord, columns: usize, charset: Charset) -> Vec<FlowWord> {
     let whole = spelt(word.clone(), charset);
     if width(&whole) <= columns {
@@ -151,7 +151,7 @@ fn within(word: FlowWord, columns: usize, charset: Charset) -> Vec<FlowWord> {
     parts.map(|part| spelt(part, charset)).collect()
 }
 
-/// A word in a charset. A degree sign of a later piece still follows its number.
+/// A word in a charset. A degree sign in one piece still follows the number in the piece before.
 fn spelt(word: FlowWord, charset: Charset) -> FlowWord {
     let mut spelt: FlowWord = Vec::new();
     for run in word {

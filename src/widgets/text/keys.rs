@@ -1,4 +1,4 @@
-//! The line at the bottom that names the keys.
+//! The bottom line of the screen, which names the keys.
 
 use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr;
@@ -6,8 +6,8 @@ use unicode_width::UnicodeWidthStr;
 use crate::widgets::{Charset, Role, Theme};
 
 /// The keys of a screen in one line: each hint is a key and its label. Hints that do not fit into
-/// `width` are left out completely, so the most useful come first; the last one (usually help) is
-/// always kept if there is room for any.
+/// `width` are left out completely, so the most useful hints should come first; the last hint
+/// (usually help) is always kept if there is room for any hint.
 ///
 /// ```
 /// use carrom::widgets::{Charset, Theme, keys::key_line};
@@ -25,7 +25,8 @@ pub fn key_line(
         .iter()
         .map(|(key, does)| {
             let key = match (charset, *key) {
-                // One character per key, because "->" would look like two keys.
+                // The two arrows are written as one character each, because "->" would look like
+                // two keys.
                 (Charset::Ascii, "←→") => "<>".to_owned(),
                 (Charset::Ascii, "↑↓") => "^v".to_owned(),
                 _ => charset.text(key).into_owned(),
@@ -41,7 +42,7 @@ pub fn key_line(
     for (i, hint) in written.into_iter().enumerate() {
         let kept_for_last = if i + 1 < count { last } else { 0 };
         let needed = size(&hint);
-        // There is one space before the first hint and two before each of the others.
+        // There is one space before the first hint and two spaces before every other hint.
         if needed.saturating_sub(1) + kept_for_last > room {
             continue;
         }

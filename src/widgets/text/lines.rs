@@ -7,9 +7,10 @@ use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
-/// The maximum height of large type, in rows: for one line, and for larger letters or two lines.
+/// The maximum height of large type, in rows: for a single line, and for larger letters or two
+/// lines.
 const LARGE: [u16; 2] = [4, 8];
-/// The minimum number of rows in a panel for larger letters.
+/// The minimum number of rows in a panel with larger letters.
 const LARGER_FROM: u16 = 34;
 
 /// A column of text that is being written from the top of an area.
@@ -17,18 +18,19 @@ pub(crate) struct Lines<'a> {
     area: Rect,
     written: u16,
     scrolled: u16,
-    /// The rows of the panel to which this text belongs; they determine the size of letters.
+    /// The number of rows in the panel to which this text belongs, which determines the size of
+    /// letters.
     whole: u16,
     buf: &'a mut Buffer,
     look: Look,
-    /// Whether text is recorded with its meaning.
+    /// Whether text is being recorded with its meaning.
     is_recorded: bool,
-    /// Whether the text being written reacts to clicks, and whether it is the chosen one of
+    /// Whether the text being written can be clicked, and whether it is the selected item of
     /// several.
     standing: Standing,
 }
 
-/// The state of the text being written, if it can be clicked or chosen.
+/// The state of the text being written, if the text can be clicked or selected.
 #[derive(Debug, Clone, Copy, Default)]
 struct Standing {
     can_be_clicked: bool,
@@ -36,7 +38,7 @@ struct Standing {
 }
 
 impl<'a> Lines<'a> {
-    /// Begins at the top of `area`, with a margin of one column on the left.
+    /// Starts at the top of `area`, with a margin of one column on the left.
     pub(crate) fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         let [_, area] = areas::left(area, 1);
         Self {
@@ -51,8 +53,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Like [`Self::new`], but nothing is shown, for example to count the rows that some text
-    /// needs.
+    /// Like [`Self::new`], but shows nothing; this is used, for example, to count the rows that a
+    /// text needs.
     pub(crate) fn unseen(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         Self {
             is_recorded: false,
@@ -74,7 +76,7 @@ impl<'a> Lines<'a> {
         self
     }
 
-    /// The rows of the panel to which this text belongs.
+    /// The number of rows in the panel to which this text belongs.
     pub(crate) fn whole(&self) -> u16 {
         self.whole
     }
@@ -99,8 +101,8 @@ impl<'a> Lines<'a> {
         self.area.height.saturating_sub(self.written)
     }
 
-    /// Writes one of several items to choose from. `write` receives the mark before the item and
-    /// its role, which is `role` unless the item is chosen.
+    /// Writes one of several items that can be selected. `write` receives the mark before the item
+    /// and the role of the item, which is `role` unless the item is selected.
     pub(crate) fn choice(
         &mut self,
         chosen: bool,
@@ -121,7 +123,7 @@ impl<'a> Lines<'a> {
         self.standing = around;
     }
 
-    /// Writes something that is recorded as `words`, independent of how its rows are written.
+    /// Writes something that is recorded as `words`, however its rows are written.
     pub(crate) fn written_as(
         &mut self,
         words: impl FnOnce(Charset) -> Words,
@@ -131,15 +133,15 @@ impl<'a> Lines<'a> {
         self.unrecorded(write);
     }
 
-    /// Writes something that is recorded in another way, or not at all.
+    /// Writes something that is recorded separately, or not at all.
     pub(crate) fn unrecorded(&mut self, write: impl FnOnce(&mut Self)) {
         let was_recorded = std::mem::replace(&mut self.is_recorded, false);
         write(self);
         self.is_recorded = was_recorded;
     }
 
-    /// Records a possible next action with its key, and the column and the row, from the top, at
-    /// which it is written.
+    /// Records a possible next action and its key, with the position at which the action is
+    /// written: the column, and the row counted from the top.
     pub(crate) fn record_prompt(&self, words: &str, key: Option<String>, cell: Option<(u16, u16)>) {
         if !self.is_recorded {
             return;
@@ -159,8 +161,7 @@ impl<'a> Lines<'a> {
         });
     }
 
-    /// Like [`Self::written_as`], for an item that can be clicked and may be the chosen one of
-    /// several.
+    /// Like [`Self::written_as`], for an item that can be clicked and may be the selected one.
     pub(crate) fn clicked_as(
         &mut self,
         words: impl FnOnce(Charset) -> Words,
@@ -189,7 +190,7 @@ impl<'a> Lines<'a> {
         });
     }
 
-    /// Records text, or the prompts in it if it names keys with their actions.
+    /// Records text; text that consists only of spaces is recorded as a gap.
     fn record_text(&self, mark: &str, runs: &[Run]) {
         let is_blank = runs.iter().all(|run| run.text.trim().is_empty());
         self.record(|charset| match is_blank && mark.trim().is_empty() {
@@ -201,7 +202,7 @@ impl<'a> Lines<'a> {
         });
     }
 
-    /// Writes an empty row, unless there is nothing above it.
+    /// Writes an empty row, unless nothing has been written above.
     pub(crate) fn gap(&mut self) {
         if self.written > 0 {
             self.record(|_| Words::Gap);
@@ -214,14 +215,14 @@ impl<'a> Lines<'a> {
         self.written = self.written.max(row);
     }
 
-    /// Writes one row, which is cut off at the edge.
+    /// Writes a single row, which is cut off at the edge.
     pub(crate) fn line(&mut self, text: &str, role: Role) {
         self.record_text("", &[Run::new(self.unmarked(text), role)]);
         self.put(0, text, role);
         self.written += 1;
     }
 
-    /// Writes one of several choices that are side by side, at this column of the next row.
+    /// Writes one of several choices that share a row, starting at this column of the next row.
     pub(crate) fn beside(
         &mut self,
         column: u16,
@@ -240,15 +241,15 @@ impl<'a> Lines<'a> {
         self.put(column, row, role);
     }
 
-    /// Writes the first of these strings that fits in large letters if the panel has this many
-    /// rows; otherwise the first string in one row.
+    /// Writes the first of these strings that fits in large letters, if the panel has at least this
+    /// many rows; otherwise writes the first string in a single row.
     pub(crate) fn large(&mut self, texts: &[String], role: Role, from: u16) {
         let Some(first) = texts.first() else {
             return;
         };
         self.record(|charset| Words::large(&charset.text(first), role));
         let width = self.area.width.saturating_sub(1);
-        // Only the shorter alternatives may use a second line in a small window.
+        // In a small window, only the shorter alternatives may use a second line.
         let rows = |at: usize| LARGE[usize::from(at > 0 || self.whole >= LARGER_FROM)];
         let fit = |(at, text): (usize, &String)| Big::fit(text, width, rows(at), self.look.charset);
         let big = texts.iter().enumerate().find_map(fit);
@@ -272,8 +273,8 @@ impl<'a> Lines<'a> {
         self.written += rows;
     }
 
-    /// Writes one row: a name on the left, and its value aligned right. A name too long for the
-    /// room beside the value is truncated with an ellipsis.
+    /// Writes a single row with a name on the left and a right-aligned value. A name that is too
+    /// long for the space beside the value is truncated with an ellipsis.
     pub(crate) fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
         self.record(|charset| Words::Pair {
             name: Run::new(self.unmarked(name), name_role).spelt(charset),
@@ -291,9 +292,9 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// Writes one row: a name, and values aligned right in columns. The name has twice the room of
-    /// a value; a value too wide for its column moves to the right rather than touching the text
-    /// before it.
+    /// Writes a single row with a name and right-aligned values in columns. The name has twice the
+    /// space of a value; a value that is too wide for its column moves to the right instead of
+    /// touching the text before it.
     pub(crate) fn columns(&mut self, name: (&str, Role), values: &[(&str, Role)]) {
         self.record(|charset| {
             let spelt = |(text, role): &(&str, Role)| Run::new(*text, *role).spelt(charset);
@@ -314,13 +315,13 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// Writes text over as many rows as necessary.
+    /// Writes text in as many rows as necessary.
     pub(crate) fn paragraph(&mut self, text: &str, role: Role) {
         self.hanging("", text, role);
     }
 
-    /// Writes an equation over as many rows as necessary. Rows after the first are indented by
-    /// `indent`, so that they do not look like a separate equation.
+    /// Writes an equation in as many rows as necessary. Rows after the first are indented by
+    /// `indent`, so that they do not look like another equation.
     pub(crate) fn equation(&mut self, equation: &str, indent: u16, role: Role) {
         self.record(|charset| Words::Equation {
             runs: vec![Run::new(equation, role).spelt(charset)],
@@ -335,8 +336,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Writes text in several styles over as many rows as necessary. The first row begins with
-    /// `mark`, and the others are indented by `indent`.
+    /// Writes text in several styles in as many rows as necessary. The first row begins with
+    /// `mark`, and the other rows are indented by `indent`.
     pub(crate) fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
         self.record_text(self.unmarked(mark), runs);
         let width = self.area.width.saturating_sub(1 + indent).into();
@@ -351,8 +352,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Writes text after a mark over as many rows as necessary, indented so that nothing is below
-    /// the mark.
+    /// Writes text after a mark in as many rows as necessary, all indented to the right of the
+    /// mark.
     pub(crate) fn hanging(&mut self, mark: &str, text: &str, role: Role) {
         self.record_text(self.unmarked(mark), &[Run::new(text, role)]);
         let (indent, rows) = self.hung(mark, text);
@@ -370,7 +371,7 @@ impl<'a> Lines<'a> {
         (indent, text::wrap(&self.look.charset.text(text), width))
     }
 
-    /// `text` without the mark that shows whether its item is chosen.
+    /// `text` without the mark that shows whether the item is selected.
     fn unmarked<'t>(&self, text: &'t str) -> &'t str {
         match self.standing.chosen {
             Some(_) => text.get(1..).unwrap_or_default().trim_start(),
@@ -394,7 +395,7 @@ impl<'a> Lines<'a> {
         let room = (self.area.width - column).into();
         let style = self.look.theme.style(role);
         let (x, y) = (self.area.x + column, self.area.y + row);
-        // A screen may be drawn before it is notified that it has become smaller.
+        // A screen may be drawn before the program learns that the window has become smaller.
         if !self.buf.area.contains((x, y).into()) {
             return;
         }

@@ -1,5 +1,5 @@
-//! Letters in cells: character sets, line breaking, formulas, large type and bars; and a record of
-//! the text for shells that can show more than cells (`sheet`).
+//! Letters in cells: character sets, line breaking, formulas, large type and bars, and a record of
+//! the text (`sheet`) for shells that can show more than cells.
 
 pub(crate) mod areas;
 pub mod bar;

@@ -5,7 +5,7 @@ use ratatui::{buffer::Buffer, layout::Rect};
 use crate::messages::Key;
 use crate::widgets::{Look, Role, text};
 
-/// The number of rows that the page keys scroll.
+/// The number of rows by which the page keys scroll.
 pub(crate) const PAGE_ROWS: i16 = 8;
 
 /// Writes a hint into the frame below `area`.
@@ -19,8 +19,8 @@ pub(crate) fn hint_below(area: Rect, buf: &mut Buffer, look: Look, hint: &str) {
     }
 }
 
-/// The keys that scroll text by pages; `action` is the screen's action for scrolling by a number of
-/// rows.
+/// The keys that scroll text by pages; `action` converts a number of rows to the screen's scroll
+/// action.
 pub(crate) fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
     [
         (Key::PageUp, action(-PAGE_ROWS)),

@@ -1,8 +1,9 @@
 //! A record of the text of a screen, for shells that can show more than cells.
 //!
-//! A screen writes its text into cells, in which the meaning is lost: a heading, a value, one of
-//! several choices. A browser has elements for all of them, so its shell records the text during a
-//! call that draws the screen, just as it collects the pictures. Only that call receives them.
+//! A screen writes its text into cells, so the meaning of the text is lost: whether it is a
+//! heading, a value, or one of several choices. A browser has an element for each of these, so its
+//! shell records the text during a call that draws the screen, just as the shell collects the
+//! pictures. Only the caller receives the record.
 
 use std::cell::RefCell;
 
@@ -23,7 +24,7 @@ pub struct Sheet {
     pub kind: SheetKind,
     /// The title of the screen or layer.
     pub title: String,
-    /// The text beside the title, which summarizes the state.
+    /// The text beside the title, which summarizes the state of the screen.
     pub status: String,
     /// The sections, in reading order.
     pub sections: Vec<Section>,
@@ -37,9 +38,9 @@ pub enum SheetKind {
     Screen,
     /// A page that explains the screen.
     Help,
-    /// A message to the player.
+    /// A message for the player.
     Notice,
-    /// A question to the player.
+    /// A question for the player.
     Question,
 }
 
@@ -50,7 +51,7 @@ pub struct Section {
     pub title: String,
     /// The items, from top to bottom.
     pub items: Vec<Item>,
-    /// For each item, whether it is in the right half, and the upper edge of its area.
+    /// For each item, whether it is in the right half of the section, and the top of its area.
     #[serde(skip)]
     places: Vec<(bool, u16)>,
     #[serde(skip)]
@@ -62,12 +63,12 @@ pub struct Section {
 /// One item of a section.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Item {
-    /// Its kind and its text.
+    /// The kind of the item, and its text.
     #[serde(flatten)]
     pub words: Words,
-    /// The cell where a click carries out its action: column and row.
+    /// The cell, as column and row, where a click triggers the item's action.
     pub press: Option<[u16; 2]>,
-    /// Whether it is chosen; `None` if it cannot be chosen.
+    /// Whether the item is selected; `None` if it cannot be selected.
     pub chosen: Option<bool>,
 }
 
@@ -77,34 +78,35 @@ pub struct Item {
 pub enum Words {
     /// A gap below the item above.
     Gap,
-    /// One of the pictures that were drawn.
+    /// One of the pictures in the screen.
     Picture {
-        /// Its number among them, from 0.
+        /// The index of the picture among all the pictures drawn, from 0.
         number: usize,
-        /// What it shows, in sentences; empty if the text beside it contains the same information.
+        /// A description of the picture in sentences; empty if the text beside the picture gives
+        /// the same information.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         shows: Vec<String>,
-        /// What can be dragged in it, in a sentence.
+        /// A sentence that says what can be dragged in the picture.
         #[serde(skip_serializing_if = "Option::is_none")]
         drag: Option<&'static str>,
     },
-    /// Text, with an optional mark before it.
+    /// Text, which may have a mark before it.
     Text {
         /// The mark, such as "1. " or "- "; empty for none.
         mark: String,
         /// The text in several styles.
         runs: Vec<Run>,
     },
-    /// An equation in a row of its own.
+    /// An equation on a separate row.
     Equation {
         /// The text of the equation.
         runs: Vec<Run>,
     },
     /// The name of a quantity, and its value.
     Pair {
-        /// Its name.
+        /// The name of the quantity.
         name: Run,
-        /// Its value.
+        /// The value of the quantity.
         value: Run,
     },
     /// A row of a table.
@@ -116,57 +118,57 @@ pub enum Words {
     },
     /// A setting.
     Field {
-        /// Its name.
+        /// The name of the setting.
         name: String,
-        /// Its value as text; a number that is being typed ends in `_`.
+        /// The value as text; a number that is being typed ends in `_`.
         value: String,
-        /// Whether it cannot be changed at present.
+        /// Whether the setting cannot be changed at present.
         locked: bool,
     },
     /// A text field.
     TextField {
-        /// Its name.
+        /// The name of the text field.
         name: String,
         /// The typed text.
         value: String,
     },
     /// A possible next action.
     Prompt {
-        /// What it does.
+        /// A description of the action.
         words: String,
-        /// The name of its key.
+        /// The name of the key for the action.
         key: Option<String>,
     },
-    /// One of several pages.
+    /// The tab of one of several pages.
     Tab {
-        /// Its name.
+        /// The name of the page.
         name: String,
     },
-    /// A share of a whole.
+    /// A fraction of a whole.
     Meter {
         /// The name of the whole, written before the bar.
         name: String,
-        /// The share, from 0 to 1.
+        /// The fraction, from 0 to 1.
         share: f64,
-        /// The share as text, written after the bar.
+        /// The fraction as text, written after the bar.
         value: String,
-        /// Its colour.
+        /// The role, which determines the colour of the bar.
         role: Role,
     },
     /// Something to share.
     Code {
-        /// Its description.
+        /// A description of what is shared.
         text: String,
         /// The command that opens it.
         command: String,
-        /// The part of a link's address after `#`.
+        /// The part of the link's address after `#`.
         address: String,
         /// Whether the page copies the description together with the link.
         is_result: bool,
     },
     /// Large text for the back row.
     Large {
-        /// The words.
+        /// The text in several styles.
         runs: Vec<Run>,
     },
 }
@@ -174,7 +176,7 @@ pub enum Words {
 struct Recorder {
     sheets: Vec<Sheet>,
     pictures: usize,
-    /// What the next picture shows, in sentences.
+    /// A description of the next picture, in sentences.
     shows: Vec<String>,
     drag: Option<&'static str>,
 }
@@ -189,7 +191,7 @@ impl Recorder {
     }
 
     fn note(&mut self, area: Rect, item: Item) {
-        // Two pictures may both be drawn after the text above them.
+        // Two pictures may be drawn after the text that is above both of them.
         let section = self.sheet().section(area);
         let is_right = 2 * area.x.saturating_sub(section.area.x) >= section.area.width.max(1);
         let place = (is_right, area.y);
@@ -209,7 +211,8 @@ impl Sheet {
         }
     }
 
-    /// The section for an area: that of the smallest frame around it, or a new one.
+    /// The section for an area: the section of the smallest frame around the area, or a new
+    /// section.
     fn section(&mut self, area: Rect) -> &mut Section {
         let round = |frame: &Section| frame.is_framed && frame.area.union(area) == frame.area;
         let sections = self.sections.iter().enumerate();
@@ -248,7 +251,7 @@ impl Words {
         }
     }
 
-    /// A share of a whole, with its name and its text.
+    /// A fraction of a whole, with its name and its text.
     pub(crate) fn meter(name: &str, share: f64, value: &str, role: Role) -> Self {
         Self::Meter {
             name: name.to_owned(),
@@ -278,8 +281,8 @@ impl Item {
     }
 }
 
-/// Runs the drawing function and returns its result with the recorded text, first of the screen and
-/// then of the layers over it.
+/// Runs the drawing function and returns its result together with the recorded text: first the text
+/// of the screen, then that of the layers over the screen.
 pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
     RECORDED.set(Some(Recorder {
         sheets: Vec::new(),
@@ -292,7 +295,7 @@ pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
     (drawn, sheets.into_iter().map(tidied).collect())
 }
 
-/// The sheet without empty sections, and without gaps at the ends of sections.
+/// The sheet without empty sections, and without gaps at the start and end of each section.
 fn tidied(mut sheet: Sheet) -> Sheet {
     for section in &mut sheet.sections {
         let is_gap = |item: &Item| matches!(item.words, Words::Gap);
@@ -317,12 +320,12 @@ fn with(note: impl FnOnce(&mut Recorder)) {
     RECORDED.with_borrow_mut(|recorder| recorder.iter_mut().next().map_or((), note));
 }
 
-/// Records the beginning of a screen, or of a layer over it.
+/// Records the start of a screen, or of a layer over the screen.
 pub(crate) fn begin(kind: SheetKind, title: &str, status: &str) {
     with(|recorder| recorder.sheets.push(Sheet::new(kind, title, status)));
 }
 
-/// Records a frame: items drawn inside it later belong together.
+/// Records a frame: items that are drawn inside the frame later belong to it.
 pub(crate) fn frame(area: Rect, title: &str) {
     if area.is_empty() {
         return;
@@ -354,8 +357,8 @@ pub(crate) fn picture(area: Rect) {
     });
 }
 
-/// Describes the next picture in sentences, for users who cannot see it. `say` is called only while
-/// recording.
+/// Describes the next picture in sentences, for users who cannot see the picture. `say` is called
+/// only while a shell is recording.
 pub(crate) fn next_picture_shows(say: impl FnOnce() -> Vec<String>) {
     if is_recording() {
         let shows = say();
@@ -363,12 +366,13 @@ pub(crate) fn next_picture_shows(say: impl FnOnce() -> Vec<String>) {
     }
 }
 
-/// Names what can be dragged in the next picture.
+/// Says what can be dragged in the next picture.
 pub(crate) fn next_picture_drags(drag: Option<&'static str>) {
     with(|recorder| recorder.drag = drag);
 }
 
-/// Records something that was written into an area. `make` is called only while recording.
+/// Records something that has been written into an area. `make` is called only while a shell is
+/// recording.
 pub(crate) fn note(area: Rect, make: impl FnOnce() -> Item) {
     if is_recording() {
         let item = make();

@@ -2,7 +2,7 @@
 
 use crate::numbers::RAISED_DIGITS;
 
-/// The digit or sign for a raised character of an exponent.
+/// The digit or sign that corresponds to a superscript character.
 pub(crate) fn superscript(letter: char) -> Option<char> {
     let digit = |letter| (0..10).zip(RAISED_DIGITS).find(|(_, it)| *it == letter);
     match letter {

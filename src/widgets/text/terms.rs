@@ -1,10 +1,10 @@
-//! The positions at which a row of text may break without splitting a formula or a number.
+//! The positions at which a row of text can break without splitting a formula or a number.
 
 use std::ops::Range;
 
 use super::wrap::width;
 
-/// Units, as they are written in either charset.
+/// Units, as written in both charsets.
 const UNITS: [&str; 23] = [
     "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "ms", "N", "J",
     "mJ", "eV", "keV", "MeV", "deg", "%", "turns",
@@ -18,11 +18,11 @@ const NUMBERED: [&str; 8] = [
     "law", "laws", "chapter", "page", "level", "question", "step", "board",
 ];
 
-/// How strongly a space keeps the words on both sides together. A formula that does not fit into a
+/// How strongly a space keeps the words on its two sides together. A formula that is too long for a
 /// row is broken at its weakest space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Hold {
-    /// Not at all, between words of a sentence.
+    /// Not at all: between words of a sentence.
     Free,
     /// Before an equals sign.
     Equality,
@@ -30,13 +30,13 @@ enum Hold {
     Term,
     /// Between the two numbers of a vector.
     Vector,
-    /// Between two factors of a term, or before its divisor.
+    /// Between two factors of a term, or before a divisor.
     Factor,
     /// Before a plus or a minus in brackets.
     Inner,
     /// Between two factors in brackets.
     InnerFactor,
-    /// Between an operator and its operand, a function and its angle, a number and its unit.
+    /// Between an operator and its operand, a function and its angle, or a number and its unit.
     Fast,
 }
 
@@ -54,7 +54,7 @@ impl Hold {
 }
 
 /// Groups of words that belong together, as ranges of `words`, each short enough for a row of
-/// `columns`.
+/// `columns` columns.
 pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     let holds = holds(words);
     let mut held = Vec::new();
@@ -81,7 +81,7 @@ pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     held
 }
 
-/// The text with no-break spaces in groups of words, such as "5 g" and "e = 1.00".
+/// The text with no-break spaces inside groups of words such as "5 g" and "e = 1.00".
 pub(crate) fn unbroken(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let parts = held(&words, UNBROKEN).into_iter();
@@ -92,7 +92,7 @@ pub(crate) fn unbroken(text: &str) -> String {
 /// The maximum number of letters between two places where [`unbroken`] allows a line break.
 const UNBROKEN: usize = 24;
 
-/// Splits a range of words until each part fits, at the weakest spaces first.
+/// Splits a range of words until each part fits, starting with the weakest spaces.
 fn split(
     range: Range<usize>,
     holds: &[Hold],
@@ -112,7 +112,7 @@ fn split(
     }
 }
 
-/// How strongly each word is held to the previous one.
+/// For each word, how strongly it is held to the word before it.
 fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
     let mut depth = 0_usize;
     let mut before = "";
@@ -188,7 +188,7 @@ fn digit(letter: char) -> bool {
     letter.is_ascii_digit()
 }
 
-/// A word of a formula without brackets, signs and punctuation.
+/// A word of a formula, without brackets, signs and punctuation.
 fn bare(word: &str) -> &str {
     let word = word.trim_start_matches(['(', '[', '-', '−']);
     word.trim_end_matches([')', ']', ',', ';', ':', '.'])
@@ -200,7 +200,8 @@ fn is_function(word: &str) -> bool {
     FUNCTIONS.contains(&bare)
 }
 
-/// A quick test for ordinary words, which are the majority: two of them are never held together.
+/// A quick test for ordinary words, which are the majority: two ordinary words are never held
+/// together.
 fn is_prose(word: &str) -> bool {
     let letters = word.trim_end_matches(['.', ',', ';', ':', '?', '!']);
     letters.len() > 1
@@ -316,7 +317,8 @@ mod tests {
         );
     }
 
-    /// The other rules agree that two words of prose are never held together.
+    /// Two ordinary words are never held together by the other rules either, so the quick test
+    /// changes nothing.
     #[test]
     fn no_other_rule_holds_words_of_prose_together() {
         let words = [
@@ -340,7 +342,7 @@ mod tests {
         );
     }
 
-    /// The number of a law stays with the word; the rest of the sentence is free.
+    /// A law's number stays with the word "law"; the rest of the sentence can be broken.
     #[test]
     fn a_reference_is_not_broken() {
         assert_eq!(

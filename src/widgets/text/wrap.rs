@@ -9,7 +9,7 @@ use super::terms::held;
 
 /// The width of `text`, in columns.
 pub fn width(text: &str) -> usize {
-    // Nearly all text is ASCII, which needs no table of widths.
+    // Nearly all text is ASCII, for which no table of widths is needed.
     match text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
         true => text.len(),
         false => text.width(),
@@ -18,15 +18,15 @@ pub fn width(text: &str) -> usize {
 
 /// Breaks `text` at spaces into lines of at most `columns` (at least 1). A number stays with its
 /// unit, and a word longer than a line is broken at the end of the line. Line breaks are kept, and
-/// so are gaps of more than one space, as between columns; a line that is too long breaks first
-/// between two equations.
+/// so are gaps of more than one space, such as those between columns; a line that is too long is
+/// broken between two equations if possible.
 pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     let columns = columns.max(1);
     let mut lines = Vec::new();
     for paragraph in text.split('\n') {
         let mut line = String::new();
         for (gap, entry) in entries(paragraph) {
-            // A name stays with its value; two equations may be separated.
+            // A name stays with its value, but two equations may be separated.
             let fits = width(&line) + gap + width(entry) <= columns;
             if !fits && line.contains('=') {
                 lines.push(std::mem::take(&mut line));
@@ -41,8 +41,9 @@ pub fn wrap(text: &str, columns: usize) -> Vec<String> {
 }
 
 /// Breaks an equation into rows of at most `columns`; rows after the first are shorter by `indent`.
-/// It is broken after a comma or between two equations, otherwise before an equals sign, otherwise
-/// before an operator, the outermost first, and only then like [`wrap`].
+/// The equation is broken after a comma or between two equations if possible, otherwise before an
+/// equals sign, otherwise before an operator, starting with the outermost; only if none of these is
+/// possible is it broken as by [`wrap`].
 pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
     let mut rows = Vec::new();
     let mut rest = text;
@@ -61,7 +62,7 @@ pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
     rows
 }
 
-/// The best position to break an equation, after at most this many columns.
+/// The best position at which to break an equation, after at most this many columns.
 fn equation_break(text: &str, columns: usize) -> Option<usize> {
     // A shorter row would waste too much room.
     const SHORTEST: usize = 12;
@@ -95,12 +96,12 @@ fn equation_break(text: &str, columns: usize) -> Option<usize> {
     best.map(|(_, at)| at)
 }
 
-/// The entries of text in columns, each with the width of the gap before it; a gap is two spaces or
-/// more.
+/// The entries of text that is arranged in columns, each with the width of the gap before it; a gap
+/// has at least two spaces.
 fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut gap = 0;
     text.split("  ").filter_map(move |piece| {
-        // If there are three spaces, the third begins the next piece or ends this one.
+        // If there are three spaces, the third belongs to the piece after or before the gap.
         let entry = piece.trim_matches(' ');
         gap += 2 + piece.len() - entry.len();
         let here = (!entry.is_empty()).then_some((gap, entry))?;
@@ -121,7 +122,7 @@ fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) 
         } else if gap == 1 {
             line.push(' ');
         }
-        // A path breaks between its folders rather than within a name.
+        // A path is broken between its folders rather than within a name.
         let names = if width(&word) > columns && word.contains(['/', '\\']) {
             word.split_inclusive(['/', '\\']).collect()
         } else {
@@ -137,7 +138,7 @@ fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) 
     }
 }
 
-/// Continues `line` with a word, which is broken if it is too long.
+/// Continues `line` with a word; the word is broken if it is too long.
 fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: usize) {
     if width(line) + width(word) <= columns {
         return line.push_str(word);
@@ -150,7 +151,7 @@ fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: u
     }
 }
 
-/// The time since an event, in a short form.
+/// The time since an event, as short text.
 pub(crate) fn ago(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     match minutes {
@@ -163,7 +164,7 @@ pub(crate) fn ago(age: Duration) -> String {
 }
 
 /// The beginning of `text`, in at most this many columns, with an ellipsis if it is truncated.
-/// Zero-width marks are also limited: there are at most two characters per column.
+/// Zero-width marks are limited too: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =
         |text: &str, columns| width(text) <= columns && text.chars().nth(2 * columns).is_none();
@@ -239,7 +240,7 @@ mod tests {
         assert_eq!(wrap("at 90 - 30 = 60", 10), ["at 90 - 30", "= 60"]);
         assert_eq!(wrap("n = (-sin α, 1)", 10), ["n", "= (-sin α,", "1)"]);
         assert_eq!(wrap("½ m₁u₁² = 0.12 J", 10), ["½ m₁u₁²", "= 0.12 J"]);
-        // Words that are not units, and lines too short for both words.
+        // These words are not units, or the lines are too short for both words.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);
         assert_eq!(wrap("200 m/s", 5), ["200", "m/s"]);
     }
@@ -283,7 +284,7 @@ mod tests {
     #[test]
     fn a_word_longer_than_a_line_is_broken() {
         assert_eq!(wrap("a striking", 5), ["a", "strik", "ing"]);
-        // A path is broken between its folders if they fit.
+        // A path is broken between its folders if the folders fit.
         assert_eq!(
             wrap("to /home/ada/carrom/game.toml", 12),
             ["to", "/home/ada/", "carrom/", "game.toml"]

@@ -7,7 +7,7 @@ use ratatui::style::Color;
 /// The levels of a channel in the cube of indexed colours.
 const STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
 
-/// A colour in sRGB: red, green and blue. It is displayed in CSS notation.
+/// A colour in sRGB, with the channels red, green and blue. Its `Display` form is CSS notation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::widgets) struct Rgb(
     pub(in crate::widgets) u8,
@@ -27,7 +27,7 @@ impl Rgb {
         Self((code >> 16) as u8, (code >> 8) as u8, code as u8)
     }
 
-    /// This colour mixed with the share `amount` (0 to 1) of `other`.
+    /// A mixture of this colour and `other`; `amount`, from 0 to 1, is the fraction of `other`.
     pub(in crate::widgets) fn mixed(self, other: Self, amount: f64) -> Self {
         let mix = |a: u8, b: u8| {
             (f64::from(a) + (f64::from(b) - f64::from(a)) * amount.clamp(0.0, 1.0)).round() as u8
@@ -53,7 +53,7 @@ impl Rgb {
         0.2126 * linear(self.0) + 0.7152 * linear(self.1) + 0.0722 * linear(self.2)
     }
 
-    /// Black or white, whichever is easier to read on this colour.
+    /// Black or white, whichever is easier to read on top of this colour.
     pub(in crate::widgets) fn ink(self) -> Self {
         // The luminance at which both contrasts are equal: √(1.05 × 0.05) − 0.05.
         if self.luminance() > 0.179 {
@@ -63,7 +63,7 @@ impl Rgb {
         }
     }
 
-    /// One of the 240 fixed indexed colours from 16 on: a 6 × 6 × 6 cube, and greys.
+    /// One of the 240 fixed indexed colours, which start at 16: a 6 × 6 × 6 cube, then greys.
     pub(in crate::widgets) fn fixed(index: u8) -> Self {
         if let Some(grey) = index.checked_sub(232) {
             let level = 8 + 10 * grey;
@@ -74,7 +74,7 @@ impl Rgb {
         Self(red, green, blue)
     }
 
-    /// The nearest of the fixed indexed colours.
+    /// The index of the nearest fixed colour.
     pub(super) fn indexed(self) -> u8 {
         let step = |channel: u8| {
             let steps = (0..).zip(STEPS);

@@ -1,10 +1,10 @@
 //! The colours of everything on the screen.
 //!
-//! A picture names what a thing *is*, its [`Role`]; only the [`Theme`] knows its appearance in the
-//! player's [`Palette`] and with the colours of the terminal ([`Depth`]). The colours are based on
-//! Okabe and Ito's set ("Color Universal Design", 2008), which can be distinguished with every kind
-//! of colour vision. A colour never carries meaning alone: a letter, a line style or a weight
-//! always repeats it.
+//! A picture specifies what a thing *is*, its [`Role`]; only the [`Theme`] knows how a role looks
+//! in the player's [`Palette`] and with the colours of the terminal ([`Depth`]). The colours are
+//! based on Okabe and Ito's set ("Color Universal Design", 2008), which can be distinguished with
+//! every kind of colour vision. A colour never carries meaning alone: a letter, a line style or a
+//! weight always repeats it.
 //!
 //! The eye should find the collision first, so contrast decreases from the two discs and their
 //! final velocities, through the line of impact and the arcs, to the board and the frames.
@@ -21,12 +21,12 @@ pub use role::Role;
 /// The set of colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Palette {
-    /// Light on dark: a terminal at a desk.
+    /// Light on dark, for a terminal on a desk.
     #[default]
     Dark,
-    /// Dark on light, with deeper colours: a projector in a bright room.
+    /// Dark on light, with deeper colours, for a projector in a bright room.
     Light,
-    /// No colour: bold, dim, reverse and underline only.
+    /// No colours: only bold, dim, reverse and underline.
     Mono,
 }
 
@@ -42,7 +42,7 @@ impl Palette {
     }
 }
 
-/// The number of colours of the terminal.
+/// The number of colours that the terminal supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]
 pub enum Depth {
     /// No colours: the screen is monochrome in every palette.
@@ -51,7 +51,7 @@ pub enum Depth {
     /// The sixteen named colours.
     #[strum(serialize = "16")]
     Ansi16,
-    /// The 256 indexed colours: a 6 × 6 × 6 cube and a ramp of greys.
+    /// The 256 indexed colours: a 6 × 6 × 6 cube and a range of greys.
     #[strum(serialize = "256")]
     Indexed256,
     /// Any colour, 24 bits.
@@ -76,7 +76,7 @@ pub struct Theme {
 }
 
 impl Theme {
-    /// A theme of `palette` for a terminal with `depth` colours.
+    /// Creates a theme of `palette` for a terminal with `depth` colours.
     pub const fn new(palette: Palette, depth: Depth) -> Self {
         Self { palette, depth }
     }
@@ -86,13 +86,13 @@ impl Theme {
         self.palette == Palette::Mono || self.depth == Depth::None
     }
 
-    /// Whether a disc of this role is only a rim: black coins, if there is no colour to distinguish
-    /// them from white ones.
+    /// Whether a disc of this role is drawn only as a rim, as black coins are if there is no colour
+    /// to distinguish them from white coins.
     pub(crate) fn is_hollow(self, role: Role) -> bool {
         self.is_mono() && role == Role::Black
     }
 
-    /// The style of plain text on the background, with which a screen is cleared.
+    /// The style of plain text on the background, which is also used to clear a screen.
     pub fn base(self) -> Style {
         if self.is_mono() {
             return Style::new();
@@ -102,7 +102,7 @@ impl Theme {
             .bg(self.colour(Role::Background))
     }
 
-    /// The colour and weight of a thing with this role. The background is not changed.
+    /// The colour and weight of something with this role. The background is not changed.
     pub fn style(self, role: Role) -> Style {
         if self.is_mono() {
             return Style::new().add_modifier(role.mono_modifier());
@@ -119,8 +119,8 @@ impl Theme {
         }
     }
 
-    /// [`Theme::style`], faded towards the background: 0 is fresh, 1 is nearly invisible. `age` is
-    /// clamped to 0 to 1.
+    /// Like [`Theme::style`], but faded towards the background: at age 0 the style is unchanged, at
+    /// age 1 nearly invisible. `age` is clamped to the range from 0 to 1.
     pub(crate) fn faded(self, role: Role, age: f64) -> Style {
         let age = if age > 0.0 { age.min(1.0) } else { 0.0 };
         if age < 1.0 / 64.0 {
@@ -163,7 +163,8 @@ impl Theme {
         Style::new().fg(ink).bg(self.colour(role))
     }
 
-    /// [`Theme::on`] for marks that should not dominate the disc: geometry drawn over it.
+    /// Like [`Theme::on`], for marks that should not dominate the disc, such as geometry drawn over
+    /// it.
     pub(crate) fn faintly_on(self, role: Role) -> Style {
         if self.is_mono() || self.depth == Depth::Ansi16 {
             return self.on(role);
@@ -172,7 +173,7 @@ impl Theme {
         self.on(role).fg(self.reduced(disc.ink().mixed(disc, 0.35)))
     }
 
-    /// The colour of a role alone; [`Color::Reset`] in monochrome.
+    /// The colour of a role, without its weight; [`Color::Reset`] in monochrome.
     pub fn colour(self, role: Role) -> Color {
         if self.is_mono() {
             Color::Reset
@@ -183,8 +184,8 @@ impl Theme {
         }
     }
 
-    /// The colour of a role if every colour is available. Without colours there are only text,
-    /// fainter text, and the background.
+    /// The colour of a role on a terminal that can show every colour. In monochrome there are only
+    /// three colours: text, fainter text, and the background.
     pub(super) fn rgb(self, role: Role) -> Rgb {
         let role = match role {
             Role::Background => role,
@@ -200,12 +201,12 @@ impl Theme {
         !self.is_mono() && matches!(self.depth, Depth::Indexed256 | Depth::True)
     }
 
-    /// The faint colour of a disc of this role on which marks are clearly visible.
+    /// The faint colour of a disc of this role, on which marks are clearly visible.
     pub(super) fn faint(self, role: Role) -> Rgb {
         self.rgb(Role::Background).mixed(self.rgb(role), 0.3)
     }
 
-    /// The nearest colour of the terminal.
+    /// The terminal's nearest colour.
     pub(super) fn shade(self, rgb: Rgb) -> Color {
         self.reduced(rgb)
     }

@@ -1,4 +1,4 @@
-//! The roles of things on the screen, and their colours in each palette.
+//! The roles of things on the screen, and the colours of each role in each palette.
 
 use ratatui::style::{Color, Modifier};
 use serde::Serialize;
@@ -6,7 +6,7 @@ use strum::VariantArray;
 
 use super::{Palette, colour::Rgb};
 
-/// The role of a thing on the screen. The theme turns it into a colour and a weight.
+/// The role of a thing on the screen, which the theme turns into a colour and a weight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, VariantArray)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
@@ -22,15 +22,15 @@ pub enum Role {
     Key,
     /// The frame of a panel.
     Border,
-    /// The chosen item among several.
+    /// The selected item among several.
     Selected,
-    /// Right, won, near the truth.
+    /// Something right, won, or close to the truth.
     Good,
-    /// A mistake, a foul, a warning.
+    /// A mistake, a foul or a warning.
     Warn,
     /// The striker.
     Striker,
-    /// The struck or white coin.
+    /// The coin that is struck, or a white coin.
     Coin,
     /// A black coin.
     Black,
@@ -40,9 +40,9 @@ pub enum Role {
     Marble,
     /// The striker's initial velocity, u.
     Incoming,
-    /// Its component along the line of impact, u₁ₙ.
+    /// The component of the striker's initial velocity along the line of impact, u₁ₙ.
     NormalPart,
-    /// Its component along the tangent, u₁ₜ.
+    /// The component of the striker's initial velocity along the tangent, u₁ₜ.
     TangentPart,
     /// The striker's final velocity, v₁.
     StrikerOut,
@@ -60,7 +60,7 @@ pub enum Role {
     Contact,
     /// The player's prediction.
     Predicted,
-    /// The path of a disc so far.
+    /// The path that a disc has taken so far.
     Trail,
     /// The direction in which the player aims.
     Aim,
@@ -95,8 +95,8 @@ impl Role {
         }
     }
 
-    /// Its colours on a dark and on a light background: first as 24-bit values, then chosen from
-    /// the sixteen named colours.
+    /// The colours of the role on a dark and on a light background: first as 24-bit values, then as
+    /// two of the sixteen named colours.
     const fn colours(self) -> (u32, u32, Color, Color) {
         match self {
             R::Background => (0x10141a, 0xfbfaf6, C::Black, C::White),
@@ -136,7 +136,8 @@ impl Role {
         }
     }
 
-    /// The colour in a palette (for monochrome the dark palette's colour, which is not used).
+    /// The role's colour in a palette (in monochrome the colour of the dark palette, which is not
+    /// used).
     pub(super) const fn rgb(self, palette: Palette) -> Rgb {
         let (dark, light, ..) = self.colours();
         Rgb::hex(match palette {
@@ -145,7 +146,7 @@ impl Role {
         })
     }
 
-    /// The colour among the sixteen named ones.
+    /// The role's colour among the sixteen named colours.
     pub(super) const fn ansi(self, palette: Palette) -> Color {
         let (.., dark, light) = self.colours();
         match palette {
@@ -164,7 +165,7 @@ impl Role {
         }
     }
 
-    /// The weight, in addition to the colour.
+    /// The weight that is added to the colour.
     pub(super) const fn modifier(self) -> Modifier {
         match self {
             R::Title | R::Key | R::Warn | R::StrikerOut | R::CoinOut | R::Contact => Modifier::BOLD,
@@ -172,7 +173,7 @@ impl Role {
         }
     }
 
-    /// The weight if there is no colour.
+    /// The weight that is used if there is no colour.
     pub(super) const fn mono_modifier(self) -> Modifier {
         match self {
             R::Title | R::Good | R::StrikerOut | R::CoinOut | R::Contact | R::Key => Modifier::BOLD,

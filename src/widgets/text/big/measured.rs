@@ -1,5 +1,5 @@
-//! The words of a string for large type. Many areas and sizes are tried, so the letters of each
-//! word are put together only once.
+//! The words of a string, prepared for large type. Many areas and sizes are tried, so the letters
+//! of each word are put together only once.
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -9,17 +9,17 @@ use super::{BLANK, Ink, LetterSize, pixels_of};
 use crate::widgets::Charset;
 use crate::widgets::text::terms;
 
-/// The maximum number of letters that are kept together on a line.
+/// The maximum number of letters for which a group of words is kept together on one line.
 const HELD: usize = 14;
 
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct BigText {
     words: Vec<BigWord>,
-    /// Groups of words that belong together, in order.
+    /// Groups of words that are kept together, in order.
     held: Vec<Range<usize>>,
 }
 
-/// A word in pixels and in strokes; `None` if a letter is not available.
+/// A word in pixels and in strokes; `None` if the form does not have all the letters.
 #[derive(Debug, PartialEq, Eq)]
 struct BigWord {
     text: String,
@@ -28,7 +28,7 @@ struct BigWord {
 }
 
 impl BigText {
-    /// The words of a string, spelt in a charset.
+    /// Splits a string into words, spelt in a charset.
     pub(crate) fn new(text: &str, charset: Charset) -> Self {
         let text = charset.text(text);
         let words: Vec<&str> = text.split_whitespace().collect();
@@ -47,9 +47,9 @@ impl BigText {
         self.words.len()
     }
 
-    /// Breaks the words from a given one into lines of this many columns, up to the first word that
-    /// is too long for a line; `None` if a letter has no large form. Words that belong together
-    /// stay together if they fit.
+    /// Breaks the words, starting with a given word, into lines of this many columns, up to the
+    /// first word that is too long for a line; `None` if some letter has no large form. Words that
+    /// belong together stay together if possible.
     pub(super) fn lines(
         &self,
         from: usize,
@@ -89,7 +89,7 @@ impl BigText {
         Some(lines.into_iter().map(|(line, _)| line).collect())
     }
 
-    /// The width of words in one line, in columns.
+    /// The width of words on one line, in columns.
     pub(super) fn columns(&self, words: Range<usize>, size: LetterSize) -> Option<usize> {
         let blanks = words.len().saturating_sub(1);
         let mut words = self.words[words].iter();
@@ -114,7 +114,7 @@ impl BigText {
         Some(Ink::Pixels(words?.join(&[0; BLANK][..])))
     }
 
-    /// A line of words in strokes.
+    /// A line of words in letters made of strokes.
     pub(super) fn strokes(&self, words: Range<usize>) -> Option<LetterRows> {
         let words: Option<Vec<_>> = self.words[words].iter().map(BigWord::strokes).collect();
         Some(strokes::beside(&words?))

@@ -1,4 +1,4 @@
-//! Large type that can be read from the back row of a class.
+//! Large type, which is legible from the back row of a class.
 //!
 //! The letters are those of the public-domain font "8x8" (crate `font8x8`), set closely together.
 //! A pixel is a quarter of a cell, half a cell or two cells. In ASCII, half a cell is a quotation
@@ -31,7 +31,7 @@ const HEIGHT: usize = 8;
 /// The height of a small letter such as x, in pixels.
 const SMALL_LETTER: usize = 5;
 
-/// The number of rows in a line of letters of the usual sizes.
+/// The number of rows in a line of letters of the ordinary sizes.
 const LINE: u16 = 4;
 
 /// The horizontal alignment of text in its area.
@@ -55,35 +55,37 @@ pub(crate) struct Big {
 struct BigLine {
     words: Range<usize>,
     columns: usize,
-    /// Its rows, counted from the top of the text. Lines of strokes may share rows.
+    /// The rows of the line, counted from the top of the text. Lines of strokes may share rows.
     rows: Range<usize>,
-    /// The number of its rows that are left out at the top.
+    /// The number of rows at the top that are left out.
     left_out: usize,
 }
 
-/// The elements of letters.
+/// What letters are made of.
 enum Ink {
     Pixels(Vec<u8>),
     Strokes(LetterRows),
 }
 
 impl Big {
-    /// A name or a heading in the largest letters that fit into this many columns and rows, broken
-    /// at spaces; `None` if it does not fit at all or has letters without a large form.
+    /// Sets a name or a heading in the largest letters that fit into this many columns and rows,
+    /// broken at spaces; `None` if the text does not fit at all or contains letters without a large
+    /// form.
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
         let sizes = LetterSize::of_name(charset);
         Self::of_one_size(&[text], sizes, columns, charset, fits)?.pop()
     }
 
-    /// Several names in letters of one size, each in one line of at most four rows; `None` in the
-    /// same cases as for [`Self::fit`].
+    /// Sets several names in letters of the same size, each on one line of at most four rows;
+    /// `None` in the same cases as for [`Self::fit`].
     pub(crate) fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
         Self::of_one_size(texts, LetterSize::of_name(charset), columns, charset, fits)
     }
 
-    /// The strings in the largest letters for which they are narrow enough and `fit` returns true.
+    /// Sets all strings in the largest letters in which they are narrow enough and `fit` returns
+    /// true.
     fn of_one_size(
         texts: &[&str],
         sizes: &[LetterSize],
@@ -100,16 +102,16 @@ impl Big {
         sizes.iter().filter_map(set).find(|all| fit(all))
     }
 
-    /// Text in lines of this many columns, broken between words but not between a number and its
-    /// unit; `None` if a word is too long for a line, or a letter has no large form.
+    /// Sets text in lines of this many columns, broken between words but not between a number and
+    /// its unit; `None` if a word is too long for a line, or some letter has no large form.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
         Self::begin(text, 0, size, (columns, u16::MAX), false)
             .filter(|big| big.words() == text.len())
     }
 
-    /// The text from a given word on, up to the first word that is too long for a line or the first
-    /// line that does not fit into this many columns and rows. `at_top` means that the text is at
-    /// the top of a page, with no empty row above it.
+    /// Sets the text from a given word on, up to the first word that is too long for a line or the
+    /// first line that does not fit into this many columns and rows. `at_top` means that the text
+    /// is at the top of a page, without an empty row above.
     fn begin(
         text: &Rc<BigText>,
         from: usize,
@@ -159,7 +161,7 @@ impl Big {
         self.lines.iter().map(|line| line.words.len()).sum()
     }
 
-    /// The number of lines that fit into this many rows.
+    /// The number of lines that fit into a given number of rows.
     fn lines_in(&self, rows: u16) -> usize {
         let fits = |line: &&BigLine| line.rows.end <= rows.into();
         self.lines.iter().take_while(fits).count()
@@ -214,7 +216,7 @@ impl Big {
     }
 }
 
-/// The character of a cell in a line of pixels that has this many empty pixels `above` it.
+/// The character for a cell in a line of pixels with this many empty pixels `above` the letters.
 fn symbol(
     line: &[u8],
     column: usize,
@@ -253,13 +255,13 @@ fn symbol(
     }
 }
 
-/// The columns of pixels of a word; `None` if the font lacks a letter.
+/// The columns of pixels in a word; `None` if the font lacks some letter.
 fn pixels_of(word: &str) -> Option<Vec<u8>> {
     let letters: Option<Vec<_>> = word.chars().map(letter_columns).collect();
     Some(letters?.join(&[0; GAP][..]))
 }
 
-/// The columns of pixels of a letter, without the empty columns at its sides; `None` if the font
+/// The columns of pixels in a letter, without the empty columns at its sides; `None` if the font
 /// lacks the letter.
 fn letter_columns(letter: char) -> Option<Vec<u8>> {
     if letter.is_control() {
@@ -270,7 +272,7 @@ fn letter_columns(letter: char) -> Option<Vec<u8>> {
         .or_else(|| LATIN_FONTS.get(letter))
         .or_else(|| GREEK_FONTS.get(letter))
         .or_else(|| {
-            // The letter's ASCII form is used if it is a single unambiguous letter.
+            // The ASCII spelling of the letter is used if it is a single unambiguous letter.
             let text = letter.to_string();
             let plain = Charset::Ascii.text(&text);
             let mut plain = plain.chars();

@@ -8,11 +8,11 @@ use ratatui::{buffer::Buffer, layout::Rect};
 use super::{Align, Big, BigText, LetterSize};
 use crate::widgets::{Look, Role};
 
-/// Paragraphs in letters of one size, divided into pages.
+/// Paragraphs in letters of the same size, divided into pages.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct BigPages {
     pages: Vec<BigPage>,
-    /// Whether a page ends early, before a word that is too long for its lines.
+    /// Whether a page ends early, because the next word is too long for its lines.
     pub(crate) ends_early: bool,
 }
 
@@ -20,11 +20,11 @@ pub(crate) struct BigPages {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct BigPage {
     parts: Vec<BigPart>,
-    /// The number of rows used, including the gap below the last part.
+    /// The number of rows used, including the gap below the last paragraph.
     taken: u16,
 }
 
-/// A paragraph on a page, or the part of it that fits there.
+/// A paragraph on a page, or the part of a paragraph that fits on the page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct BigPart {
     row: u16,
@@ -35,11 +35,11 @@ struct BigPart {
 }
 
 impl BigPages {
-    /// Sets paragraphs with `gap` rows below each, in the given columns and rows on the first page
-    /// and those of `rest` on all others. A paragraph marked as whole is not split if it fits on
-    /// one page; others may continue on the next. A word that is too long for a line of the first
-    /// page begins the next page. `None` if a word is too long for any line, or a letter has no
-    /// large form.
+    /// Sets paragraphs with `gap` rows below each. The first page has the columns and rows of
+    /// `first`, and all other pages have those of `rest`. A paragraph marked as whole is not split
+    /// if it fits on one page; any other paragraph may continue on the next page. A word that is
+    /// too long for a line of the first page starts the next page. `None` if a word is too long for
+    /// any line, or some letter has no large form.
     pub(crate) fn set(
         texts: &[(Rc<BigText>, bool)],
         gap: u16,
@@ -65,7 +65,7 @@ impl BigPages {
                     false => 0,
                 };
                 if most == 0 {
-                    // Not even one line fits on an empty page, so no further page can be better.
+                    // Not even one line fits on an empty page, so another page would not help.
                     if is_fresh && pages.len() > 1 {
                         return None;
                     }
@@ -95,15 +95,15 @@ impl BigPages {
         self.pages.len()
     }
 
-    /// The page with this number, from 0; the last one if there are fewer pages.
+    /// The page with this number, counted from 0; if there are fewer pages, the last page.
     pub(crate) fn page(&self, number: usize) -> Option<&BigPage> {
         self.pages.get(number.min(self.count().saturating_sub(1)))
     }
 }
 
 impl BigPage {
-    /// Draws the page, each paragraph in its role; returns the row below each paragraph that ends
-    /// here.
+    /// Draws the page, with each paragraph in its role; returns the row below each paragraph that
+    /// ends on this page.
     pub(crate) fn draw(
         &self,
         area: Rect,
@@ -127,7 +127,7 @@ impl BigPage {
         ends
     }
 
-    /// The paragraphs on the page, each with its rows.
+    /// The paragraphs on the page, each with the rows that it occupies.
     pub(crate) fn places(&self) -> impl Iterator<Item = (usize, Range<u16>)> + '_ {
         let rows = |part: &BigPart| part.row..part.row + part.big.rows();
         { self.parts.iter() }.map(move |part| (part.paragraph, rows(part)))

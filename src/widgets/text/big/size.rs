@@ -3,29 +3,30 @@
 use super::{HEIGHT, SMALL_LETTER, strokes};
 use crate::widgets::Charset;
 
-/// The back row can read a small letter such as x if its height is at least the picture's height
-/// divided by this number: for example 1 cm on a picture 30 cm high, at nine metres.
+/// A small letter such as x is legible from the back row if its height is at least the height of
+/// the projected picture divided by this number: for example, 1 cm in a picture 30 cm high, seen
+/// from nine metres.
 const READ_FROM_THE_BACK: usize = 30;
 
 /// The size of letters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LetterSize {
-    /// Letters made of strokes in ASCII, for long text only: names and headings are larger or in
-    /// plain type.
+    /// Letters made of strokes, in ASCII and for long text only: names and headings are either
+    /// larger or in plain type.
     Strokes,
-    /// A braille dot for each pixel, in Unicode, for long text.
+    /// One braille dot for each pixel, in Unicode and for long text.
     Dots,
-    /// A cell for a square of four pixels, only in Unicode, which has characters for quarters of a
-    /// cell.
+    /// One cell for a square of four pixels. Only Unicode has this size, because it has characters
+    /// for quarters of a cell.
     Small,
-    /// A cell for two pixels, one above the other.
+    /// One cell for two pixels, one above the other.
     Middle,
     /// Two adjacent cells for each pixel.
     Large,
 }
 
 impl LetterSize {
-    /// The sizes of a charset for long text, the largest first.
+    /// The sizes for long text in a charset, with the largest first.
     pub(super) const fn of_text(charset: Charset) -> &'static [Self] {
         match charset {
             Charset::Ascii => &[Self::Large, Self::Middle, Self::Strokes],
@@ -41,13 +42,13 @@ impl LetterSize {
         }
     }
 
-    /// Whether names and headings may have this size.
+    /// Whether names and headings can have this size.
     pub(crate) fn is_of_names(self, charset: Charset) -> bool {
         Self::of_name(charset).contains(&self)
     }
 
-    /// The sizes that are legible from the back row on a screen with this many rows, the largest
-    /// first; if none is, the largest size.
+    /// The sizes that are legible from the back row on a screen with this many rows, with the
+    /// largest first; if there are none, only the largest size.
     pub(crate) fn legible(charset: Charset, screen_rows: u16) -> impl Iterator<Item = Self> {
         let sizes = Self::of_text(charset).iter().enumerate();
         let legible = sizes.filter(move |(i, size)| *i == 0 || size.is_legible(screen_rows));
@@ -60,8 +61,8 @@ impl LetterSize {
         READ_FROM_THE_BACK * parts >= per_row * usize::from(screen_rows)
     }
 
-    /// The height of a small letter: a number of parts, and the number of such parts in a row.
-    /// There is space around dots, so half a space is lost above and below.
+    /// The height of a small letter, as a number of parts, and how many of these parts make up a
+    /// row. There is space around dots, so half a space is lost at the top and at the bottom.
     const fn small_letter(self) -> (usize, usize) {
         match self {
             Self::Strokes => (1, 1),
@@ -71,8 +72,8 @@ impl LetterSize {
         }
     }
 
-    /// The number of rows that this many lines of letters occupy. There are two empty dots between
-    /// lines of dots, so that every second line begins in the middle of a row.
+    /// The number of rows that this many lines of letters occupy. Lines of braille dots are two
+    /// empty dots apart, so that every second line begins in the middle of a row.
     pub(super) const fn rows(self, lines: usize) -> usize {
         match self {
             Self::Dots => 5 * lines / 2,
@@ -82,7 +83,7 @@ impl LetterSize {
         }
     }
 
-    /// The number of empty pixels above the letters in the first row of the line with this number,
+    /// The number of empty pixels above the letters in the first row of a line, for lines counted
     /// from 0.
     pub(super) const fn pixels_above(self, line: usize) -> usize {
         match self {

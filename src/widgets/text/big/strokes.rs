@@ -3,7 +3,7 @@
 //! The font is "Mini" by Glenn Chappell, in the format of FIGlet. The first line contains the
 //! height of the letters and the number of comment lines. After these, each letter from the space
 //! on has as many lines as its height; each line has an end mark, and the last line has two. A
-//! dollar sign is a space that other letters must not fill.
+//! dollar sign stands for a space into which other letters must not move.
 
 use std::sync::LazyLock;
 
@@ -12,13 +12,13 @@ static FONT: &str = include_str!("../../../../assets/fonts/mini.flf");
 /// The number of rows in a line of letters.
 pub(super) const ROWS: usize = 4;
 pub(super) const BLANK: usize = 3;
-/// A space that other letters must not fill.
+/// A space into which other letters must not move.
 const HARD: char = '$';
 
-/// The rows of a letter or of a line of letters, all of the same length.
+/// The rows of a letter or of a line of letters, which all have the same length.
 pub(super) type LetterRows = [Vec<char>; ROWS];
 
-/// The letters from the space to the tilde.
+/// The letters from the space to the tilde in ASCII.
 static LETTERS: LazyLock<Vec<LetterRows>> = LazyLock::new(|| {
     let mut lines = FONT.lines();
     let head = lines.next().unwrap_or_default();
@@ -34,20 +34,20 @@ static LETTERS: LazyLock<Vec<LetterRows>> = LazyLock::new(|| {
     lines.chunks_exact(ROWS).map(letter).take(95).collect()
 });
 
-/// The number of rows of a line; the row of descenders is included only if there are any.
+/// The number of rows in a line; the row for descenders is included only if there are any.
 pub(super) fn rows_of(line: &LetterRows) -> usize {
     let tails = line[ROWS - 1].iter().any(|c| *c != ' ');
     ROWS - usize::from(!tails)
 }
 
-/// The number of empty rows at the top of a line; small letters have one.
+/// The number of empty rows at the top of a line; a line of small letters has one.
 pub(super) fn empty_rows(line: &LetterRows) -> usize {
     let is_empty = |row: &&Vec<char>| row.iter().all(|c| *c == ' ');
     line.iter().take_while(is_empty).count()
 }
 
-/// The number of rows from the top of a line to the top of the next. Capitals of the next line may
-/// be between the descenders of this one if they do not touch.
+/// The number of rows from the top of a line to the top of the next line. The capitals of the next
+/// line may be between the descenders of this line if they do not touch.
 pub(super) fn apart(above: &LetterRows, below: &LetterRows) -> usize {
     let tails = above[ROWS - 1].iter().enumerate();
     let mut tails = tails.filter(|(_, c)| **c != ' ').map(|(at, _)| at);
@@ -65,8 +65,8 @@ pub(super) fn beside(words: &[&LetterRows]) -> LetterRows {
     })
 }
 
-/// The letters of an ASCII word, as close together as possible without touching; `None` if a letter
-/// has no strokes.
+/// The letters of an ASCII word, as close together as possible without touching; `None` if some
+/// letter has no strokes.
 pub(super) fn joined(word: &str) -> Option<LetterRows> {
     let mut joined = LetterRows::default();
     for letter in word.chars() {

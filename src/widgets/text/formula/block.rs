@@ -40,18 +40,18 @@ impl FormulaBlock {
         last.is_some_and(char::is_alphabetic)
     }
 
-    /// This block with another baseline.
+    /// This block, with another baseline.
     pub(super) fn with_base(self, base: usize) -> Self {
         Self { base, ..self }
     }
 
-    /// This block with the last row as its baseline.
+    /// This block, with its last row as the baseline.
     pub(super) fn with_base_at_end(self) -> Self {
         let base = self.rows.len().saturating_sub(1);
         self.with_base(base)
     }
 
-    /// This block followed by `right`, on the same baseline.
+    /// This block followed by `right`, both on the same baseline.
     pub(super) fn beside(&self, right: &Self) -> Self {
         if self.rows.is_empty() {
             return right.clone();
@@ -67,7 +67,7 @@ impl FormulaBlock {
         Self::of((0..height).map(|i| row(self, i) + &row(right, i)), base)
     }
 
-    /// This block above `under`, both centred; the baseline does not change.
+    /// This block above `under`, both centred; the baseline stays the same.
     pub(super) fn over(&self, under: &Self) -> Self {
         let width = self.width().max(under.width());
         let centred = |row: &String| {
@@ -78,7 +78,7 @@ impl FormulaBlock {
         Self::of(rows, self.base)
     }
 
-    /// This block with one block above its right end and one below it.
+    /// This block with one block above its right end and another below that end.
     pub(super) fn with_scripts(self, high: Option<&Self>, low: Option<&Self>) -> Self {
         if high.is_none() && low.is_none() {
             return self;

@@ -31,7 +31,7 @@ impl Setter {
     fn row(&self, formula: &Formula) -> FormulaBlock {
         let mut row = FormulaBlock::default();
         for term in &formula.0 {
-            // In ASCII the degree sign is a word.
+            // In ASCII the degree sign is spelt as a word.
             let degree = term.node == Node::Word("°".into()) && self.charset == Charset::Ascii;
             if term.apart || degree {
                 row = row.beside(&FormulaBlock::line(" "));
@@ -89,7 +89,7 @@ impl Setter {
         left.beside(inside).beside(&right)
     }
 
-    /// A root: its sign on the left, and a line above the radicand.
+    /// Sets a root: its sign on the left, and a line above the radicand.
     fn root(&self, inside: &FormulaBlock) -> FormulaBlock {
         let roof = "_".repeat(inside.width());
         let (hook, side) = match self.charset {
@@ -103,8 +103,9 @@ impl Setter {
         left.beside(&roofed.with_base(inside.base + 1))
     }
 
-    /// Superscripts and subscripts: in the row itself if Unicode has letters for them, otherwise
-    /// above and below it. In ASCII a subscript after a letter also stays in the row, spelt out.
+    /// Sets superscripts and subscripts: on the row itself if Unicode has letters for them,
+    /// otherwise above and below that row. In ASCII a subscript after a letter also stays on the
+    /// row, spelt out.
     fn scripted(
         &self,
         base: &FormulaBlock,
@@ -131,7 +132,7 @@ impl Setter {
         set.with_scripts(high.as_ref(), low.as_ref())
     }
 
-    /// A subscript beside its base; an underscore separates letters from letters.
+    /// Sets a subscript beside its base; an underscore separates letters from letters.
     fn spelt(&self, letters: &str, base: &FormulaBlock) -> FormulaBlock {
         let spelt = self.charset.text(letters);
         let joined = base.ends_with_letter() && spelt.starts_with(char::is_alphabetic);
