@@ -1,23 +1,23 @@
-//! Checks whether anything gives a right choice away, and whether the style is uniform.
+//! Checks whether anything gives the right choices away, and whether the style is uniform.
 
 use std::collections::BTreeMap;
 
 use super::Concept;
 use crate::files::FileError;
 
-/// How many questions there must be before a pattern can be seen in them.
+/// The minimum number of questions for patterns across all questions to be checked.
 const ENOUGH: usize = 8;
-/// A right choice stands out if it is longer or shorter than all other choices of its question by
-/// more than this many letters and by more than this factor.
+/// A right choice stands out if it is longer than every wrong choice, or shorter, by more than this
+/// many letters and by more than this factor.
 const STANDING_OUT: (usize, f64) = (8, 1.5);
-/// The characters that end a sentence, including those of Hindi and Bengali, Chinese, Arabic and
-/// Urdu.
+/// The characters that end a sentence, including those used in Hindi and Bengali, Chinese, Arabic
+/// and Urdu.
 const STOPS: [char; 8] = ['.', '?', '!', '।', '。', '？', '！', '؟'];
 /// Words that make a choice sound wrong.
 const BROAD: [&str; 3] = ["always", "never", "nothing can"];
 
-/// All faults of these questions: those of each question and, if there are at least eight
-/// questions, those of all of them together.
+/// All faults found in these questions: the faults of each question and, if there are at least
+/// eight questions, the patterns across all of them.
 pub fn check(concepts: &[Concept]) -> Vec<FileError> {
     let mut faults: Vec<FileError> = concepts.iter().flat_map(Concept::check).collect();
     let Some(first) = concepts.first().filter(|_| concepts.len() >= ENOUGH) else {
@@ -25,7 +25,7 @@ pub fn check(concepts: &[Concept]) -> Vec<FileError> {
     };
     let together = [lengths(concepts), places(concepts), words(concepts)];
     let together = together.into_iter().flatten();
-    // No single question is at fault, so no line can be named.
+    // A pattern is not the fault of any single question, so the errors have no line number.
     faults.extend(together.map(|message| FileError::of_file(&first.file, message)));
     faults
 }
@@ -71,7 +71,7 @@ impl Concept {
         faults
     }
 
-    /// A message if the right choice is given away by its length alone.
+    /// Returns a message if its length alone gives the right choice away.
     fn stands_out(&self) -> Option<String> {
         let (by, factor) = STANDING_OUT;
         let [right, least, most] = self.letters();
@@ -90,7 +90,8 @@ impl Concept {
         ))
     }
 
-    /// The numbers of letters of the right choice and of the shortest and the longest wrong one.
+    /// The number of letters of the right choice, of the shortest wrong choice and of the longest
+    /// wrong choice.
     fn letters(&self) -> [usize; 3] {
         let wrongs = self.wrongs.iter().map(|wrong| letters(&wrong.choice));
         let (least, most) = (wrongs.clone().min(), wrongs.max());
@@ -102,8 +103,8 @@ fn letters(text: &str) -> usize {
     text.chars().count()
 }
 
-/// How many questions are answered correctly by always choosing the longest or the shortest
-/// choice, compared with blind guessing.
+/// Compares how many questions are answered correctly by always taking the longest or the shortest
+/// choice with how many are answered correctly by blind guessing.
 fn lengths(concepts: &[Concept]) -> Vec<String> {
     let count = concepts.len() as f64;
     let choices = concepts.iter().map(|it| it.choices().len() as f64);
@@ -136,8 +137,8 @@ fn lengths(concepts: &[Concept]) -> Vec<String> {
     faults
 }
 
-/// Whether the right choice is in the same place too often among questions whose choices have a
-/// natural order; the choices of all others are shuffled.
+/// Checks whether the right choice is too often in the same position. This concerns only questions
+/// whose choices have a natural order; the choices of all other questions are shuffled.
 fn places(concepts: &[Concept]) -> Vec<String> {
     let ordered: Vec<_> = concepts.iter().filter(|concept| concept.ordered).collect();
     let mut places: BTreeMap<usize, usize> = BTreeMap::new();
@@ -159,8 +160,8 @@ fn places(concepts: &[Concept]) -> Vec<String> {
         .collect()
 }
 
-/// Whether choices are given away by a first word that is found mostly in right ones, or by
-/// "always" and "never" in wrong ones.
+/// Checks whether choices are given away by a first word that occurs mostly in right choices, or by
+/// "always" and "never" in wrong choices.
 fn words(concepts: &[Concept]) -> Vec<String> {
     let mut begin: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
     for (text, wrong) in concepts.iter().flat_map(Concept::choices) {

@@ -1,10 +1,10 @@
-//! The figures in a text, filled in from the question's own hit.
+//! The figures in a text, calculated from the question's own hit.
 
 use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;
 use crate::physics::named::{Constant, Quantity};
 
-/// The number of decimals of a percentage and of a number that does not come from a hit.
+/// The number of decimal places of a number that does not come from a hit, and of a percentage.
 const DECIMALS: usize = 2;
 const PERCENT_DECIMALS: usize = 1;
 
@@ -12,7 +12,7 @@ const PERCENT_DECIMALS: usize = 1;
 /// brace turns a fraction into a percentage.
 ///
 /// # Errors
-/// What was expected, if a name or a field is unknown or a figure is undefined.
+/// Returns what was expected, if a name or a field is unknown or a figure is undefined.
 pub(super) fn fill(text: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     let mut filled = String::with_capacity(text.len());
     let mut rest = text;
@@ -65,7 +65,8 @@ fn of_no_hit(mut constant: Constant, fields: &[(&str, &str)]) -> Result<Option<f
     Ok(constant.value())
 }
 
-/// A quantity of the hit with these fields changed, and its number of decimals.
+/// A quantity of the hit after setting these fields, and the number of decimal places with which
+/// the quantity is printed.
 fn of_hit(
     name: &str,
     fields: &[(&str, &str)],

@@ -5,15 +5,16 @@ use std::path::Path;
 use super::{Concept, read, with_id};
 use crate::files::{FileError, FileErrors, FileLibrary, escape_control};
 
-/// The most letters a subject may have; a subject is the name of a file.
+/// The maximum number of letters in a subject, which is the name of a file.
 const LONGEST_SUBJECT: usize = 40;
 
-/// Questions read from files, in the order of the files and of the questions in each file.
+/// Questions read from files, in the order of the files and, within each file, in the order of its
+/// questions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Library {
     /// The questions; no two have the same id, and none has the id of a built-in question.
     pub concepts: Vec<Concept>,
-    /// The errors in the files that were left out.
+    /// The errors in the files that were not added.
     pub problems: Vec<FileError>,
 }
 
@@ -40,14 +41,14 @@ impl FileLibrary for Library {
 }
 
 impl Library {
-    /// Adds the questions from the bytes of a file about this subject.
+    /// Adds the questions in a file about this subject, given the bytes of the file.
     pub fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) {
         let subject = escape_control(subject, LONGEST_SUBJECT);
         let added = self.add_all(&subject, name, bytes);
         self.problems.extend(added.err().into_iter().flatten());
     }
 
-    /// Adds the questions of a file if all of them are valid.
+    /// Adds the questions in a file, if all of them are valid.
     fn add_all(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileErrors> {
         let mut fresh = Vec::new();
         read::file(subject, name, bytes, &mut fresh)?;

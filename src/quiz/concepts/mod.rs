@@ -1,5 +1,5 @@
-//! Concept questions: each asks in words about one idea of glancing collisions, with wrong choices
-//! that students are known to believe.
+//! Concept questions: each question asks in words about one idea in glancing collisions, and its
+//! wrong choices are ideas that students are known to believe.
 //!
 //! The questions are data: the files of `assets/concepts/`, one for each subject, and a teacher's
 //! own in a [`Library`]. `docs/concepts.md` describes the format. No calculated figure is typed in
@@ -33,13 +33,13 @@ const ORDER: &str = "order.txt";
 /// A concept question, with every figure filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Concept {
-    /// Its permanent name: lower-case letters, digits and hyphens.
+    /// A permanent name: lower-case letters, digits and hyphens.
     pub id: String,
-    /// The family that asks it: see [`of`].
+    /// The family that the question belongs to: see [`of`].
     pub family: Family,
-    /// Its subject: the name of its file, such as "right-angle".
+    /// The subject, which is the name of the question's file, such as "right-angle".
     pub subject: String,
-    /// How hard it is.
+    /// How hard the question is.
     pub difficulty: Difficulty,
     /// The question, one to three short sentences.
     pub ask: String,
@@ -47,25 +47,27 @@ pub struct Concept {
     pub right: String,
     /// The two or three wrong choices, in their natural order if the question is ordered.
     pub wrongs: Vec<Wrong>,
-    /// The explanation of the right choice, shown after any answer.
+    /// The explanation of the right choice, which is shown after every answer.
     pub why: String,
-    /// Whether the choices have a natural order, such as less, the same, more, and must not be
-    /// shuffled.
+    /// Whether the choices have a natural order, such as less, the same, more, so that they must
+    /// not be shuffled.
     pub ordered: bool,
-    /// The hit that is shown beside the question and can be watched after the answer.
+    /// The hit that is shown beside the question and can be watched after the question has been
+    /// answered.
     pub hit: Option<Collision>,
-    /// The file that contains it.
+    /// The file that contains the question.
     pub file: String,
-    /// Its first line in that file.
+    /// The first line of the question in that file.
     pub line: usize,
-    /// How many of the wrong choices come before the right one when they are not shuffled.
+    /// The number of wrong choices that come before the right choice if the choices are not
+    /// shuffled.
     before_right: usize,
 }
 
 /// A wrong choice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wrong {
-    /// The choice.
+    /// The text of the choice.
     pub choice: String,
     /// The misconception that leads to it, if there is one.
     pub misconception: Option<Misconception>,
@@ -74,12 +76,12 @@ pub struct Wrong {
 }
 
 impl Concept {
-    /// Its topic: "right angle".
+    /// The topic of the question, such as "right angle".
     pub fn topic(&self) -> Topic {
         Topic::of_subject(&self.subject)
     }
 
-    /// An error in one of the question's fields, with the file and the line.
+    /// An error in one of the question's fields, with the file and line of the question.
     fn fault(&self, field: &str, message: impl Into<String>) -> FileError {
         FileError {
             file: self.file.clone(),
@@ -89,14 +91,14 @@ impl Concept {
         }
     }
 
-    /// Whether an error is in this question.
+    /// Whether an error was found in this question.
     pub(crate) fn is_at(&self, fault: &FileError) -> bool {
         fault.file == self.file && fault.line == Some(self.line)
     }
 
-    /// All choices, the wrong ones with their [`Wrong`]. The choices of an
-    /// [ordered](Self::ordered) question are in the order in which they are shown; in any other
-    /// question the right choice is first, and the choices have to be shuffled.
+    /// All choices; each wrong choice comes with its [`Wrong`]. The choices of an
+    /// [ordered](Self::ordered) question are in the order in which they are shown; for any other
+    /// question the right choice comes first, and the caller has to shuffle the choices.
     pub fn choices(&self) -> Vec<(&str, Option<&Wrong>)> {
         let wrongs = self.wrongs.iter();
         let mut choices: Vec<_> = wrongs.map(|it| (it.choice.as_str(), Some(it))).collect();
@@ -107,7 +109,7 @@ impl Concept {
 }
 
 impl Topic {
-    /// The families that ask about this topic; none if no built-in question does.
+    /// The families with questions about this topic; none if no built-in question is about it.
     pub fn families(&self) -> Vec<Family> {
         let mut families = self.families_of_figures();
         let written = [Family::Concept, Family::Ideas];
@@ -116,10 +118,10 @@ impl Topic {
         families
     }
 
-    /// The families that codes such as `read-abd-7` draw from.
+    /// The families from which codes such as `read-abd-7` draw questions.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
-        // The topics that only later questions ask about have no older codes.
+        // If only later questions ask about a topic, no older code draws from it.
         if families != [Family::Ideas] {
             families.retain(|family| *family != Family::Ideas);
         }
@@ -129,16 +131,16 @@ impl Topic {
 
 /// All concept questions, read once per process.
 ///
-/// Their order is fixed, because it is part of the format of a round's code: new questions go to
-/// the end, into a family that no older code draws from.
+/// Their order is fixed, because the codes of rounds depend on it: new questions are added at the
+/// end, in a family that no older code draws from.
 pub fn all() -> &'static [Concept] {
     // A test checks that the embedded files have no errors.
     static READ: LazyLock<Vec<Concept>> = LazyLock::new(|| embedded().unwrap_or_default());
     &READ
 }
 
-/// The questions that a family asks, in order: those before the empty line of `order.txt` belong to
-/// [`Family::Concept`], those after it to [`Family::Ideas`].
+/// The questions in each family, in order: those above the blank line in `order.txt` belong to
+/// [`Family::Concept`], those below it to [`Family::Ideas`].
 pub fn of(family: Family) -> Vec<&'static Concept> {
     let all = all().iter();
     all.filter(|concept| concept.family == family).collect()
@@ -152,7 +154,7 @@ pub fn with_id(id: &str) -> Option<&'static Concept> {
 /// Reads the embedded files.
 ///
 /// # Errors
-/// All errors in the first file that has any.
+/// Returns all errors in the first file that has any.
 fn embedded() -> Result<Vec<Concept>, FileErrors> {
     let mut files: Vec<_> = FILES.files().collect();
     files.sort_by_key(|file| file.path());
@@ -172,7 +174,7 @@ fn embedded() -> Result<Vec<Concept>, FileErrors> {
 /// The questions in the order in which `order` lists their ids, one per line.
 ///
 /// # Errors
-/// If it lists an unknown id or omits a known one.
+/// Returns an error if `order` lists an unknown id or omits a known one.
 fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, FileError> {
     let mut ordered = Vec::with_capacity(concepts.len());
     let mut family = Family::Concept;

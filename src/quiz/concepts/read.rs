@@ -1,4 +1,4 @@
-//! Reads questions from the bytes of a file.
+//! Reads questions from the contents of a file.
 
 use super::figures::fill;
 use super::{Concept, Wrong};
@@ -6,17 +6,17 @@ use crate::files::{self, Fields, FileErrors, Source, all, escape_control, one_li
 use crate::physics::CollisionSpec;
 use crate::quiz::question::{Difficulty, Family, Misconception};
 
-/// The format that this program reads.
+/// The version of the format that this program reads.
 const FORMAT: u32 = 1;
-/// The most letters a question may have.
+/// The maximum number of letters in a question.
 const ASK: usize = 240;
-/// The most letters a choice may have.
+/// The maximum number of letters in a choice.
 const CHOICE: usize = 90;
-/// The most letters the feedback for a wrong choice may have.
+/// The maximum number of letters in the feedback for a wrong choice.
 const SAYS: usize = 200;
-/// The most letters the explanation may have.
+/// The maximum number of letters in the explanation.
 const WHY: usize = 320;
-/// How many wrong choices a question may have.
+/// The permitted number of wrong choices.
 const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
 
 /// The fields of a question.
@@ -34,7 +34,7 @@ const ITEM: [&str; 8] = [
 /// Adds the questions of a file to `concepts`; no two may have the same id.
 ///
 /// # Errors
-/// All errors in the file.
+/// Returns all errors in the file.
 pub(super) fn file(
     subject: &str,
     name: &str,
@@ -66,7 +66,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     let hit = item.or("hit", None, |name| {
         read_hit(&item.table(name, &CollisionSpec::field_names())?).map(Some)
     });
-    // If the hit is invalid, the texts are checked with the default hit.
+    // If the hit is invalid, the texts are checked with the default hit instead.
     let filled = hit.unwrap_or_else(|| Some(CollisionSpec::default()));
     let id = item.id("id");
     let difficulty = item.word("difficulty", &Difficulty::ALL.map(|it| (it.id(), it)));
@@ -141,7 +141,7 @@ fn wrong(fields: &Fields, hit: Option<CollisionSpec>) -> Option<Wrong> {
     })
 }
 
-/// A text of 1 to `most` letters, with its figures filled in.
+/// Reads a text of 1 to `most` letters and fills in its figures.
 fn text(
     fields: &Fields,
     name: &'static str,

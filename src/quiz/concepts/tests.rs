@@ -1,4 +1,4 @@
-//! Checks the built-in questions against the rules for good questions.
+//! Checks that the built-in questions follow the rules for good questions.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,7 +24,7 @@ fn there_are_at_least_sixty_questions_with_different_ids() {
     assert!(ids.iter().all(|id| with_id(id).is_some()));
 }
 
-/// The codes of rounds depend on this order; new questions go to the end.
+/// The codes of rounds depend on this order; new questions are added at the end.
 #[test]
 fn the_order_does_not_change() {
     for (place, id) in [
@@ -42,8 +42,8 @@ fn the_order_does_not_change() {
     }
 }
 
-/// The table in the guide describes each misconception as the program does, in the same order, and
-/// every study is listed below the table.
+/// The table in the guide describes the misconceptions as the program does and in the same order,
+/// and every study is listed below the table.
 #[test]
 fn the_guide_lists_every_misconception_with_its_source() {
     let guide = include_str!("../../../docs/concepts.md");
@@ -71,7 +71,7 @@ fn the_guide_lists_every_misconception_with_its_source() {
                 .next()
                 .unwrap()
                 .trim_end_matches(" et al.");
-            // An online review has no year.
+            // An online review has no year of publication.
             let year = match year {
                 "" => String::new(),
                 year => format!("({year})"),
@@ -113,7 +113,8 @@ fn nothing_gives_a_right_choice_away_and_the_style_is_uniform() {
     }
 }
 
-/// The faults of the first `count` built-in questions after this change to each of them.
+/// The faults found in the first `count` built-in questions after changing each of them in this
+/// way.
 fn spoilt(count: usize, change: impl Fn(&mut Concept)) -> Vec<String> {
     let mut concepts: Vec<Concept> = all()[..count].to_vec();
     concepts.iter_mut().for_each(change);
@@ -149,7 +150,7 @@ fn right_choices_that_are_given_away_are_reported() {
         near.contains("clearly different figures, found 90 and 88"),
         "{near}"
     );
-    // A pattern is reported only if there are enough questions.
+    // A pattern is reported only if there are enough questions to show it.
     let longer = |it: &mut Concept| {
         let most = it
             .wrongs
@@ -178,7 +179,7 @@ fn right_choices_that_are_given_away_are_reported() {
     );
 }
 
-/// Figures in texts that no placeholder can provide.
+/// Checks figures in texts that no placeholder can provide.
 #[test]
 fn figures_typed_in_texts_are_correct() {
     // where-turned-most: "at about α = 34°".
@@ -226,7 +227,7 @@ fn the_hits_shown_agree_with_the_questions() {
     }
 }
 
-/// The errors of a file with one question in which `old` is replaced by `new`.
+/// The errors in a file with a single question in which `old` has been replaced by `new`.
 fn fault_of(old: &str, new: &str) -> String {
     let good = r#"format = 1
 [[item]]
@@ -374,7 +375,7 @@ fn the_right_choice_of_an_ordered_question_is_in_its_place() {
     assert_eq!(texts, ["Below 90°", "90°", "Above 90°"]);
 }
 
-/// The manual contains a complete example, which must be a valid question.
+/// The manual contains a complete example, which has to be a valid question.
 #[test]
 fn the_example_in_the_manual_is_a_valid_question() {
     let manual = include_str!("../../../docs/concepts.md");

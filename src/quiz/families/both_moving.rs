@@ -1,5 +1,5 @@
-//! Two equal discs that both move: the frame in which the angle between their paths is 90°, and
-//! the angle in the laboratory frame.
+//! Two equal discs that are both moving: the frame in which the angle between their paths is 90°,
+//! and the angle in the laboratory frame.
 
 use glam::DVec2;
 
@@ -7,24 +7,27 @@ use super::prelude::*;
 use crate::physics::CollisionOutcome;
 use crate::physics::units::g_from_kg;
 
-/// The cosine of the largest impact angle asked about; at larger angles the discs hardly touch.
+/// The cosine of the largest impact angle in these questions; at larger angles the discs hardly
+/// touch.
 const LEAST_COSINE: f64 = 0.3;
 
-/// The sine of the smallest impact angle asked about; at smaller angles the picture does not show
-/// that the collision is off-centre.
+/// The sine of the smallest impact angle in these questions; at smaller angles the picture does not
+/// show clearly that the collision is off-centre.
 const LEAST_SINE: f64 = 0.17;
 
-/// How far from 90° an angle must be, in degrees, before the question asks "more or less?".
+/// The minimum difference between an angle and 90°, in degrees, for a question that asks "more or
+/// less?".
 const NEAR_SQUARE_DEG: f64 = 5.0;
 
-/// Two equal discs about to meet.
+/// Two equal discs that are about to collide.
 #[derive(Clone, Copy)]
 struct MovingPair {
     /// Speed of the striker in m/s.
     speed: u32,
     /// Speed of the coin in m/s.
     target_speed: u32,
-    /// Direction of the coin relative to the striker's, 0 to 180 degrees to the left.
+    /// The direction of the coin relative to the striker's direction, from 0 to 180 degrees to the
+    /// left.
     way_deg: u32,
     /// Angle from the striker's path to the line of impact, in degrees.
     line_deg: u32,
@@ -46,8 +49,8 @@ impl MovingPair {
         })
     }
 
-    /// The collision, if the discs approach each other and it is neither too close to a graze nor
-    /// too close to head-on to be drawn.
+    /// The collision, if the discs approach each other and the collision is neither so close to a
+    /// graze nor so close to head-on that it cannot be drawn clearly.
     fn collision(&self) -> Option<Collision> {
         let towards = |speed: u32, deg: f64| {
             f64::from(speed) * DVec2::from_angle(rad_from_deg(self.direction_deg + deg))
@@ -67,7 +70,7 @@ impl MovingPair {
         })
     }
 
-    /// A question about the pair, with this sentence about where they meet.
+    /// A question about this pair, including the given sentence about where the discs meet.
     fn outline(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
             0 => "ahead of it in the same direction".into(),
@@ -120,7 +123,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 const TOPIC: &str = "both-moving";
 
-/// Which observer sees 90°, or the angle that a moving observer sees.
+/// Asks which observer sees 90°, or which angle a moving observer sees.
 fn frames(
     pair: &MovingPair,
     outcome: &CollisionOutcome,
@@ -150,7 +153,8 @@ fn frames(
                               this observer see?"
         )
     };
-    // With equal and opposite velocities the laboratory frame would be the centre-of-mass frame.
+    // If the velocities were equal and opposite, the laboratory frame would be the centre-of-mass
+    // frame.
     if pair.way_deg == 180 && pair.speed == pair.target_speed {
         return None;
     }
@@ -209,8 +213,8 @@ fn frames(
     ))
 }
 
-/// More or less than 90° in the laboratory frame. For equal masses without loss v₁·v₂ = u₁·u₂,
-/// so the initial directions alone decide the answer.
+/// Asks whether the angle is more or less than 90° in the laboratory frame. For equal masses
+/// without loss v₁·v₂ = u₁·u₂, so the initial directions alone determine the answer.
 fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     const CORNERS: [&str; 3] = ["Less than 90°", "Exactly 90°", "More than 90°"];
     let separation = outcome.separation?;
@@ -278,8 +282,8 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         ))
 }
 
-/// The final speed of one of the two discs: equal discs exchange their components along the line of
-/// impact, and each keeps its own perpendicular component.
+/// Asks for the final speed of one of the two discs: equal discs exchange their components along
+/// the line of impact, and each disc keeps its own perpendicular component.
 fn speed(
     pair: &MovingPair,
     of_target: bool,

@@ -1,5 +1,5 @@
-//! The centre-of-mass frame: how fast it moves, the scattering angle Θ in it, and the
-//! corresponding angle in the laboratory frame.
+//! The centre-of-mass frame: its speed, the scattering angle Θ in this frame, and the corresponding
+//! angle in the laboratory frame.
 
 use std::f64::consts::PI;
 
@@ -38,7 +38,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// The impact angle, with as many digits as Θ = 180° − 2α requires.
+/// The impact angle, with as many digits as calculating Θ = 180° − 2α requires.
 fn shown(alpha: f64) -> Intermediate {
     Intermediate::angle(alpha, |alpha| degrees(PI - 2.0 * alpha))
 }
@@ -75,7 +75,7 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
         .says("That is the striker's deflection in the laboratory frame.")
 }
 
-/// Θ from α.
+/// Asks for Θ, given α.
 fn turn_from_angle(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let angle = cm_scattering_angle(alpha, hit.restitution)?;
@@ -88,7 +88,8 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
         .why(why_turn(alpha, angle))
 }
 
-/// Θ from an offset that is a whole number of tenths of r₁ + r₂, to keep the arithmetic easy.
+/// Asks for Θ, given an offset that is a whole number of tenths of r₁ + r₂, which keeps the
+/// arithmetic easy.
 fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
     let reach_mm = hit.reach_mm();
     let offset_mm = (reach_mm * f64::from(tenths)).round() / 10.0;
@@ -112,13 +113,13 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
         ))
 }
 
-/// The speed of the centre of mass, with the target at rest or moving along the same line: in the
-/// same direction if `target_speed` is positive.
+/// Asks for the speed of the centre of mass. The target is at rest or moves along the same line, in
+/// the same direction as the striker if `target_speed` is positive.
 fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let name = hit.pieces.target_name();
     let [m1, m2] = hit.masses_g();
     let (u1, u2) = (hit.speed, target_speed.unwrap_or(0.0));
-    // If both move in the same direction, the striker has to catch up.
+    // If both discs move in the same direction, the striker must be faster in order to catch up.
     if u2 >= u1 {
         return None;
     }
@@ -181,7 +182,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ))
 }
 
-/// A question that leads from Θ back to the laboratory frame.
+/// A question that leads from Θ to an angle in the laboratory frame.
 fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
     let with_text = format!(
         "{}, and no energy is lost. In the centre-of-mass frame both discs are deflected by Θ = \
@@ -203,7 +204,7 @@ fn theta1_deg(hit: &Hit, turn_deg: f64) -> Option<f64> {
     lab_scattering_angle(rad_from_deg(turn_deg), m1, m2).map(deg_from_rad)
 }
 
-/// The striker's angle from Θ.
+/// Asks for the striker's angle, given Θ.
 fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     let text = "By what angle is the striker deflected in the laboratory frame?";
     let theta = rad_from_deg(turn_deg);
@@ -225,7 +226,7 @@ fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
         ))
 }
 
-/// The target's angle from Θ.
+/// Asks for the target's angle, given Θ.
 fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     let name = hit.pieces.target_name();
     let text = format!(

@@ -1,4 +1,4 @@
-//! The questions in words, each about one idea.
+//! Questions in words, each about one idea.
 
 use super::outline::Outline;
 use crate::quiz::concepts::{self, Concept};
@@ -18,7 +18,7 @@ fn any(family: Family, difficulty: Difficulty, dice: &mut Dice) -> Option<Questi
     question(dice.pick(&concepts)?, dice)
 }
 
-/// The question made from a concept, with its choices shuffled unless they have a natural order.
+/// The question for a concept, with its choices shuffled unless they have a natural order.
 pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
     let picture = match concept.hit {
         Some(collision) => Illustration::before(collision, Markings::default()),

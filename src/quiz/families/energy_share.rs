@@ -1,4 +1,5 @@
-//! What share of the striker's energy each disc has after the collision, and what share is lost.
+//! The fraction of the striker's energy that each disc has after the collision, and the fraction
+//! that is lost.
 
 use super::prelude::*;
 use super::speeds::{SHRUNK, sine_for_cosine};
@@ -25,7 +26,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 const PERCENT: f64 = 100.0;
 
-/// A share in percent, as printed.
+/// A fraction as a percentage, as printed.
 fn percent(x: f64) -> String {
     Measure::Share.print(PERCENT * x)
 }
@@ -33,7 +34,7 @@ fn percent(x: f64) -> String {
 const HALVES: &str =
     "You gave each disc half the energy. That is right only at 45°, and only for equal masses.";
 
-/// The share that the striker keeps, with equal masses.
+/// Asks for the fraction that the striker keeps, with equal masses.
 fn kept(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let shares = RestingTarget::from(&hit.collision()).energy_shares(alpha);
@@ -62,7 +63,7 @@ fn kept(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The share that the target gets.
+/// Asks for the fraction that is transferred to the target.
 fn passed(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let alpha = hit.alpha().abs();
@@ -120,8 +121,8 @@ fn passed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The share that is lost: only the energy of the relative motion along the line of impact can be
-/// lost.
+/// Asks for the fraction that is lost: only the energy of the relative motion along the line of
+/// impact can be lost.
 fn lost(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());

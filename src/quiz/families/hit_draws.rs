@@ -13,8 +13,8 @@ pub(super) const ALL: &[Pieces] = &[Pieces::Equal, Pieces::Tournament, Pieces::M
 
 pub(super) const NO_LOSS: &[f64] = &[1.0];
 
-/// The values from which a hit on a target at rest is drawn: sets of pieces, impact angles in
-/// degrees in steps of five, and values of e.
+/// The values from which a hit on a target at rest is drawn: sets of pieces; the range of impact
+/// angles in degrees, which are multiples of five; and values of e.
 pub(super) struct HitDraws<'a>(
     pub(super) &'a [Pieces],
     pub(super) RangeInclusive<u32>,
@@ -22,8 +22,8 @@ pub(super) struct HitDraws<'a>(
 );
 
 impl HitDraws<'_> {
-    /// Draws the pieces, α, e, a speed of 2 to 5 m/s, the side, and a direction, which takes more
-    /// values the harder the question is.
+    /// Draws the pieces, α, e, a speed from 2 to 5 m/s, the side and a direction; for harder
+    /// questions there are more possible directions.
     pub(super) fn draw(&self, difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
         let Self(pieces, fives_deg, restitutions) = self;
         let pieces = *dice.pick(pieces)?;
@@ -45,7 +45,7 @@ impl HitDraws<'_> {
     }
 }
 
-/// An off-centre hit between these discs with this e.
+/// Draws an off-centre hit with these discs and this e.
 pub(super) fn drawn(
     pieces: Pieces,
     restitution: f64,
@@ -55,8 +55,8 @@ pub(super) fn drawn(
     HitDraws(&[pieces], 20..=70, &[restitution]).draw(difficulty, dice)
 }
 
-/// A direction of the striker in the picture, in degrees: a multiple of 360°, 90° or 30°; the
-/// harder the question, the smaller the step.
+/// Draws the direction of the striker in the picture, in degrees: a multiple of 360°, 90° or 30°;
+/// the harder the question, the smaller the step.
 pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
     let turn = match difficulty {
         Difficulty::Easy => 360,
@@ -75,12 +75,12 @@ pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
     }
 }
 
-/// A picture before the collision, without marks where the discs will meet.
+/// The picture before the collision, without marks at the point where the discs will meet.
 pub(super) fn unmarked(hit: &Hit) -> Illustration {
     Illustration::before(hit.collision(), Markings::FIGURES)
 }
 
-/// The masses, the speed and the point of impact in words, without the loss.
+/// Describes the masses, the speed and the point of impact in words, but not the loss.
 pub(super) fn in_short(hit: &Hit) -> String {
     let place = match hit.given {
         ImpactPoint::Angle { .. } => format!(
@@ -96,7 +96,8 @@ pub(super) fn in_short(hit: &Hit) -> String {
     format!("{}; {place}.", hit.who("striker", &hit.hits()))
 }
 
-/// The masses and the speed of smooth discs in words, without the point of impact.
+/// Describes the masses of smooth discs and the striker's speed in words, but not the point of
+/// impact.
 pub(super) fn off_centre(hit: &Hit) -> String {
     format!("{}, off-centre.", hit.who("smooth striker", &hit.hits()))
 }
@@ -106,7 +107,7 @@ pub(super) fn in_degrees(deg: impl Into<f64>) -> String {
     Measure::Angle.print(deg.into())
 }
 
-/// A number as the player reads it: rounded as printed.
+/// A number as the player reads it, which means rounded as printed.
 pub(super) fn read_off(x: f64) -> f64 {
     Intermediate::new(x, |_| ()).value
 }
@@ -115,7 +116,7 @@ pub(super) fn read_off_angle(angle: f64) -> f64 {
     Intermediate::angle(angle, |_| ()).value
 }
 
-/// The result from rounded readings, with the exact result if the two differ.
+/// The result calculated from rounded readings, followed by the exact result if the two differ.
 pub(super) fn within_readings(found: &str, exact: &str) -> String {
     match found == exact {
         true => exact.to_owned(),
@@ -123,12 +124,12 @@ pub(super) fn within_readings(found: &str, exact: &str) -> String {
     }
 }
 
-/// The index among choices in the order less, the same, more.
+/// The index of a comparison among choices in the order less, the same, more.
 pub(super) const fn place(compared: Ordering) -> usize {
     (compared as i8 + 1) as usize
 }
 
-/// Feedback for an answer that ignores the loss, with the actual e.
+/// Feedback for an answer that ignores the loss, including the actual value of e.
 pub(super) fn here_e(says: &str, e: f64) -> String {
     format!("{says} Here e = {}.", significant(e))
 }

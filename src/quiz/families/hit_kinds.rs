@@ -1,4 +1,4 @@
-//! The kinds of hit that "where will they go?" asks about, from easy to hard.
+//! The kinds of hit in questions that ask "where will they go?", from easy to hard.
 
 use std::sync::OnceLock;
 
@@ -35,7 +35,7 @@ pub(super) enum HitKind {
     LossyMarbles,
 }
 
-/// The kinds of hit in a round at each difficulty. Each kind occurs as often as it is listed.
+/// The kinds of hit in a round at each difficulty. A kind occurs as often as it is listed.
 pub(super) const KINDS: [&[HitKind]; 3] = {
     use HitKind::*;
     [
@@ -47,8 +47,8 @@ pub(super) const KINDS: [&[HitKind]; 3] = {
 
 impl HitKind {
     /// All hits of this kind that give a clear question, in a fixed order, with the target on the
-    /// right and the striker moving to the right at 1 m/s. The result is cached, because the search
-    /// goes through thousands of hits.
+    /// right and the striker moving to the right at 1 m/s. The list is cached, because finding
+    /// these hits takes a search through thousands.
     pub(super) fn candidates(self) -> &'static [Hit] {
         const COUNT: usize = HitKind::VARIANTS.len();
         static FOUND: [OnceLock<Vec<Hit>>; COUNT] = [const { OnceLock::new() }; COUNT];
@@ -73,7 +73,8 @@ impl HitKind {
         }
     }
 
-    /// Draws a hit of this kind that is not in `asked`; `None` only if all have been asked.
+    /// Draws a hit of this kind that is not in `asked`; returns `None` only if all hits have been
+    /// asked.
     pub(super) fn draw(
         self,
         difficulty: Difficulty,
@@ -114,7 +115,7 @@ fn at_angle(alpha_deg: u32) -> ImpactPoint {
     ImpactPoint::Angle { alpha_deg }
 }
 
-/// The offsets in steps of a tenth of a millimetre.
+/// Offsets in steps of a tenth of a millimetre.
 fn offsets(pieces: Pieces) -> Vec<ImpactPoint> {
     let tenths = 10.0 * plain(pieces, at_angle(0), 1.0).reach_mm();
     let offset = |tenths| ImpactPoint::Offset {
@@ -123,7 +124,7 @@ fn offsets(pieces: Pieces) -> Vec<ImpactPoint> {
     (1..=tenths as u32).map(offset).collect()
 }
 
-/// Every hit with these pieces, points of impact and values of e that gives a clear question.
+/// All hits with these pieces, points of impact and values of e that give a clear question.
 fn every(pieces: &[Pieces], places: &[ImpactPoint], restitutions: &[f64]) -> Vec<Hit> {
     let mut hits = Vec::new();
     for &it in pieces {
@@ -151,7 +152,7 @@ fn mirrored(given: ImpactPoint) -> ImpactPoint {
     }
 }
 
-/// Whether two hits differ only in side, speed and direction.
+/// Whether two hits differ only in their side, speed and direction.
 fn same_hit(a: &Hit, b: &Hit) -> bool {
     let close = |x: f64, y: f64| (x - y).abs() < 1e-9;
     a.pieces == b.pieces
@@ -159,17 +160,18 @@ fn same_hit(a: &Hit, b: &Hit) -> bool {
         && close(a.alpha().abs(), b.alpha().abs())
 }
 
-/// Whether a hit is head-on, or far enough from both head-on and a graze to be drawn, and not at
-/// 45°, where "half and half" and a copied angle would be right by accident.
+/// Whether a hit can be used: it must be either head-on, or far enough from both head-on and a
+/// graze to be drawn clearly. It must not be at 45°, where "half and half" and a copied angle would
+/// be right by accident.
 fn within_reason(hit: &Hit) -> bool {
     let alpha_deg = deg_from_rad(hit.alpha());
     let drawable = (9.5..80.5).contains(&alpha_deg) && (alpha_deg - 45.0).abs() > 0.5;
     hit.head_on() || drawable
 }
 
-/// The smallest distance in radians between two outcomes of a hit, true or predicted: like
-/// [`Question::clearance`](crate::quiz::Question::clearance), but without the text of a question,
-/// because thousands of hits are searched.
+/// The smallest distance, in radians, between two outcomes of a hit, whether true or predicted.
+/// This is like [`Question::clearance`](crate::quiz::Question::clearance), but without generating
+/// the text of a question, because thousands of hits are searched.
 fn clearance(hit: &Hit) -> f64 {
     let held = OF_RAYS
         .into_iter()
@@ -178,7 +180,7 @@ fn clearance(hit: &Hit) -> f64 {
     nearest(&rays, Rays::gap)
 }
 
-/// Whether the printed angles add up to the printed separation, to the last digit.
+/// Whether the printed angles add up exactly to the printed separation.
 fn adds_up(hit: &Hit) -> bool {
     let outcome = hit.outcome();
     match (outcome.theta1, outcome.theta2, outcome.separation) {
@@ -202,7 +204,7 @@ mod tests {
         }
     }
 
-    /// Machines may differ in the last bit of a sine, so no hit may depend on it.
+    /// The last bit of a sine may differ between machines, so no hit may depend on it.
     #[test]
     fn no_choice_depends_on_the_last_bit() {
         let near_tie = |angle: f64| {

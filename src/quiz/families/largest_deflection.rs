@@ -1,5 +1,5 @@
-//! The greatest deflection of a striker in one collision: whether there is a limit, what it is,
-//! and where to aim for it.
+//! The greatest deflection of a striker in a single collision: whether there is a limit, how large
+//! it is, and where to aim to reach it.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -24,7 +24,7 @@ const HEAVIER: [&[(u32, u32)]; 3] = [
     &[(24, 18), (25, 20), (30, 26)],
 ];
 
-/// Masses in grams of a striker and a coin that is equally heavy or heavier.
+/// The masses, in grams, of a striker and a coin of equal or greater mass.
 const NOT_HEAVIER: [&[(u32, u32)]; 2] = [
     &[(12, 12), (15, 15), (18, 18), (20, 20)],
     &[(10, 20), (12, 15), (15, 30), (20, 25)],
@@ -42,8 +42,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses at the greatest deflection, or at 30° if the deflection has no greatest
-/// value.
+/// A hit with these masses at the greatest deflection; if the deflection has no limit, a hit at
+/// 30°.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,
@@ -74,13 +74,13 @@ fn turned(hit: &Hit) -> Option<(f64, f64)> {
     }
 }
 
-/// The two masses and the loss in words.
+/// Describes the two masses and the loss in words.
 fn setting(hit: &Hit) -> String {
     let who = hit.who("smooth striker", "is shot at");
     format!("{who}. {}", hit.loss())
 }
 
-/// Whether the deflection has a limit, and how large it is.
+/// Asks whether the deflection has a limit, and how large it is.
 fn limit(dice: &mut Dice) -> Option<Question> {
     let pairs = if dice.below(5) < 2 {
         HEAVIER.concat()
@@ -145,7 +145,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// The greatest deflection in degrees.
+/// Asks for the greatest deflection in degrees.
 fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, e_tenths, difficulty, dice);
     let (theta1, _) = turned(&hit)?;
@@ -183,8 +183,8 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         .why(why)
 }
 
-/// A question about where to aim a heavier striker without loss: the hit, the largest θ₁, the α
-/// at which it occurs, and the outline with the setting.
+/// A question about where to aim a heavier striker in an elastic collision: the hit, the greatest
+/// θ₁, the α at which it occurs, and the outline with the setting.
 fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, 10, Difficulty::Hard, dice);
     let (theta1, alpha) = turned(&hit)?;

@@ -4,7 +4,7 @@ use super::prelude::*;
 use crate::physics::units::m_from_mm;
 use crate::quiz::question::{AimTask, Ray, Topic};
 
-/// Lighter strikers, which can be deflected by any angle.
+/// Strikers that are light enough to be deflected by any angle.
 const LIGHT: [Pieces; 3] = [
     Pieces::Marbles,
     Pieces::Own {
@@ -24,7 +24,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         }
         Difficulty::Hard => (*dice.pick(&LIGHT)?, f64::from(5 * (6 + dice.below(21)))),
     };
-    // At 90° some wrong answers would be head-on or a graze.
+    // At 90° some wrong answers would be head-on or would be a graze.
     if (wanted_deg - 90.0).abs() < 1.0 {
         return None;
     }
@@ -49,14 +49,16 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 /// The shot to make.
 struct ShotTask {
     hit: Hit,
-    /// The side on which the target has to lie: 1 for the right, −1 for the left.
+    /// The side on which the target must lie: 1 for the right, −1 for the left.
     side: f64,
-    /// The angle to the striker's original direction at which the disc has to leave, in degrees.
+    /// The required angle between the path of the disc and the striker's original direction, in
+    /// degrees.
     wanted_deg: f64,
 }
 
 impl ShotTask {
-    /// The question about the coin, which leaves along the line of impact.
+    /// Asks where to aim to send the coin in this direction; the coin leaves along the line of
+    /// impact.
     fn target(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
@@ -84,7 +86,8 @@ impl ShotTask {
             .why(self.why(&why, wanted))
     }
 
-    /// The question about the striker, which is not heavier than its target; no energy is lost.
+    /// Asks where to aim to deflect the striker by this angle; the striker is not heavier than its
+    /// target, and no energy is lost.
     fn striker(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
@@ -117,7 +120,8 @@ impl ShotTask {
                 theta = bare_degrees(wanted),
             )
         };
-        // Both wrong answers require an angle below 90°: beyond it no offset gives them.
+        // Both wrong answers need an angle below 90°: for larger angles no offset corresponds to
+        // them.
         let across = self.wanted_deg < 90.0;
         let if_so = |so: bool, offset_mm: f64| so.then_some(self.at(offset_mm));
         self.asks(Ray::Striker, alpha)
@@ -147,13 +151,14 @@ impl ShotTask {
             .why(self.why(&why, alpha))
     }
 
-    /// The offset in metres on the actual side, from an offset in millimetres for a coin to the
-    /// right.
+    /// Converts an offset in millimetres for a coin on the right to an offset in metres for the
+    /// actual side.
     fn at(&self, offset_mm: f64) -> f64 {
         self.side * m_from_mm(offset_mm)
     }
 
-    /// The explanation: a sentence on the impact angle, then the offset for `alpha` in radians.
+    /// The explanation: a sentence on the impact angle, followed by the offset for `alpha`, which
+    /// is in radians.
     fn why(&self, angle: &str, alpha: f64) -> String {
         let reach_mm = self.hit.reach_mm();
         format!(
@@ -164,13 +169,13 @@ impl ShotTask {
         )
     }
 
-    /// The impact angle, with as many digits as its offset requires.
+    /// The impact angle, with as many digits as calculating its offset requires.
     fn shown(&self, alpha: f64) -> Intermediate {
         let reach_mm = self.hit.reach_mm();
         Intermediate::angle(alpha, |alpha| significant(reach_mm * alpha.sin()))
     }
 
-    /// The question whose solution is this impact angle in radians.
+    /// The question for which this impact angle, in radians, is the solution.
     fn asks(&self, ray: Ray, alpha: f64) -> Outline {
         let hit = &self.hit;
         let name = hit.pieces.target_name();

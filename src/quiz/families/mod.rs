@@ -1,10 +1,10 @@
 //! The families of questions, one file per family.
 //!
-//! A family draws numbers with the dice and builds a whole [`Question`] from them: the text, the
-//! picture, the right answer, the answer each misconception leads to, and the explanation. It need
-//! not check whether the answers can be told apart: [`Family::ask`] draws again until they can. To
-//! add a family, add a file and a line in the table here; its topics are listed in the table of
-//! topics.
+//! A family draws random numbers and builds a whole [`Question`] from them: the text, the picture,
+//! the right answer, the answer that each misconception leads to, and the explanation. A family
+//! need not check whether the answers are clearly different: [`Family::ask`] draws again until they
+//! are. To add a family, add a file and a row in the table below; list the family's topics in the
+//! table of topics.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question};
 
@@ -26,14 +26,15 @@ mod speeds;
 mod weigh;
 pub(super) mod where_to;
 
-/// How many draws a question may take before the generator gives up: a guard against a family
-/// without any clear question. A test checks that no family needs even a twentieth of this number.
+/// The maximum number of draws for a question, which guards against a family that has no clear
+/// questions. A test checks that no family needs even a twentieth of this number.
 const DRAWS: usize = 20_000;
 
-/// One draw, even if its answers are not distinct; `None` if the numbers are unsuitable.
+/// Makes one draw, whether or not its answers are clearly different; returns `None` if the numbers
+/// are unsuitable.
 type Draw = fn(Difficulty, &mut Dice) -> Option<Question>;
 
-/// The displayed name and the generator of each family, in the order of [`Family`].
+/// The name of each family as shown, and its generator, in the order of [`Family`].
 #[rustfmt::skip]
 static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("where will they go?", where_to::ask),
@@ -57,14 +58,14 @@ static TABLE: [(&str, Draw); Family::ALL.len()] = [
 ];
 
 impl Family {
-    /// Its name as shown.
+    /// The name of the family as shown.
     pub const fn name(self) -> &'static str {
         TABLE[self as usize].0
     }
 
-    /// A clear question of this family, with the number of draws it took. The same dice always
-    /// give the same question: the draws of a family are part of the format of a round's code.
-    /// `None` only if a family has no clear question.
+    /// Generates a clear question of this family; also returns the number of draws. The same dice
+    /// always give the same question, because the codes of rounds depend on the draws of a family.
+    /// Returns `None` only if a family has no clear questions.
     pub fn ask(self, difficulty: Difficulty, dice: &mut Dice) -> Option<(Question, usize)> {
         (1..=DRAWS).find_map(|draws| {
             let question = Question {
@@ -121,7 +122,7 @@ mod tests {
             asking("corner-with-loss"),
             [Family::Separation, Family::Restitution]
         );
-        // Calculated questions, and questions in words.
+        // This topic has calculated questions and questions in words.
         assert_eq!(asking("both-moving"), [Family::BothMoving, Family::Concept]);
         assert_eq!(asking("momentum-is-a-vector"), []);
     }

@@ -8,16 +8,17 @@ use crate::quiz::question::{
     Question, Response, Topic, WrongAnswer,
 };
 
-/// A wrong answer as it is declared, even if it cannot be given.
+/// A wrong answer as declared, even if it cannot be given.
 struct OutlinedAnswer {
-    /// The misconception behind it; `None` for a wrong choice that no known misconception leads to.
+    /// The misconception behind the answer; `None` for a wrong choice that no known misconception
+    /// leads to.
     misconception: Option<Misconception>,
-    /// `None` if the misconception leads to no answer here.
+    /// The answer; `None` if the misconception leads to no answer here.
     response: Option<Response>,
     says: String,
 }
 
-/// A question under construction: its setting, what it asks, the right answer and wrong ones.
+/// A question under construction: its setting, what it asks, and the right and wrong answers.
 ///
 /// Wrong answers are declared even if they make no sense for the numbers drawn; [`why`](Self::why)
 /// leaves out those that cannot be given or happen to be right.
@@ -27,10 +28,10 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    /// A question that begins with this text beside this picture.
+    /// Creates a question that begins with this text and has this picture beside it.
     pub(super) fn new(text: impl Into<String>, picture: Illustration) -> Self {
         let question = Question {
-            // The generator sets the family and the difficulty.
+            // The family and the difficulty are set later, by the generator.
             family: Family::WhereTo,
             difficulty: Difficulty::Middle,
             topic: Topic::with_id(""),
@@ -51,20 +52,20 @@ impl Outline {
         }
     }
 
-    /// A question about a hit whose numbers are all given.
+    /// Creates a question about a hit whose numbers are all given.
     pub(super) fn about(hit: &Hit) -> Self {
         let picture = Illustration::before(hit.collision(), Markings::given(hit));
         Self::with_text(hit, hit.setting(), picture)
     }
 
-    /// A question about a hit, with this setting and picture.
+    /// Creates a question about a hit, with this setting and this picture.
     pub(super) fn with_text(hit: &Hit, text: impl Into<String>, picture: Illustration) -> Self {
         let mut draft = Self::new(text, picture);
         draft.question.figures = figures(hit);
         draft
     }
 
-    /// Adds the actual question to the setting.
+    /// Adds the actual question after the setting.
     pub(super) fn ask(mut self, text: impl AsRef<str>) -> Self {
         self.question.text += " ";
         self.question.text += text.as_ref();
@@ -76,30 +77,30 @@ impl Outline {
         self
     }
 
-    /// Sets the name of the question within its family, and the topic.
+    /// Sets the name of this type of question within its family, and the topic.
     pub(super) fn named(self, id: &str, topic: impl Into<Topic>) -> Self {
         self.figure("asked", id).topic(topic)
     }
 
-    /// Adds a figure that defines the question, to be stored with its answers.
+    /// Adds a value that defines the question, to be stored with its answers.
     pub(super) fn figure(mut self, name: &str, value: impl Into<Value>) -> Self {
         self.question.figures.insert(name.into(), value.into());
         self
     }
 
-    /// Sets this number as the answer.
+    /// Makes the answer this number.
     pub(super) fn number(mut self, quantity: Measure, truth: f64) -> Self {
         self.question.form = Form::Number { quantity, truth };
         self
     }
 
-    /// Sets a shot as the answer.
+    /// Makes the answer a shot.
     pub(super) fn shot(mut self, aim: AimTask) -> Self {
         self.question.form = Form::Shot(aim);
         self
     }
 
-    /// Sets one of these texts as the answer; `right` is its index.
+    /// Makes the answer a choice among these texts; `right` is the index of the right text.
     pub(super) fn options<T: Into<String>>(
         mut self,
         options: impl IntoIterator<Item = T>,
@@ -110,8 +111,8 @@ impl Outline {
         self
     }
 
-    /// Adds the answer that a misconception leads to: a value of the quantity asked for, or an
-    /// offset in metres; `None` if it leads to none here.
+    /// Adds the answer that a misconception leads to: a value of the required quantity, or an
+    /// offset in metres; `None` if the misconception leads to no answer here.
     pub(super) fn wrong(
         mut self,
         misconception: Misconception,
@@ -126,8 +127,8 @@ impl Outline {
     }
 
     /// Adds the [`option`](Self::options) that a misconception leads to; the misconception is
-    /// `None` if no known one leads to a wrong option. If several lead to the same option, the
-    /// first is used.
+    /// `None` if no known misconception leads to this wrong option. If several misconceptions lead
+    /// to the same option, the first is used.
     pub(super) fn chooses(
         mut self,
         misconception: impl Into<Option<Misconception>>,
@@ -137,7 +138,7 @@ impl Outline {
         self
     }
 
-    /// Sets the feedback for the wrong answer declared last.
+    /// Sets the feedback for the wrong answer that was declared last.
     pub(super) fn says(mut self, says: impl Into<String>) -> Self {
         if let Some(last) = self.wrong.last_mut() {
             last.says = says.into();
@@ -178,10 +179,10 @@ impl Outline {
         self
     }
 
-    /// Adds the explanation and finishes the question, leaving out wrong answers that cannot be
+    /// Adds the explanation and completes the question, without any wrong answers that cannot be
     /// given or happen to be right.
     pub(super) fn why(self, why: impl Into<String>) -> Option<Question> {
-        /// The largest difference that rounding alone can make.
+        /// The largest difference that can be caused by rounding alone.
         const SAME: f64 = 1e-6;
         let mut question = self.question;
         question.why = why.into();

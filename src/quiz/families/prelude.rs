@@ -1,4 +1,4 @@
-//! Imports that nearly every generated family needs.
+//! Imports used in nearly every generated family.
 
 pub(super) use super::hit_draws::{
     ALL, EQUAL, HitDraws, NO_LOSS, UNEQUAL, direction_deg, drawn, here_e, in_degrees, in_short,
