@@ -139,7 +139,7 @@ fn a_call_and_a_prediction_in_a_database_of_format_3_keep_their_meaning() {
     let names: Vec<_> = topics(&attempts).iter().map(|it| it.all.attempts).collect();
     assert_eq!(names, [1, 1]);
     assert!(attempts.iter().all(|it| it.fault().is_none() && !it.right));
-    let json = carrom::progress::json(&attempts, None, serde_json::Value::Null).unwrap();
+    let json = carrom::progress::json(&attempts, &[], None, serde_json::Value::Null).unwrap();
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let calls = serde_json::json!({"made": 1, "within_2_deg": 0});
     assert_eq!(json["summary"]["calls"], calls);

@@ -226,7 +226,7 @@ fn no_name_breaks_the_table_or_the_json() {
             let shown: String = name.chars().filter(shown).collect();
             assert_eq!(row[1].replace('\'', ""), shown.replace('\'', ""));
         }
-        let json = json(&history.attempts, None, serde_json::Value::Null).unwrap();
+        let json = json(&history.attempts, &[], None, serde_json::Value::Null).unwrap();
         let read: serde_json::Value = serde_json::from_str(&json).unwrap();
         assert_eq!(read["attempts"][5]["player"], *name);
         assert_eq!(
@@ -369,6 +369,7 @@ fn one_answer_is_enough_for_a_report() {
             ..attempt("Ada", 1)
         };
         let history = History {
+            observations: Vec::new(),
             attempts: vec![one],
             calendar: Calendar::utc(Some(1_795_000_000)),
         };
@@ -407,6 +408,7 @@ fn a_report_on_thousands_of_answers_fits_on_one_page() {
         })
         .collect();
     let history = History {
+        observations: Vec::new(),
         attempts,
         calendar: Calendar::utc(Some(1_795_000_000)),
     };
