@@ -8,7 +8,7 @@ use serde_json::Map;
 use super::ballot::Said;
 use crate::physics::resting_target::mass_ratio_from_angles;
 use crate::physics::rutherford::Rutherford;
-use crate::physics::{Bond, Collision, Disc};
+use crate::physics::{Bond, Collision, Disc, Rims};
 use crate::quiz::{
     AimTask, Difficulty, Family, Form, Illustration, Markings, Measure, Pieces, Question, Ray,
     Rays, Response,
@@ -269,6 +269,10 @@ struct TrueHit {
     seen: AskedHit,
     restitution: f64,
     sticks: bool,
+    #[serde(default)]
+    rim_friction: f64,
+    #[serde(default)]
+    spins: [f64; 2],
 }
 
 impl RevealedTruth {
@@ -282,6 +286,8 @@ impl RevealedTruth {
                 seen: AskedHit::of(hit),
                 restitution: hit.restitution,
                 sticks: hit.bond == Bond::Stick,
+                rim_friction: hit.rims.friction,
+                spins: hit.rims.spins,
             }),
         }
     }
@@ -304,9 +310,15 @@ impl RevealedTruth {
         let true_hit = self.hit.and_then(|hit| {
             let restitution = hit.restitution.clamp(0.0, 1.0);
             let bond = if hit.sticks { Bond::Stick } else { Bond::Slip };
+            let is_good = hit.spins.iter().all(|spin| spin.is_finite());
+            let rims = Rims {
+                friction: hit.rim_friction.max(0.0),
+                spins: hit.spins,
+            };
             Some(Collision {
                 restitution,
                 bond,
+                rims: if is_good { rims } else { Rims::default() },
                 ..hit.seen.collision()?
             })
         });

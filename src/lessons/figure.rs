@@ -141,6 +141,12 @@ impl Figure {
         let mut then = Words::of(then)?;
         let after = shots.take(&mut then, Some(shot))?.unwrap_or(shot);
         then.finish()?;
+        let plots = [FigureKind::Curves, FigureKind::Angles, FigureKind::Energy];
+        if plots.contains(&kind) && [shot, after].iter().any(|it| it.rims.friction > 0.0) {
+            return Err(
+                "expected a shot without rim_friction: the curves are for smooth rims".into(),
+            );
+        }
         Ok(Self {
             kind,
             shot,

@@ -110,6 +110,8 @@ const OF_MISCONCEPTIONS: &str = "
     momenta in pairs | momentum-from-explosion
     relative velocity is the same in every frame | loss-by-frame
     never between the two | reduced-as-mean
+    at right angles to n | friction-only-slows
+    neither disc spins | no-spin-from-rest
 ";
 
 /// A page about what the questions on a topic ask for contains one of these phrases, in the same
@@ -147,6 +149,7 @@ const OF_TOPICS: &str = "
     impulse, force | impulse
     momentum, momenta, energy | elastic-and-inelastic
     energy, mj | energy-and-the-centre-of-mass
+    friction, rims, spin | rough-rims
 ";
 
 /// A kind of wrong answer: the misconception, if a known one leads to it, the topic, and the names

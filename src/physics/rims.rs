@@ -70,7 +70,8 @@ impl Contact {
         let size = (rims.friction * impact.impulse).min(mu * slip.abs() / 3.0);
         let impulse = size.copysign(slip);
         let tangent = self.normal.perp();
-        // ω = ω before − r Jₜ/(½ m r²), the same sense for both: the rims act like gears.
+        // ω = ω before − r Jₜ/(½ m r²), the same sense for both: the impulses are opposite, and so
+        // are the sides of the centres on which they act.
         let spun = |body: usize| {
             let Disc { mass, radius } = discs[body];
             rims.spins[body] - 2.0 * impulse / (mass * radius)

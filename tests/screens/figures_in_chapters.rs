@@ -14,7 +14,7 @@ use carrom::physics::rutherford::{
     FM, GOLD_CHARGE, GOLD_DENSITY, MEASURED_SHARE, MEV, RADIUM_C_ENERGY, Rutherford,
 };
 use carrom::physics::units::{deg_from_rad, rad_from_deg};
-use carrom::physics::{Collision, CollisionOutcome, Disc};
+use carrom::physics::{Collision, CollisionOutcome, Disc, Rims};
 use glam::DVec2;
 
 /// A number in a sentence.
@@ -498,6 +498,41 @@ fn claims() -> Vec<Claim> {
     claim(15, "½ · [13.3] g · (3 m/s)²", 800.0 / 60.0);
     claim(15, "not a [quarter], because", 0.5 * 0.5);
     claim(15, "e² is a [quarter]:", 0.5 * 0.5);
+
+    // 16: rough rims.
+    let rough = |friction: f64, alpha_deg: f64| {
+        let disc = Disc::from_g_mm(15.0, 15.0);
+        let hit = Collision::at_angle(disc, disc, DVec2::new(4.0, 0.0), 0.0);
+        let rims = Rims {
+            friction,
+            spins: [0.0; 2],
+        };
+        Collision { rims, ..hit }.with_alpha_deg(alpha_deg)
+    };
+    let smooth = degrees(rough(0.0, 30.0).outcome().theta2);
+    claim(16, "24.5}° and not at [30]°", smooth);
+    claim(16, "ω₁ r₁ = [−1.50] m/s", -100.0 * 0.015);
+    claim(16, "At ω₁ = [−133] rad/s there would be none", -2.0 / 0.015);
+    claim(16, "spins clockwise: ω₁ = [−100] rad/s", -100.0);
+    claim(16, "Both radii are [15] mm", 15.0);
+    claim(16, "15 mm are [0.015] m", 15.0 / 1000.0);
+    claim(16, "The slip speed is 2.00 − [1.50]", 100.0 * 0.015);
+    claim(16, "μ = [7.5] g, and", 15.0 * 15.0 / 30.0);
+    claim(16, "7.5 × 2.00 / 3 = [5.0] g m/s", 7.5 * 2.0 / 3.0);
+    // 1 + mr²/I: I = ½mr² for a disc, and 2/5 mr² for a sphere, whose 7/2 is written 2/7.
+    claim(16, "the factor is 2/7, not 1/[3]", 1.0 + 2.0);
+    claim(16, "the factor is 2/[7], not 1/3", 2.0 * (1.0 + 2.5));
+    claim(16, "= 6 × 0.05 = [0.3], so", 6.0 * 0.05);
+    let thrown = rough(0.05, 30.0).outcome();
+    let throw = 30.0 - degrees(thrown.theta2);
+    claim(16, "The coin leaves at 30.0° − [2.9]°", throw);
+    let error_mm = 300.0 * rad_from_deg(throw).tan();
+    claim(16, "On 30 cm that is an error of [15] mm", error_mm);
+    let edge = deg_from_rad(f64::atan(6.0 * 0.05));
+    claim(16, "number answer=[16.7]", edge);
+    claim(16, "so α = [16.7]°", edge);
+    let apart = |alpha_deg: f64| alpha_deg - degrees(rough(0.05, alpha_deg).outcome().theta2);
+    assert!(apart(edge - 1.0) < apart(edge) - 0.1 && (apart(60.0) - apart(edge)).abs() < 1e-9);
     claims
 }
 

@@ -248,3 +248,49 @@ fn what_was_seen_can_be_skipped_and_switched_off() {
     assert!(game.settle(LONG));
     assert!(game.screen().contains("energy kept"), "{}", game.screen());
 }
+
+const TO_FRICTION: &str =
+    "<Home><Down><Down><Down><Down><Down><Down><Down><Down><Down><Down><Down><Down>";
+
+/// 15 g discs at 30° and 4 m/s: friction could give 10.4 g m/s and stops the slip with 5 g m/s, so
+/// both discs spin at 2 × 5 / (15 × 0.015) = 44.4 rad/s.
+#[test]
+fn rim_friction_adds_a_step_and_shows_both_spins_before_and_after() {
+    let mut game = lab();
+    game.press(TO_FRICTION);
+    assert!(
+        game.screen().contains("coefficient of friction"),
+        "{}",
+        game.screen()
+    );
+    assert!(!game.screen().contains("spin"), "{}", game.screen());
+    game.press("0.2<Enter>");
+    assert!(game.screen().contains("coin spin"), "{}", game.screen());
+    game.press("<Enter>");
+    let mut steps = Vec::new();
+    for _ in 0..7 {
+        game.press(" ");
+        steps.push(game.screen());
+    }
+    for (step, part) in [
+        (0, "1 of 7: contact"),
+        (0, "omega1 = 0.0"),
+        (3, "4 of 7: friction at the rims"),
+        (3, "J_t on the coin = 5.00 g m/s"),
+        (3, "J_t = 5.00 g m/s"),
+        (3, "omega2 = -44.4"),
+        (4, "v2_t = 0.33 m/s"),
+        (6, "0.0 -> -44.4"),
+    ] {
+        assert!(steps[step].contains(part), "{part}\n{}", steps[step]);
+    }
+    let screen = game.screen();
+    for part in ["5.5 deg", "84.5 deg", "24.5 deg", "95.8 %"] {
+        assert!(screen.contains(part), "{part}\n{screen}");
+    }
+    // Discs that stick do not slip, so the setting is locked.
+    game.press("<Escape>b");
+    game.press(TO_FRICTION);
+    game.press("<Right>");
+    assert!(game.screen().contains("do not slip"), "{}", game.screen());
+}

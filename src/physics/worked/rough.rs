@@ -112,8 +112,9 @@ fn changes(c: &Collision, after: &CollisionOutcome, t: DVec2) -> WorkedStep {
     }
     WorkedStep {
         title: "What friction changes",
-        why: "Jₜ acts on the target along t and on the striker against it. At both rims it turns \
-              the discs in the same sense, as gears turn each other's rims. Spins are positive \
+        why: "Jₜ acts on the target along t and on the striker against it. The two \
+              impulses are opposite and act on opposite sides of the centres, so they turn both \
+              discs in the same sense. Spins are positive \
               anticlockwise, and radii are in m here."
             .to_owned(),
         lines,

@@ -59,8 +59,7 @@ fn rough(collision: &Collision) -> String {
     let throw = degrees(collision.throw().unwrap_or_default().abs());
     format!(
         "Friction acts along t, against the slip of {} m/s, and {stops}. It throws the coin off \
-         the line of impact by δ = {throw}, and it turns both discs in the same sense, as gears \
-         turn each other's rims.{apart}",
+         the line of impact by δ = {throw}, and it turns both discs in the same sense.{apart}",
         fixed(collision.slip().unwrap_or_default().abs(), 2)
     )
 }

@@ -124,6 +124,10 @@ pub enum Misconception {
     LossByFrame,
     /// The reduced mass is taken to be between the two masses.
     ReducedAsMean,
+    /// Friction is taken only to slow things down, never to change a direction.
+    FrictionOnlySlows,
+    /// Discs without spin are taken to leave without spin.
+    NoSpinFromRest,
 }
 
 impl Misconception {
@@ -164,7 +168,9 @@ impl Misconception {
             | Self::EnergyThroughImpact
             | Self::MomentumFromExplosion
             | Self::LossByFrame
-            | Self::ReducedAsMean => None,
+            | Self::ReducedAsMean
+            | Self::FrictionOnlySlows
+            | Self::NoSpinFromRest => None,
             _ => Some(self),
         }
     }

@@ -8,7 +8,7 @@ use crate::quiz::question::{Dice, Question, Topic};
 
 /// The ids of the built-in chapters, each with its letter in codes. The letters never change: a new
 /// chapter gets the next one.
-const LETTERS: [(char, &str); 15] = [
+const LETTERS: [(char, &str); 16] = [
     ('a', "momentum-is-a-vector"),
     ('b', "the-line-of-impact"),
     ('c', "the-right-angle"),
@@ -24,6 +24,7 @@ const LETTERS: [(char, &str); 15] = [
     ('m', "impulse"),
     ('n', "elastic-and-inelastic"),
     ('o', "energy-and-the-centre-of-mass"),
+    ('p', "rough-rims"),
 ];
 
 /// Some chapters, at least one of which teaches a topic that questions ask about. In codes they are
@@ -94,7 +95,7 @@ mod tests {
         for (code, chapters) in [
             ("read-b-7", &["the-line-of-impact"][..]),
             ("read-bf-7", &["the-line-of-impact", "marbles"]),
-            ("read-abcdefghijklmno-42", &LETTERS.map(|(_, id)| id)),
+            ("read-abcdefghijklmnop-42", &LETTERS.map(|(_, id)| id)),
         ] {
             let round = Round::of(Code::parse(code).unwrap());
             assert_eq!(round, Round::of(Code::parse(code).unwrap()));

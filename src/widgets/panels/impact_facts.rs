@@ -62,10 +62,10 @@ pub(crate) fn rim_facts<A>(collision: &Collision, panel: &mut Panel<A>) {
         let throw = deg_from_rad(throw.abs());
         panel.fact("throw δ", format!("{throw:.1}°"));
     }
-    for (body, name) in ["striker ω₁", "coin ω₂"].into_iter().enumerate() {
+    for (body, name) in ["ω₁ rad/s", "ω₂ rad/s"].into_iter().enumerate() {
         let [before, after] =
             [collision.rims.spins, outcome.spins].map(|spins| fixed(spins[body], 1));
-        panel.fact(name, true_minus(&format!("{before} → {after} rad/s")));
+        panel.fact(name, true_minus(&format!("{before} → {after}")));
     }
 }
 

@@ -238,9 +238,27 @@ fn weighed(collision: &Collision) -> String {
         Bond::Slip if collision.restitution < 1.0 => {
             format!("e = {}.", significant(collision.restitution))
         }
+        Bond::Slip if collision.rims.friction > 0.0 => "e = 1.".to_owned(),
         Bond::Slip => "No energy is lost.".to_owned(),
     };
-    format!("The first has a mass of {m1}, the other {m2}. {contact}")
+    let rims = rims(collision);
+    format!("The first has a mass of {m1}, the other {m2}. {contact}{rims}")
+}
+
+/// The friction between the rims and the spins, if there are any.
+fn rims(collision: &Collision) -> String {
+    if collision.rims.is_plain() {
+        return String::new();
+    }
+    let friction = significant(collision.rims.friction);
+    let spins = match collision.rims.spins {
+        [0.0, 0.0] => "Neither disc spins before.".to_owned(),
+        spins => {
+            let [one, other] = spins.map(significant);
+            format!("They spin at {one} and {other} rad/s, positive anticlockwise.")
+        }
+    };
+    format!(" The coefficient of friction between the rims is {friction}. {spins}")
 }
 
 /// The outcome, as the worked solution summarizes it.
