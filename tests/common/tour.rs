@@ -282,11 +282,6 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("table, strokes", "table", TWO_STROKES),
     moment("table, the stroke before", "table", STROKE_BEFORE),
     moment("table, practice", "table", "<Left><Enter>"),
-    moment(
-        "table, points carrom with an unsteady hand",
-        "table",
-        "<Right><Right><Down><Down><Down><Down><Left><Enter>",
-    ),
     moment("table, placing coins", "table", "<Left><Enter>p"),
     moment("a board", "board 2026-11-26", ""),
     moment("a board, its code typed", "board 2026-11-26", "47"),
