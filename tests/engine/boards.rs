@@ -55,5 +55,5 @@ fn the_search_clears_a_hundred_boards_with_the_same_strokes_on_every_machine() {
     println!("boards by their par, from 0: {pars:?}");
     assert_eq!(pars.iter().sum::<u32>(), 100);
     let strikes = cleared.into_iter().map(|(_, strikes)| strikes);
-    assert_eq!(format!("{:016x}", hash(strikes)), "");
+    assert_eq!(format!("{:016x}", hash(strikes)), "020ecb9e4d5413ab");
 }
