@@ -93,9 +93,10 @@ fn progress_prints_the_games_of_a_player() {
                 "games_won_and_lost": score,
             }],
             "longest_turn": longest,
+            "boards": [],
         });
         assert_eq!(games("Mia"), expected);
-        let nothing = serde_json::json!({"results": [], "longest_turn": 0});
+        let nothing = serde_json::json!({"results": [], "longest_turn": 0, "boards": []});
         assert_eq!(games("Bo"), nothing);
     }
 }

@@ -215,7 +215,7 @@ fn a_board_for_one_player_is_saved_and_a_forged_one_is_refused() {
     assert!(game.coins().is_empty());
     assert_eq!(saved.text().unwrap(), text);
     for (from, to, expected) in [
-        ("seed = 20261126", "seed = 20261127", "moves[1]: move"),
+        ("seed = 20261126", "seed = 20261127", "lead to"),
         (
             "seed = 20261126",
             "seed = 20261131",
