@@ -1,10 +1,10 @@
 //! Questions, grading, misconceptions.
 //!
 //! A [`Round`] is a list of [`Question`]s fixed by a [`Code`]. Each question belongs to a
-//! [`Family`], which draws its figures and knows the true answer and what each [`Misconception`]
-//! would answer. The player gives an [`Answer`]: a [`Response`] in the question's [`Form`], and how
-//! sure they are. [`Grade`] rates the answer, [`Question::diagnose`] finds the known misconception
-//! that it fits, and [`explain()`] explains the right answer.
+//! [`Family`], which draws the figures and knows the true answer and the answer that each
+//! [`Misconception`] leads to. The player gives an [`Answer`]: a [`Response`] in the question's
+//! [`Form`], and how sure they are. [`Grade`] rates the answer, [`Question::diagnose`] finds the
+//! known misconception that it fits, and [`explain()`] explains the right answer.
 //!
 //! The [`concepts`] are questions in words, written by hand.
 //!

@@ -1,12 +1,12 @@
-//! The effects of the coefficient of restitution e: the speed of separation, the angle between the
-//! paths, and which masses give a right angle in spite of a loss.
+//! The effects of the coefficient of restitution e on the speed of separation and on the angle
+//! between the paths, and the masses that give a right angle in spite of a loss.
 
 use super::prelude::*;
 use super::separation::twice_alpha;
 use super::weigh::seen_angles;
 use crate::physics::resting_target::k_from_angles;
 
-/// Masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.
+/// The masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.
 const SQUARE: [&[(u32, u32, u32)]; 4] = [
     &[(4, 20, 2), (6, 20, 3), (6, 15, 4), (8, 20, 4)],
     &[(10, 20, 5), (12, 24, 5), (15, 30, 5)],
@@ -36,7 +36,7 @@ fn of_any_striker(hit: &Hit) -> String {
 
 const NOT_HERE: &str = "For equal masses the angle is 90° only if no energy is lost.";
 
-/// Whether a right angle is possible in spite of a loss, and with which striker.
+/// Asks whether a right angle is possible in spite of a loss, and for which striker.
 fn square_again(dice: &mut Dice) -> Option<Question> {
     const STRIKERS: [&str; 4] = [
         "for a certain lighter striker",
@@ -71,13 +71,13 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// An e from 0.2 to 0.8.
+/// Draws a value of e from 0.2 to 0.8.
 fn tenths(dice: &mut Dice) -> Option<f64> {
     let tenths = *dice.pick(&[2, 3, 4, 5, 6, 7, 8])?;
     Some(f64::from(tenths) / 10.0)
 }
 
-/// e from the speeds after a head-on hit of equal masses.
+/// Asks for e, given the speeds after a head-on hit of equal masses.
 fn parting(dice: &mut Dice) -> Option<Question> {
     let e = tenths(dice)?;
     let hit = drawn(Pieces::Equal, e, Difficulty::Easy, dice)?.at_angle(0.0);
@@ -112,7 +112,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// A collision with a loss after which the paths are at right angles.
+/// Draws a collision with a loss after which the paths are at right angles.
 fn square(dice: &mut Dice) -> Option<Hit> {
     let (m1_g, m2_g, e_tenths) = *dice.pick(&SQUARE.concat())?;
     let e = f64::from(e_tenths) / 10.0;
@@ -124,7 +124,7 @@ const COMPONENT: &str = "The angle is 90° if the striker's final velocity has n
 
 const PROPORTIONAL: &str = "That component is proportional to m₁ − e m₂.";
 
-/// The striker's mass for which the angle is 90°.
+/// Asks for the striker's mass that makes the angle 90°.
 fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let ([m1, m2], e) = (hit.masses_g(), hit.restitution);
@@ -149,7 +149,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// The e for which the angle between the paths of two given masses is 90°.
+/// Asks for the value of e that makes the angle between the paths 90°, given the two masses.
 fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let e = hit.restitution;
@@ -174,7 +174,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// The angle between the paths of equal masses with a loss.
+/// Asks for the angle between the paths of equal masses after a collision with a loss.
 fn corner(dice: &mut Dice) -> Option<Question> {
     let e = f64::from(*dice.pick(&[2, 3, 4, 5, 6, 7])?) / 10.0;
     let hit = drawn(Pieces::Equal, e, Difficulty::Hard, dice)?;
@@ -207,7 +207,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// e from the two angles after a collision of known masses.
+/// Asks for e, given the masses and the two angles after the collision.
 fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let e = tenths(dice)?;
     let (m1_g, m2_g) = *dice.pick(&[(15, 15), (20, 20), (15, 10), (20, 15), (10, 15), (15, 20)])?;

@@ -3,7 +3,7 @@
 use super::prelude::*;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 
-/// Foils and their charge numbers.
+/// The foils, with their charge numbers.
 const FOILS: [(&str, f64); 4] = [
     ("gold", 79.0),
     ("silver", 47.0),
@@ -11,10 +11,10 @@ const FOILS: [(&str, f64); 4] = [
     ("copper", 29.0),
 ];
 
-/// Two angles in degrees, and the count at the first divided by the count at the second.
+/// Two angles in degrees, and the ratio of the count at the first angle to the count at the second.
 const WHOLE: [(u32, u32, u32); 4] = [(60, 180, 16), (60, 120, 9), (60, 90, 4), (90, 180, 4)];
 
-/// A foil and the α-particles that hit it.
+/// A foil, and the α-particles that hit the foil.
 struct FoilBeam {
     foil: &'static str,
     charge: f64,
@@ -23,7 +23,7 @@ struct FoilBeam {
 }
 
 impl FoilBeam {
-    /// A question about this beam beside this picture.
+    /// A question about this beam, with this picture beside it.
     fn outline(&self, picture: Illustration) -> Outline {
         let text = format!("α-particles hit a thin {} foil.", self.foil);
         Outline::new(text, picture)
@@ -31,7 +31,7 @@ impl FoilBeam {
             .figure("energy_mev", self.energy_mev)
     }
 
-    /// A question that compares the counts at two angles in degrees, beside both tracks.
+    /// A question that compares the counts at two angles in degrees, with both tracks beside it.
     fn compared(&self, from_deg: f64, to_deg: f64) -> Outline {
         let angles_deg = [from_deg.min(to_deg), from_deg.max(to_deg)];
         self.outline(Illustration::Tracks {
@@ -63,12 +63,12 @@ fn half_sine(deg: f64) -> f64 {
     rad_from_deg(deg / 2.0).sin()
 }
 
-/// The count at the first angle divided by the count at the second.
+/// The ratio of the count at the first angle to the count at the second.
 fn times_as_many(from_deg: f64, to_deg: f64) -> f64 {
     (half_sine(to_deg) / half_sine(from_deg)).powi(4)
 }
 
-/// The explanation for two angles; `power` prints the fourth power of the ratio of the sines.
+/// The explanation for two angles; `power` formats the fourth power of the ratio of the sines.
 fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
     let half = |deg: f64| bare_degrees(rad_from_deg(deg / 2.0));
     let ratio = half_sine(to_deg) / half_sine(from_deg);
@@ -82,11 +82,11 @@ fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
     )
 }
 
-/// A ratio that is a whole number, as a choice.
+/// Asks for a ratio that is a whole number, with choices.
 fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
     let (near_deg, far_deg) = (f64::from(near), f64::from(far));
-    // The question compares the small angle with the large one, or vice versa.
+    // The question compares the small angle with the large angle, or vice versa.
     let more_here = dice.coin();
     let many = |n: u32| format!("{n} times as many");
     let few = |n: u32| format!("1/{n} as many");
@@ -120,9 +120,9 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .why(why(near_deg, far_deg, significant))
 }
 
-/// Adds the right ratio and the wrong ones.
+/// Adds the right ratio and the wrong ratios.
 fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> Outline {
-    // At 180° the sine of the whole angle is 0, except for rounding.
+    // At 180° the sine of the whole angle is 0, apart from rounding errors.
     let whole = (to_deg < 175.0).then(|| times_as_many(2.0 * from_deg, 2.0 * to_deg));
     let truth = by_energy * times_as_many(from_deg, to_deg);
     draft
@@ -137,7 +137,7 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
         .wrong(CountsReversed, truth.recip())
 }
 
-/// A ratio as a number.
+/// Asks for a ratio as a number.
 fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let [here, there] = [here_deg, there_deg].map(in_degrees);
@@ -152,7 +152,8 @@ fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .why(why(here_deg, there_deg, significant))
 }
 
-/// Both the energy and the angle change: d is proportional to 1 / E, and counts to d².
+/// Asks for the ratio if both the energy and the angle change: d is proportional to 1 / E, and
+/// counts are proportional to d².
 fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let to_energy_mev = f64::from(3 + dice.below(6));
@@ -189,7 +190,7 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// The ratio is given, and the question asks for the angle.
+/// Asks for the angle, given the ratio.
 fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let from_deg = f64::from(15 * (2 + dice.below(5)));
     let fewer = f64::from(*dice.pick(&[2_u32, 3, 4, 5, 8, 10, 16, 20, 50])?);

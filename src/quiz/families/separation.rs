@@ -1,4 +1,5 @@
-//! The angle between the paths: more than, exactly or less than 90°, and how many degrees.
+//! The angle between the paths: whether it is more than, exactly or less than 90°, and how many
+//! degrees it is.
 
 use super::prelude::*;
 use crate::quiz::misconceptions::reasoning;
@@ -9,24 +10,24 @@ const MORE: usize = 0;
 const EXACTLY: usize = 1;
 const LESS: usize = 2;
 
-/// Masses in grams and e in tenths: m₁, m₂, e.
+/// The masses in grams and e in tenths: m₁, m₂, e.
 type MassesAndLoss = (u32, u32, u32);
 
-/// Equal masses, a heavier striker, and a lighter one.
+/// Equal masses, a heavier striker, and a lighter striker.
 const LOSSLESS_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(15, 15, 10), (18, 18, 10), (20, 20, 10)],
     &[(15, 6, 10), (20, 10, 10), (24, 16, 10)],
     &[(10, 20, 10), (12, 18, 10), (20, 40, 10)],
 ];
 
-/// Equal masses, a heavier striker, and a lighter one, far from m₁ = e m₂.
+/// Equal masses, a heavier striker, and a lighter striker, all far from m₁ = e m₂.
 const LOSSY_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(15, 15, 5), (15, 15, 8), (20, 20, 6)],
     &[(20, 10, 8)],
     &[(10, 20, 9), (10, 30, 6), (15, 30, 8), (20, 40, 9)],
 ];
 
-/// A lighter striker, with m₁ = e m₂, with a larger e and with a smaller one.
+/// A lighter striker with m₁ = e m₂, and lighter strikers with larger and with smaller values of e.
 const NEAR_SQUARE: [&[MassesAndLoss]; 5] = [
     &[(10, 20, 5), (10, 20, 8), (10, 20, 3)],
     &[(12, 20, 6), (12, 20, 9), (12, 20, 3)],
@@ -45,12 +46,12 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// Whether the angle is more than, exactly or less than 90°.
+/// Asks whether the angle is more than, exactly or less than 90°.
 fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let (m1_g, m2_g, e_tenths) = *dice.pick(&pairs.concat())?;
     let e = f64::from(e_tenths) / 10.0;
     let hit = drawn(pair(m1_g, m2_g), e, difficulty, dice)?;
-    // The smaller m₁ is compared with e m₂, the larger the angle.
+    // The smaller m₁ is in comparison with e m₂, the larger the angle.
     let right = place((10 * m1_g).cmp(&(e_tenths * m2_g)));
     let lossy = e_tenths < 10;
     let not_here = if m1_g == m2_g {
@@ -113,11 +114,12 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         })
 }
 
-/// Feedback if the answer assumes that a loss makes the angle larger for equal masses.
+/// Feedback for an answer that assumes that a loss makes the angle larger for equal masses.
 const CLOSES: &str = "You assumed that the loss makes the angle larger. But the two separate more \
                       slowly, so the striker follows the coin.";
 
-/// Feedback if a heavier striker rebounds in the answer, or a lighter one follows.
+/// Feedback for an answer in which a heavier striker rebounds or a lighter striker follows the
+/// target.
 pub(super) const FOLLOWS_OR_BOUNCES: &str = "You swapped the two cases: a heavier striker follows \
                                              the coin, a lighter one rebounds.";
 
@@ -155,7 +157,7 @@ fn lossy_corner(right: usize, hit: &Hit) -> String {
     )
 }
 
-/// The angle in degrees, with unequal masses.
+/// Asks for the angle in degrees, with unequal masses.
 fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = HitDraws(UNEQUAL, 15..=75, restitutions).draw(difficulty, dice)?;
     let alpha = hit.alpha().abs();
@@ -186,7 +188,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         .why(reasoning(&hit))
 }
 
-/// Feedback for an answer of twice the impact angle.
+/// Feedback for an answer that is twice the impact angle.
 pub(super) fn twice_alpha(alpha: f64, name: &str) -> String {
     format!(
         "Your answer is close to twice {}. But only the {name} leaves at the impact angle.",

@@ -1,15 +1,16 @@
-//! Smooth rims with e = 0, compared with rims that stick: how the two discs move on.
+//! Smooth rims with e = 0, compared with rims that stick: how the two discs move after the
+//! collision.
 
 use super::prelude::*;
 use crate::physics::Bond;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Rims {
-    /// Smooth, and no energy is lost.
+    /// The rims are smooth, and no energy is lost.
     Lossless,
-    /// Smooth, without rebound: e = 0.
+    /// The rims are smooth and do not rebound: e = 0.
     Slip,
-    /// The discs are joined where they touch.
+    /// The discs stick together where they touch.
     Stick,
 }
 
@@ -18,7 +19,7 @@ impl Rims {
         if self == Self::Lossless { 1.0 } else { 0.0 }
     }
 
-    /// The hit with these rims.
+    /// The collision of this hit with these rims.
     fn collision(self, hit: &Hit) -> Collision {
         Collision {
             restitution: self.restitution(),
@@ -31,7 +32,7 @@ impl Rims {
         }
     }
 
-    /// A question about a hit with these rims.
+    /// A question about a hit between discs with these rims.
     fn ask(self, hit: &Hit, asked: &'static str, text: &str) -> Outline {
         let (id, topic, words) = match self {
             Self::Lossless => (
@@ -76,7 +77,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A choice of how the two discs move on, with equal masses.
+/// Asks how the two discs move after the collision, with choices, for equal masses.
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     /// The choices, the first three in the order of [`Rims`].
     const WAYS: [&str; 4] = [
@@ -95,7 +96,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     let hit = &hit.with_restitution(rims.restitution());
     let outcome = rims.collision(hit).outcome();
     let across = significant(hit.speed * hit.alpha().abs().sin());
-    // Feedback for "less than 90°" and for "stay together".
+    // The feedback for "less than 90°" and for "stay together", and the explanation.
     let (narrow, together, why) = match rims {
         Rims::Lossless => (
             "You assumed that some energy is lost. With e = 1 none is lost.",
@@ -141,7 +142,8 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
         .why(why)
 }
 
-/// The striker's share of the total mass: the fraction of its speed that both have afterwards.
+/// The striker's fraction of the total mass. A joined pair moves on at this fraction of the
+/// striker's initial speed.
 fn share(hit: &Hit) -> f64 {
     let [m1, m2] = hit.masses_g();
     m1 / (m1 + m2)
@@ -157,7 +159,7 @@ fn shared(along: &Intermediate) -> String {
     format!("Along the line of impact both move on at {along} m/s.")
 }
 
-/// The angle between the paths of discs that slip.
+/// Asks for the angle between the paths of discs that slip.
 fn parting(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (along, across) = parts(hit);
@@ -189,7 +191,7 @@ fn parting(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The striker's final speed.
+/// Asks for the striker's final speed.
 fn striker_speed(hit: &Hit) -> Option<Question> {
     let (along, across) = parts(hit);
     let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
@@ -226,7 +228,7 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The final speed of the joined pair.
+/// Asks for the final speed of the joined pair.
 fn pair_speed(hit: &Hit) -> Option<Question> {
     let (u, share) = (hit.speed, share(hit));
     let shown = Intermediate::new(share, |share| significant(share * u));
@@ -260,7 +262,7 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The share of the energy that is lost if the discs slip.
+/// Asks for the fraction of the energy that is lost if the discs slip.
 fn loss(hit: &Hit) -> Option<Question> {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     let (share, at_stake) = (share(hit), cos.powi(2));

@@ -1,4 +1,4 @@
-//! The final speed of one of the two discs, from the original speed and the impact angle.
+//! The final speed of one of the two discs, given the initial speed and the impact angle.
 
 use super::prelude::*;
 
@@ -16,7 +16,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// The target's speed: the head-on formula for the component along the line of impact.
+/// Asks for the target's speed: the head-on formula applies to the component along the line of
+/// impact.
 fn target(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (u, alpha, e) = (hit.speed, hit.alpha().abs(), hit.restitution);
@@ -67,17 +68,17 @@ fn target(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// Feedback for a sine instead of the cosine in the target's speed or energy.
+/// Feedback for an answer with the sine instead of the cosine in the target's speed or energy.
 pub(super) fn sine_for_cosine(name: &str) -> String {
     format!("You used the sine instead of the cosine. The {name} gets the most head-on.")
 }
 
-/// Feedback for a lossless speed multiplied by e.
+/// Feedback for an answer that is the lossless speed multiplied by e.
 pub(super) const SHRUNK: &str = "Your answer fits e times the speed without loss. But e multiplies \
                                  the speed of separation, not each of the two speeds.";
 
-/// The striker's speed with equal masses: it keeps only the component perpendicular to the line
-/// of impact.
+/// Asks for the striker's speed with equal masses: the striker keeps only the component
+/// perpendicular to the line of impact.
 fn striker(hit: &Hit) -> Option<Question> {
     let (u, alpha) = (hit.speed, hit.alpha().abs());
     let outcome = hit.outcome();

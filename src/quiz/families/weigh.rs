@@ -1,4 +1,5 @@
-//! Weighing by what can be seen after the collision: which disc is heavier, and by how much.
+//! Comparing masses by what can be seen after a collision: which disc is heavier, and by what
+//! factor.
 
 use super::prelude::*;
 use super::separation::FOLLOWS_OR_BOUNCES;
@@ -15,7 +16,7 @@ const LIGHTER: usize = 0;
 const ALIKE: usize = 1;
 const HEAVIER: usize = 2;
 
-/// Masses of coins in grams, to be weighed by a striker of 15 g.
+/// The masses, in grams, of coins that a striker of 15 g hits.
 const COINS_G: [u32; 10] = [5, 6, 8, 10, 12, 18, 20, 25, 30, 40];
 const STRIKER_G: u32 = 15;
 const STRIKER: f64 = STRIKER_G as f64;
@@ -58,7 +59,7 @@ impl SeenHit {
         })
     }
 
-    /// A question about the angles seen, with this name for the striker.
+    /// A question about the observed angles, with this name for the striker.
     fn outline(&self, striker: &str) -> Outline {
         let text = format!(
             "{striker} hit a coin at rest. {}",
@@ -69,7 +70,7 @@ impl SeenHit {
     }
 }
 
-/// The sentence with the two angles seen.
+/// The sentence that gives the two observed angles.
 pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     format!(
         "The striker was deflected by θ₁ = {}; the coin left at θ₂ = {} on the other side.",
@@ -78,7 +79,7 @@ pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     )
 }
 
-/// Which disc is heavier, from the angle between the paths.
+/// Asks which disc is heavier, given the angle between the paths.
 fn which(dice: &mut Dice) -> Option<Question> {
     let alike = dice.below(3) == 0;
     let coins_g: &[u32] = if alike { &[STRIKER_G] } else { &COINS_G };
@@ -86,7 +87,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
     let right = place(seen.coin_g.total_cmp(&STRIKER));
     let turned_less = place(tenths(seen.theta1).cmp(&tenths(seen.theta2)));
     if right == ALIKE && turned_less == ALIKE {
-        // Comparing the two angles would give the right answer by accident.
+        // Merely comparing the two angles would give the right answer by accident.
         return None;
     }
     let why = match right {
@@ -121,7 +122,8 @@ fn which(dice: &mut Dice) -> Option<Question> {
 
 const RATIO_UPSIDE_DOWN: &str = "You inverted the ratio of the masses.";
 
-/// The coin's mass from the momentum perpendicular to the striker's path: angles and speeds.
+/// Asks for the coin's mass, which follows from the momentum perpendicular to the striker's path,
+/// given angles and speeds.
 fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let outcome = seen.hit.outcome();
     let (u, v1, v2) = (seen.hit.speed, outcome.v1.length(), outcome.v2.length());
@@ -157,7 +159,7 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         ))
 }
 
-/// The coin's mass from the two angles alone.
+/// Asks for the coin's mass, given only the two angles.
 fn by_angles(seen: &SeenHit) -> Option<Question> {
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     let e = seen.hit.restitution;

@@ -20,9 +20,9 @@ pub(crate) const LENGTH: usize = 10;
 /// The ten hits of a seed, of mixed kinds and rising difficulty.
 ///
 /// The seed is a code that players share, so the same seed must give the same hits on every machine
-/// and in every version. The hits follow from the seed alone: the `dice` file defines the
-/// generator, PCG32, and the `hit_kinds` file defines the kinds, their order and their possible
-/// figures. All of these are part of the format.
+/// and in every version. The hits depend only on the seed: the file `dice` defines the generator,
+/// PCG32, and the file `hit_kinds` defines the kinds of hit, their order and their possible
+/// figures. None of these may change.
 pub fn hits(seed: u64) -> Vec<(Difficulty, Hit)> {
     let mut dice = Dice::new(seed);
     let mut hits: Vec<(Difficulty, Hit)> = Vec::with_capacity(LENGTH);
@@ -43,19 +43,19 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     of_kinds(KINDS, difficulty, dice)
 }
 
-/// Both rays from the impact angle: equal masses, with and without loss.
+/// Asks for both rays, given the impact angle: equal masses, with and without loss.
 pub(super) fn from_angle(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let kinds: [&[HitKind]; 3] = [&[EqualAngle], &[EqualAngle], &[LossyAngle]];
     of_kinds(kinds, difficulty, dice)
 }
 
-/// Both rays from the offset: the angle has to be found first.
+/// Asks for both rays, given the offset, from which the angle has to be found first.
 pub(super) fn from_offset(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let unequal = &[TournamentOffset, MarblesOffset];
     of_kinds([&[EqualOffset], &[EqualOffset], unequal], difficulty, dice)
 }
 
-/// Both rays with a heavier striker or a heavier target.
+/// Asks for both rays, with a heavier striker or a heavier target.
 pub(super) fn unequal_masses(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let kinds: [&[HitKind]; 3] = [
         &[TournamentAngle, MarblesAngle, HeadOn],
@@ -65,7 +65,7 @@ pub(super) fn unequal_masses(difficulty: Difficulty, dice: &mut Dice) -> Option<
     of_kinds(kinds, difficulty, dice)
 }
 
-/// Both rays from the picture alone: no numbers are given.
+/// Asks for both rays, given only the picture without numbers.
 pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = dice.pick(&[EqualAngle])?.draw(difficulty, &[], dice)?;
     let (angle, eye) = match difficulty {
@@ -92,14 +92,14 @@ pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     })
 }
 
-/// A question about a hit of one of these kinds, which are listed by difficulty.
+/// A question about a hit of one of these kinds, which are listed for each difficulty.
 fn of_kinds(kinds: [&[HitKind]; 3], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let kind = dice.pick(kinds[difficulty as usize])?;
     let hit = kind.draw(difficulty, &[], dice)?;
     Some(Question::from(&hit))
 }
 
-/// The wrong answers that misconceptions lead to for this hit.
+/// The wrong answers to which misconceptions lead for this hit.
 fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
     OF_RAYS
         .into_iter()
@@ -115,7 +115,7 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
         .collect()
 }
 
-/// All figures that define a hit.
+/// All the figures that define a hit.
 pub(super) fn figures(hit: &Hit) -> Figures {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
     let [m1_g, m2_g] = hit.masses_g();
@@ -137,7 +137,7 @@ pub(super) fn figures(hit: &Hit) -> Figures {
     figures.into_iter().collect()
 }
 
-/// The question of where the two discs will go.
+/// The question that asks where the two discs will go.
 impl From<&Hit> for Question {
     fn from(hit: &Hit) -> Self {
         Self {

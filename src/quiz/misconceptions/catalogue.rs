@@ -1,4 +1,4 @@
-//! The descriptions of the misconceptions, which are in `assets/misconceptions.toml`.
+//! The descriptions of the misconceptions, which are read from `assets/misconceptions.toml`.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -19,8 +19,9 @@ struct Description {
     elsewhere: Vec<Elsewhere>,
 }
 
-/// The page that settles a misconception in questions about these topics. "centre-of-mass/turn"
-/// means questions that ask for the turn, "target-speed/unequal" questions with unequal masses.
+/// A page that corrects a misconception in questions about these topics. "centre-of-mass/turn"
+/// stands for questions that ask for the turn, and "target-speed/unequal" for questions with
+/// unequal masses.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Elsewhere {
@@ -32,26 +33,27 @@ struct Elsewhere {
 /// The source of a misconception.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// A study describes it: "Hestenes et al. 1992: greater mass implies greater force".
+    /// A study that describes the misconception: "Hestenes et al. 1992: greater mass implies
+    /// greater force".
     Study(&'static str),
-    /// A slip in algebra or reading, which nobody believes.
+    /// A slip in algebra or reading, rather than a belief.
     Slip,
-    /// The result of a plausible wrong step; we know of no study that describes it.
+    /// The result of a plausible wrong step; we know of no study that describes this misconception.
     Ours,
 }
 
 impl Misconception {
-    /// Its name as shown: "always 90°".
+    /// The name as shown: "always 90°".
     pub fn name(self) -> &'static str {
         &self.description().name
     }
 
-    /// What to try next to correct it.
+    /// Advice on what to try next to correct the misconception.
     pub fn advice(self) -> &'static str {
         &self.description().advice
     }
 
-    /// Its source.
+    /// The source of the misconception.
     pub fn origin(self) -> Origin {
         match self.description().source.as_str() {
             "slip" => Origin::Slip,
@@ -60,13 +62,13 @@ impl Misconception {
         }
     }
 
-    /// The page of a chapter that corrects it.
+    /// The page of a chapter that corrects the misconception.
     pub(crate) fn settled_by(self) -> Passage {
         let Description { chapter, page, .. } = self.description();
         Passage { chapter, page }
     }
 
-    /// The page that settles it in a question about this topic with these figures.
+    /// The page that corrects the misconception in a question about this topic with these figures.
     pub(crate) fn settled_in(self, topic: &Topic, figures: &Figures) -> Passage {
         let names = Self::names_of_case(topic, figures);
         let elsewhere = &self.description().elsewhere;
@@ -80,8 +82,8 @@ impl Misconception {
         )
     }
 
-    /// The names that `elsewhere` may use for a question, the most specific first: by what it asks
-    /// for, by its masses and loss, and by its topic.
+    /// The names that `elsewhere` may use for a question, starting with the most specific: by what
+    /// the question asks for, by its masses and loss, and by its topic.
     pub(crate) fn names_of_case(topic: &Topic, figures: &Figures) -> [String; 3] {
         let asked = figures.get("asked").and_then(|it| it.as_str());
         let id = topic.id();
@@ -93,7 +95,7 @@ impl Misconception {
         ]
     }
 
-    /// The topics, or `topic/asked`, for which another page is given.
+    /// The topics, or `topic/asked`, for which a different page is given.
     #[cfg(test)]
     pub(crate) fn settled_elsewhere(self) -> impl Iterator<Item = &'static str> {
         let elsewhere = self.description().elsewhere.iter();

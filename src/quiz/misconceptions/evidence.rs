@@ -1,9 +1,9 @@
 //! How strongly answers indicate a misconception; docs/judging.md derives the formula.
 //!
 //! For every answer to a question that could show a misconception, the likelihood ratio compares
-//! somebody who holds it with somebody who guesses. The logarithms of these ratios add up, whatever
-//! the questions were. This sum alone determines whether a misconception is named, how it is
-//! ranked, whether it is reported as fading, and which questions test for it.
+//! somebody who holds the misconception with somebody who guesses. The logarithms of these ratios
+//! add up, whatever the questions were. This sum alone determines whether a misconception is named,
+//! how it is ranked, whether it is reported as fading, and which questions test for it.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -11,28 +11,29 @@ use std::fmt;
 
 use crate::quiz::question::{Answer, Fit, Misconception, Question, WrongAnswer};
 
-/// The chance that somebody who holds a misconception gives an answer that does not show it, to a
-/// question that could: by a slip, in doubt, or because of another idea.
+/// The probability that somebody who holds a misconception gives an answer that does not show it to
+/// a question that could have shown it: because of a slip, a doubt, or another idea.
 pub(crate) const SLIP: f64 = 0.15;
 
-/// A misconception is named once the answers are this many times as likely from somebody who holds
-/// it as from somebody who guesses.
+/// A misconception is named once the answers are this many times as likely for somebody who holds
+/// it as for somebody who guesses.
 pub(crate) const NAMED_ODDS: f64 = 40.0;
 
 /// The minimum number of different questions that must show a misconception before it is named.
 pub(crate) const NAMED_QUESTIONS: usize = 2;
 
-/// The evidence of one answer for and against misconceptions.
+/// The evidence that one answer gives for and against misconceptions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clue {
     /// The text that identifies the question.
     pub question: String,
-    /// The misconceptions that an answer could have shown.
+    /// The misconceptions that an answer to the question could have shown.
     pub could_show: Vec<Misconception>,
-    /// The misconception that it shows, if any.
+    /// The misconception that the answer shows, if any.
     pub shows: Option<Misconception>,
-    /// The chance that a guess fits one of them as fully as this answer does or, if this answer
-    /// fits none, completely; above 0 and below 1.
+    /// The probability, above 0 and below 1, that a guess fits one of these misconceptions as fully
+    /// as this answer does. If the answer fits none, this is the probability that a guess fits one
+    /// of them completely.
     pub(crate) by_chance: f64,
 }
 
@@ -42,7 +43,8 @@ impl Clue {
         Self::of(question, answer, |belief| Some(belief.misconception))
     }
 
-    /// The evidence with misconceptions as codes count them: see [`WrongAnswer::in_codes`].
+    /// The evidence when misconceptions are counted as in the codes of rounds: see
+    /// [`WrongAnswer::in_codes`].
     pub(in crate::quiz) fn in_codes(question: &Question, answer: &Answer) -> Self {
         Self::of(question, answer, WrongAnswer::in_codes)
     }
@@ -61,9 +63,10 @@ impl Clue {
         }
     }
 
-    /// The log-likelihood ratio of this answer for a misconception: ln((1 − s) / g) if it shows it,
-    /// ln(s / (1 − g)) if it could have shown it but does not, and 0 if it could not. Here s is the
-    /// chance of a slip, and g the chance that a guess fits.
+    /// The log-likelihood ratio of this answer for a misconception: ln((1 − s) / g) if the answer
+    /// shows the misconception, ln(s / (1 − g)) if it could have shown the misconception but does
+    /// not, and 0 if it could not have shown it. Here s is the probability of a slip, and g the
+    /// probability that a guess fits.
     pub fn weight(&self, misconception: Misconception) -> f64 {
         if self.shows == Some(misconception) {
             weight_shown(self.by_chance)
@@ -85,19 +88,19 @@ fn weight_not_shown(by_chance: f64) -> f64 {
     (SLIP / (1.0 - by_chance)).ln()
 }
 
-/// The evidence of some answers for or against one misconception.
+/// The evidence of several answers for or against one misconception.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Evidence {
     /// The misconception.
     pub misconception: Misconception,
-    /// The log-likelihood ratio: above 0 the answers are more likely from somebody who holds
-    /// it, below 0 from somebody who guesses.
+    /// The log-likelihood ratio: if it is above 0, the answers are more likely for somebody who
+    /// holds the misconception; if it is below 0, they are more likely for somebody who guesses.
     pub weight: f64,
-    /// How many answers show it.
+    /// The number of answers that show the misconception.
     pub times: usize,
-    /// How many answers could have shown it.
+    /// The number of answers that could have shown the misconception.
     pub asked: usize,
-    /// How many different questions show it.
+    /// The number of different questions whose answers show the misconception.
     pub questions: usize,
 }
 
@@ -135,20 +138,21 @@ impl Evidence {
         self.weight >= NAMED_ODDS.ln() && self.questions >= NAMED_QUESTIONS
     }
 
-    /// Whether the evidence is enough to conclude that the misconception is not held: as strong as
-    /// the evidence that names it, but against it.
+    /// Whether the evidence is enough to conclude that the student does not hold the misconception:
+    /// it must be as strong as the evidence needed to name a misconception, but against it.
     pub(crate) fn denies(&self) -> bool {
         self.weight <= -NAMED_ODDS.ln()
     }
 
-    /// Orders the stronger evidence first; the weights are compared to a millionth.
+    /// Compares evidence, with the stronger evidence first; weights are rounded to a millionth.
     pub(crate) fn stronger_first(&self, other: &Self) -> Ordering {
         let rank = |it: &Self| (1e6 * it.weight).round() as i64;
         rank(other).cmp(&rank(self))
     }
 }
 
-/// "2 of 5": how many answers showed it, of those that could have; "-" if none could.
+/// "2 of 5": the number of answers that show the misconception, and the number that could have
+/// shown it; "-" if none could have shown it.
 impl fmt::Display for Evidence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -158,8 +162,9 @@ impl fmt::Display for Evidence {
     }
 }
 
-/// The evidence of these answers for each misconception that they could have shown, the strongest
-/// first; equally strong ones are in the order of [`Misconception::ALL`].
+/// The evidence of these answers for each misconception that they could have shown, with the
+/// strongest evidence first; equally strong misconceptions are in the order of
+/// [`Misconception::ALL`].
 pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     let each = Misconception::ALL.iter();
     let mut all: Vec<Evidence> = each.map(|it| Evidence::of(*it, clues)).collect();
@@ -168,7 +173,7 @@ pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     all
 }
 
-/// The misconceptions that these answers name, the strongest evidence first.
+/// The misconceptions named by these answers, with the strongest evidence first.
 pub fn named(clues: &[Clue]) -> Vec<Evidence> {
     let mut all = evidence(clues);
     all.retain(Evidence::names);
@@ -190,8 +195,8 @@ mod tests {
         }
     }
 
-    /// Two rays that fit weigh ln(0.85 / 0.01) = ln 85. One of three choices that does not fit
-    /// weighs ln(0.15 / (2/3)) = ln 0.225.
+    /// Two matching rays contribute a weight of ln(0.85 / 0.01) = ln 85. An answer that does not
+    /// match, with three choices, contributes ln(0.15 / (2/3)) = ln 0.225.
     #[test]
     fn weights_agree_with_a_calculation_by_hand() {
         let clues = [
@@ -214,8 +219,8 @@ mod tests {
         assert_eq!(named(&clues), [copied]);
     }
 
-    /// This is why the chance that a misconception is ever named for somebody who guesses is at
-    /// most one over the odds (Ville's inequality).
+    /// For this reason, the probability that a misconception is ever named for somebody who guesses
+    /// is at most one divided by the odds (Ville's inequality).
     #[test]
     fn the_expected_ratio_of_a_guess_is_one() {
         for by_chance in [0.01, 0.08, 0.2, 1.0 / 3.0, 0.5] {

@@ -6,17 +6,17 @@ use crate::quiz::question::{
     Answer, Diagnosis, Form, Passage, Question, Ray, Rays, RaysGrade, Response,
 };
 
-/// An explanation, shown as a title above a text.
+/// An explanation, shown as a title with a text below it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explanation {
     /// The name of the misconception, or a verdict on the answer: "right", "one is off".
     pub title: &'static str,
-    /// The text, two to six short sentences.
+    /// The text, which has two to six short sentences.
     pub text: String,
-    /// The misconception that it addresses first.
+    /// The misconception that the explanation addresses first.
     pub diagnosis: Option<Diagnosis>,
-    /// The page to read after a wrong answer: the one that corrects the misconception, or else the
-    /// one that teaches the topic.
+    /// The page to read after a wrong answer: the page that corrects the misconception, or
+    /// otherwise the page that teaches the topic.
     pub(crate) passage: Option<Passage>,
 }
 
@@ -88,7 +88,7 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
     }
 }
 
-/// The errors of two rays that fit no misconception.
+/// Describes the errors in two rays that fit no misconception.
 fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
     let [striker_off, target_off] = Ray::BOTH.map(|ray| off(said, truth, ray));
     let grade = RaysGrade::new(said, truth);
@@ -117,11 +117,11 @@ fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
 /// The remark about a ray on the wrong side of the striker's original direction.
 const WRONG_SIDE: &str = " on the wrong side";
 
-/// The error of a ray: "is 12.0° too wide", "does move".
+/// Describes the error in a ray: "is 12.0° too wide", "does move".
 fn off(said: &Rays, truth: &Rays, ray: Ray) -> String {
     match (said.get(ray), truth.get(ray), said.apart(truth, ray)) {
         (Some(said), Some(true_angle), Some(error)) => {
-            // Straight ahead and straight back have no side.
+            // A ray straight ahead or straight back is on neither side.
             let has_side = tenths(true_angle.abs()) % 1800 != 0;
             let error = degrees(error);
             if has_side && said * true_angle < 0.0 {
@@ -162,8 +162,9 @@ mod tests {
 
     #[test]
     fn explanations_contain_the_figures_of_the_worked_examples() {
-        // 15 g on 15 g, 30°: striker at 60°. 20 g on 40 g, 3 m/s, 45°: v1 is the sum of
-        // 3/√2 m/s along t and 1/√2 m/s backwards along n, at atan 2; the paths are 108.4° apart.
+        // 15 g on 15 g at 30°: the striker leaves at 60°. 20 g on 40 g at 3 m/s and 45°: v₁ is the
+        // sum of 3/√2 m/s along t and 1/√2 m/s backwards along n, so θ₁ = atan 2; the paths are
+        // 108.4° apart.
         let equal = explained(Pieces::Equal, 30.0, Some(60.0), 30.0);
         assert_eq!(
             equal,

@@ -1,10 +1,10 @@
 //! What students may believe about collisions: where both discs will go, and the other
 //! misconceptions of the catalogue.
 //!
-//! A misconception that predicts rays does so for any `Hit`; a family of questions
-//! that asks for something else defines the answers of misconceptions itself. A
-//! question is asked only if it can tell them apart: no two of their answers, and none
-//! of them and the right answer, are so close that one answer could fit both.
+//! A misconception about rays predicts them for any `Hit`; a family of questions that asks for
+//! something else defines the answers that misconceptions lead to. A question is asked only if it
+//! can distinguish the misconceptions: no two of their answers, and none of their answers and the
+//! right answer, may be so close that one answer could fit both.
 
 mod catalogue;
 mod evidence;

@@ -1,4 +1,4 @@
-//! What students believe about where both discs of a hit will go.
+//! What students may believe about where the two discs of a hit will go.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -6,8 +6,8 @@ use crate::numbers::{degrees, significant};
 use crate::physics::ImpactPoint;
 use crate::quiz::question::{Hit, Misconception, Ray, Rays};
 
-/// The misconceptions that predict where both discs of a hit will go. If an answer fits two of them
-/// equally well, the earlier one is named.
+/// The misconceptions that predict where the two discs of a hit will go. If an answer fits two of
+/// them equally well, the one that comes first in this list is named.
 pub const OF_RAYS: [Misconception; 13] = *Misconception::ALL
     .first_chunk()
     .expect("there are more than 13 misconceptions");
@@ -15,23 +15,25 @@ pub const OF_RAYS: [Misconception; 13] = *Misconception::ALL
 /// A prediction that differs from the truth by less than this, in radians, counts as right.
 const SAME: f64 = 1e-9;
 
-/// The rays that a misconception predicts, and the ray that reveals it by itself; `None` if only
-/// both rays together do.
+/// The rays that a misconception predicts, and the ray that reveals the misconception by itself;
+/// `None` if only both rays together reveal it.
 type Prediction = (Rays, Option<Ray>);
 
 impl Misconception {
-    /// Its prediction for a hit; `None` if it makes no prediction or happens to be right.
+    /// The prediction of this misconception for a hit; `None` if the misconception makes no
+    /// prediction or happens to be right.
     pub(in crate::quiz) fn predict(self, hit: &Hit) -> Option<Prediction> {
         let truth = hit.truth();
         self.sends(hit, truth)
             .filter(|(rays, _)| rays.gap(&truth) > SAME)
     }
 
-    /// Its prediction, even if that is right.
+    /// The prediction of this misconception, even if the prediction is right.
     fn sends(self, hit: &Hit, truth: Rays) -> Option<Prediction> {
         let (alpha, ratio, side) = (hit.alpha().abs(), hit.mass_ratio(), hit.side());
         let rays = |striker, target| Rays { striker, target };
-        // The striker leaves on the side away from the target, the target on its own side.
+        // The striker leaves on the side away from the target, and the target on the side where it
+        // lies.
         let usual = |theta1: f64, theta2: f64| Rays::new(side * theta1, side * theta2);
         let [striker, target] = Ray::BOTH.map(Some);
         let mirrored = |angle: Option<f64>| angle.map(|angle| -angle);
@@ -41,7 +43,7 @@ impl Misconception {
             Self::HalfAndHalf => (usual(FRAC_PI_4, FRAC_PI_4), None),
             Self::Swapped => (rays(truth.target, truth.striker), None),
             Self::HeavyUnmoved if ratio > 1.0 => (usual(0.0, alpha), striker),
-            // A target that never moves reflects the striker like a wall.
+            // If the target never moves, the striker rebounds from it as from a wall.
             Self::HeavyUnmoved if ratio < 1.0 => {
                 (rays(usual(PI - 2.0 * alpha, 0.0).striker, None), target)
             }
@@ -64,7 +66,8 @@ impl Misconception {
         })
     }
 
-    /// The feedback on its rays, in one or two sentences, with the figures of the hit.
+    /// One or two sentences of feedback on the rays that this misconception predicts, with the
+    /// figures of the hit.
     pub(in crate::quiz) fn say(self, hit: &Hit) -> String {
         let (name, side) = (hit.pieces.target_name(), hit.side_name());
         let alpha = hit.alpha().abs();

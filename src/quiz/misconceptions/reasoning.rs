@@ -1,4 +1,4 @@
-//! Explanations of where the two discs of a hit go, with its figures.
+//! Explanations of where the two discs of a hit go, with the figures of the hit.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -33,7 +33,7 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
     format!("{target} {}", striker(hit, &outcome))
 }
 
-/// The sentence on the striker, from its velocity components along n and t.
+/// The sentence on the striker, based on its velocity components along n and t.
 fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let (Some(normal), Some(tangent), Some(theta1), Some(separation)) = (
         outcome.normal,
@@ -109,7 +109,8 @@ mod tests {
     use super::*;
     use crate::physics::{Collision, Disc};
 
-    /// Along the line of impact the striker keeps (m₁ − e m₂) / (m₁ + m₂) of 4 m/s.
+    /// Along the line of impact the striker keeps the fraction (m₁ − e m₂) / (m₁ + m₂) of its 4
+    /// m/s.
     #[test]
     fn a_head_on_explanation_depends_on_the_masses_and_the_loss() {
         let said = |m1: f64, m2: f64, restitution: f64| {

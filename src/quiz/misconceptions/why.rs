@@ -7,8 +7,8 @@ use crate::numbers::{degrees, fixed};
 use crate::physics::{Collision, Meeting, Rims};
 use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
 
-/// Explains where two smooth discs go, starting from the player's prediction if there is one: a
-/// title, which may be empty, and a text.
+/// Explains where two smooth discs go, starting from the player's prediction if there is one.
+/// Returns a title, which may be empty, and a text.
 pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) {
     if collision.outcome().meeting != Meeting::Hit {
         let text = "The discs only graze each other: no force acts, and both move on as before.";
@@ -23,8 +23,8 @@ pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) 
     why_of_hit(&Hit::from(collision), said)
 }
 
-/// Explains where the two discs of a hit go, starting from the player's prediction if there is one:
-/// a title, which is empty without a prediction, and a text.
+/// Explains where the two discs of a hit go, starting from the player's prediction if there is one.
+/// Returns a title, which is empty if there is no prediction, and a text.
 pub(crate) fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String) {
     let Some(rays) = said else {
         return ("", reasoning(hit));
@@ -34,7 +34,7 @@ pub(crate) fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String
     (explanation.title, explanation.text)
 }
 
-/// Explains what friction between the rims changes, with the numbers of the collision.
+/// Explains the effects of friction between the rims, with the numbers of the collision.
 fn rough(collision: &Collision) -> String {
     let outcome = collision.outcome();
     let rims = Rims::default();
