@@ -1,18 +1,18 @@
-//! What the player answers, and the text in which it is stored in databases and files.
+//! The player's answer, and the text that stores it in databases and files.
 
 use super::{Confidence, Rays};
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
-/// An answer to a question, in the question's form.
+/// An answer to a question, in the form that the question requires.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Response {
     /// Where the two discs will go.
     Rays(Rays),
     /// A number, in the unit of its [`Measure`](super::Measure).
     Number(f64),
-    /// One of the choices, counted from 0.
+    /// One of the choices, by its index from 0.
     Choice(usize),
-    /// A shot with this offset, in metres; a positive offset puts the target to the right.
+    /// A shot with this offset, in metres; if the offset is positive, the target is on the right.
     Shot(f64),
 }
 
@@ -25,8 +25,8 @@ impl Response {
         }
     }
 
-    /// The text that stores it: "rays 60 still", "number 2.1", "choice 2" (from 1), "shot 15"
-    /// (angles in degrees, the offset in millimetres).
+    /// The text that stores the answer: "rays 60 still", "number 2.1", "choice 2" (counted from 1),
+    /// "shot 15" (angles in degrees, the offset in millimetres).
     pub fn to_text(self) -> String {
         match self {
             Self::Rays(rays) => {
@@ -82,7 +82,7 @@ impl Answer {
         Self { said, confidence }
     }
 
-    /// The text of the answer, then how sure the player is: "choice 2 think-so".
+    /// The text of the answer, followed by how sure the player is: "choice 2 think-so".
     pub fn to_text(self) -> String {
         format!("{} {}", self.said.to_text(), self.confidence.id())
     }

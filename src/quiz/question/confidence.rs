@@ -21,19 +21,19 @@ use strum::{EnumString, IntoStaticStr};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Confidence {
-    /// No idea, really.
+    /// The player really has no idea.
     Guess,
-    /// More likely right than wrong.
+    /// The answer is more likely right than wrong.
     ThinkSo,
-    /// Would bet on it.
+    /// The player would bet on the answer.
     Sure,
 }
 
 impl Confidence {
-    /// All three, the least sure first.
+    /// All three levels, the least sure first.
     pub const ALL: [Self; 3] = [Self::Guess, Self::ThinkSo, Self::Sure];
 
-    /// Its name as shown.
+    /// The name as shown.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Guess => "guess",
@@ -42,12 +42,12 @@ impl Confidence {
         }
     }
 
-    /// Its name in files.
+    /// The name in files.
     pub fn id(self) -> &'static str {
         self.into()
     }
 
-    /// The confidence with this `id`.
+    /// The confidence level with this `id`.
     pub fn with_id(id: &str) -> Option<Self> {
         id.parse().ok()
     }
@@ -60,10 +60,11 @@ impl Confidence {
     /// | think so | −2 | 9 |
     /// | sure | −6 | 10 |
     ///
-    /// Between these credits the points are linear. The lines cross at a credit of 0.5 (guess and
-    /// think so) and 0.8 (think so and sure), so "guess" earns the most for an expected credit
-    /// below a half, and "sure" only above four fifths: honesty earns the most points. This is the
-    /// idea of certainty-based marking (A. R. Gardner-Medwin, 1995) with other numbers.
+    /// The points are linear between a credit of 0 and a credit of 1. The lines cross at a credit
+    /// of 0.5 (guess and think so) and at 0.8 (think so and sure), so "guess" earns the most points
+    /// if the expected credit is below a half, and "sure" only if it is above four fifths: honesty
+    /// earns the most points. This is the idea of certainty-based marking (A. R. Gardner-Medwin,
+    /// 1995) with other numbers.
     pub fn points(self, credit: f64) -> f64 {
         let (worst, best) = match self {
             Self::Guess => (0.0, 7.0),

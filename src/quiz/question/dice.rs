@@ -3,10 +3,10 @@
 use rand::Rng;
 use rand_pcg::Pcg32;
 
-/// Stream of the generator; part of the format of a seed.
+/// The stream of the generator, on which the codes of rounds depend.
 const STREAM: u64 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Random choices that follow from a seed, the same on every machine.
+/// Random choices that follow from a seed and are the same on every machine.
 ///
 /// The generator is PCG-XSH-RR 64/32 ("PCG32"; M. E. O'Neill, 2014), started with the seed as its
 /// state and with a fixed stream. Neither seeding nor choosing is left to a library, which may
@@ -19,18 +19,18 @@ impl Dice {
         Self(Pcg32::new(seed, STREAM))
     }
 
-    /// A random whole number below `n`; all numbers are practically equally likely. Returns 0 if
-    /// `n` is 0.
+    /// A random whole number below `n`; for practical purposes, all numbers are equally likely.
+    /// Returns 0 if `n` is 0.
     pub fn below(&mut self, n: u32) -> u32 {
         ((u64::from(self.0.next_u32()) * u64::from(n)) >> 32) as u32
     }
 
-    /// Heads or tails.
+    /// True or false, with equal probability.
     pub fn coin(&mut self) -> bool {
         self.below(2) == 1
     }
 
-    /// A random item; `None` if there are none.
+    /// A random item; `None` if there are no items.
     pub(crate) fn pick<'a, T>(&mut self, items: &'a [T]) -> Option<&'a T> {
         items.get(self.below(items.len() as u32) as usize)
     }

@@ -6,24 +6,25 @@ use strum::IntoStaticStr;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Difficulty {
-    /// One idea, in the plainest setting.
+    /// The question needs one idea, in the simplest setting.
     Easy,
-    /// One idea, in any setting.
+    /// The question needs one idea, in any setting.
     Middle,
-    /// Two ideas at once, or one in reverse.
+    /// The question needs two ideas at once, or one idea in reverse.
     Hard,
 }
 
 impl Difficulty {
-    /// All three, the easiest first.
+    /// All three levels, the easiest first.
     pub const ALL: [Self; 3] = [Self::Easy, Self::Middle, Self::Hard];
 
-    /// Its name in files and on screen.
+    /// The name in files and on the screen.
     pub fn id(self) -> &'static str {
         self.into()
     }
 
-    /// The difficulty of question `i` (from 0) of `count` in a round that gets harder.
+    /// The difficulty of question `i` (counted from 0) in a round of `count` questions that become
+    /// harder.
     pub(crate) fn rising(i: usize, count: usize) -> Self {
         let third = (3 * i).checked_div(count).unwrap_or(0);
         Self::ALL[third.min(2)]

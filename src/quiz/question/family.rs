@@ -1,4 +1,4 @@
-//! The families of questions by name; a higher layer declares what they ask.
+//! The names of the families of questions; a higher layer defines what each family asks.
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
@@ -6,11 +6,11 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// Where will the two discs go, for any pieces and any loss?
+    /// Where will the two discs go, whatever the pieces and the loss?
     WhereTo,
-    /// Both rays from the impact angle, equal masses.
+    /// Both rays from the impact angle, with equal masses.
     FromAngle,
-    /// Both rays from the offset, equal masses.
+    /// Both rays from the offset, with equal masses.
     FromOffset,
     /// Both rays from the picture alone, without numbers.
     FromPicture,
@@ -20,27 +20,27 @@ pub enum Family {
     Speeds,
     /// The angle between the paths.
     Separation,
-    /// What share of the energy each disc has after the collision.
+    /// The fraction of the energy that each disc has after the collision.
     EnergyShare,
-    /// The effects of the coefficient of restitution, and its value.
+    /// The effects of the coefficient of restitution, and how to find its value.
     Restitution,
     /// The greatest deflection of a striker.
     LargestDeflection,
-    /// A mass, calculated from what can be seen after the collision.
+    /// A mass that is calculated from what can be seen after the collision.
     Weigh,
-    /// Smooth rims with e = 0, compared with rims that stick: how the two move on.
+    /// Smooth rims with e = 0, compared with rims that stick: how do the two discs move on?
     SlipOrStick,
-    /// Two equal discs that both move: in which frame is the angle between their paths 90°?
+    /// Two equal discs that are both moving: in which frame is the angle between their paths 90°?
     BothMoving,
     /// The speed of the centre-of-mass frame, and the scattering angle Θ in it.
     CentreOfMass,
-    /// The counts at two angles.
+    /// The counts of scattered particles at two angles.
     Rutherford,
-    /// Choose the offset that sends a disc in a given direction.
+    /// The offset that sends a disc in a given direction.
     MakeItSo,
-    /// The questions in words, one idea each.
+    /// Questions in words, each about one idea.
     Concept,
-    /// Questions in words that were written after the codes of [`Concept`](Self::Concept) were
+    /// Questions in words that were written after the codes with [`Concept`](Self::Concept) were
     /// fixed.
     Ideas,
 }
@@ -49,7 +49,7 @@ impl Family {
     /// All families, in the order in which they are taught.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// Its name in files and in the codes of rounds.
+    /// The name in files and in the codes of rounds.
     pub fn id(self) -> &'static str {
         self.into()
     }

@@ -1,4 +1,4 @@
-//! How a question is answered, and what the true answer is.
+//! How a question is answered, and the correct answer.
 
 use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::physics::{Collision, CollisionOutcome};
@@ -7,56 +7,56 @@ use super::tolerance::{NUMBER_BY_CHANCE, RAYS_BY_CHANCE, RIGHT_DEG, is_within};
 use super::{Measure, Ray, Rays, Response};
 use crate::numbers::millimetres;
 
-/// How a question is answered, with the true answer.
+/// How a question is answered, and the correct answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Form {
-    /// By two rays, which the player turns or types.
+    /// The answer consists of two rays, which the player turns or types.
     Rays {
         /// Where the two discs go.
         truth: Rays,
         /// The side on which the target lies: 1 for the right, −1 for the left.
         side: f64,
-        /// What the target is called.
+        /// The name of the target.
         target: &'static str,
     },
-    /// By a number.
+    /// The answer is a number.
     Number {
-        /// The quantity that it measures.
+        /// The quantity that the number measures.
         quantity: Measure,
-        /// The true number, in the quantity's unit.
+        /// The true value, in the unit of the quantity.
         truth: f64,
     },
-    /// By choosing an option.
+    /// The answer is one of several options.
     Choice {
-        /// The two to five choices.
+        /// The options, of which there are two to five.
         options: Vec<String>,
-        /// The right one, counted from 0.
+        /// The index of the right option, counted from 0.
         right: usize,
     },
-    /// By setting the offset and shooting.
+    /// The player sets the offset of a shot.
     Shot(AimTask),
 }
 
 /// A shot that has to send one of the two discs in a given direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AimTask {
-    /// The hit, head-on; the player sets its offset.
+    /// The hit as a head-on collision; the player sets the offset.
     pub collision: Collision,
-    /// The disc that has to go in this direction.
+    /// The disc that has to go in the required direction.
     pub ray: Ray,
-    /// The direction: θ₁ or θ₂ in radians, with the signs of [`Rays`].
+    /// The required direction: θ₁ or θ₂ in radians, with the signs of [`Rays`].
     pub wanted: f64,
-    /// An offset in metres that achieves this.
+    /// An offset, in metres, that sends the disc in this direction.
     pub offset: f64,
 }
 
 impl AimTask {
-    /// The outcome of the hit with this offset in metres.
+    /// The outcome of the hit with this offset, in metres.
     pub(crate) fn outcome(&self, offset: f64) -> CollisionOutcome {
         self.with(offset).outcome()
     }
 
-    /// The hit with this offset in metres.
+    /// The hit with this offset, in metres.
     pub(crate) fn with(&self, offset: f64) -> Collision {
         Collision {
             offset,
@@ -64,13 +64,14 @@ impl AimTask {
         }
     }
 
-    /// The largest offset that can be set, in millimetres either way: slightly beyond a graze.
+    /// The largest offset that can be set, in millimetres on either side: slightly more than for a
+    /// graze.
     pub(crate) fn furthest_offset_mm(&self) -> f64 {
         (1.1 * mm_from_m(self.collision.contact_distance())).ceil()
     }
 
-    /// The error of the disc's direction with this offset, in radians from 0 to π; `None` if it
-    /// does not move, or if nothing is hit.
+    /// The error of the disc's direction with this offset, in radians from 0 to π; `None` if the
+    /// disc does not move or if the shot misses.
     pub(crate) fn error(&self, offset: f64) -> Option<f64> {
         let outcome = self.outcome(offset);
         if !outcome.hit() {
@@ -82,7 +83,7 @@ impl AimTask {
 }
 
 impl Form {
-    /// Whether an answer is of the form's kind and in its range.
+    /// Whether an answer is of the kind that the form requires and is in range.
     ///
     /// Answers come from devices, files and databases that anybody can change. Each is checked here
     /// before it is used, so that later code can rely on it.
@@ -99,7 +100,7 @@ impl Form {
         }
     }
 
-    /// The chance that a guess fits one given answer.
+    /// The probability that a guess fits one given answer.
     pub(crate) fn by_chance(&self) -> f64 {
         match self {
             Self::Rays { .. } => RAYS_BY_CHANCE,
@@ -118,9 +119,9 @@ impl Form {
         }
     }
 
-    /// The distance of an answer from `truth` or from a misconception's answer, in units of the
-    /// tolerance: 1 is the limit of what counts as right, 0 the same answer. Infinite for answers
-    /// of different kinds.
+    /// The distance of an answer from `truth` or from the answer that a misconception leads to, in
+    /// units of the tolerance: 0 means the same answer, and 1 is the largest distance that counts
+    /// as right. Infinite for answers of different kinds.
     pub fn distance(&self, said: &Response, truth: &Response) -> f64 {
         match (self, said, truth) {
             (Self::Number { quantity, .. }, Response::Number(said), Response::Number(truth)) => {
@@ -130,7 +131,8 @@ impl Form {
         }
     }
 
-    /// How far apart two answers are, in units of the largest tolerance: see [`Measure::spacing`].
+    /// The difference between two answers in units of the largest tolerance: see
+    /// [`Measure::spacing`].
     pub(crate) fn spacing(&self, a: &Response, b: &Response) -> f64 {
         let angle = |angle: f64| deg_from_rad(angle) / RIGHT_DEG;
         match (self, a, b) {
@@ -174,8 +176,9 @@ impl Form {
         }
     }
 
-    /// An answer in at most ten columns, for a table: "60 30", "63.4°", "B", "12.5 mm".
-    /// The signs of the rays are relative to the target's side, as when the player turns them.
+    /// An answer in at most ten columns, for a table: "60 30", "63.4°", "B", "12.5 mm". The signs
+    /// of the rays are relative to the side on which the target lies, as they are while the player
+    /// turns the rays.
     pub(crate) fn brief(&self, said: &Response) -> String {
         match (self, said) {
             (Self::Rays { side, .. }, Response::Rays(rays)) => {
@@ -194,7 +197,7 @@ impl Form {
     }
 }
 
-/// The letter of a choice, counted from 0: "A".
+/// The letter of a choice, such as "A"; choices are counted from 0.
 pub fn letter(choice: usize) -> char {
     u8::try_from(choice)
         .ok()

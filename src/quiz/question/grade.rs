@@ -8,16 +8,16 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
-/// Up to this fraction of the tolerance an answer earns full credit: 2° for an angle, which is
+/// An answer earns full credit up to this fraction of the tolerance: 2° for an angle, which is
 /// about the accuracy with which the picture can be read.
 const FULL_CREDIT: f64 = 0.5;
 
-/// At this many times the tolerance or more, an answer earns no credit: 30° for an angle.
+/// An answer earns no credit from this multiple of the tolerance on: 30° for an angle.
 const NO_CREDIT: f64 = 7.5;
 
-/// Credit from 0 to 1 for an answer whose error is `distance`, in units of the tolerance: 1 up to a
-/// half, then decreasing as cos² to 0 at seven and a half, smoothly at both ends. An infinite error
-/// earns 0.
+/// The credit, from 0 to 1, for an answer whose error is `distance` in units of the tolerance. The
+/// credit is 1 up to a half, then decreases as cos² to 0 at seven and a half, smoothly at both
+/// ends. An infinite error earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
     let credit = (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2);
@@ -28,20 +28,20 @@ fn credit(distance: f64) -> f64 {
 /// How good one ray is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayGrade {
-    /// Error in radians, 0 to π; 0 if the disc correctly stays still, `None` if it moves only in
-    /// the answer or only in reality.
+    /// The error in radians, from 0 to π; 0 if the disc correctly stays still, `None` if it moves
+    /// only in the answer or only in reality.
     pub error: Option<f64>,
 }
 
 impl RayGrade {
-    /// Credit from 0 to 1: full up to 2°, none from 30°. A ray for a disc that stays still, or no
-    /// ray for one that moves, earns 0.
+    /// The credit from 0 to 1: full credit up to 2°, none from 30°. A ray for a disc that stays
+    /// still earns 0, and so does a missing ray for a disc that moves.
     pub(crate) fn credit(&self) -> f64 {
         self.error
             .map_or(0.0, |error| credit(deg_from_rad(error) / RIGHT_DEG))
     }
 
-    /// Whether it counts as right.
+    /// Whether the ray counts as right.
     pub(crate) fn is_right(&self) -> bool {
         self.error
             .is_some_and(|error| error <= rad_from_deg(RIGHT_DEG))
@@ -66,12 +66,12 @@ impl RaysGrade {
         Self { striker, target }
     }
 
-    /// Credit from 0 to 1: the mean of both rays.
+    /// The credit from 0 to 1, which is the mean of both rays.
     pub(crate) fn credit(&self) -> f64 {
         f64::midpoint(self.striker.credit(), self.target.credit())
     }
 
-    /// The larger error of the two rays, in radians; `None` if there is none.
+    /// The larger of the errors of the two rays, in radians; `None` if neither ray has an error.
     pub(crate) fn error(&self) -> Option<f64> {
         let errors = [self.striker.error, self.target.error];
         errors.into_iter().flatten().reduce(f64::max)
@@ -86,12 +86,12 @@ impl RaysGrade {
 /// How good an answer is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grade {
-    /// Credit from 0 to 1.
+    /// The credit, from 0 to 1.
     pub credit: f64,
-    /// Whether it counts as right.
+    /// Whether the answer counts as right.
     pub right: bool,
-    /// The error of the angle in radians, or the larger error of two rays; `None` if there was no
-    /// angle.
+    /// The error of an angle in radians, or the larger error of two rays; `None` if the answer had
+    /// no angle.
     pub angle_error: Option<f64>,
     /// The grades of the two rays, if the question asked for rays.
     pub rays: Option<RaysGrade>,
@@ -100,11 +100,10 @@ pub struct Grade {
 }
 
 impl Form {
-    /// Credit from 0 to 1 for an answer. An answer that does not fit the question's form earns
-    /// no credit.
+    /// The credit, from 0 to 1, for an answer. An answer of the wrong form earns no credit.
     ///
-    /// A number asked for in a chapter earns full credit within its tolerance; beyond it the credit
-    /// falls linearly to 0 at four times the tolerance.
+    /// In a chapter's question, a number earns full credit within its tolerance; beyond the
+    /// tolerance the credit falls linearly to 0 at four times the tolerance.
     pub fn credit(&self, said: &Response) -> f64 {
         let distance = self.distance(said, &self.truth());
         match self {
@@ -132,8 +131,8 @@ impl Form {
         }
     }
 
-    /// The error of the angle in radians, or the larger error of two rays; `None` if there was no
-    /// angle.
+    /// The error of an angle in radians, or the larger error of two rays; `None` if the answer had
+    /// no angle.
     pub fn angle_error(&self, said: &Response) -> Option<f64> {
         match (self, said) {
             (Self::Number { quantity, truth }, Response::Number(said)) => match quantity {
@@ -148,7 +147,7 @@ impl Form {
 }
 
 impl Grade {
-    /// The most points for one question.
+    /// The maximum number of points for a question.
     pub const MOST: f64 = 10.0;
 
     /// Grades an answer.
@@ -168,7 +167,7 @@ impl Grade {
         self.confidence.points(self.credit)
     }
 
-    /// The points in words: "8.5 of 10 points".
+    /// The points as text: "8.5 of 10 points".
     pub fn score(&self) -> String {
         format!("{} of {:.0} points", points(self.points()), Self::MOST)
     }

@@ -1,4 +1,4 @@
-//! A hit on a target at rest, as it is given to the player: where will the two discs go?
+//! A hit on a target at rest, as described to the player: where will the two discs go?
 
 use glam::DVec2;
 
@@ -8,19 +8,19 @@ use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
 use super::{Family, Pieces, Rays, Topic};
 use crate::numbers::{self, significant};
 
-/// A hit: the numbers that the player reads. Everything else follows from them.
+/// A hit, described by the numbers that the player reads. Everything else follows from them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// The striker and the target.
     pub pieces: Pieces,
-    /// Where they meet.
+    /// The point of impact.
     pub given: ImpactPoint,
-    /// Coefficient of restitution e, 0 to 1.
+    /// The coefficient of restitution e, from 0 to 1.
     pub restitution: f64,
-    /// Speed of the striker in m/s.
+    /// The speed of the striker in m/s.
     pub speed: f64,
-    /// Direction of the striker in the picture in degrees, anticlockwise from the right. The
-    /// answer's angles are measured from it.
+    /// The direction of the striker in the picture in degrees, anticlockwise from the right. The
+    /// angles in the answer are measured from this direction.
     pub direction_deg: f64,
 }
 
@@ -34,7 +34,7 @@ impl From<&Collision> for Hit {
                 target: collision.target,
             },
             given: ImpactPoint::Offset {
-                // A head-on hit is described as exactly head-on, despite rounding.
+                // A head-on hit is described as exactly head-on, in spite of rounding errors.
                 offset_mm: (collision.offset * 1e9).round() / 1e6,
             },
             restitution: collision.restitution,
@@ -45,7 +45,7 @@ impl From<&Collision> for Hit {
 }
 
 impl Hit {
-    /// The collision that it describes.
+    /// The collision that this hit describes.
     pub fn collision(&self) -> Collision {
         let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
         let (striker, target) = (self.pieces.striker(), self.pieces.target());
@@ -55,7 +55,7 @@ impl Hit {
         }
     }
 
-    /// The same hit with another coefficient of restitution.
+    /// This hit with another coefficient of restitution.
     pub(in crate::quiz) fn with_restitution(&self, restitution: f64) -> Self {
         Self {
             restitution,
@@ -63,7 +63,7 @@ impl Hit {
         }
     }
 
-    /// The same hit at another impact angle in degrees.
+    /// This hit with another impact angle, in degrees.
     pub(in crate::quiz) fn at_angle(&self, alpha_deg: f64) -> Self {
         Self {
             given: ImpactPoint::Angle { alpha_deg },
@@ -71,7 +71,7 @@ impl Hit {
         }
     }
 
-    /// The hit with the two discs exchanged, at the same impact angle.
+    /// This hit with the two discs exchanged, at the same impact angle.
     pub(in crate::quiz) fn exchanged(&self) -> Self {
         Self {
             pieces: Pieces::Own {
@@ -82,7 +82,7 @@ impl Hit {
         }
     }
 
-    /// Its outcome.
+    /// The outcome of the hit.
     pub fn outcome(&self) -> CollisionOutcome {
         self.collision().outcome()
     }
@@ -92,13 +92,13 @@ impl Hit {
         Rays::from(&self.outcome())
     }
 
-    /// The impact angle α in radians, positive when the target lies to the right; 0
-    /// for a miss, which no question asks about.
+    /// The impact angle α in radians, which is positive if the target lies to the right; 0 for a
+    /// miss, which no question is about.
     pub fn alpha(&self) -> f64 {
         self.collision().alpha().unwrap_or(0.0)
     }
 
-    /// Whether the collision is head-on.
+    /// Whether the hit is head-on.
     pub fn head_on(&self) -> bool {
         self.collision().offset.abs() <= 0.0
     }
@@ -109,7 +109,7 @@ impl Hit {
         self.collision().side()
     }
 
-    /// That side in words, "right" or "left".
+    /// The side on which the target lies, in words: "right" or "left".
     pub(crate) fn side_name(&self) -> &'static str {
         if self.side() < 0.0 { "left" } else { "right" }
     }
@@ -129,8 +129,8 @@ impl Hit {
         [self.pieces.striker(), self.pieces.target()].map(|disc| g_from_kg(disc.mass))
     }
 
-    /// The first sentence: "A striker of 15.0 g hits a coin of 5.50 g at rest", with this name for
-    /// the striker and this verb.
+    /// The beginning of the first sentence: "A striker of 15.0 g hits a coin of 5.50 g at rest",
+    /// with this name for the striker and this verb.
     pub(in crate::quiz) fn who(&self, striker: &str, does: &str) -> String {
         let [m1, m2] = self.masses_g().map(significant);
         let name = self.pieces.target_name();
@@ -141,12 +141,12 @@ impl Hit {
         format!("A {striker} of {m1} g {does} a {name} of {mass} at rest")
     }
 
-    /// What a striker of this speed does: "moving at 3.00 m/s hits".
+    /// The verb phrase for a striker with this speed: "moving at 3.00 m/s hits".
     pub(in crate::quiz) fn hits(&self) -> String {
         format!("moving at {} m/s hits", significant(self.speed))
     }
 
-    /// Whether energy is lost, in a sentence: "Some energy is lost: e = 0.500."
+    /// A sentence that says whether energy is lost: "Some energy is lost: e = 0.500."
     pub(in crate::quiz) fn loss(&self) -> String {
         let how_much = if self.restitution < 1.0 { "Some" } else { "No" };
         let e = significant(self.restitution);
@@ -158,7 +158,7 @@ impl Hit {
         mm_from_m(self.collision().contact_distance())
     }
 
-    /// Its topic: "equal masses, by offset".
+    /// The topic of the hit: "equal masses, by offset".
     pub fn topic(&self) -> Topic {
         let ratio = self.mass_ratio();
         let pieces = if ratio > 1.0 {
@@ -177,9 +177,9 @@ impl Hit {
         Topic::with_id(format!("{pieces}{place}{loss}"))
     }
 
-    /// The topic under which the quiz asks about such a hit. It asks only for some pieces about hits
-    /// with a loss, and then gives the angle: another hit is reviewed by its angle instead of its
-    /// offset, or without its loss.
+    /// The topic under which the quiz asks about hits like this one. Questions about hits with a
+    /// loss exist only for some pieces, and these questions give the angle. Any other hit with a
+    /// loss is therefore reviewed by its angle instead of its offset, or without the loss.
     pub(crate) fn reviewed_as(&self) -> Topic {
         let by_angle = self.at_angle(deg_from_rad(self.alpha())).topic();
         let topics = [self.topic(), by_angle, self.with_restitution(1.0).topic()];
@@ -193,7 +193,7 @@ impl Hit {
         format!("{} Where will they go?", self.setting())
     }
 
-    /// The hit in words, without details that only the picture shows.
+    /// Describes the hit in words, without details that only the picture shows.
     pub fn setting(&self) -> String {
         let name = self.pieces.target_name();
         let side = self.side_name();

@@ -10,20 +10,21 @@ use crate::physics::rutherford::Rutherford;
 pub enum Illustration {
     /// No picture.
     Nothing,
-    /// A collision about to happen. It is played once the answer is given.
+    /// A collision that is about to happen. The collision is played after the question has been
+    /// answered.
     Before {
         /// The hit.
         collision: Collision,
         /// The geometry that is marked.
         shown: Markings,
     },
-    /// A collision that has happened: the final paths, with their angles. It can be watched once
-    /// the answer is given.
+    /// A collision that has happened: the final paths, with their angles. The collision can be
+    /// watched after the question has been answered.
     After {
         /// The hit.
         collision: Collision,
     },
-    /// Two particles that pass a nucleus, deflected by these angles in radians.
+    /// Two particles that pass a nucleus and are deflected by these angles, in radians.
     Tracks {
         /// The nucleus and the particles.
         rutherford: Rutherford,
@@ -32,15 +33,16 @@ pub enum Illustration {
     },
 }
 
-/// The geometry that a picture marks, besides the discs and their paths before the collision.
+/// The geometry that a picture marks, in addition to the discs and their paths before the
+/// collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Markings {
-    /// The impact parameter, between the two centre lines.
+    /// The impact parameter, drawn between two parallel lines.
     pub offset: bool,
-    /// The line of impact where the two discs will meet, and α.
+    /// The line of impact at the point where the two discs will meet, and α.
     pub angle: bool,
-    /// Numbers: speeds, and the values of the marked geometry. Without them the picture alone gives
-    /// the information.
+    /// Numbers: speeds, and the values of the marked geometry. Without numbers the picture itself
+    /// has to give all the information.
     pub figures: bool,
 }
 
@@ -52,14 +54,14 @@ impl Markings {
         figures: true,
     };
 
-    /// All numbers, and no marks where the discs will meet.
+    /// All numbers, but no marks at the point where the discs will meet.
     pub(crate) const FIGURES: Self = Self {
         offset: false,
         angle: false,
         figures: true,
     };
 
-    /// The quantity that defines a hit, with all numbers.
+    /// The quantity that defines a hit is marked, with all numbers.
     pub(crate) const fn given(hit: &Hit) -> Self {
         let angle = matches!(hit.given, ImpactPoint::Angle { .. });
         Self {
@@ -71,12 +73,12 @@ impl Markings {
 }
 
 impl Illustration {
-    /// A hit about to happen.
+    /// The picture of a hit that is about to happen.
     pub(in crate::quiz) const fn before(collision: Collision, shown: Markings) -> Self {
         Self::Before { collision, shown }
     }
 
-    /// The hit that can be watched once the answer is given.
+    /// The hit that can be watched after the question has been answered.
     pub const fn collision(&self) -> Option<&Collision> {
         match self {
             Self::Before { collision, .. } | Self::After { collision } => Some(collision),

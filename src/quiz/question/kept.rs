@@ -5,15 +5,16 @@ use serde_json::{Value, json};
 use super::{Figures, Form, Measure, Rays, Response, figures};
 use crate::physics::units::mm_from_m;
 
-/// The field for the text of a choice, because its position depends on the round.
+/// The field that stores the text of a choice, because the position of a choice depends on the
+/// round.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
-/// The largest number of characters in a choice. Current questions have at most 90; this leaves
-/// room for later ones.
+/// The maximum number of characters in a choice. At present questions have at most 90; this leaves
+/// room for future questions.
 const LONGEST_CHOICE: usize = 400;
 
 impl Form {
-    /// The stored form of an answer to a question of this form.
+    /// The stored form of an answer to a question with this form.
     pub fn kept(&self, said: &Response) -> Figures {
         figures(match (self, said) {
             (_, Response::Rays(rays)) => rays.json(),
@@ -23,8 +24,8 @@ impl Form {
         })
     }
 
-    /// Whether some form could accept a stored answer, because it is of a known kind and in its
-    /// range, as for [`Form::accepts`].
+    /// Whether a stored answer could be accepted by some form, because it is of a known kind and in
+    /// range, as in [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;

@@ -1,19 +1,20 @@
-//! What a number in an answer measures.
+//! The quantity that a number in an answer measures.
 
 use super::tolerance::{RIGHT_DEG, ROUNDING, apart_deg, is_within};
 use crate::numbers;
 
-/// The largest tolerance for a share, in percentage points.
+/// The largest tolerance for a percentage, in percentage points.
 const MOST_SHARE: f64 = 4.0;
 /// The largest tolerance for a coefficient of restitution.
 const MOST_RESTITUTION: f64 = 0.04;
 
-/// What a number in an answer measures: its unit, how it is printed, and its tolerance.
+/// The quantity that a number in an answer measures, with its unit, its printed form and its
+/// tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Measure {
     /// An angle in degrees.
     Angle,
-    /// A share of a whole in percent.
+    /// A fraction of a whole, in percent.
     Share,
     /// A speed in m/s.
     Speed,
@@ -21,25 +22,25 @@ pub enum Measure {
     Mass,
     /// A length in millimetres.
     Length,
-    /// A factor.
+    /// A factor, without a unit.
     Times,
     /// A coefficient of restitution.
     Restitution,
-    /// A number asked for in a chapter, in any unit, with its own tolerance.
+    /// A number in the answer to a chapter's question, in any unit and with its own tolerance.
     Own {
-        /// Its symbol in formulas: "θ₁".
+        /// The symbol in formulas, such as "θ₁".
         sign: String,
         /// Its unit.
         unit: String,
         /// The largest error that counts as right.
         tolerance: f64,
-        /// The smallest and the largest number that make sense.
+        /// The smallest and the largest permitted number.
         range: (f64, f64),
     },
 }
 
 impl Measure {
-    /// The tolerances in words: see [`distance`](Self::distance).
+    /// The tolerances in words; for the rules see [`distance`](Self::distance).
     pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
                                     never more than 4°, 4 percentage points or 0.04 off; any other \
                                     number within a twentieth";
@@ -49,7 +50,7 @@ impl Measure {
         self.words().0
     }
 
-    /// Its name in files, under which a number is stored: "angle_deg".
+    /// The name in files under which a number is stored: "angle_deg".
     pub fn id(&self) -> &'static str {
         self.words().1
     }
@@ -89,7 +90,7 @@ impl Measure {
             Self::Angle => numbers::bare_degrees(x.to_radians()),
             Self::Length => numbers::bare_millimetres(x + 0.0),
             Self::Own { tolerance, .. } => {
-                // As many decimals as the tolerance requires.
+                // The number of decimal places depends on the tolerance.
                 let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
                 numbers::true_minus(&numbers::fixed(x, decimals))
             }
@@ -102,8 +103,9 @@ impl Measure {
     ///
     /// The tolerance of an angle, a share or e is a tenth of the true value, but at most 4°, 4
     /// percentage points or 0.04, because a large value can be read or calculated more accurately,
-    /// and at least 1°, a fifth of a point or 0.01. All other numbers may differ by a twentieth
-    /// either way, as a ratio; the distance is infinite if a ratio is meaningless.
+    /// and at least 1°, a fifth of a point or 0.01. For all other quantities the ratio of the two
+    /// numbers may differ from 1 by a twentieth in either direction; if a ratio is meaningless, the
+    /// distance is infinite.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }
@@ -119,9 +121,9 @@ impl Measure {
         }
     }
 
-    /// How far apart two numbers are, in units of the largest tolerance: never more than
-    /// [`distance`](Self::distance). It is used to choose questions whose answers differ clearly,
-    /// so it is part of the format of a round's code and must not change.
+    /// The difference between two numbers in units of the largest tolerance, which is never more
+    /// than [`distance`](Self::distance). This value is used to choose questions whose answers are
+    /// clearly different, so the codes of rounds depend on it and it must not change.
     pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {
             Self::Angle => apart_deg(a, b) / RIGHT_DEG,
@@ -137,12 +139,12 @@ impl Measure {
                     f64::INFINITY
                 }
             }
-            // A number exactly at the limit is right, despite rounding.
+            // A number exactly at the limit is right, in spite of rounding errors.
             Self::Own { tolerance, .. } => ((a - b).abs() / tolerance - ROUNDING).max(0.0),
         }
     }
 
-    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles the
+    /// The largest permitted number that can be typed; the smallest is 0 or, for angles, the
     /// negative of the largest.
     pub const fn largest(&self) -> f64 {
         match self {
@@ -154,7 +156,7 @@ impl Measure {
         }
     }
 
-    /// The smallest number that makes sense.
+    /// The smallest permitted number.
     pub const fn smallest(&self) -> f64 {
         match self {
             Self::Angle => -self.largest(),
@@ -163,7 +165,7 @@ impl Measure {
         }
     }
 
-    /// Whether a number makes sense.
+    /// Whether a number is permitted.
     pub(crate) fn allows(&self, x: f64) -> bool {
         is_within(x, self.smallest(), self.largest())
     }
@@ -227,8 +229,8 @@ mod tests {
         }
     }
 
-    /// This is why an answer that fits the truth or a misconception fits no other answer, if the
-    /// answers are far enough apart.
+    /// For this reason, an answer that fits the truth or a misconception fits no other answer,
+    /// provided that the answers are far enough apart.
     #[test]
     fn the_distance_is_never_less_than_the_spacing() {
         for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {

@@ -1,10 +1,10 @@
-//! What students may believe, by name; a higher layer declares the predictions and the feedback.
+//! The names of what students may believe; a higher layer defines the predictions and the feedback.
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
-/// A misconception that students may have. The first ones are about the directions of both discs.
-/// The others show up in something else (a speed, a share, a ratio, a choice of words) and are in
-/// the order in which their subjects are taught.
+/// A misconception that students may have. The first misconceptions are about the directions of
+/// both discs. The others affect other answers (a speed, a fraction, a ratio, a choice in words)
+/// and are in the order in which their subjects are taught.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Misconception {
@@ -26,21 +26,21 @@ pub enum Misconception {
     PushedAhead,
     /// The striker is taken to follow the target to the same side.
     SameSide,
-    /// Both angles are right, each on the wrong side.
+    /// Both angles are right, but each is on the wrong side.
     SidesExchanged,
-    /// The striker is taken to bounce off the target as off a wall.
+    /// The striker is taken to rebound from the target as from a wall.
     OffAWall,
     /// α is taken to be 90° · b / (r₁ + r₂), although sin α is b / (r₁ + r₂).
     OffsetAsAngle,
-    /// e < 1 is taken to be 1. With equal masses that means "always 90°".
+    /// e < 1 is taken to be 1. With equal masses this means "always 90°".
     Lossless,
-    /// The striker is taken to stop head-on, as it does with equal masses.
+    /// The striker is taken to stop in a head-on collision, as it does with equal masses.
     AlwaysStops,
     /// Momenta of different directions are added as plain numbers.
     ScalarMomentum,
     /// The final speeds are taken to add up to the original speed.
     SpeedsAdd,
-    /// Momentum is taken to be lost with the energy.
+    /// Momentum is taken to be lost along with the energy.
     MomentumLost,
     /// Momentum is taken to be conserved for each body by itself.
     EachKeepsMomentum,
@@ -68,17 +68,17 @@ pub enum Misconception {
     EveryAngleAlike,
     /// A ratio is inverted, or the two masses are swapped in a formula.
     UpsideDown,
-    /// A heavier striker is taken to rebound and a lighter one to move on.
+    /// A heavier striker is taken to rebound, and a lighter striker to move on.
     HeavyRebounds,
     /// The larger angle is taken to have the larger count.
     CountsReversed,
-    /// An inverse proportion is taken to be a direct one.
+    /// An inverse proportion is taken to be a direct proportion.
     DirectForInverse,
     /// The deflection of a heavier striker is taken to have no limit.
     BeyondLargest,
     /// The whole velocity is multiplied by e.
     LossOnEverything,
-    /// e is taken to be the share of energy that is left.
+    /// e is taken to be the fraction of the energy that is left.
     EAsEnergy,
     /// A loss is taken to make the angle between the paths larger.
     LossOpensAngle,
@@ -88,27 +88,28 @@ pub enum Misconception {
     GripIgnored,
     /// At e = 0 smooth rims are taken to stop all tangential motion.
     GripStopsAll,
-    /// An angle of one frame is used in another.
+    /// An angle in one frame is used in another frame.
     FramesMixed,
     /// The frame's velocity is subtracted where it must be added.
     FrameReversed,
     /// The centre of mass is taken to be halfway between the discs, whatever the masses.
     HalfwayCentre,
-    /// The right angle is expected in the laboratory frame although both discs move.
+    /// The right angle is expected in the laboratory frame, even though both discs are moving.
     SquareOnTheGround,
-    /// The whole angle is used instead of half of it.
+    /// The whole angle is used instead of half the angle.
     HalfAngleForgotten,
-    /// The count is taken to fall too slowly with the angle: as a square instead of a fourth power.
+    /// The count is taken to fall too slowly with the angle: with the second power instead of the
+    /// fourth.
     TooGentle,
-    /// Anything heavy or fast is taken never to bounce back.
+    /// Anything heavy or fast is thought never to bounce back.
     NeverBack,
-    /// The rules for a target at rest are used although it moves.
+    /// The rules for a target at rest are used even though the target is moving.
     CoinAtRest,
     /// The impact angle is subtracted once instead of twice.
     DoubleAngleForgotten,
-    /// The larger force is taken to have the larger impulse, whatever its time.
+    /// The larger force is taken to have the larger impulse, whatever its duration.
     ForceAsImpulse,
-    /// The longer contact is taken to have the larger impulse, whatever its force.
+    /// The longer contact is taken to have the larger impulse, whatever the force.
     TimeAsImpulse,
     /// Friction with the board is taken to change the momentum noticeably during a contact.
     FrictionInContact,
@@ -131,11 +132,11 @@ pub enum Misconception {
 }
 
 impl Misconception {
-    /// All of them.
+    /// All misconceptions.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// The most common ones; the round that finds out what a student believes tests for them
-    /// first.
+    /// The most common misconceptions, for which the round that finds out what a student believes
+    /// tests first.
     pub const COMMON: [Self; 7] = [
         Self::CopiedAngle,
         Self::AlwaysSquare,
@@ -146,8 +147,9 @@ impl Misconception {
         Self::FramesMixed,
     ];
 
-    /// The misconception that this one counts as in the codes of rounds, so that a code still gives
-    /// the same questions although `upside-down` was split; `None` for those added later.
+    /// The misconception as which this one counts in the codes of rounds, so that a code still
+    /// gives the same questions even though `upside-down` has been split; `None` for misconceptions
+    /// that were added later.
     pub fn in_codes(self) -> Option<Self> {
         match self {
             Self::HeavyRebounds
@@ -175,12 +177,12 @@ impl Misconception {
         }
     }
 
-    /// Its name in files.
+    /// The name in files.
     pub fn id(self) -> &'static str {
         self.into()
     }
 
-    /// The misconception with this `id`; ids from earlier versions stay valid.
+    /// The misconception with this `id`; ids used by earlier versions are still valid.
     pub fn with_id(id: &str) -> Option<Self> {
         match id {
             "linear-offset" => Some(Self::OffsetAsAngle),

@@ -1,7 +1,7 @@
-//! Where in the chapters something is taught.
+//! The place in the chapters where something is taught.
 
 /// A page of the built-in chapters, identified by names that do not change when pages are inserted
-/// before it.
+/// before this page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Passage {
     /// The id of the chapter.

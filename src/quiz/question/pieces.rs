@@ -5,24 +5,23 @@ use crate::physics::Disc;
 /// A striker and its target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pieces {
-    /// Two equal discs, 15 g each.
+    /// Two equal discs of 15 g each.
     Equal,
-    /// The heaviest striker and the heaviest coin that tournaments allow, 15 g on
-    /// 5.5 g.
+    /// The heaviest striker and the heaviest coin that tournaments allow: 15 g on 5.5 g.
     Tournament,
     /// Two glass marbles, 20 g on 40 g.
     Marbles,
     /// Any two discs, as set in the lab.
     Own {
-        /// Body 1.
+        /// The first disc (body 1).
         striker: Disc,
-        /// Body 2.
+        /// The second disc (body 2).
         target: Disc,
     },
 }
 
 impl Pieces {
-    /// Body 1.
+    /// The striker (body 1).
     pub const fn striker(self) -> Disc {
         match self {
             Self::Equal => Disc::from_g_mm(15.0, 15.0),
@@ -32,7 +31,7 @@ impl Pieces {
         }
     }
 
-    /// Body 2.
+    /// The target (body 2).
     pub const fn target(self) -> Disc {
         match self {
             Self::Equal => Disc::from_g_mm(15.0, 15.0),
@@ -42,7 +41,7 @@ impl Pieces {
         }
     }
 
-    /// The name of body 2; body 1 is always the "striker".
+    /// The name of the target; body 1 is always called "striker".
     pub(crate) const fn target_name(self) -> &'static str {
         match self {
             Self::Equal | Self::Tournament | Self::Own { .. } => "coin",

@@ -1,5 +1,5 @@
-//! A question of any family: its text, its picture, the right answer, and the answers of
-//! misconceptions.
+//! A question of any family: its text, its picture, the right answer, and the answers that
+//! misconceptions lead to.
 
 use std::collections::BTreeMap;
 
@@ -9,34 +9,34 @@ use super::{
     Answer, Difficulty, Family, Figures, Form, Illustration, Misconception, Ray, Response, Topic,
 };
 
-/// Answers closer to each other than this, in units of the largest tolerance, cannot be told apart.
-/// It is more than 2, so that no answer fits two of them.
+/// Answers that are closer to each other than this, in units of the largest tolerance, cannot be
+/// told apart. The value is more than 2, so that no answer fits two of them.
 pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
-    /// Its family.
+    /// The family of the question.
     pub family: Family,
     /// How hard it is.
     pub difficulty: Difficulty,
-    /// Its topic: "equal masses, by offset".
+    /// The topic of the question: "equal masses, by offset".
     pub topic: Topic,
     /// The question in words.
     pub text: String,
-    /// The picture beside it.
+    /// The picture beside the question.
     pub picture: Illustration,
-    /// How it is answered, and the true answer.
+    /// How the question is answered, and the correct answer.
     pub form: Form,
-    /// The answers of misconceptions, except any that happen to be right.
+    /// The answers that misconceptions lead to, except those that happen to be right.
     pub beliefs: Vec<WrongAnswer>,
-    /// The feedback for wrong choices without a known misconception, by the index of the choice,
-    /// counted from 0; a choice that is not listed has no feedback of its own.
+    /// The feedback for wrong choices that no known misconception leads to, by the index of the
+    /// choice, counted from 0. A choice that is not listed has no separate feedback.
     pub replies: BTreeMap<usize, String>,
-    /// The explanation of the right answer with the question's numbers: one to four short
+    /// The explanation of the right answer, with the numbers of the question: one to four short
     /// sentences.
     pub why: String,
-    /// The numbers that determine the question, with the units in their names, to be stored with
+    /// The numbers that determine the question, with units in their names, which are stored with
     /// every answer.
     pub figures: Figures,
 }
@@ -46,18 +46,20 @@ pub struct Question {
 pub struct WrongAnswer {
     /// The misconception.
     pub misconception: Misconception,
-    /// Its answer.
+    /// The answer that the misconception leads to.
     pub said: Response,
-    /// The ray that reveals the misconception by itself; `None` if only both rays together do.
+    /// The ray that reveals the misconception by itself; `None` if only both rays together reveal
+    /// it.
     pub telltale: Option<Ray>,
-    /// One or two sentences on what is wrong with this answer, with the question's numbers.
+    /// One or two sentences that say what is wrong with this answer, with the numbers of the
+    /// question.
     pub says: String,
 }
 
 impl WrongAnswer {
-    /// The misconception that this answer counts as in the codes of rounds: see
-    /// [`Misconception::in_codes`]. Also `None` for a choice that showed no known misconception
-    /// when the codes were fixed.
+    /// The misconception as which this answer counts in the codes of rounds: see
+    /// [`Misconception::in_codes`]. This is also `None` for a choice that showed no known
+    /// misconception when the codes were fixed.
     pub fn in_codes(&self) -> Option<Misconception> {
         match (self.misconception, self.said) {
             (Misconception::LossOpensAngle, Response::Choice(_)) => None,
@@ -80,13 +82,13 @@ pub struct Diagnosis {
 pub enum Fit {
     /// The whole answer.
     Whole,
-    /// Only the ray that reveals it; the other ray has an error of its own.
+    /// Only the ray that reveals the misconception; the other ray has a different error.
     OneRay(Ray),
 }
 
 impl Question {
-    /// The frame in which the collision is shown after the answer: the frame that the question asks
-    /// about.
+    /// The frame in which the collision is shown after the answer, which is the frame that the
+    /// question is about.
     pub(crate) fn seen_from(&self) -> Frame {
         match self.family {
             Family::CentreOfMass => Frame::CentreOfMass,
@@ -94,8 +96,9 @@ impl Question {
         }
     }
 
-    /// The smallest distance between any two of the right answer and the misconceptions' answers,
-    /// in units of the largest tolerance. Choices are 0 or infinitely far apart.
+    /// The smallest distance between any two of the following: the right answer and the answers
+    /// that misconceptions lead to. The distance is in units of the largest tolerance. Choices are
+    /// 0 or infinitely far apart.
     pub fn clearance(&self) -> f64 {
         let held = self.beliefs.iter().map(|belief| belief.said);
         let answers: Vec<Response> = held.chain([self.form.truth()]).collect();
@@ -112,8 +115,8 @@ impl Question {
         !revealed && self.clearance() > MIN_SEPARATION
     }
 
-    /// All wrong answers with feedback of their own, and the misconception behind each, if any:
-    /// those of misconceptions, then other choices.
+    /// All wrong answers that have separate feedback, each with the misconception behind it, if
+    /// any: first the answers of misconceptions, then other choices.
     pub(crate) fn wrong_answers(&self) -> Vec<(Response, Option<Misconception>, &str)> {
         let beliefs = self.beliefs.iter();
         let beliefs = beliefs.map(|it| (it.said, Some(it.misconception), it.says.as_str()));
@@ -123,12 +126,13 @@ impl Question {
         beliefs.chain(replies).collect()
     }
 
-    /// Finds the misconception that an answer fits best, if it fits one.
+    /// Finds the misconception that an answer fits best, if the answer fits any.
     ///
-    /// A right answer fits none. A fit of the whole answer takes precedence over a fit of the
-    /// telltale ray alone. Among equal fits the closest is chosen, in steps of a fortieth of the
-    /// tolerance (a tenth of a degree), and then the first in
-    /// [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also be wrong.
+    /// A right answer fits no misconception. A fit of the whole answer takes precedence over a fit
+    /// of the telltale ray alone. Among equal fits the closest one is chosen, in steps of a
+    /// fortieth of the tolerance (a tenth of a degree); among equally close fits, the one that
+    /// comes first in [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also
+    /// be wrong.
     pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
         self.belief_of(answer).map(|(belief, fit)| Diagnosis {
             misconception: belief.misconception,
@@ -136,7 +140,7 @@ impl Question {
         })
     }
 
-    /// The misconception that an answer fits best, and how much of the answer fits.
+    /// The wrong answer that an answer fits best, and how much of the answer fits.
     pub(in crate::quiz) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
         if self.form.is_right(&answer.said) {
             return None;
@@ -149,13 +153,13 @@ impl Question {
             .map(|(belief, fit, _)| (belief, fit))
     }
 
-    /// The misconceptions that an answer could show.
+    /// The misconceptions that an answer to this question could show.
     pub fn could_show(&self) -> impl Iterator<Item = Misconception> {
         self.beliefs.iter().map(|belief| belief.misconception)
     }
 
-    /// How far an answer may be from a misconception's answer and still fit it, as a fraction of
-    /// the largest tolerance: 1 except for small angles, shares and e.
+    /// How far an answer may be from the answer that a misconception leads to and still fit it, as
+    /// a fraction of the largest tolerance: 1 except for small angles, percentages and values of e.
     pub(in crate::quiz) fn width(&self, belief: &WrongAnswer) -> f64 {
         match (&self.form, belief.said) {
             (Form::Number { quantity, .. }, Response::Number(x)) => quantity.width(x),
@@ -163,8 +167,8 @@ impl Question {
         }
     }
 
-    /// The chance that a guess fits a misconception's answer to this extent: both rays, or one of
-    /// them, which is as easily guessed as a number.
+    /// The probability that a guess fits the answer of a misconception to this extent. One of two
+    /// rays is as easily guessed as a number.
     pub(crate) fn by_chance(&self, fit: Fit) -> f64 {
         match fit {
             Fit::Whole => self.form.by_chance(),
@@ -172,7 +176,7 @@ impl Question {
         }
     }
 
-    /// How `said` fits a misconception's answer, and the distance between them.
+    /// How well `said` fits the answer of a misconception, and the distance between the two.
     fn fit(&self, belief: &WrongAnswer, said: &Response) -> Option<(Fit, f64)> {
         let distance = self.form.distance(said, &belief.said);
         if distance <= 1.0 {
@@ -192,7 +196,7 @@ impl Question {
     }
 }
 
-/// The smallest distance between any two of these; infinite if there are fewer than two.
+/// The smallest distance between any two of these items; infinite if there are fewer than two.
 pub(in crate::quiz) fn nearest<T>(all: &[T], distance: impl Fn(&T, &T) -> f64) -> f64 {
     let pairs = (1..)
         .zip(all)

@@ -1,4 +1,4 @@
-//! Two rays: where the striker and its target go.
+//! Two rays, which show where the striker and its target go.
 
 use std::f64::consts::TAU;
 
@@ -21,13 +21,13 @@ pub enum Ray {
 }
 
 impl Ray {
-    /// Both rays.
+    /// Both rays, with the striker's first.
     pub const BOTH: [Self; 2] = [Self::Striker, Self::Target];
 
-    /// A direction of this ray in words: "60.0° left", "straight ahead", "stays
-    /// still". Left and right are as seen along the striker's path.
+    /// The direction of this ray in words: "60.0° left", "straight ahead", "stays still". Left and
+    /// right are as seen along the striker's path.
     pub fn words(self, angle: Option<f64>) -> String {
-        // A scattering angle is positive to the left, a recoil angle to the right.
+        // A scattering angle is positive to the left, and a recoil angle is positive to the right.
         let leftward = match self {
             Self::Striker => angle,
             Self::Target => angle.map(|angle| -angle),
@@ -46,22 +46,22 @@ impl Ray {
 
 /// Where the two discs go, or are predicted to go.
 ///
-/// Angles in radians with the signs of physics: scattering angle θ₁ of the striker positive
-/// anticlockwise, recoil angle θ₂ of the target positive clockwise, both from the striker's
-/// original direction. `None` means that the disc stays still.
+/// The angles are in radians and follow the sign convention of physics: the striker's scattering
+/// angle θ₁ is positive anticlockwise, and the target's recoil angle θ₂ is positive clockwise, both
+/// measured from the striker's original direction. `None` means that the disc stays still.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Rays {
-    /// Scattering angle θ₁.
+    /// The scattering angle θ₁.
     pub striker: Option<f64>,
-    /// Recoil angle θ₂.
+    /// The recoil angle θ₂.
     pub target: Option<f64>,
 }
 
 impl Rays {
-    /// The largest angle by which a ray can be turned, in degrees either way.
+    /// The largest angle by which a ray can be turned in either direction, in degrees.
     pub(crate) const FURTHEST_DEG: f64 = 180.0;
 
-    /// Both discs move, at these angles in radians.
+    /// Creates rays for two moving discs, given these angles in radians.
     pub const fn new(theta1: f64, theta2: f64) -> Self {
         Self {
             striker: Some(theta1),
@@ -76,7 +76,7 @@ impl Rays {
         angles.all(|angle| is_within(deg_from_rad(angle), -most, most))
     }
 
-    /// Both angles in degrees, with the names and signs that `carrom solve` uses.
+    /// Both angles in degrees, with the names and signs used by `carrom solve`.
     pub fn json(&self) -> Value {
         json!({
             "theta1_deg": self.striker.map(deg_from_rad),
@@ -99,14 +99,14 @@ impl Rays {
         })
     }
 
-    /// Both directions as seen along the striker's path, with this name for the target: "striker
-    /// 60.0° left, coin 30.0° right".
+    /// Both directions in words, as seen along the striker's path, with this name for the target:
+    /// "striker 60.0° left, coin 30.0° right".
     pub fn words(&self, target: &str) -> String {
         let [striker, other] = Ray::BOTH.map(|ray| ray.words(self.get(ray)));
         format!("striker {striker}, {target} {other}")
     }
 
-    /// One of the two angles.
+    /// The angle of one of the two rays.
     pub fn get(&self, ray: Ray) -> Option<f64> {
         match ray {
             Ray::Striker => self.striker,
@@ -114,8 +114,8 @@ impl Rays {
         }
     }
 
-    /// The angle between one ray and the same ray of `other`, in radians from 0 to π; 0 if the disc
-    /// stays still in both, `None` if it stays still in only one.
+    /// The angle between a ray and the same ray of `other`, in radians from 0 to π; 0 if the disc
+    /// stays still in both, `None` if the disc stays still in only one of them.
     pub fn apart(&self, other: &Self, ray: Ray) -> Option<f64> {
         match (self.get(ray), other.get(ray)) {
             (None, None) => Some(0.0),
@@ -127,8 +127,8 @@ impl Rays {
         }
     }
 
-    /// The larger of the two [gaps](Self::apart); infinite if a disc moves in one and stays still
-    /// in the other.
+    /// The larger of the two [angles between corresponding rays](Self::apart); infinite if a disc
+    /// moves in one of them and stays still in the other.
     pub fn gap(&self, other: &Self) -> f64 {
         Ray::BOTH
             .map(|ray| self.apart(other, ray).unwrap_or(f64::INFINITY))

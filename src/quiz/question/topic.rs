@@ -1,8 +1,9 @@
-//! What questions are about: their topics, and the families that ask about each topic.
+//! What questions are about: the topics of questions, and the families that ask about each topic.
 //!
 //! Knowledge and reviews are stored by topic. One family may ask about several topics, and several
-//! families about one, each in its own way. The topic of a question in words is its file's name,
-//! which need not be listed here: teachers choose their own.
+//! families may ask about one topic, each in its own way. The topic of a question in words is the
+//! name of the question's file. Such topics need not be listed here, because teachers choose their
+//! own.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -12,13 +13,14 @@ use serde::{Deserialize, de::DeserializeOwned};
 
 use super::{Family, Figures, Passage};
 
-/// What a question is about. Store it by its [`id`](Self::id), which never changes; show its
+/// What a question is about. Store a topic by its [`id`](Self::id), which never changes; show its
 /// [`name`](Self::name). Topics with the same id are equal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Topic(Cow<'static, str>);
 
-/// The description of a topic: a row of `assets/topics.csv`. Which topics a chapter has, and in
-/// which order, is part of the format of codes such as `read-abd-7`; a page may change.
+/// The description of a topic, which is a row of `assets/topics.csv`. The topics of each chapter,
+/// and their order, must not change, because codes such as `read-abd-7` depend on them; pages may
+/// change.
 #[derive(Deserialize)]
 struct TopicRow {
     id: String,
@@ -38,7 +40,7 @@ fn rows<T: DeserializeOwned>(text: &str) -> Vec<T> {
     rows.filter_map(Result::ok).collect()
 }
 
-/// Which topic a chapter's question is about: a row of `assets/checkpoints.csv`.
+/// The topic of the question in a chapter, which is a row of `assets/checkpoints.csv`.
 #[derive(Deserialize)]
 struct CheckpointRow {
     chapter: String,
@@ -49,7 +51,7 @@ struct CheckpointRow {
 static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> =
     LazyLock::new(|| rows(include_str!("../../../assets/checkpoints.csv")));
 
-/// The page for a topic in a case that the topic's own page does not cover: a row of
+/// The page on a topic for a case that the topic's usual page does not cover, which is a row of
 /// `assets/topic_pages.csv`.
 #[derive(Deserialize)]
 struct CaseRow {
@@ -62,7 +64,8 @@ struct CaseRow {
 static CASES: LazyLock<Vec<CaseRow>> =
     LazyLock::new(|| rows(include_str!("../../../assets/topic_pages.csv")));
 
-/// The case that a question is about, from its figures: "lossy", "unequal" (masses) or "equal".
+/// The case that a question is about, which follows from its figures: "lossy", "unequal" (masses)
+/// or "equal".
 pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
     let figure = |name: &str| figures.get(name).and_then(|it| it.as_f64());
     if figure("restitution").is_some_and(|e| e < 1.0) {
@@ -75,21 +78,21 @@ pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
 }
 
 impl Topic {
-    /// The topic under which the question on a page of a chapter is reviewed; `None` in a teacher's
-    /// own chapters.
+    /// The topic under which the question on a chapter's page is reviewed; `None` for chapters
+    /// written by a teacher.
     pub(crate) fn of_checkpoint(chapter: &str, page: &str) -> Option<Self> {
         let mut rows = CHECKPOINTS.iter();
         let row = rows.find(|row| row.chapter == chapter && row.page == page)?;
         Some(Self::with_id(row.topic.as_str()))
     }
 
-    /// The topic with this id. An unknown id belongs to a question in words; its words are the
-    /// name.
+    /// The topic with this id. An unknown id belongs to a question in words; the name of the topic
+    /// then consists of the words in the id.
     pub fn with_id(id: impl Into<Cow<'static, str>>) -> Self {
         Self(id.into())
     }
 
-    /// The topic of a question in words: the name of its file.
+    /// The topic of a question in words, given the name of the question's file.
     pub(in crate::quiz) fn of_subject(subject: &str) -> Self {
         Self::with_id(subject.replace(' ', "-"))
     }
@@ -102,7 +105,7 @@ impl Topic {
             .map(|it| Self::with_id(it.id.as_str()))
     }
 
-    /// Its id: "corner-with-loss".
+    /// The id of the topic: "corner-with-loss".
     pub fn id(&self) -> &str {
         &self.0
     }
@@ -111,7 +114,7 @@ impl Topic {
         ROWS.iter().find(|row| row.id == self.0)
     }
 
-    /// Its name as shown: "separation, with loss".
+    /// The name of the topic as shown: "separation, with loss".
     pub fn name(&self) -> String {
         match self.known() {
             Some(row) => row.name.clone(),
@@ -119,7 +122,7 @@ impl Topic {
         }
     }
 
-    /// The generated families that ask about this topic.
+    /// The generated families with questions about this topic.
     pub(in crate::quiz) fn families_of_figures(&self) -> Vec<Family> {
         let families = self.known().map_or("", |row| &row.families);
         families.split(' ').filter_map(Family::with_id).collect()
@@ -131,7 +134,7 @@ impl Topic {
         taught.map(|row| Self::with_id(row.id.as_str()))
     }
 
-    /// The page that teaches this topic; `None` for a teacher's own subjects.
+    /// The page that teaches this topic; `None` for a subject chosen by a teacher.
     pub fn taught_on(&self) -> Option<Passage> {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })
@@ -139,7 +142,7 @@ impl Topic {
 }
 
 impl Topic {
-    /// The page that teaches what a question with these figures asks about this topic.
+    /// The page that teaches the part of this topic that a question with these figures is about.
     pub(crate) fn taught_for(&self, figures: &Figures) -> Option<Passage> {
         let case = case(figures);
         let mut rows = CASES.iter();

@@ -1,4 +1,4 @@
-//! Rounds that ask only about chapters that have been read.
+//! Rounds that ask only about chapters that the player has read.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -7,7 +7,7 @@ use super::review;
 use crate::quiz::question::{Dice, Question, Topic};
 
 /// The ids of the built-in chapters, each with its letter in codes. The letters never change: a new
-/// chapter gets the next one.
+/// chapter gets the next letter.
 const LETTERS: [(char, &str); 16] = [
     ('a', "momentum-is-a-vector"),
     ('b', "the-line-of-impact"),
@@ -27,13 +27,13 @@ const LETTERS: [(char, &str); 16] = [
     ('p', "rough-rims"),
 ];
 
-/// Some chapters, at least one of which teaches a topic that questions ask about. In codes they are
-/// letters: `read-abd-7` asks about chapters 1, 2 and 4.
+/// A set of chapters, at least one of which teaches a topic that has questions. In codes the
+/// chapters are letters: `read-abd-7` asks about chapters 1, 2 and 4.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ChaptersRead(BTreeSet<char>);
 
 impl ChaptersRead {
-    /// The chapters with these ids; `None` if no question is about any of them.
+    /// The set of chapters with these ids; `None` if there are no questions about any of them.
     pub(crate) fn of<'a>(ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
         let letter = |id| {
             let found = LETTERS.iter().find(|(_, known)| *known == id);
@@ -42,14 +42,15 @@ impl ChaptersRead {
         Self::of_letters(ids.into_iter().filter_map(letter))
     }
 
-    /// The position of a chapter among the built-in ones, for sorting; other chapters come last.
+    /// The position of a chapter among the built-in chapters, for sorting; other chapters come
+    /// last.
     pub(crate) fn order_of(id: &str) -> usize {
         let found = LETTERS.iter().position(|(_, known)| *known == id);
         found.unwrap_or(LETTERS.len())
     }
 
-    /// The chapters for the letters in a code; `None` if there are none or the letters are not in
-    /// order.
+    /// The set of chapters for the letters in a code; `None` if there are no letters or the letters
+    /// are not in order.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;
         (chapters.to_string() == letters).then_some(chapters)
@@ -68,8 +69,8 @@ impl ChaptersRead {
         ids.flat_map(|(_, id)| Topic::taught_in(id))
     }
 
-    /// Up to this many questions about what these chapters teach: every topic once before any is
-    /// repeated, easy ones first.
+    /// At most this many questions about the topics that these chapters teach. Every topic comes
+    /// once before any topic is repeated, and easy questions come first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
         let mut questions = review::in_turn(&topics, count, Topic::families_in_codes, dice);

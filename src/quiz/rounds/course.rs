@@ -1,4 +1,4 @@
-//! What a round is made of, and the code that fixes it.
+//! The definition of a round, and the code that fixes the round.
 
 use std::fmt;
 
@@ -10,58 +10,61 @@ use crate::quiz::concepts::Library;
 use crate::quiz::families;
 use crate::quiz::question::{Family, Misconception, Topic};
 
-/// The names of personal rounds, which are stored with answers in the form of codes.
+/// The names of personal rounds, which are stored with answers in the same form as
+/// codes.
 const PERSONAL: [&str; 2] = ["review", "met"];
 
-/// The prefix of the letters of chapters in codes.
+/// The prefix before the letters of chapters in codes.
 const READ: &str = "read";
 
-/// What a round is made of.
+/// The definition of a round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
-    /// Which questions it asks.
+    /// Which questions the round asks.
     pub kind: CourseKind,
-    /// How many questions it asks.
+    /// The number of questions.
     pub count: usize,
 }
 
 /// Which questions a round asks.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CourseKind {
-    /// Ten hits to predict: the round whose code is a bare number.
+    /// Ten hits to predict; this is the round whose code is a bare number.
     Hits,
     /// A few questions of all kinds.
     Quick,
-    /// All kinds, mixed by an earlier rule, for existing codes.
+    /// All kinds of questions, mixed by an older rule, for existing codes.
     Mixed,
-    /// All kinds, mixed so that every misconception is tested often enough to be detected.
+    /// All kinds of questions, mixed so that every misconception is tested often enough to be
+    /// detected.
     Even,
-    /// Finding out what a student believes: each question is chosen by the answers before it. It
-    /// begins with equal masses.
+    /// A round that finds out what a student believes: each question depends on the answers so far.
+    /// The round begins with equal masses.
     FindOut,
-    /// Finding out, but with any first question; for existing codes.
+    /// A round that finds out what a student believes, but can begin with any question; for
+    /// existing codes.
     FindOutFromAny,
-    /// Questions that can show a misconception.
+    /// Questions that can show this misconception.
     Check(Misconception),
-    /// All kinds, with no feedback until the end.
+    /// All kinds of questions, with no feedback until the end.
     Exam,
     /// Questions of one family.
     Topic(Family),
-    /// The topics that these chapters teach.
+    /// Questions about the topics that these chapters teach.
     Read(ChaptersRead),
-    /// These topics, which the player has read about or answered before.
+    /// Questions about these topics, which the player has read about or answered before.
     Met(Vec<Topic>),
-    /// A question about each of these topics, which are due, those due longest first; if there are
-    /// many, only about the first ones.
+    /// One question about each of these topics, which are due for review, with those that have been
+    /// due longest first. If there are many topics, only the first ones are included.
     Review(Vec<Topic>),
-    /// A teacher's own questions in words. A code that has just been read has none yet:
-    /// [`Code::with_own`] adds them.
+    /// A teacher's own questions in words. A code that has just been read does not contain the
+    /// questions yet: [`Code::with_own`] adds them.
     Own(Arc<Library>),
 }
 
 impl CourseKind {
-    /// The kinds that are available to everyone; the rounds on one topic and the review are listed
-    /// after them.
+    /// The kinds that are always available to everyone; rounds on a single topic and the review are
+    /// listed after these.
     pub const ALWAYS: [Self; 5] = [
         Self::FindOut,
         Self::Quick,
@@ -70,12 +73,12 @@ impl CourseKind {
         Self::Exam,
     ];
 
-    /// Its name in codes.
+    /// The name in codes.
     pub fn id(&self) -> &'static str {
         self.entry().0
     }
 
-    /// Its name as shown.
+    /// The name as shown.
     pub fn name(&self) -> &'static str {
         self.entry().1
     }
@@ -85,7 +88,7 @@ impl CourseKind {
         self.entry().2
     }
 
-    /// Its name in codes, its name as shown, and how many questions it has.
+    /// The name in codes, the name as shown, and the usual number of questions.
     fn entry(&self) -> (&'static str, &'static str, usize) {
         match self {
             Self::Hits => ("hits", "ten hits", families::where_to::LENGTH),
@@ -104,7 +107,7 @@ impl CourseKind {
         }
     }
 
-    /// Whether it depends on one player's record, so that its rounds have no code.
+    /// Whether the kind depends on one player's record, so that its rounds have no code.
     pub fn is_personal(&self) -> bool {
         matches!(self, Self::Met(_) | Self::Review(_))
     }
@@ -123,8 +126,8 @@ impl CourseKind {
             .or_else(|| read().map(Self::Read))
     }
 
-    /// The families of rounds on one topic: all except the hits of every kind, which are a course
-    /// of their own.
+    /// The families that have a round on a single topic: all except the hits of every kind, for
+    /// which there is a separate course.
     pub fn topics() -> impl Iterator<Item = Family> {
         let all = Family::ALL.iter().copied();
         all.filter(|family| *family != Family::WhereTo)
@@ -134,18 +137,18 @@ impl CourseKind {
 impl Course {
     /// The largest number of questions in a round.
     pub const MOST: usize = 60;
-    /// The largest number of questions in a review; the remaining topics are left for the next
+    /// The maximum number of questions in a review; the remaining topics are left for the next
     /// review.
     pub const REVIEWED: usize = 10;
 
-    /// A round of the usual length.
+    /// Creates a course of the usual length.
     pub fn new(kind: CourseKind) -> Self {
         let count = kind.length();
         Self { kind, count }
     }
 
-    /// A round of this many questions, clamped to between 1 and [`Course::MOST`]; ten hits are
-    /// always ten, and a review has one question per topic.
+    /// Creates a course of this many questions, clamped to the range from 1 to [`Course::MOST`];
+    /// ten hits are always ten, and a review has one question per topic.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
             CourseKind::Hits | CourseKind::Review(_) => kind.length(),
@@ -154,13 +157,13 @@ impl Course {
         Self { kind, count }
     }
 
-    /// Whether there is no feedback until the end.
+    /// Whether feedback is given only at the end.
     pub(crate) fn feedback_at_end(&self) -> bool {
         self.kind == CourseKind::Exam || self.follows_answers()
     }
 
-    /// Whether questions depend on earlier answers, so that the round cannot be printed or given to
-    /// a class.
+    /// Whether questions depend on earlier answers, so that the round can neither be printed nor
+    /// given to a class.
     pub(crate) fn follows_answers(&self) -> bool {
         use CourseKind::{FindOut, FindOutFromAny};
         matches!(self.kind, FindOut | FindOutFromAny)
@@ -170,12 +173,12 @@ impl Course {
 /// The code of a round: the same code gives the same questions on every machine and in every
 /// version.
 ///
-/// Examples: `even-7`; with a count, `even12-7`; a topic, `speeds-7`; a misconception,
-/// `copied-angle-7`; what some chapters teach, `read-abd-7`; ten hits, `hits-7` or simply `7`. Only
-/// `own-7` depends on something else: on the teacher's own files.
+/// Examples: `even-7`; with a count, `even12-7`; for a topic, `speeds-7`; for a misconception,
+/// `copied-angle-7`; for what some chapters teach, `read-abd-7`; for ten hits, `hits-7` or simply
+/// `7`. Only `own-7` depends on anything else: the teacher's own files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
-    /// What the round is made of.
+    /// The definition of the round.
     pub course: Course,
     /// The seed of the random choices.
     pub seed: u64,
@@ -196,10 +199,10 @@ pub enum NoCode {
         Course::MOST
     )]
     Count,
-    /// The number of questions in ten hits is fixed.
+    /// A round of ten hits always has ten questions.
     #[error("expected the code of ten hits without a number of questions, as in hits-7")]
     Hits,
-    /// A review, or a round about what a player has met, depends on that player's record.
+    /// A review, or a round about topics that a player has met, depends on that player's record.
     #[error(
         "a review has no code, because it is different for everyone; choose it in carrom quiz, or \
          give a code such as mixed-7"
@@ -208,7 +211,7 @@ pub enum NoCode {
 }
 
 impl Code {
-    /// The code of the ten hits for a seed.
+    /// The code of the ten hits with this seed.
     pub fn hits(seed: u64) -> Self {
         Self {
             course: Course::new(CourseKind::Hits),
@@ -216,12 +219,13 @@ impl Code {
         }
     }
 
-    /// Reads a code; `None` if the text is not a code. Case and surrounding blanks do not matter.
+    /// Reads a code; returns `None` if the text is not a code. Letter case and surrounding spaces
+    /// do not matter.
     pub fn parse(text: &str) -> Option<Self> {
         Self::read(text).ok()
     }
 
-    /// Reads a code. Case and surrounding blanks do not matter.
+    /// Reads a code. Letter case and surrounding spaces do not matter.
     ///
     /// # Errors
     /// Returns the reason if the text is not a code.
@@ -243,7 +247,7 @@ impl Code {
                 let fixed = kind == CourseKind::Hits;
                 let course = (count.parse().ok())
                     .map(|count| (count, Course::of(kind, count)))
-                    // A code with a count that would be clamped is invalid.
+                    // A code is invalid if its count would be clamped.
                     .filter(|(count, course)| course.count == *count);
                 let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
                 course.ok_or(no_count)?.1
@@ -252,8 +256,8 @@ impl Code {
         Ok(Self { course, seed })
     }
 
-    /// Reads the round stored with an answer: a code, in its usual spelling, or the name of a
-    /// personal round, which cannot be opened again.
+    /// Reads the round that is stored with an answer. The result is a code in its usual spelling,
+    /// or the name of a personal round, which cannot be opened again.
     ///
     /// # Errors
     /// Returns the reason if the text is neither.
@@ -278,7 +282,7 @@ impl Code {
 }
 
 impl Code {
-    /// The code, if its questions are the same for everyone, whatever they answer.
+    /// The code, if its questions are the same for everyone, whatever their answers.
     ///
     /// # Errors
     /// Returns the reason in words if the questions depend on the answers.
@@ -295,7 +299,7 @@ impl Code {
     /// The code with a teacher's own questions, if it requires them.
     ///
     /// # Errors
-    /// Returns the reason in words if it requires them and there are none.
+    /// Returns the reason in words if the code requires such questions but there are none.
     pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
         if let CourseKind::Own(library) = &mut self.course.kind {
             if own.concepts.is_empty() {

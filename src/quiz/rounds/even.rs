@@ -1,25 +1,27 @@
 //! Mixed questions that test every misconception often enough to detect it.
 //!
 //! In the older mixed rounds all families are equally frequent, so some misconceptions could show
-//! up in every second question and others in none of twenty. Here some candidates are drawn with
-//! the dice, and the round asks the one that best tests what has not been tested enough.
+//! up in every second question and others in none of twenty. In these rounds several candidates are
+//! drawn at random for each question, and the round asks the candidate that best tests what has not
+//! been tested enough.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Form, Misconception, Question};
 
-/// How many candidates are drawn for each question.
+/// The number of candidates drawn for each question.
 const CANDIDATES: usize = 32;
 
-/// How much each common misconception and each of the others should be tested in a round of twenty,
-/// in the units of [`shown`].
+/// How much each common misconception, and how much every other misconception, should be tested in
+/// a round of twenty questions, in the units of [`shown`].
 const ENOUGH: [u32; 2] = [16, 3];
 
-/// The weight of a missing test for a common misconception, relative to another one.
+/// The weight of a missing test for a common misconception, relative to that for any other
+/// misconception.
 const PREFERRED: u32 = 8;
 
-/// What a question can show, and how strongly: roughly the base-3 logarithm of how many times more
-/// likely a fit is than by guessing. Whole numbers are used, so that no choice depends on the last
-/// digit. An answer that has to be calculated to less than half of the largest tolerance is given
-/// too rarely to be included.
+/// The misconceptions that a question can show, and how strongly: roughly the base-3 logarithm of
+/// how many times more likely a fit is for a holder than for a guess. Whole numbers are used, so
+/// that no choice depends on the last digit. An answer that must be calculated to less than half of
+/// the largest tolerance is too rare to be included.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {
         Form::Rays { .. } => 4,
@@ -33,7 +35,7 @@ fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     wide.filter_map(move |belief| Some((belief.in_codes()?, strength)))
 }
 
-/// How much each misconception has been tested.
+/// How much each misconception has been tested so far.
 #[derive(Default)]
 struct TimesMet(Vec<(Misconception, u32)>);
 
@@ -56,11 +58,11 @@ impl TimesMet {
     }
 }
 
-/// In a round shorter than this every third question is of a family that has not been used yet,
-/// whatever it can show, so that the round stays mixed. A longer round is mixed anyway.
+/// In a round shorter than this, every third question comes from a family not used yet, whatever
+/// the question can show, to keep the round varied. A longer round is varied anyway.
 const LONG: usize = 16;
 
-/// Questions of these families, rising in difficulty. No family comes twice in a row, and none
+/// Questions from these families, with rising difficulty. No family comes twice in a row, and none
 /// makes up much more than a quarter of the questions.
 pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
     let mut met = TimesMet::default();

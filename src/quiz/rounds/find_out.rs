@@ -1,28 +1,29 @@
-//! Finding out what a student believes: each question is chosen according to the answers before it.
+//! Finding out what a student believes: the choice of each question depends on the answers so far.
 //!
 //! The student is assumed to hold one of the misconceptions, or none. The answers determine the
-//! probability of each. Some candidates are drawn with the dice, and the round asks the one whose
-//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). The round ends
-//! when one misconception is established, when all are ruled out, or after as many questions as the
-//! course has.
+//! probability of each case. Several candidates are drawn at random, and the round asks the
+//! question whose answer is expected to give the most information, in bits (D. V. Lindley, 1956).
+//! The round ends when one misconception has been established, when all have been ruled out, or
+//! when the maximum number of questions has been asked.
 
 use crate::quiz::misconceptions::{Clue, Evidence, SLIP, evidence};
 use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};
 
-/// The probability of holding none of the misconceptions, before the first answer.
+/// The probability, before the first answer, that the student holds none of the misconceptions.
 const NONE_BEFORE: f64 = 0.25;
-/// How many times more likely a common misconception is than any other.
+/// How many times more likely a common misconception is than any other, before the first answer.
 const COMMON: f64 = 5.0;
 /// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
-/// The probability of "none" at which all misconceptions are considered ruled out.
+/// The probability of holding none at which all misconceptions are considered ruled out.
 const NONE_LEFT: f64 = 0.9;
-/// The smallest number of questions before the round can end.
+/// The minimum number of questions before the round can end.
 const FEWEST: usize = 3;
-/// How many questions come before the first hard one.
+/// The number of questions before the first hard question.
 const BEFORE_HARD: usize = 3;
 
-/// The candidates drawn for each question: families, and how many of each difficulty.
+/// The candidates drawn for each question: the families, and how many questions of each difficulty
+/// are drawn from the family.
 const CANDIDATES: [(Family, usize); 11] = [
     (Family::FromAngle, 1),
     (Family::FromOffset, 1),
@@ -37,15 +38,15 @@ const CANDIDATES: [(Family, usize); 11] = [
     (Family::Concept, 6),
 ];
 
-/// The candidates for the first question, as long as it is not hard: collisions of equal masses.
+/// The candidates for the first question, unless it is hard: collisions of equal masses.
 const FIRST_CANDIDATES: [(Family, usize); 3] = [
     (Family::FromAngle, 3),
     (Family::FromOffset, 3),
     (Family::FromPicture, 3),
 ];
 
-/// Misconceptions that are not tested for: only students who have read about foils, friction or the
-/// greatest deflection can show them.
+/// Misconceptions that are not tested for, because only students who have read about foils,
+/// friction or the greatest deflection can show them.
 const NOT_SOUGHT: [Misconception; 8] = [
     Misconception::EveryAngleAlike,
     Misconception::BeyondLargest,
@@ -57,14 +58,15 @@ const NOT_SOUGHT: [Misconception; 8] = [
     Misconception::NeverBack,
 ];
 
-/// The probability of each misconception that is tested for, and of none, given the answers.
+/// The probabilities, given the answers, of each misconception that is tested for and of holding
+/// none.
 struct Posterior {
     held: Vec<(Misconception, f64)>,
     none: f64,
 }
 
 impl Posterior {
-    /// The probabilities after answers with this evidence.
+    /// The probabilities after answers that give this evidence.
     fn new(evidence: &[Evidence]) -> Self {
         let weight = |it: Misconception| {
             let found = evidence.iter().find(|found| found.misconception == it);
@@ -91,14 +93,14 @@ impl Posterior {
         }
     }
 
-    /// The probability of a misconception.
+    /// The probability that the student holds this misconception.
     fn of(&self, misconception: Misconception) -> f64 {
         let found = self.held.iter().find(|(it, _)| *it == misconception);
         found.map_or(0.0, |(_, likely)| *likely)
     }
 
-    /// The information expected from the answer to a question, in bits: the mutual information of
-    /// the belief and the answer.
+    /// The information expected from the answer to a question, in bits, which is the mutual
+    /// information of the belief and the answer.
     fn information(&self, question: &Question) -> f64 {
         let by_chance = question.by_chance(Fit::Whole);
         let known = question.beliefs.iter();
@@ -106,8 +108,9 @@ impl Posterior {
             .filter_map(|belief| Some((belief, belief.in_codes()?)))
             .collect();
         let others = (1.0 - by_chance * known.len() as f64).max(0.0);
-        // The probability of each misconception that this question can show, and the probability
-        // that its holder then shows it: an answer with a small tolerance is missed more easily.
+        // For each misconception that this question can show, its probability, and the probability
+        // that its holder shows it: if the tolerance is small, the holder is more likely to miss
+        // the answer.
         let held = known.iter().map(|(belief, misconception)| {
             let shows = (1.0 - SLIP) * question.width(belief);
             (self.of(*misconception), shows)
@@ -117,7 +120,8 @@ impl Posterior {
             .clone()
             .map(|(likely, shows)| likely * (1.0 - shows))
             .sum();
-        // The answer of a student who holds none of these fits each of them by chance.
+        // The answer of a student who holds none of these misconceptions fits each of them by
+        // chance.
         let each = held
             .clone()
             .map(|(likely, shows)| likely * shows + elsewhere * by_chance);
@@ -133,8 +137,9 @@ fn bits(p: f64) -> f64 {
     if p > 0.0 { -p * p.log2() } else { 0.0 }
 }
 
-/// Whether these answers settle the result: one misconception is named and established, or all are
-/// ruled out. `in_codes` are the same answers with misconceptions as codes count them.
+/// Whether these answers settle the result: either one misconception has been named and
+/// established, or all have been ruled out. `in_codes` is the evidence from the same answers when
+/// misconceptions are counted as in the codes of rounds.
 pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
@@ -151,8 +156,8 @@ pub(super) fn ask_first(dice: &mut Dice) -> Option<Question> {
     ask_from(&FIRST_CANDIDATES, &[], &[], dice)
 }
 
-/// The most informative question after these answers, with misconceptions as codes count them,
-/// among those drawn with the dice. No question in `asked` is asked again.
+/// The most informative question, among those drawn with the dice, after these answers, in which
+/// misconceptions are counted as in the codes of rounds. No question in `asked` is asked again.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     ask_from(&CANDIDATES, asked, in_codes, dice)
 }

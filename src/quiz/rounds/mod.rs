@@ -1,4 +1,4 @@
-//! Rounds: their questions and the codes that fix them.
+//! Rounds: their questions, and the codes that fix them.
 
 mod chapters_read;
 mod course;

@@ -1,13 +1,13 @@
-//! Questions about given topics, as in a review.
+//! Questions about given topics, as needed for a review.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
-/// How many draws are tried for a topic before another difficulty or another family is tried:
+/// The number of draws for a topic before another difficulty or another family is tried, which is
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
-/// This many questions about these topics, every topic once before any is repeated, easy ones
-/// first.
+/// This many questions about these topics. Every topic comes once before any topic is repeated, and
+/// easy questions come first.
 pub(super) fn in_turn(
     topics: &[Topic],
     count: usize,
@@ -24,10 +24,10 @@ pub(super) fn in_turn(
     questions(&order, families, dice)
 }
 
-/// A question about each of these topics, from the families that the function returns for it,
-/// shuffled, easy ones first as far as possible. No family comes twice in a row if this can be
-/// avoided, because returning to an idea works best after something else. A topic without questions
-/// is left out.
+/// A question about each of these topics, from the families that the function returns for the
+/// topic, in random order but with easy questions first as far as possible. No family comes twice
+/// in a row if this can be avoided, because it is best to return to an idea after doing something
+/// else. A topic without questions is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,
@@ -44,8 +44,8 @@ pub(super) fn questions(
     while !left.is_empty() {
         let last = questions.last().map(|question| question.family);
         let another = |family: &Family| Some(*family) != last;
-        // A topic about which only the family of the previous question asks is postponed, unless
-        // nothing else is left.
+        // If the only family for a topic is that of the previous question, the topic is postponed,
+        // unless nothing else is left.
         let next = left.iter().position(|(_, all)| all.iter().any(another));
         let (topic, mut families) = left.remove(next.unwrap_or(0));
         dice.shuffle(&mut families);
@@ -56,8 +56,8 @@ pub(super) fn questions(
     questions
 }
 
-/// A question about a topic, from the first of these families that has one, and of this difficulty
-/// if possible.
+/// A question about a topic, from the first of these families that has such a question, and of this
+/// difficulty if possible.
 fn about(
     topic: &Topic,
     families: &[Family],
@@ -122,7 +122,7 @@ mod tests {
         }
         let all = ["from-angle", "speeds", "unequal-masses", "where-to"];
         assert_eq!(met.into_iter().collect::<Vec<_>>(), all);
-        // A topic with only one family is still asked about; an unknown topic is left out.
+        // A topic that has only one family is still included; an unknown topic is left out.
         let same = ["striker-speed", "target-speed", "a-chapter"].map(Topic::with_id);
         assert_eq!(
             questions(&same, Topic::families, &mut Dice::new(7)).len(),

@@ -11,33 +11,35 @@ use crate::quiz::question::{Answer, Dice, Difficulty, Family, Misconception, Que
 
 /// The questions of a round.
 ///
-/// They follow from its [`Code`] alone, which players share: the dice, the lists in this file, the
-/// numbers each family draws from and the order of the questions in words are all part of the
-/// format, and a test pins the text of several rounds. A family that is added later must not change
-/// the questions of an existing code: it goes into a new kind of course, or into a topic of its
-/// own.
+/// They depend only on the round's [`Code`], which players share. So the dice, the lists in this
+/// file, the numbers that each family draws from and the order of the questions in words must not
+/// change; a test pins the text of several rounds. A family that is added later must not change the
+/// questions of an existing code: add the family to a new kind of course, or give it a separate
+/// topic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Round {
     code: Code,
     questions: Vec<Question>,
 }
 
-/// The families of mixed rounds: all families in the first version of codes except the first, which
-/// has a course of its own. Families that are added later come after them.
+/// The families of mixed rounds: all families in the first version of codes except the first
+/// family, which has a separate course. Families that are added later come after these in
+/// [`Family::ALL`].
 const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
-/// How many times a repeated question is redrawn before it is accepted.
+/// How many times a repeated question is drawn again before it is accepted.
 const REDRAWS: usize = 50;
 
-/// How many draws from all families are tried to find a question that can show a misconception;
-/// after that the questions in words are searched, which together can show every misconception.
+/// How many questions from all families are drawn in search of a question that can show a
+/// misconception. After that the search continues among the questions in words, which together can
+/// show every misconception.
 const SHOWING_DRAWS: usize = 400;
 
-/// How many draws are tried to find a question for another version.
+/// How many questions are drawn in search of a question for another version.
 const VERSION_DRAWS: usize = 400;
 
 impl Round {
-    /// The round of a course and a seed.
+    /// Creates the round with this course and this seed.
     pub fn new(course: Course, seed: u64) -> Self {
         let questions = match &course.kind {
             CourseKind::Hits => where_to::hits(seed)
@@ -90,7 +92,7 @@ impl Round {
     }
 
     /// Adds the next question after these answers, in a round whose questions depend on the
-    /// answers, unless the answers settle the result.
+    /// answers; adds nothing if the answers settle the result.
     pub fn go_on(&mut self, answers: &[Answer]) {
         let Code { course, seed } = &self.code;
         let asked = self.questions.len();
@@ -105,7 +107,8 @@ impl Round {
             clues.collect::<Vec<_>>()
         });
         if !find_out::is_settled(&clues, &in_codes) {
-            // The seed does not depend on how many random numbers the earlier questions used.
+            // The seed does not depend on how many random numbers were used for the earlier
+            // questions.
             let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
             let dice = &mut Dice::new(seed);
             let next = match course.kind {
@@ -116,20 +119,21 @@ impl Round {
         }
     }
 
-    /// The ten hits for a seed.
+    /// The ten hits with this seed.
     pub fn hits(seed: u64) -> Self {
         Self::new(Course::new(CourseKind::Hits), seed)
     }
 
-    /// The round of a code.
+    /// The round with this code.
     pub fn of(code: Code) -> Self {
         Self::new(code.course, code.seed)
     }
 
-    /// Another version of the round, for pupils who sit side by side: each question has the same
-    /// topic, difficulty and form but other numbers; a question in words is replaced by another
-    /// about the same subject, or has its choices in another order. Versions are numbered from 1,
-    /// which is the round itself; the same number gives the same version.
+    /// Another version of the round, for pupils who sit side by side. Each question has the same
+    /// topic, difficulty and form, but different numbers; a question in words is replaced by
+    /// another question about the same subject, or its choices are in a different order. Versions
+    /// are numbered from 1, which is the round itself; the same number always gives the same
+    /// version.
     pub fn version(&self, number: u64) -> Self {
         let Code { course, seed } = &self.code;
         if number < 2 {
@@ -156,14 +160,15 @@ impl Round {
         }
     }
 
-    /// A question of the same kind as one of this round.
+    /// A question of the same kind as this question of the round.
     fn like(&self, asked: &Question, draw: usize, dice: &mut Dice) -> Option<Question> {
         if let CourseKind::Own(library) = &self.code.course.kind {
             let id = asked.figures.get("id")?.as_str()?;
             let concept = library.concepts.iter().find(|it| it.id == id)?;
             return concept::question(concept, dice);
         }
-        // In a round of ten hits a kind may have a different difficulty from the one in its family.
+        // In a round of ten hits, the difficulty of a kind may differ from its difficulty in the
+        // family.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,
@@ -175,7 +180,7 @@ impl Round {
         })
     }
 
-    /// The code that fixes the round; the code of a review cannot be opened, because a review
+    /// The code that fixes the round. The code of a review cannot be opened, because a review
     /// belongs to one player.
     pub fn code(&self) -> &Code {
         &self.code
@@ -192,8 +197,8 @@ impl Round {
     }
 }
 
-/// Questions of these families, shuffled, easy ones first. No family is repeated before all have
-/// been used.
+/// Questions from these families, in random order but with easy questions first. No family is
+/// repeated before all families have been used.
 fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
     let mut order: Vec<Family> = Vec::new();
@@ -218,10 +223,12 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
     questions
 }
 
-/// Questions of any family that can show a misconception, easy ones first as far as possible.
+/// Questions from any family that can show this misconception, with easy questions first as far as
+/// possible.
 fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
-    // The code of a misconception that was split later still gives the same questions.
+    // The code of a misconception still gives the same questions even if the misconception was
+    // split later.
     let shows = |question: &Question| {
         let mut beliefs = question.beliefs.iter();
         beliefs.any(|it| it.misconception == misconception || it.in_codes() == Some(misconception))
@@ -242,7 +249,7 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
         questions.extend(fresh.or_else(|| {
             let mut written = concepts::of(Family::Concept);
             dice.shuffle(&mut written);
-            // Questions written later come last, so that older codes do not change.
+            // Questions that were written later come last, so that older codes do not change.
             written.extend(concepts::of(Family::Ideas));
             let written = written.into_iter();
             let mut asked = written.filter_map(|it| concept::question(it, &mut dice));
@@ -252,7 +259,7 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
     questions
 }
 
-/// Questions in words, each once, easy ones first and otherwise shuffled.
+/// Questions in words, each of them once, in random order but with easy questions first.
 fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
     let mut concepts: Vec<&Concept> = concepts.iter().collect();
@@ -265,8 +272,9 @@ fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
         .collect()
 }
 
-/// A separate seed for each kind of course, so that the quick five of a seed are not the first half
-/// of its mixed ten: the seed combined with the FNV-1a hash of the name.
+/// Combines the seed with the FNV-1a hash of the name to give each kind of course a separate seed,
+/// so that the five questions of a quick round are not the first half of the mixed round with the
+/// same seed.
 fn salted(id: &str, seed: u64) -> u64 {
     seed ^ fnv1a(FNV_START, id.as_bytes())
 }
