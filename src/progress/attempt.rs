@@ -9,22 +9,22 @@ use crate::quiz::{
     Answer, Clue, Code, Confidence, Figures, Form, Grade, Misconception, Question, Rays, Topic,
 };
 
-/// The family of all questions in chapters.
+/// The family to which all questions in chapters belong.
 pub const LESSON: &str = "lesson";
 
 /// The largest possible error of an angle, in degrees, with a margin for rounding.
 const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
-/// The largest number of choices in a chapter's question, with room for later versions.
+/// The maximum number of choices in a chapter's question, with room for future versions.
 const MOST_LINES: u64 = 26;
 
-/// Writes figures as a JSON object.
+/// Formats figures as a JSON object.
 pub(crate) fn figures_text(figures: &Figures) -> String {
     serde_json::to_string(figures).unwrap_or_default()
 }
 
 /// One answer, with everything known about it. An attempt is not specific to the quiz: anything
-/// that asks questions can record answers. This serialization is used in a pupil's hand-in, whose
-/// file names the player once.
+/// that asks questions can record answers. The serialized form is used in a pupil's hand-in, a file
+/// that gives the player's name only once.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
     /// The time in seconds since the start of 1970 (UTC), set by the store; `None` before that, or
@@ -37,25 +37,26 @@ pub struct Attempt {
     /// The family of the question, by its name in files: "where-to", or [`LESSON`], [`TABLE`] or
     /// [`LEVEL`].
     pub family: String,
-    /// The topic: the id of a [`Topic`], or the title of the chapter.
+    /// The topic, as the id of a [`Topic`] or the title of a chapter.
     pub topic: String,
     /// The seed of the round; 0 if there is none.
     pub seed: u64,
-    /// The question's number in the round, the page of the chapter, the move of the game or the
-    /// level on the list, from 1.
+    /// The number, from 1, of the question in the round, the page in the chapter, the move in the
+    /// game, or the level in the list.
     pub number: u32,
-    /// The figures of the question. Those of the quiz include the code of the `round`, the
-    /// `misconceptions` that an answer could have shown, by their names in files, and the chance
-    /// that a guess fits one of them, `by_chance`.
+    /// The figures of the question. For quiz questions they include the code of the `round`, the
+    /// `misconceptions` that an answer could have shown, by their names in files, and `by_chance`,
+    /// the probability that a guess fits one of these misconceptions.
     pub question: Figures,
     /// The answer.
     pub answer: Figures,
-    /// The right answer.
+    /// The correct answer.
     pub truth: Figures,
-    /// The error of the angle in degrees, or the largest of several; `None` if there was no angle.
+    /// The error of the angle in degrees, or the largest of several errors; `None` if the answer
+    /// had no angle.
     #[serde(default)]
     pub error_deg: Option<f64>,
-    /// Credit from 0 to 1.
+    /// The credit, from 0 to 1.
     pub credit: f64,
     /// Whether the answer counts as right.
     pub right: bool,
@@ -103,8 +104,8 @@ impl Attempt {
         attempt.with_evidence(question, answer)
     }
 
-    /// This attempt with the figures of a question, and the evidence for misconceptions in the
-    /// answer to it.
+    /// This attempt with the figures of the question, and with the evidence for misconceptions that
+    /// the answer to the question provides.
     pub(crate) fn with_evidence(mut self, question: &Question, answer: &Answer) -> Self {
         let clue = Clue::new(question, answer);
         let beliefs = clue.could_show.iter().map(|it| it.id());
@@ -117,7 +118,7 @@ impl Attempt {
         self
     }
 
-    /// The name of the topic as shown: "equal masses, by offset", or the title of the chapter.
+    /// The topic as shown: "equal masses, by offset", or the title of the chapter.
     pub(crate) fn topic_name(&self) -> String {
         topic_name(&self.family, &self.topic)
     }
@@ -126,7 +127,7 @@ impl Attempt {
     ///
     /// Anyone can change files and databases. All code that counts, shows or hands in answers
     /// relies on this check: numbers are finite and in range, and the answer is of the same kind as
-    /// the right one.
+    /// the correct answer.
     pub fn fault(&self) -> Option<&'static str> {
         let error_is_possible = |error: f64| match self.family.as_str() {
             // In a chapter, any angle is possible.
@@ -151,13 +152,13 @@ impl Attempt {
             LESSON => lesson_answer_is_possible(answer),
             _ => Form::could_be_kept(answer),
         };
-        // The result is stored even if the answer is not.
+        // A result is stored even if there is no stored answer.
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If the
-    /// misconceptions that an answer could have shown were not stored, only the one that it did
-    /// show is known.
+    /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If it
+    /// was not stored which misconceptions an answer could have shown, only the misconception that
+    /// it did show is included.
     pub(super) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
@@ -178,13 +179,14 @@ impl Attempt {
         Misconception::with_id(self.misconception.as_deref()?)
     }
 
-    /// Whether it was given in the quiz, and not in a chapter, at the table or in a level.
+    /// Whether the answer was given in the quiz, rather than in a chapter, at the table or in a
+    /// level.
     pub(crate) fn is_of_quiz(&self) -> bool {
         ![LESSON, TABLE, LEVEL].contains(&self.family.as_str())
     }
 
-    /// The round in which the answer was given: its code, the title of a chapter, or the table or
-    /// the levels.
+    /// The round in which the answer was given: the code of the round, the title of the chapter, or
+    /// the name for the table or for the levels.
     pub fn round(&self) -> String {
         match self.family.as_str() {
             LESSON => return format!("chapter: {}", self.topic),
@@ -197,13 +199,13 @@ impl Attempt {
         noted.map_or_else(|| self.seed.to_string(), str::to_owned)
     }
 
-    /// Whether it was given in a review.
+    /// Whether the answer was given in a review.
     pub(crate) fn is_of_review(&self) -> bool {
         self.is_of_quiz() && self.round().starts_with("review")
     }
 
-    /// The quiz topic of the answer; for a checkpoint of a chapter, the topic under which it is
-    /// reviewed.
+    /// The topic of the answer in the quiz; for a checkpoint in a chapter, the topic under which
+    /// the checkpoint is reviewed.
     pub(crate) fn quiz_topic(&self) -> Option<&str> {
         match self.family.as_str() {
             LESSON => self.question.get(REVIEWED_BY)?.as_str(),
@@ -211,20 +213,20 @@ impl Attempt {
         }
     }
 
-    /// Points for accuracy, 0 to [`Grade::MOST`], without the confidence.
+    /// The points for accuracy, from 0 to [`Grade::MOST`], not taking the confidence into account.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
 
-    /// The points including the confidence.
+    /// The points, taking the confidence into account.
     pub fn earned(&self) -> f64 {
         self.confidence
             .map_or(self.points(), |it| it.points(self.credit))
     }
 
-    /// The chance that a guess fits a misconception, if it was not stored: an upper bound from the
-    /// answer. There were at least three choices, and at least as many as the stored misconceptions
-    /// plus the right one.
+    /// An upper bound, based on the answer, for the probability that a guess fits a misconception;
+    /// it is used if this probability was not stored. There were at least three choices, and at
+    /// least as many as the stored misconceptions plus the right choice.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
         match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,
@@ -238,7 +240,7 @@ impl Attempt {
     }
 }
 
-/// Whether this is a possible answer to a checkpoint of a chapter: two rays, any number, or a
+/// Whether this is a possible answer to a checkpoint in a chapter: two rays, any number, or a
 /// choice counted from 1.
 fn lesson_answer_is_possible(answer: &Figures) -> bool {
     match (answer.get("number"), answer.get("choice")) {
@@ -250,7 +252,7 @@ fn lesson_answer_is_possible(answer: &Figures) -> bool {
     }
 }
 
-/// The name of a family's topic, as shown.
+/// The topic of a family, as shown.
 pub(super) fn topic_name(family: &str, topic: &str) -> String {
     match family {
         LESSON => topic.to_owned(),
@@ -258,19 +260,19 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
     }
 }
 
-/// The key in [`Attempt::question`] of the code of the round.
+/// The key of the round's code in [`Attempt::question`].
 pub(crate) const ROUND: &str = "round";
 
-/// The key of the topic under which a question of a chapter is reviewed.
+/// The key of the topic under which a chapter's question is reviewed.
 pub(crate) const REVIEWED_BY: &str = "topic";
 
 /// The key of the misconceptions that an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
-/// The key of the chance that a guess fits one of these misconceptions.
+/// The key of the probability that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
-/// The chance that a guess fits a number or one ray, as for quiz questions.
+/// The probability that a guess fits a number or one ray, as for quiz questions.
 const ONE_BY_CHANCE: f64 = 0.08;
 
 #[cfg(test)]
@@ -325,7 +327,7 @@ mod tests {
         }
         for answer in [
             "{\"choice\":99}",
-            // These are not of the same kind as the right answer.
+            // These answers are not of the same kind as the correct answer.
             "{\"choice\":\"B\"}",
             "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
             "{\"theta1_deg\":null}",
@@ -365,7 +367,7 @@ mod tests {
         assert!((right.credit - 1.0).abs() < 1e-12);
         assert!(right.error_deg.unwrap() < 1e-9);
         assert_eq!(right.misconception, None);
-        // Equal masses in an elastic collision leave at right angles: 60° and 30°.
+        // Equal masses leave an elastic collision at right angles: 60° and 30°.
         let truth = &right.truth;
         assert!((truth["theta1_deg"].as_f64().unwrap() - 60.0).abs() < 1e-9);
         assert!((truth["theta2_deg"].as_f64().unwrap() - 30.0).abs() < 1e-9);
@@ -389,7 +391,7 @@ mod tests {
             ..HIT.truth()
         };
         let still = noted(rays, Confidence::Guess);
-        // The striker has no angle error, but the answer for the striker is still wrong.
+        // There is no angle error for the striker, but its answer is still wrong.
         assert!(rays.apart(&HIT.truth(), Ray::Striker).is_none());
         assert!(still.error_deg.unwrap() < 1e-9 && !still.right);
     }

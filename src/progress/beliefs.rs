@@ -3,11 +3,12 @@
 use super::Attempt;
 use crate::quiz::{ChaptersRead, Clue, CourseKind, Evidence, Misconception, Passage, Topic};
 
-/// How many answers in a row settle a misconception, if they could have shown it and did not.
+/// The number of consecutive answers that settle a misconception, if each could have shown the
+/// misconception but did not.
 const SETTLED: usize = 2;
 
-/// A misconception that the answers show, with the evidence from the first half of all attempts and
-/// from the second half. If the number of attempts is odd, the second half has one more.
+/// A misconception that the answers show, with the evidence from the first half and from the second
+/// half of all attempts. If the number of attempts is odd, the second half has one more.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
     /// The misconception.
@@ -46,7 +47,7 @@ impl Trend {
         }
     }
 
-    /// Whether the player has improved.
+    /// Whether the trend is an improvement.
     pub(crate) const fn is_good(self) -> bool {
         matches!(self, Self::Fading | Self::Gone)
     }
@@ -70,19 +71,20 @@ impl HeldBelief {
     }
 }
 
-/// A named misconception that is not settled. It is settled once enough later answers could have
-/// shown it and did not.
+/// A named misconception that is not settled. A misconception is settled once enough later answers
+/// could have shown it but did not.
 #[derive(Debug, Clone)]
 pub(crate) struct UnsettledBelief<'a> {
     pub(crate) misconception: Misconception,
-    /// The answers that showed it, at least one.
+    /// The answers that showed the misconception; there is at least one.
     pub(crate) shown: Vec<&'a Attempt>,
-    /// The last of them.
+    /// The last of these answers.
     pub(crate) last: &'a Attempt,
 }
 
 impl UnsettledBelief<'_> {
-    /// Whether the last answer that showed it was given in a check for it.
+    /// Whether the last answer that showed the misconception was given in a check for this
+    /// misconception.
     pub(crate) fn failed_check(&self) -> bool {
         let check = CourseKind::Check(self.misconception);
         let round = self.last.round();
@@ -90,8 +92,8 @@ impl UnsettledBelief<'_> {
     }
 }
 
-/// The pages that treat a misconception in the cases in which these answers showed it, in the order
-/// of the chapters: the first treats the simplest case.
+/// The pages about the cases in which these answers showed a misconception, in the order of the
+/// chapters: the first page is about the simplest case.
 pub(crate) fn pages_about<'a>(
     misconception: Misconception,
     shown: impl IntoIterator<Item = &'a Attempt>,
@@ -105,13 +107,15 @@ pub(crate) fn pages_about<'a>(
     pages
 }
 
-/// The named misconceptions that are not settled, and how many were ever named.
+/// The named misconceptions that are not settled, and the number of misconceptions that were ever
+/// named.
 pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usize) {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
     let named = beliefs(attempts);
     let unsettled = named.iter().filter_map(|held| {
         let misconception = held.misconception;
-        // A question drawn before a misconception was split can show one of its parts.
+        // If a question was drawn before a misconception was split, it can show one of the
+        // resulting misconceptions.
         let is_it =
             |it: &Misconception| *it == misconception || it.in_codes() == Some(misconception);
         let shows = |clue: &&Clue| clue.shows.as_ref().is_some_and(is_it);
@@ -127,7 +131,7 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
     (unsettled.collect(), named.len())
 }
 
-/// The misconceptions that all answers, or those of one half, name, sorted by their evidence in the
+/// The misconceptions named by all answers or by those of one half, sorted by their evidence in the
 /// second half. Unknown misconceptions are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
@@ -159,9 +163,9 @@ mod tests {
     use crate::quiz::figures;
     use serde_json::json;
 
-    /// The misconceptions found from answers about two rays. Each answer could show these
-    /// misconceptions, and shows the first if it is marked `true`. The numbers are how often it was
-    /// shown and how often it could have been shown, in each half.
+    /// The misconceptions found from answers about two rays. Each answer could show the given
+    /// misconceptions, and shows the first of them if it is marked `true`. The numbers are, for
+    /// each half, how often the misconception was shown and how often it could have been shown.
     fn trend(answers: &[(&[&str], bool)]) -> Vec<(&'static str, [usize; 4], Trend)> {
         let attempts: Vec<_> = (0..)
             .zip(answers)

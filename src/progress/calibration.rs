@@ -1,12 +1,13 @@
-//! How well confidence matches the answers.
+//! How well the players' confidence matches their answers.
 
 use super::{Attempt, Tally};
 use crate::quiz::Confidence;
 
-/// The minimum number of answers with one confidence before carrom comments on it.
+/// The minimum number of answers with the same confidence level before carrom comments on that
+/// level.
 const ENOUGH: usize = 3;
 
-/// The results of the answers with one confidence.
+/// The results of all answers with one confidence level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Calibrated {
     /// The confidence.
@@ -16,8 +17,8 @@ pub struct Calibrated {
 }
 
 impl Calibrated {
-    /// The range of shares of right answers in which this confidence earns the most points; see
-    /// [`Confidence::points`].
+    /// The range in which the fraction of right answers must lie for this confidence level to earn
+    /// the most points; see [`Confidence::points`].
     pub(crate) const fn honest(confidence: Confidence) -> (f64, f64) {
         match confidence {
             Confidence::Guess => (0.0, 0.5),
@@ -26,8 +27,9 @@ impl Calibrated {
         }
     }
 
-    /// How far the share of right answers is outside the range of this confidence: above 0 if the
-    /// share is higher, below 0 if it is lower, 0 if it fits or if there are too few answers.
+    /// How far the fraction of right answers is outside the range of this confidence level: above 0
+    /// if the fraction is too high, below 0 if it is too low, 0 if it is in the range or if there
+    /// are too few answers.
     pub(crate) fn beyond(&self) -> f64 {
         let (from, to) = Self::honest(self.confidence);
         match self.tally.share_right() {
@@ -39,7 +41,7 @@ impl Calibrated {
     }
 }
 
-/// The results of the answers with each confidence, the least sure first.
+/// The results for each confidence level, with the least sure first.
 pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     Confidence::ALL.map(|confidence| Calibrated {
         confidence,
@@ -51,10 +53,10 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     })
 }
 
-/// The share of right answers over time, for each confidence from the least sure. Each point has
-/// the number of an answer with that confidence (from 1, among all attempts), and the share of
-/// right answers among the last `reach` with that confidence. The first point is at answer
-/// [`ENOUGH`].
+/// The fraction of right answers over time, for each confidence level, with the least sure first.
+/// Each point has the number of an answer with that level (counted from 1 among all attempts), and
+/// the fraction of right answers among the last `reach` answers with that level. The first point is
+/// at answer [`ENOUGH`].
 pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize, f64)>; 3] {
     let reach = reach.max(ENOUGH);
     Confidence::ALL.map(|confidence| {
@@ -72,8 +74,8 @@ pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<
     })
 }
 
-/// A comment of one or two sentences on the confidence that is furthest outside its range; if two
-/// are equally far, on the surer one.
+/// A comment of one or two sentences on the confidence level furthest outside its range; in a tie,
+/// on the higher level.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
     let gap = |it: &&Calibrated| it.beyond().abs();
     let widest = calibration
@@ -138,7 +140,7 @@ mod tests {
         let mut all: Vec<_> = [false, false, true, true]
             .map(|right| answer(right, sure))
             .into();
-        // An answer without a confidence is counted only as an attempt.
+        // An answer without a confidence level is counted only as an attempt.
         all.insert(2, answer(true, None));
         let [guess, think_so, sure] = calibration_over_time(&all, 3);
         assert!(guess.is_empty() && think_so.is_empty());

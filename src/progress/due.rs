@@ -1,20 +1,21 @@
-//! The topics of the quiz that are due.
+//! The topics of the quiz that are due for review.
 
 use super::{Attempt, Calendar, LESSON, Review, reviews};
 use crate::quiz::{Course, CourseKind, Topic};
 
-/// The topics of the quiz that are due, and the next one. Chapters are not included, because each
-/// chapter shows which of its questions to repeat.
+/// The topics of the quiz that are due for review, and the topic that is due next. Chapters are not
+/// included, because each chapter shows which of its questions should be repeated.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Due {
-    /// The topics that are due, those due longest first.
+    /// The topics that are due, with those that have been due longest first.
     pub now: Vec<Topic>,
-    /// The topic that is due next, and when: "in 2 days".
+    /// The topic that is due next, and when it is due: "in 2 days".
     pub next: Option<(Topic, String)>,
 }
 
 impl Due {
-    /// The topics due today, from the answers; none if the time is unknown.
+    /// The topics due today, according to the answers; there are none if the current time is
+    /// unknown.
     pub fn of(attempts: &[Attempt], calendar: &Calendar) -> Self {
         let Some(today) = calendar.today() else {
             return Self::default();
@@ -39,14 +40,15 @@ impl Due {
         &self.now[..self.now.len().min(Course::REVIEWED)]
     }
 
-    /// A review, if anything is due.
+    /// The course for a review, if anything is due.
     pub fn course(&self) -> Option<CourseKind> {
         (!self.now.is_empty()).then(|| CourseKind::Review(self.now.clone()))
     }
 }
 
 impl Review {
-    /// Whether the quiz can ask about it: a teacher's own questions may have topics of their own.
+    /// Whether the quiz has questions about the topic: a teacher's own questions may have other
+    /// topics.
     fn is_of_quiz(&self) -> bool {
         self.family != LESSON && !Topic::with_id(self.topic.clone()).families().is_empty()
     }
@@ -59,7 +61,7 @@ mod tests {
 
     const NOW_S: i64 = 1_800_000_000;
 
-    /// A right or wrong answer to the first question of a round, given `days_ago`.
+    /// A right or wrong answer to the first question of a round, given this many days ago.
     fn attempt(code: &str, right: bool, days_ago: i64) -> Attempt {
         let round = Round::of(Code::parse(code).unwrap());
         let question = &round.questions()[0];

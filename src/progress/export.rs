@@ -1,4 +1,4 @@
-//! Attempts for other programs, as a table or as JSON.
+//! Exports attempts for use in other programs, as a table or as JSON.
 
 use jiff::Timestamp;
 use serde::{Serialize, Serializer};
@@ -11,10 +11,10 @@ use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
 
-/// The value of a column, as JSON.
+/// The function that returns the value of a column, as JSON.
 type ColumnValue = fn(&Attempt) -> Value;
 
-/// The columns: their headings and values.
+/// The columns, each with its heading and the function for its values.
 const COLUMNS: [(&str, ColumnValue); 14] = [
     ("time", |it| it.time_s.and_then(utc).into()),
     ("player", |it| it.player.as_str().into()),
@@ -33,7 +33,7 @@ const COLUMNS: [(&str, ColumnValue); 14] = [
 ];
 
 /// The headings of the columns after the [`COLUMNS`] in a table. Their values could be extracted
-/// from the JSON, but nobody should have to.
+/// from the JSON, but users should not have to do that.
 const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
 
 /// The values of [`IN_WORDS`].
@@ -55,10 +55,10 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
     ]
 }
 
-/// The attempts as a [table](csv_table), one per row.
+/// The attempts as a [table](csv_table), with one attempt per row.
 ///
 /// # Errors
-/// The reason if a row cannot be written, which does not happen in practice.
+/// Returns the reason if a row cannot be written, which does not happen in practice.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     let cell = |column: &str, value: Value| match (column, value) {
         ("answer" | "truth", Value::Object(said)) => figures_text(&tidied(&said)),
@@ -79,8 +79,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     csv_table(heads, &rows)
 }
 
-/// The answer, with its numbers as they were typed: a 30 is stored in radians and would otherwise
-/// be printed as 29.999999999999996.
+/// The answer, with its numbers as they were typed: an angle of 30° is stored in radians and would
+/// otherwise be printed as 29.999999999999996.
 fn tidied(said: &Figures) -> Figures {
     let mut said = said.clone();
     for value in said.values_mut() {
@@ -94,7 +94,7 @@ fn tidied(said: &Figures) -> Figures {
     said
 }
 
-/// A time in seconds since the start of 1970 in the form 2026-11-21T10:00:00Z; `None` outside the
+/// Formats a time in seconds since the start of 1970 as 2026-11-21T10:00:00Z; `None` outside the
 /// years 1970 to 9999.
 pub fn utc(time_s: i64) -> Option<String> {
     let time = Timestamp::from_second(time_s).ok()?;
@@ -105,7 +105,7 @@ pub fn utc(time_s: i64) -> Option<String> {
 /// step, and the results of the games at the table.
 ///
 /// # Errors
-/// The reason if a value cannot be written, which does not happen in practice.
+/// Returns the reason if a value cannot be written, which does not happen in practice.
 pub fn json(
     attempts: &[Attempt],
     observed: &[Observation],
@@ -147,8 +147,8 @@ impl Serialize for AttemptRow<'_> {
     }
 }
 
-/// The number of calls at the table, and of those in which no ray is more than 2° off, which earn
-/// full credit.
+/// The number of calls at the table, and the number of those that earn full credit because no ray
+/// is more than 2° off.
 fn calls(attempts: &[Attempt]) -> Value {
     let calls = || attempts.iter().filter(|it| it.family == TABLE);
     let close = calls().filter(|it| it.credit >= 1.0 - 1e-9).count();
@@ -263,7 +263,7 @@ mod tests {
                         || first.parse::<f64>().is_ok(),
                     "{cell:?}"
                 );
-                // Unknown topics are shown by the words of their ids.
+                // An unknown topic is shown as the words in its id.
                 let shown = match column {
                     3 => name.replace('-', " "),
                     _ => name.to_owned(),

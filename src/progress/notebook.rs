@@ -7,7 +7,8 @@ use crate::quiz::{Figures, Rays, figures};
 
 use super::figures_text;
 
-/// A hit in the lab's notebook. Its result is not stored, because it follows from the settings.
+/// A hit in the lab's notebook. The result of the hit is not stored, because it follows from the
+/// settings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NotedHit {
     /// The time in seconds since the start of 1970 (UTC), set by the store; `None` if it is
@@ -20,10 +21,10 @@ pub struct NotedHit {
 }
 
 impl NotedHit {
-    /// The largest number of hits of one player that are read: the latest ones.
+    /// The maximum number of hits that are read for one player; these are the latest hits.
     pub(crate) const MOST: usize = 1000;
 
-    /// A hit that is not stored yet.
+    /// Creates a hit that has not been stored yet.
     pub(crate) fn new(setup: CollisionSpec, said: Option<Rays>) -> Self {
         Self {
             time_s: None,
@@ -32,8 +33,8 @@ impl NotedHit {
         }
     }
 
-    /// A stored hit: the settings as in a link, and the prediction as JSON; `None` if carrom cannot
-    /// have written them.
+    /// Reads a stored hit from its settings, which have the same form as in a link, and its
+    /// prediction as JSON; `None` if carrom cannot have written these texts.
     pub(crate) fn of_texts(time_s: Option<i64>, setup: &str, said: Option<&str>) -> Option<Self> {
         let said = match said {
             Some(said) => Some(rays_of_text(said)?),
@@ -47,7 +48,7 @@ impl NotedHit {
     }
 }
 
-/// Two rays as JSON.
+/// Formats two rays as JSON.
 pub(crate) fn rays_text(rays: &Rays) -> String {
     figures_text(&figures(rays.json()))
 }

@@ -1,9 +1,9 @@
-//! What a player saw in a hit, before its angles were shown.
+//! What a player saw in a hit before the angles were shown.
 //!
-//! An observation is kept apart from the answers: it is no evidence for a misconception, and does
-//! not count in any topic. About one in five observations of a demonstration in physics lectures
-//! differs from what happened (Miller, Lasry, Chu & Mazur 2013, *Phys. Rev. ST Phys. Educ. Res.* 9,
-//! 020113).
+//! Observations are kept separate from answers: they are not evidence for a misconception, and do
+//! not count towards any topic. About one in five observations of a demonstration in physics
+//! lectures differs from what happened (Miller, Lasry, Chu & Mazur 2013, *Phys. Rev. ST Phys. Educ.
+//! Res.* 9, 020113).
 
 use serde_json::{Value, json};
 
@@ -40,14 +40,15 @@ pub enum ObservationPlace {
     Quiz,
 }
 
-/// An observation is right if both rays are within this angle of the true ones: an eye is less
-/// exact than a calculation.
+/// An observation is right if both rays are within this angle of the true rays: observing is less
+/// accurate than calculating.
 const SEEN_DEG: f64 = 10.0;
-/// A prediction can be told apart from what happened if it is at least this far off.
+/// A prediction can be distinguished from what happened if it is wrong by at least this angle.
 const APART_DEG: f64 = 20.0;
-/// The number of latest observations, of those that can show it, that are looked at.
+/// The number of most recent observations that are considered, among those that can show whether a
+/// player sees what they expect.
 const LATEST: usize = 10;
-/// The smallest number of observations closer to the prediction that is reported.
+/// The minimum number of observations closer to the prediction for a report.
 const ENOUGH: usize = 3;
 
 impl Observation {
@@ -56,12 +57,12 @@ impl Observation {
         is_close(&self.seen, &self.truth)
     }
 
-    /// Whether the prediction was right, by the measure of an observation.
+    /// Whether the prediction was right, by the standard for observations.
     pub fn was_expected(&self) -> bool {
         is_close(&self.said, &self.truth)
     }
 
-    /// Whether the prediction was so far off that an observation can follow it.
+    /// Whether the prediction was so far off that the observation could have followed it.
     fn can_follow(&self) -> bool {
         self.said.gap(&self.truth) >= rad_from_deg(APART_DEG)
     }
@@ -73,7 +74,7 @@ impl Observation {
             && self.seen.gap(&self.said) < self.seen.gap(&self.truth)
     }
 
-    /// The observation and the prediction in a sentence or two.
+    /// One or two sentences on the observation and the prediction.
     pub(crate) fn words(&self) -> &'static str {
         match (self.was_expected(), self.is_right()) {
             (true, true) => "You predicted it, and you saw it.",
@@ -97,26 +98,27 @@ fn is_close(rays: &Rays, truth: &Rays) -> bool {
     rays.gap(truth) <= rad_from_deg(SEEN_DEG)
 }
 
-/// How many of a player's observations are right, and how many follow the prediction.
+/// The number of a player's observations that are right, and the number that follow the prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ObservationCounts {
-    /// All observations.
+    /// The number of all observations.
     pub all: usize,
-    /// Those that are right.
+    /// The number of observations that are right.
     pub right: usize,
-    /// Those that are wrong although the prediction was right.
+    /// The number of observations that are wrong even though the prediction was right.
     pub only_predicted: usize,
-    /// Those that are right although the prediction was wrong.
+    /// The number of observations that are right even though the prediction was wrong.
     pub only_seen: usize,
-    /// Those that are wrong and closer to the prediction than to what happened.
+    /// The number of observations that are wrong and closer to the prediction than to what
+    /// happened.
     pub follow: usize,
-    /// Of the latest ten after predictions at least 20° off: how many there are, and how many of
-    /// them follow the prediction.
+    /// For the latest observations after predictions that were at least 20° off, up to ten of them:
+    /// the number of these observations, and how many of them follow the prediction.
     pub latest: (usize, usize),
 }
 
 impl ObservationCounts {
-    /// The counts of some observations, the latest last.
+    /// The counts of these observations, in which the latest come last.
     pub fn new(observations: &[Observation]) -> Self {
         let all = || observations.iter();
         let count = |is: fn(&Observation) -> bool| all().filter(|it| is(it)).count();
@@ -133,14 +135,14 @@ impl ObservationCounts {
         }
     }
 
-    /// Whether the player tends to see what they expect: at least three of the latest ten
-    /// observations that can show it follow the prediction, and more than half of them.
+    /// Whether the player tends to see what they expect: of the latest ten observations that can
+    /// show this, at least three follow the prediction, and more than half do.
     pub fn sees_what_is_expected(&self) -> bool {
         let (clear, follow) = self.latest;
         follow >= ENOUGH && 2 * follow > clear
     }
 
-    /// The counts in sentences; empty without observations.
+    /// The counts in sentences; empty if there are no observations.
     pub fn words(&self) -> Vec<String> {
         if self.all == 0 {
             return Vec::new();
@@ -167,7 +169,7 @@ impl ObservationCounts {
         words
     }
 
-    /// The counts for other programs.
+    /// The counts as JSON, for use in other programs.
     pub(crate) fn json(&self) -> Value {
         let (clear, follow) = self.latest;
         json!({
@@ -183,7 +185,7 @@ impl ObservationCounts {
     }
 }
 
-/// Observations for other programs, in their order.
+/// The observations as JSON, for use in other programs; the order stays the same.
 pub(crate) fn observations_json(observations: &[Observation]) -> Value {
     let one = |it: &Observation| {
         json!({
@@ -247,10 +249,10 @@ mod tests {
         assert!(ObservationCounts::default().words().is_empty());
     }
 
-    /// The number of simulated students, of `students`, about whom the report says after any of
-    /// their 20 observations that they see what they expect. `follows` is the share of hits in which
-    /// a student sees the prediction; otherwise they see what happened. Both with a normal error of
-    /// `sigma_deg` in each ray.
+    /// The number of simulated students, out of `students`, for whom the report says at some point
+    /// during their 20 observations that they see what they expect. A student sees the prediction
+    /// in a fraction `follows` of the hits, and what happened in the others; in both cases each ray
+    /// has a normally distributed error with a standard deviation of `sigma_deg`.
     fn named(students: u64, follows: f64, sigma_deg: f64) -> f64 {
         let mut dice = Pcg64Mcg::seed_from_u64(7);
         let mut count = 0;
@@ -260,7 +262,7 @@ mod tests {
             for _ in 0..20 {
                 let theta1 = dice.random_range(20.0..70.0);
                 let truth = rays(theta1, 90.0 - theta1);
-                // The commonest mistake: the angles exchanged, or divided equally.
+                // The most common mistakes: the angles are exchanged, or divided equally.
                 let said = match dice.random_bool(0.5) {
                     true => rays(90.0 - theta1, theta1),
                     false => rays(45.0, 45.0),

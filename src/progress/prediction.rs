@@ -1,4 +1,4 @@
-//! Predictions of where two discs go after a collision, made outside the quiz: calls at the table,
+//! Predictions, made outside the quiz, of where two discs go after a collision: calls at the table,
 //! predictions in levels, and rays at the checkpoints of chapters.
 
 use glam::DVec2;
@@ -11,28 +11,28 @@ use crate::quiz::{
     Answer, Confidence, Figures, Hit, Question, Ray, RayGrade, Rays, RaysGrade, Response, figures,
 };
 
-/// The family of all calls at the table.
+/// The family to which all calls at the table belong.
 pub const TABLE: &str = "table";
 
-/// The family of all predictions in levels.
+/// The family to which all predictions in levels belong.
 pub const LEVEL: &str = "level";
 
-/// Where and by whom a collision was predicted.
+/// Where a collision was predicted, and by whom.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Predicted<'a> {
     pub(crate) player: &'a str,
-    /// [`TABLE`] or [`LEVEL`].
+    /// The family, which is [`TABLE`] or [`LEVEL`].
     pub(crate) family: &'static str,
     pub(crate) seed: u64,
     /// The number of the stroke or of the level, from 1.
     pub(crate) number: u32,
-    /// The ray that was predicted, if not both were.
+    /// The ray that was predicted, if only one was.
     pub(crate) only: Option<Ray>,
 }
 
 impl Attempt {
-    /// The prediction of a collision, graded as in the quiz; `None` if the quiz has no such
-    /// questions, because the target moves or the discs miss each other.
+    /// Grades the prediction of a collision as in the quiz; `None` if the quiz has no questions
+    /// about collisions like this one, because the target moves or the discs miss each other.
     pub(crate) fn of_prediction(
         predicted: &Predicted,
         collision: &Collision,
@@ -86,8 +86,8 @@ impl Attempt {
         Some(attempt.with_evidence_of_rays(collision, said))
     }
 
-    /// This attempt with the evidence for misconceptions in both predicted rays, if the quiz could
-    /// ask about the collision.
+    /// This attempt with the evidence for misconceptions from both predicted rays, if the quiz
+    /// could have a question about the collision.
     pub(crate) fn with_evidence_of_rays(self, collision: &Collision, said: &Rays) -> Self {
         match question_about(collision).filter(Question::is_clear) {
             Some(question) => {
@@ -100,14 +100,15 @@ impl Attempt {
     }
 }
 
-/// The quiz's question about both rays of a collision: only hits on a target at rest are asked.
+/// The quiz's question about both rays of a collision; the quiz only has questions about hits on a
+/// target at rest.
 fn question_about(collision: &Collision) -> Option<Question> {
     let is_hit = collision.u2 == DVec2::ZERO && collision.outcome().meeting == Meeting::Hit;
     is_hit.then(|| Question::from(&Hit::from(collision)))
 }
 
-/// The predicted and the true direction of one disc: two angles or, because a disc at rest has
-/// none, both in words.
+/// The predicted and the true direction of one disc: two angles or, because a disc at rest has no
+/// angle, both directions in words.
 fn one_ray(ray: Ray, said_and_true: [Option<f64>; 2]) -> [Figures; 2] {
     let kept: [Value; 2] = match said_and_true {
         [Some(said), Some(truth)] => {
@@ -126,7 +127,7 @@ mod tests {
     use crate::progress::beliefs;
     use crate::quiz::Misconception;
 
-    /// A tournament striker on a coin at rest, 18 mm off centre.
+    /// A tournament striker hits a coin at rest, 18 mm off-centre.
     fn collision() -> Collision {
         let (striker, target) = (Disc::from_g_mm(15.0, 20.65), Disc::from_g_mm(5.5, 15.9));
         Collision::at_offset(striker, target, 3.0 * DVec2::X, 0.018)
@@ -161,7 +162,7 @@ mod tests {
             .map(|it| it.misconception)
             .collect();
         assert_eq!(named, [Misconception::HalfAndHalf]);
-        // One ray alone is no evidence.
+        // A single ray is not evidence.
         assert!(beliefs(&[wrong(1, Some(Ray::Target)), wrong(2, Some(Ray::Target))]).is_empty());
     }
 

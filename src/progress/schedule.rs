@@ -1,9 +1,9 @@
 //! Schedules the review of each topic.
 //!
 //! The schedule is by topic, not by family: a topic is what a person can know and forget, and
-//! several families ask about the same topic in different ways. A question of another family shows
-//! whether the player has understood the idea and not only the kind of question. A review asks once
-//! about each topic that is due.
+//! several families ask about the same topic in different ways. A question from another family
+//! shows whether the player has understood the idea rather than only one kind of question. A review
+//! has one question about each topic that is due.
 //!
 //! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. The topic is due that many
 //! days after the day on which it reached its step. Days are those of the player's calendar: a
@@ -34,21 +34,21 @@ use crate::quiz::Confidence;
 /// The last step; the first is 0.
 const LAST: u32 = 5;
 
-/// A topic and its next review.
+/// A topic and the time of its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
     /// The family of the last question about the topic.
     pub family: String,
     /// The topic, as in [`Attempt::topic`].
     pub topic: String,
-    /// The topic's step n on the ladder, from 0: the topic rests for 2ⁿ days. `None` off the
-    /// ladder.
+    /// The topic's step n on the ladder, from 0: the topic rests for 2ⁿ days. `None` if the topic
+    /// is off the ladder.
     pub step: Option<u32>,
     /// The first day on which the topic is due.
     pub due: Date,
     /// The time at which the topic reached its step, in seconds since the start of 1970.
     since_s: i64,
-    /// Whether it was missed only in chapters.
+    /// Whether the topic was missed only in chapters.
     of_chapter: bool,
 }
 
@@ -56,16 +56,16 @@ pub struct Review {
 const DONE: u32 = 1;
 
 impl Review {
-    /// When it is due relative to `today`, in short: "now", "in 2 days".
+    /// Describes when the topic is due, relative to `today`: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
-        // The difference between two dates in days always fits.
+        // The difference between two dates, in days, always fits.
         match usize::try_from((self.due - today).get_days()) {
             Ok(days @ 1..) => format!("in {}", counted(days, "day")),
             _ => "now".into(),
         }
     }
 
-    /// The number of days from the day on which the topic reached its step to this day.
+    /// The number of days from the day on which the topic reached its step to the given day.
     fn days_to(&self, day: Date) -> u32 {
         let rest = self.step.map_or(0, |step| 1_i32 << step);
         let days = (day - self.due).get_days() + rest;
@@ -78,7 +78,7 @@ impl Review {
     }
 }
 
-/// The next review of each topic, the earliest first. Attempts without a time are left out.
+/// The next review of each topic, with the earliest first. Attempts without a time are left out.
 pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
     let mut reviews: IndexMap<&str, Review> = IndexMap::new();
     for attempt in attempts {
@@ -172,12 +172,13 @@ mod tests {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
-        // After 8 days the topic climbs three steps, after 7 only two, and after 60 five.
+        // After 8 days the topic climbs three steps, after 7 days only two, and after 60 days five.
         assert_eq!(due(&[(0, true), (8, true)]), (Some(3), 16));
         assert_eq!(due(&[(0, true), (7, true)]), (Some(2), 11));
         assert_eq!(due(&[(0, true), (60, true)]), (Some(5), 92));
         assert_eq!(due(&[(0, true), (500, true)]), (Some(LAST), 532));
-        // Off the ladder, a long gap has no effect, because the topic was not known before.
+        // While the topic is off the ladder, a long gap has no effect, because the topic was not
+        // known before the gap.
         assert_eq!(due(&[(0, false), (60, true)]), (Some(0), 61));
         let always: Vec<_> = (0..9).map(|i| (40 * i, true)).collect();
         assert_eq!(due(&always), (Some(LAST), 8 * 40 + 32));

@@ -11,7 +11,7 @@ use crate::quiz::{
 /// The minimum number of answers for a comment on calibration.
 const ENOUGH_ANSWERS: usize = 5;
 
-/// The answered part of a round.
+/// The part of a round that has been answered.
 #[derive(Debug, Clone)]
 pub struct Summary<'a> {
     /// The answers, in the order of the questions.
@@ -30,17 +30,17 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The points of the round: the sum of its questions' points, each rounded to a tenth as shown.
-    /// The sum may be negative; otherwise a wrong "sure" would cost nothing at 0 points, and honest
-    /// answers would not be worthwhile.
+    /// The points of the round, which are the sum of the points of its questions, each rounded to a
+    /// tenth as shown. The sum may be negative: otherwise a wrong "sure" would cost nothing at 0
+    /// points, and honest answers would not pay off.
     pub fn points(&self) -> f64 {
-        // Adding 0 turns −0, the sum of no points, into 0.
+        // Adding 0 turns −0, the sum of an empty list, into 0.
         let tenths = |it: &Attempt| (10.0 * it.earned()).round();
         let sum: f64 = self.attempts.iter().map(tenths).sum();
         sum / 10.0 + 0.0
     }
 
-    /// The most points possible for these answers.
+    /// The maximum number of points for these answers.
     pub fn most(&self) -> f64 {
         Grade::MOST * self.attempts.len() as f64
     }
@@ -50,12 +50,12 @@ impl<'a> Summary<'a> {
         self.all.right
     }
 
-    /// The right answers in words: "7 of 10 right".
+    /// The number of right answers as text: "7 of 10 right".
     pub fn score(&self) -> String {
         format!("{} of {} right", self.right(), self.attempts.len())
     }
 
-    /// The points in words, with their meaning: "61.5 of 100 points: …".
+    /// The points as text, with their meaning: "61.5 of 100 points: …".
     pub(crate) fn points_words(&self) -> String {
         let (points, most) = (numbers::points(self.points()), self.most());
         let meaning = match self.points() < 0.0 {
@@ -93,7 +93,7 @@ impl<'a> Summary<'a> {
         (count >= ENOUGH_ANGLES).then(|| self.errors().sum::<f64>() / count as f64)
     }
 
-    /// The number of answers with this confidence, and how many of them were right.
+    /// The number of answers with this confidence level, and how many of them were right.
     pub fn calibration(&self, confidence: Confidence) -> (usize, usize) {
         let tally = self.calibration[confidence as usize].tally;
         (tally.attempts, tally.right)
@@ -111,8 +111,8 @@ impl<'a> Summary<'a> {
             1 => "Sure once, and wrong.".into(),
             _ => format!("Sure {sure} times: {sure_right} right."),
         };
-        // "Sure" earns the most points if at least four in five are right, "guess" if at most one
-        // in two is. A single wrong "think so" is not enough for a comment.
+        // "Sure" earns the most points if at least four in five answers are right, and "guess" if
+        // at most one in two is right. A single wrong "think so" is not enough for a comment.
         let verdict = if 5 * sure_right < 4 * sure {
             "Review the answers that were sure but wrong: they teach you most."
         } else if 2 * guesses_right > guesses
@@ -122,7 +122,7 @@ impl<'a> Summary<'a> {
         } else if thought > 1 && 2 * thought_right < thought {
             "\"Think so\" was right less than half the time: a guess would have cost nothing."
         } else if self.attempts.len() < ENOUGH_ANSWERS || self.right() == 0 {
-            // These answers are too few, or all wrong, so they show nothing about calibration.
+            // There are too few answers, or all are wrong, so they show nothing about calibration.
             ""
         } else {
             "You judge your knowledge well."
@@ -130,19 +130,20 @@ impl<'a> Summary<'a> {
         format!("{counted} {verdict}").trim_end().to_owned()
     }
 
-    /// The misconceptions that the answers show, those with the most evidence first.
+    /// The misconceptions that the answers show, with the strongest evidence first.
     pub fn named(&self) -> Vec<Evidence> {
         let clues: Vec<Clue> = self.attempts.iter().map(Attempt::clue).collect();
         named(&clues)
     }
 
-    /// The misconception with the most evidence, and the number of answers that fit it.
+    /// The misconception with the strongest evidence, and the number of answers that fit this
+    /// misconception.
     pub fn most_held(&self) -> Option<(Misconception, usize)> {
         let named = self.named();
         named.first().map(|it| (it.misconception, it.times))
     }
 
-    /// A sentence about that misconception.
+    /// A sentence about the misconception with the strongest evidence.
     pub(crate) fn held_words(&self) -> Option<String> {
         let first = *self.named().first()?;
         let name = first.misconception.name();
@@ -151,8 +152,8 @@ impl<'a> Summary<'a> {
         ))
     }
 
-    /// The findings on misconceptions, one paragraph each. The first names the misconception, or
-    /// reports that there is none.
+    /// The findings on misconceptions, one paragraph each. The first paragraph names the
+    /// misconception, or says that there is none.
     pub fn finding(&self) -> Vec<String> {
         let Some(first) = self.named().first().copied() else {
             return self.nothing_found();
@@ -207,7 +208,7 @@ impl<'a> Summary<'a> {
         ]
     }
 
-    /// The names of the misconceptions that at least one answer fits, those with the most evidence
+    /// The names of the misconceptions that at least one answer fits, with the strongest evidence
     /// first.
     fn suspected(&self) -> Vec<&'static str> {
         let clues: Vec<Clue> = self.attempts.iter().map(Attempt::clue).collect();
@@ -215,12 +216,12 @@ impl<'a> Summary<'a> {
         shown.map(|it| it.misconception.name()).collect()
     }
 
-    /// A comment on whether a checked misconception still shows.
+    /// A comment on whether the misconception that the round checks still shows.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {
-            // If a misconception was later split into several, its code still tests for all of
-            // them.
+            // If a misconception was split later, the code for it still tests for all the resulting
+            // misconceptions.
             it == misconception || it.in_codes() == Some(misconception)
         };
         let shown = |it: &&Attempt| it.shows().is_some_and(is_it);
@@ -233,9 +234,10 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next: the one that explains the misconception with the most evidence in the
-    /// simplest case in which it showed, or else the first page, in the order of the chapters, that teaches a missed topic; topics
-    /// missed with "sure" come first. `None` if nothing was missed.
+    /// The page to read next. This is the page that explains the misconception with the strongest
+    /// evidence, in the simplest case in which it showed. If there is no misconception, it is the
+    /// first page, in the order of the chapters, that teaches a missed topic; topics missed with
+    /// "sure" come first. `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
             let shows = |it: &&Attempt| it.shows() == Some(misconception);
@@ -253,8 +255,8 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// A log-likelihood ratio as "about 600 times", rounded to one digit. The ratio exceeds the
-/// threshold for naming a misconception.
+/// Formats a log-likelihood ratio as "about 600 times", rounded to one digit. The ratio must exceed
+/// the threshold for naming a misconception.
 fn times_as(weight: f64) -> String {
     let odds = weight.exp();
     if odds >= 1e6 {
@@ -281,7 +283,7 @@ mod tests {
         direction_deg: 0.0,
     };
 
-    /// A summary of right (`true`) and wrong answers.
+    /// A summary of answers that are right (`true`) or wrong.
     fn summary(answers: &[(Confidence, bool)]) -> Summary<'static> {
         let (code, question) = (Code::hits(7), Question::from(&HIT));
         let attempt = |(number, (confidence, right)): (u32, &(Confidence, bool))| {
@@ -335,7 +337,7 @@ mod tests {
         }
     }
 
-    /// The table of the round names the misconception that one answer fits.
+    /// If a single answer fits a misconception, the table of the round names that misconception.
     #[test]
     fn one_answer_that_fits_a_misconception_is_not_called_a_wrong_answer_without_a_pattern() {
         let question = Question::from(&HIT);
@@ -368,7 +370,7 @@ mod tests {
         assert_eq!(missed.right(), 0);
         let caught_up = summary(&[(Confidence::ThinkSo, false), (Confidence::Sure, true)]);
         assert!((caught_up.points() - 8.0).abs() < 1e-12);
-        // The sum of no points has no minus sign.
+        // The sum of an empty list has no minus sign.
         assert!(summary(&[]).points().is_sign_positive());
     }
 

@@ -5,10 +5,10 @@ use crate::numbers::correlation;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::Grade;
 
-/// The minimum number of angles for a mean error.
+/// The minimum number of angles for which a mean error is given.
 pub(crate) const ENOUGH_ANGLES: usize = 3;
 
-/// Counts of answers: those of a player, of a class to one question, or of a round.
+/// The counts for a set of answers: those of a player, of a class to one question, or of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tally {
     /// The number of answers.
@@ -28,7 +28,7 @@ impl Tally {
         tally
     }
 
-    /// Counts answers of which only the grade is known, such as the votes of a class.
+    /// Counts answers for which only the grade is known, such as the votes of a class.
     pub(crate) fn of_grades(grades: impl IntoIterator<Item = Grade>) -> Self {
         let mut tally = Self::default();
         for grade in grades {
@@ -60,17 +60,17 @@ impl Tally {
         (self.attempts > 0).then(|| of / self.attempts as f64)
     }
 
-    /// The share of right answers, 0 to 1; `None` if there are no answers.
+    /// The fraction of right answers, from 0 to 1; `None` if there are no answers.
     pub fn share_right(&self) -> Option<f64> {
         self.share(self.right as f64)
     }
 
-    /// The sum of the points for accuracy, 0 to [`Grade::MOST`] each.
+    /// The sum of the points for accuracy, from 0 to [`Grade::MOST`] for each answer.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
 
-    /// The mean of the points; `None` if there are no answers.
+    /// The mean number of points; `None` if there are no answers.
     pub(crate) fn mean_points(&self) -> Option<f64> {
         self.share(self.points())
     }
@@ -80,14 +80,14 @@ impl Tally {
         self.errors.0
     }
 
-    /// The mean angle error in degrees; `None` for fewer than [`ENOUGH_ANGLES`].
+    /// The mean angle error in degrees; `None` if there are fewer than [`ENOUGH_ANGLES`] angles.
     pub(crate) fn mean_error_deg(&self) -> Option<f64> {
         let [mean, _] = self.spread_deg()?;
         (self.angles() >= ENOUGH_ANGLES).then_some(mean)
     }
 
-    /// The mean angle error in degrees, even of few angles, and its standard deviation, which
-    /// describes these answers and is not an estimate for others.
+    /// The mean angle error in degrees, even if there are few angles, and the standard deviation of
+    /// the errors, which describes these answers and does not estimate that of others.
     pub(crate) fn spread_deg(&self) -> Option<[f64; 2]> {
         let (count, sums) = self.errors;
         let [mean, square] = sums.map(|sum| sum / count as f64);
@@ -96,18 +96,19 @@ impl Tally {
     }
 }
 
-/// The minimum number of answers for the discrimination of a question.
+/// The minimum number of answers for which the discrimination of a question is given.
 const ENOUGH_TO_TELL_APART: usize = 10;
 
-/// The discrimination of a question: the correlation between the points for it and the points for
-/// all other questions, −1 to 1; `None` for fewer than ten answers or if all have equal points.
+/// The discrimination of a question, which is the correlation between the points for the question
+/// and the points for all other questions, from −1 to 1; `None` if there are fewer than ten answers
+/// or if all answers have equal points.
 pub(crate) fn discrimination(own_and_rest: impl IntoIterator<Item = (f64, f64)>) -> Option<f64> {
     let (own, rest): (Vec<f64>, Vec<f64>) = own_and_rest.into_iter().unzip();
     correlation(&own, &rest).filter(|_| own.len() >= ENOUGH_TO_TELL_APART)
 }
 
-/// For every attempt with an angle error: its number from 1, the error in degrees, and the mean of
-/// this error and up to `reach` − 1 errors before it.
+/// For every attempt with an angle error: the number of the attempt from 1, the error in degrees,
+/// and the mean of this error and up to `reach` − 1 errors before it.
 pub(crate) fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f64, f64)> {
     let with_error = |(i, attempt): (usize, &Attempt)| Some((i + 1, attempt.error_deg?));
     let errors: Vec<_> = attempts.iter().enumerate().filter_map(with_error).collect();
@@ -120,11 +121,11 @@ pub(crate) fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(us
     (0..errors.len()).map(smoothed).collect()
 }
 
-/// The number of angles at each end that [`ends_deg`] compares.
+/// The number of angles that [`ends_deg`] compares at each end.
 const ENDS: usize = 10;
 
-/// The mean errors in degrees of the first ten angles and of the last ten; `None` if the two groups
-/// overlap.
+/// The mean error, in degrees, of the first ten angles and that of the last ten; `None` if the two
+/// groups overlap.
 pub(crate) fn ends_deg(attempts: &[Attempt]) -> Option<(f64, f64)> {
     let errors: Vec<f64> = attempts.iter().filter_map(|it| it.error_deg).collect();
     let mean = |errors: &[f64]| errors.iter().sum::<f64>() / ENDS as f64;
@@ -139,7 +140,7 @@ pub(super) mod tests {
     use crate::quiz::Confidence;
     use crate::quiz::Figures;
 
-    /// An attempt of "Ada" at this topic, right if its error is at most 4°.
+    /// An attempt by "Ada" at this topic, which is right if its error is at most 4°.
     pub(crate) fn attempt(topic: &str, error_deg: f64) -> Attempt {
         Attempt {
             time_s: None,
@@ -191,7 +192,7 @@ pub(super) mod tests {
     #[test]
     fn the_first_and_last_errors_are_those_of_angles() {
         let mut all: Vec<_> = (0..10).map(|_| attempt("a", 20.0)).collect();
-        // Answers without an angle are in between; they are not counted.
+        // The answers in between have no angle, so they are not counted.
         all.extend((0..30).map(|_| Attempt {
             error_deg: None,
             ..attempt("a", 0.0)

@@ -1,16 +1,16 @@
-//! The state of each topic.
+//! How well each topic is known.
 
 use indexmap::IndexMap;
 
 use super::{Attempt, Tally};
 
-/// How many of the last attempts determine the state of a topic.
+/// The number of recent attempts that determine how well a topic is known.
 pub(crate) const LATELY: usize = 5;
 
-/// A topic, and the attempts at it.
+/// A topic and the attempts at this topic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TopicStanding {
-    /// The topic's name: "equal masses, by offset".
+    /// The name of the topic: "equal masses, by offset".
     pub name: String,
     /// All attempts at the topic.
     pub all: Tally,
@@ -18,16 +18,17 @@ pub struct TopicStanding {
     pub(crate) lately: Tally,
 }
 
-/// How well a topic is known, from the last [`LATELY`] answers about it, or all if there are fewer.
+/// How well a topic is known, judged by the last [`LATELY`] answers, or by all answers if there are
+/// fewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Mastery {
-    /// Not answered yet.
+    /// The topic has not been answered yet.
     New,
-    /// Less than half of the answers were right.
+    /// Less than half the answers were right.
     NotYet,
-    /// At least half of the answers were right.
+    /// At least half the answers were right.
     Growing,
-    /// There are [`LATELY`] answers, and at least four of five were right.
+    /// There are [`LATELY`] answers, of which at least four in five were right.
     Solid,
 }
 
@@ -52,11 +53,11 @@ impl Mastery {
         }
     }
 
-    /// The meanings of the names, if there are no marks.
+    /// The text that explains the names, for use without marks.
     pub(crate) const MEANING: &str =
         "Solid: four of the last five right; growing: half or more; not yet: fewer.";
 
-    /// The meanings of the marks.
+    /// The text that explains the marks.
     pub(crate) fn legend() -> String {
         format!(
             "{} solid: four of the last five right; {} growing: half or more; {} not yet: fewer.",
@@ -96,7 +97,7 @@ impl TopicStanding {
     }
 }
 
-/// All topics that have been asked about, in the order of their first questions.
+/// All topics that have come up in questions, in the order of their first questions.
 pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<TopicStanding> {
     let mut met: IndexMap<&str, Vec<&Attempt>> = IndexMap::new();
     for attempt in attempts {
