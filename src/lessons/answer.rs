@@ -1,25 +1,25 @@
-//! Stored answers at checkpoints.
+//! Stored answers to checkpoints.
 
 use serde_json::{Value, json};
 
 use super::GivenAnswer;
 use crate::quiz::{Rays, Response};
 
-/// The fraction of the credit that an answer after a hint earns.
+/// The fraction of the credit that an answer earns after a hint.
 pub(crate) const AFTER_HINT: f64 = 0.5;
 
-/// A stored answer: angles in degrees, a choice counted from 1.
+/// The stored form of an answer: angles are in degrees, and choices are counted from 1.
 pub(crate) fn answer_json(said: &Response) -> Value {
     match said {
         Response::Rays(rays) => rays.json(),
         Response::Number(number) => json!({"number": number}),
         Response::Choice(line) => json!({"choice": line + 1}),
-        // No checkpoint asks for a shot.
+        // No checkpoint requires a shot.
         Response::Shot(_) => Value::Null,
     }
 }
 
-/// An answer at a checkpoint as it is stored, with the first try if there was one.
+/// The stored form of an answer to a checkpoint, with the first try if there was one.
 pub(crate) fn given_json(given: &GivenAnswer) -> Value {
     let mut value = answer_json(&given.answer);
     if let (Some(first), Some(object)) = (&given.first, value.as_object_mut()) {
@@ -28,13 +28,13 @@ pub(crate) fn given_json(given: &GivenAnswer) -> Value {
     value
 }
 
-/// Both tries as [`given_json`] writes them.
+/// Reads the answer and the first try as written by [`given_json`].
 pub(crate) fn tries_of_json(value: &Value) -> Option<(Response, Option<Response>)> {
     let first = value.get("first").and_then(answer_of_json);
     Some((answer_of_json(value)?, first))
 }
 
-/// An answer as [`answer_json`] writes it; `None` for anything else.
+/// Reads an answer as written by [`answer_json`]; `None` for anything else.
 pub(crate) fn answer_of_json(value: &Value) -> Option<Response> {
     if let Some(number) = value.get("number") {
         let number = number.as_f64().filter(|it| it.is_finite());
@@ -64,7 +64,7 @@ mod tests {
             let read = tries_of_json(&given_json(&given));
             assert_eq!(read, Some((given.answer, first)));
         }
-        // The format of answers stored before second tries existed.
+        // This is the format of answers that were stored before second tries existed.
         let before = serde_json::from_str("{\"choice\":2}").unwrap();
         assert_eq!(tries_of_json(&before), Some((Response::Choice(1), None)));
     }

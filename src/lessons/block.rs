@@ -9,9 +9,9 @@ use crate::files::{Source, all};
 pub enum TextBlock {
     /// A paragraph.
     Paragraph(Vec<Inline>),
-    /// A list item, with its number in a numbered list.
+    /// A list item, with its number if the list is numbered.
     Item(Option<u32>, Vec<Inline>),
-    /// A display formula.
+    /// A formula on a separate line.
     Formula(Formula),
 }
 
@@ -20,9 +20,9 @@ pub enum TextBlock {
 pub enum Inline {
     /// Text with one emphasis.
     Text(String, Tone),
-    /// An inline formula.
+    /// A formula in running text.
     Formula(Formula),
-    /// A number that changes with the page's figure.
+    /// A number that changes together with the page's figure.
     Live(Quantity),
 }
 
@@ -33,13 +33,13 @@ pub enum Tone {
     Plain,
     /// Emphasized.
     Emphasis,
-    /// Strong emphasis, for important terms.
+    /// Strong emphasis, used for important terms.
     Strong,
-    /// A key to press.
+    /// The name of a key to press.
     Key,
 }
 
-/// Reads the blocks of text in some lines.
+/// Reads the blocks of text in these lines.
 pub(super) fn read(
     source: &Source,
     lines: &[SourceLine],
@@ -80,7 +80,7 @@ pub(super) fn read(
     all(blocks)
 }
 
-/// A paragraph or a list item that is being read.
+/// A paragraph or a list item that is still being read.
 struct OpenBlock {
     line: usize,
     item: Option<Option<u32>>,
@@ -97,7 +97,7 @@ impl OpenBlock {
     }
 }
 
-/// The list item that begins on a line: its number, and the rest of the line.
+/// The list item that begins on a line, with its number and the rest of the line.
 fn item(text: &str) -> (Option<Option<u32>>, &str) {
     if let Some(rest) = text.strip_prefix("- ") {
         return (Some(None), rest);

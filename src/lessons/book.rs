@@ -1,4 +1,4 @@
-//! The chapters available to this player, and their bookmarks.
+//! The chapters that are available to this player, and their bookmarks.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{Bookmark, Chapter, ChapterLibrary};
 use crate::quiz::Passage;
 
-/// What to delete from bookmarks. The record of answers is always kept.
+/// What to delete from the bookmarks. The record of answers is always kept.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Forget {
     /// The answer given on a page.
@@ -22,19 +22,20 @@ pub enum Forget {
     All,
 }
 
-/// All chapters, with a bookmark in each.
+/// All chapters, with the player's bookmark in each of them.
 #[derive(Debug, Clone, Default)]
 pub struct Book {
-    /// `None` for the built-in chapters alone, which are read only when they are needed.
+    /// `None` if there are only the built-in chapters, which are read when they are first needed.
     library: Option<Arc<ChapterLibrary>>,
-    /// The line of the table of contents that was last selected.
+    /// The line of the table of contents that was selected last.
     pub at: usize,
-    /// The bookmarks by chapter id; `None` until the stored ones are known.
+    /// The bookmarks, indexed by the id of the chapter; `None` until the stored bookmarks are
+    /// known.
     marks: Option<BTreeMap<String, Bookmark>>,
 }
 
 impl Book {
-    /// A book with the chapters of this library.
+    /// Creates a book with the chapters of this library.
     pub fn new(library: ChapterLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -42,19 +43,19 @@ impl Book {
         }
     }
 
-    /// The chapters, and the errors of files left out.
+    /// The chapters, and the errors in the files that were left out.
     pub fn library(&self) -> &ChapterLibrary {
         let own = self.library.as_deref();
         own.unwrap_or_else(|| ChapterLibrary::embedded_once())
     }
 
-    /// A chapter by its index; `None` beyond the last.
+    /// The chapter with this index; `None` if there is no such chapter.
     pub fn chapter(&self, number: usize) -> Option<&Chapter> {
         self.library().chapters.get(number)
     }
 
-    /// Where a page is: the index of its chapter, and its own index there, both from 0;
-    /// `None` if there is no such page.
+    /// The position of a page: the index of the chapter, and the index of the page in the chapter,
+    /// both counted from 0; `None` if there is no such page.
     pub fn find(&self, passage: Passage) -> Option<(usize, usize)> {
         let chapters = &self.library().chapters;
         let of_it = |chapter: &Chapter| chapter.id == passage.chapter;
@@ -80,22 +81,22 @@ impl Book {
         self.marks.is_some()
     }
 
-    /// Sets the stored bookmarks; from then on the book updates them itself.
+    /// Sets the bookmarks that were stored; from then on the book itself keeps them up to date.
     pub(crate) fn recall(&mut self, marks: BTreeMap<String, Bookmark>) {
         self.marks.get_or_insert(marks);
     }
 
-    /// Drops all bookmarks, because another player's will be requested.
+    /// Drops all bookmarks, because those of another player will be requested.
     pub(crate) fn close(&mut self) {
         self.marks = None;
     }
 
-    /// The bookmark in a chapter, if the chapter was ever opened.
+    /// The bookmark in a chapter; `None` if the chapter was never opened.
     pub fn mark(&self, id: &str) -> Option<&Bookmark> {
         self.marks.as_ref()?.get(id)
     }
 
-    /// Adds what was done in a chapter to its bookmark.
+    /// Adds what the player has done in a chapter to the bookmark in that chapter.
     pub fn merge(&mut self, id: &str, later: Bookmark) {
         let marks = self.marks.get_or_insert_default();
         marks.entry(id.to_owned()).or_default().merge(later);
@@ -119,9 +120,9 @@ impl Book {
         }
     }
 
-    /// The last chapter that was opened and is not done, and the page at which to continue: the
-    /// page where the chapter was left or, once all pages are read, the first with an unanswered
-    /// question.
+    /// The last chapter that was opened and is not done, and the page at which the player
+    /// continues. This is the page where the player left the chapter or, once all pages have been
+    /// read, the first page with an unanswered question.
     pub(crate) fn begun(&self) -> Option<(usize, usize)> {
         let chapters = self.library().chapters.iter().enumerate();
         let begun = chapters.rev().find_map(|(at, chapter)| {
@@ -143,20 +144,20 @@ impl Book {
         self.marks.as_ref().is_some_and(|marks| !marks.is_empty())
     }
 
-    /// Whether a chapter has been read and answered completely.
+    /// Whether a chapter has been completely read and answered.
     pub fn is_done(&self, chapter: &Chapter) -> bool {
         let mark = self.mark(&chapter.id);
         mark.is_some_and(|mark| mark.is_done(chapter))
     }
 
-    /// The number of chapters done, and of all chapters: "2 of 12".
+    /// The number of chapters that are done, and the number of all chapters: "2 of 12".
     pub fn done(&self) -> String {
         let chapters = &self.library().chapters;
         let done = chapters.iter().filter(|chapter| self.is_done(chapter));
         format!("{} of {}", done.count(), chapters.len())
     }
 
-    /// The chapters whose pages have all been seen.
+    /// The chapters in which every page has been seen.
     pub fn read_through(&self) -> impl Iterator<Item = &Chapter> {
         let seen = |chapter: &&Chapter| {
             let mark = self.mark(&chapter.id);
@@ -165,7 +166,7 @@ impl Book {
         self.library().chapters.iter().filter(seen)
     }
 
-    /// The first chapter that is not done; `None` if all are.
+    /// The first chapter that is not done; `None` if all chapters are done.
     pub fn next(&self) -> Option<usize> {
         let chapters = &self.library().chapters;
         chapters.iter().position(|chapter| !self.is_done(chapter))

@@ -7,16 +7,17 @@ use crate::quiz::Response;
 
 /// How far a chapter has been read.
 ///
-/// A bookmark identifies pages by their titles and answers by their questions, so it still fits a
-/// chapter that has changed since: missing pages are ignored, and an answer to a different question
-/// is not shown.
+/// A bookmark identifies pages by their titles and answers by their questions, so it can still be
+/// used after the chapter has changed: missing pages are ignored, and an answer to a different
+/// question is not shown.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bookmark {
     /// The title of the current page; `None` for the first page.
     pub place: Option<String>,
-    /// The impact angle in degrees that the student set last in the chapter's figures.
+    /// The impact angle, in degrees, to which the student last set the chapter's figures.
     pub alpha_deg: Option<f64>,
-    /// The titles of the pages that have been seen, each with the answer given there.
+    /// The titles of the pages that have been seen, each with the answer that was given on the
+    /// page.
     pub pages: BTreeMap<String, Option<GivenAnswer>>,
 }
 
@@ -34,7 +35,7 @@ pub struct GivenAnswer {
 }
 
 impl Bookmark {
-    /// A bookmark at a page, which thereby counts as seen.
+    /// Creates a bookmark at a page, which then counts as seen.
     pub fn at(page: &ChapterPage) -> Self {
         Self {
             place: Some(page.title.clone()),
@@ -43,7 +44,8 @@ impl Bookmark {
         }
     }
 
-    /// The same bookmark with an answer to the page's question, `right` or not.
+    /// This bookmark with an answer to the page's question; `right` says whether the answer is
+    /// right.
     #[must_use]
     pub(crate) fn answering(
         page: &ChapterPage,
@@ -63,7 +65,7 @@ impl Bookmark {
         mark
     }
 
-    /// The index of the current page, from 0; the first if that page no longer exists.
+    /// The index of the current page, from 0; the first page if the current page no longer exists.
     pub fn page(&self, chapter: &Chapter) -> usize {
         let here = |page: &ChapterPage| Some(&page.title) == self.place.as_ref();
         chapter.pages.iter().position(here).unwrap_or(0)
@@ -75,7 +77,8 @@ impl Bookmark {
         chapter.pages.iter().filter(seen).count()
     }
 
-    /// The answer that was given to a page's question; `None` if it does not fit the question.
+    /// The answer that was given to a page's question; `None` if there is none or if it does not
+    /// fit the question.
     pub fn given(&self, page: &ChapterPage) -> Option<&GivenAnswer> {
         let asked = page.checkpoint.as_ref()?;
         let given = self.pages.get(&page.title)?.as_ref();
@@ -94,28 +97,28 @@ impl Bookmark {
         chapter.pages.iter().filter_map(|page| self.given(page))
     }
 
-    /// The number of checkpoints of the chapter that have been answered.
+    /// The number of checkpoints in the chapter that have been answered.
     pub fn answered(&self, chapter: &Chapter) -> usize {
         self.answers(chapter).count()
     }
 
-    /// The number of checkpoints answered correctly.
+    /// The number of checkpoints that have been answered correctly.
     pub fn right(&self, chapter: &Chapter) -> usize {
         self.answers(chapter).filter(|given| given.right).count()
     }
 
-    /// The number of correct answers that needed a second try.
+    /// The number of correct answers that took a second try.
     pub fn right_after_hint(&self, chapter: &Chapter) -> usize {
         let answers = self.answers(chapter).filter(|given| given.right);
         answers.filter(|given| given.first.is_some()).count()
     }
 
-    /// Whether the chapter has been read and answered completely.
+    /// Whether the chapter has been completely read and answered.
     pub fn is_done(&self, chapter: &Chapter) -> bool {
         self.seen(chapter) == chapter.pages.len() && self.answered(chapter) == chapter.checkpoints()
     }
 
-    /// Whether all of the chapter's questions were answered correctly.
+    /// Whether all questions in the chapter have been answered correctly.
     pub fn is_right(&self, chapter: &Chapter) -> bool {
         self.right(chapter) == chapter.checkpoints()
     }
@@ -129,8 +132,9 @@ impl Bookmark {
         }
     }
 
-    /// Adds later entries: their page and angle, if any, replace the earlier ones. A page remains
-    /// seen, and keeps its answer until it is answered again.
+    /// Adds later entries. If these have a page or an angle, it replaces the earlier page or angle.
+    /// A page that has been seen remains seen, and keeps its answer until the question is answered
+    /// again.
     pub(crate) fn merge(&mut self, later: Self) {
         self.place = later.place.or_else(|| self.place.take());
         self.alpha_deg = later.alpha_deg.or(self.alpha_deg);
@@ -153,7 +157,7 @@ mod tests {
         Chapter::read("01-test.md", text.as_bytes()).unwrap()
     }
 
-    /// A bookmark with two pages seen, the second one answered and current.
+    /// A bookmark with two seen pages; the second page is answered and is the current page.
     fn read(chapter: &Chapter) -> Bookmark {
         let mut mark = Bookmark::at(&chapter.pages[0]);
         mark.merge(Bookmark::at(&chapter.pages[1]));
@@ -174,7 +178,8 @@ mod tests {
         }
     }
 
-    /// The current page, and the numbers of pages seen, answered, and answered correctly.
+    /// The index of the current page, and the numbers of pages that were seen, answered, and
+    /// answered correctly.
     fn standing(mark: &Bookmark, chapter: &Chapter) -> [usize; 4] {
         [
             mark.page(chapter),
@@ -190,7 +195,8 @@ mod tests {
         let mut mark = read(&chapter);
         assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);
         assert!(!mark.is_done(&chapter));
-        // A page that is seen again keeps its answer; one that is answered again has the later answer.
+        // A page that is seen again keeps its answer; a page that is answered again has the later
+        // answer.
         mark.merge(Bookmark::at(&chapter.pages[1]));
         assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);
         mark.merge(answer(&chapter.pages[1], 0, false));

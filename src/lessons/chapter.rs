@@ -10,25 +10,25 @@ const MOST_PAGES: usize = 60;
 /// A chapter of Learn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chapter {
-    /// The chapter's number in the book, from 1.
+    /// The number of the chapter in the book, from 1.
     pub number: u32,
-    /// The chapter's name on the command line and in stored progress.
+    /// The name of the chapter on the command line and in stored progress.
     pub id: String,
-    /// The title, at most 32 characters.
+    /// The title, with at most 32 characters.
     pub title: String,
-    /// A description in one line.
+    /// A one-line description.
     pub about: String,
-    /// The pages, at least one; no two have the same title.
+    /// The pages, of which there is at least one; no two pages have the same title.
     pub pages: Vec<ChapterPage>,
-    /// The file from which the chapter was read, for messages.
+    /// The name of the file from which the chapter was read, for messages.
     pub file: String,
 }
 
 impl Chapter {
-    /// Reads a chapter; its number and its id are in the name of the file.
+    /// Reads a chapter; the name of the file contains the chapter's number and id.
     ///
     /// # Errors
-    /// All errors in the file.
+    /// Returns all errors in the file.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(file, bytes, files::LARGEST)?;
         let (number, id) = number_and_id(file).ok_or_else(|| {
@@ -59,13 +59,13 @@ impl Chapter {
         pages.filter(|page| page.checkpoint.is_some()).count()
     }
 
-    /// An error on a line of the chapter's file.
+    /// An error on the given line of the chapter's file.
     pub fn fault(&self, line: usize, message: impl Into<String>) -> FileError {
         FileError::on_line(&self.file, line, message)
     }
 }
 
-/// Reads the pages after the header, from the line `first` on.
+/// Reads the pages that follow the header, starting at the line `first`.
 fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage>> {
     let lines: Vec<SourceLine> = source.lines().skip(first - 1).collect();
     let is_heading = |(_, text): &SourceLine| text.starts_with("# ") || *text == "#";

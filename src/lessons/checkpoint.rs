@@ -1,4 +1,4 @@
-//! Checkpoints: questions that come before the outcome is shown.
+//! Checkpoints: questions that are asked before the outcome is shown.
 
 use super::inline::{self, Meaning};
 use super::words::Words;
@@ -7,24 +7,24 @@ use crate::files::{Source, all};
 use crate::physics::Collision;
 use crate::quiz::{Form, Measure, Rays, Response};
 
-/// The allowed numbers of options in a choice.
+/// The permitted numbers of options.
 const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
 /// The maximum number of letters in a unit.
 const UNIT: usize = 8;
 
-/// A question on a page, and the text after the answer.
+/// A question on a page, and the text that follows the answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checkpoint {
-    /// The kind of answer, with the right one.
+    /// The kind of answer, with the correct answer.
     pub asked: CheckpointKind,
     /// The question.
     pub question: Vec<TextBlock>,
-    /// The hint after a wrong answer, which does not reveal the right answer; the feedback on a
-    /// wrong choice can serve as the hint.
+    /// The hint after a wrong answer, which does not reveal the right answer; feedback on a wrong
+    /// choice can also serve as the hint.
     pub hint: Vec<TextBlock>,
-    /// The text after the answer.
+    /// The text that follows the answer.
     pub after: Vec<TextBlock>,
-    /// The source text, which identifies the question of a stored answer.
+    /// The source text, by which stored answers identify their question.
     pub written: String,
     /// The line in the file, from 1.
     pub line: usize,
@@ -37,9 +37,9 @@ pub enum CheckpointKind {
     Rays,
     /// A number.
     Number {
-        /// The right number.
+        /// The correct number.
         expected: Expected,
-        /// The largest error that counts as right, in the unit of the number.
+        /// The largest error that counts as right, in the same unit as the number.
         tolerance: f64,
     },
     /// One of several options.
@@ -49,16 +49,16 @@ pub enum CheckpointKind {
 /// The correct number.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
-    /// A quantity of a shot.
+    /// A quantity of a given shot.
     Of(Quantity, CollisionSpec),
-    /// A quantity of the figure as the student has set it.
+    /// A quantity of the figure, with the settings that the student has chosen.
     Figure(Quantity),
     /// A number given in the file, with its unit.
     Fixed(f64, String),
 }
 
 impl Expected {
-    /// The right number. `figure` is the collision that the page's figure shows.
+    /// The correct number. `figure` is the collision that the page's figure shows.
     pub(crate) fn value(&self, figure: Option<&Collision>) -> Option<f64> {
         match self {
             Self::Of(quantity, shot) => quantity.of(&shot.collision()),
@@ -67,7 +67,7 @@ impl Expected {
         }
     }
 
-    /// The smallest and the largest number that make sense.
+    /// The smallest and the largest permitted number.
     fn range(&self) -> (f64, f64) {
         const ANY: (f64, f64) = (-1e9, 1e9);
         match self {
@@ -87,7 +87,7 @@ impl Expected {
     }
 }
 
-/// An option of a choice.
+/// One option to choose from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckpointChoice {
     /// The text of the option.
@@ -99,8 +99,8 @@ pub struct CheckpointChoice {
 }
 
 impl Checkpoint {
-    /// The question in the form of the quiz, with the right answer for the collision of the page's
-    /// figure; `spell` gives the text of a choice.
+    /// The question in the form used by the quiz, with the correct answer for the collision in the
+    /// page's figure; `spell` converts an option to text.
     pub fn form(&self, figure: Option<&Collision>, spell: impl Fn(&[Inline]) -> String) -> Form {
         match &self.asked {
             CheckpointKind::Rays => Form::Rays {
@@ -130,8 +130,8 @@ impl Checkpoint {
         }
     }
 
-    /// Whether a first answer gets a hint and a second try: if it is wrong, there is a hint, and
-    /// more than one other answer is possible.
+    /// Whether the student gets a hint and a second try after a first answer: the answer must be
+    /// wrong, there must be a hint, and more than one other answer must be possible.
     pub(crate) fn offers_second_try(&self, form: &Form, said: &Response) -> bool {
         let has_hint = match form {
             Form::Choice { options, .. } => options.len() > 2,
@@ -140,8 +140,8 @@ impl Checkpoint {
         has_hint && !form.is_right(said)
     }
 
-    /// The hint after a first wrong answer: the feedback on the choice if the checkpoint has no
-    /// hint of its own.
+    /// The hint after a first wrong answer; if the checkpoint has no hint, this is the feedback on
+    /// the choice.
     pub(crate) fn hint_to(&self, said: &Response) -> Vec<TextBlock> {
         match (said, &self.asked) {
             (Response::Choice(chosen), CheckpointKind::Choice(choices)) if self.hint.is_empty() => {
@@ -154,7 +154,7 @@ impl Checkpoint {
         }
     }
 
-    /// Reads a checkpoint: the words after the three colons, and the lines up to the end.
+    /// Reads a checkpoint, given the words after the three colons and the lines up to the end.
     pub(super) fn read(
         source: &Source,
         (line, words): SourceLine,
@@ -188,7 +188,7 @@ impl Checkpoint {
                 return source.refuse(line, message);
             }
         };
-        // Words left over after an invalid one may be part of it.
+        // After an invalid word, any words left over may belong to it, so they are not reported.
         if asked.is_some() {
             source.accept(line, words.finish());
         }
@@ -250,7 +250,8 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String
     })
 }
 
-/// The quantity with this name: of a named shot, of the page's figure, or independent of any shot.
+/// The quantity with this name, which belongs to a named shot, belongs to the page's figure, or
+/// does not depend on a shot.
 fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
     if let Some(constant) = words.constant(&name)? {

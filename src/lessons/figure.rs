@@ -4,13 +4,13 @@ use strum::{EnumString, VariantNames};
 
 use super::{CollisionSpec, header::Shots, words::Words};
 
-/// What a figure shows.
+/// The kind of picture in a figure.
 #[derive(Debug, Clone, Copy, PartialEq, EnumString, VariantNames)]
 #[strum(serialize_all = "lowercase")]
 pub enum FigureKind {
     /// The collision, as in the lab.
     Lab,
-    /// The collision at the contact with n, t and the components of u.
+    /// The collision at the contact, with n, t and the components of u.
     Split {
         /// Whether only the lines n and t are drawn.
         lines: bool,
@@ -20,83 +20,89 @@ pub enum FigureKind {
         /// The step, 1 to 3.
         step: u8,
     },
-    /// The collision in the laboratory frame and the centre-of-mass frame.
+    /// The collision in the laboratory frame and in the centre-of-mass frame.
     Frames,
-    /// Both speeds against α.
+    /// Both final speeds plotted against α.
     Curves,
-    /// θ₁ against θ₂.
+    /// θ₁ plotted against θ₂.
     Angles,
-    /// The shares of the energy plotted against α.
+    /// The fractions of the energy plotted against α.
     Energy,
-    /// The worked solution.
+    /// A worked solution.
     Worked {
-        /// The first step, from 1, whose results are blank until the checkpoint is answered.
+        /// The first step, counted from 1, whose results are left blank until the checkpoint has
+        /// been answered.
         blank: Option<usize>,
     },
-    /// The worked solution for numbers that the student sets.
+    /// A worked solution for numbers that the student sets.
     Solve,
-    /// The force of the contact plotted against time, with the impulse as its area.
+    /// The contact force plotted against time; the area under the curve is the impulse.
     Force {
         /// How long the contact lasts, in milliseconds.
         time_ms: f64,
     },
-    /// The momenta of two discs that coalesce, tip to tail.
+    /// The momenta of two discs that coalesce, drawn tip to tail.
     Coalesce,
-    /// The momenta of the pieces of a body that explodes: the reverse of two discs that coalesce.
+    /// The momenta of the pieces of a body that explodes, which is the reverse of two discs that
+    /// coalesce.
     Explosion {
-        /// The mass of a third piece in grams, if the body was at rest and the shot's discs are its
-        /// other two pieces.
+        /// The mass of a third piece in grams, if the body was at rest and the two discs of the
+        /// shot are the other pieces.
         third_g: Option<f64>,
     },
-    /// The energy of the motion of the centre of mass and of the relative motion, as bars.
+    /// The energy of the motion of the centre of mass and that of the relative motion, as bars.
     Parts,
     /// Particles passing a centre of repulsion.
     Foil {
-        /// The page of the foil: 1 for a particle, 2 for a beam, 3 for the counts of 1913.
+        /// The page about the foil: 1 for a single particle, 2 for a beam, 3 for the counts of
+        /// 1913.
         page: u8,
-        /// Whether the counts of 1913 are shown relative to the law.
+        /// Whether the figure shows how far the counts of 1913 deviate from the law.
         levelled: bool,
-        /// Whether a beam is counted in whole rings rather than on a small screen.
+        /// Whether the particles of a beam are counted in whole rings instead of on a small screen.
         rings: bool,
     },
     /// Many random shots at one disc.
     Shots {
-        /// Whether the offsets fill a disc, as in space, rather than a line.
+        /// Whether the offsets fill a disc, as they do in space, instead of a line.
         space: bool,
-        /// The angle in degrees beyond which shots are counted.
+        /// The angle, in degrees, beyond which shots are counted.
         beyond_deg: f64,
     },
 }
 
-/// A figure of a page.
+/// The figure of a page.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figure {
     /// The kind of picture.
     pub kind: FigureKind,
     /// The shot that the figure shows.
     pub shot: CollisionSpec,
-    /// The shot that the figure shows once the page's question is answered, usually the same shot.
+    /// The shot that the figure shows after the page's question has been answered, which is usually
+    /// the same shot.
     pub after: CollisionSpec,
-    /// Whether the figure uses the impact angle that the student set last in the chapter.
+    /// Whether the figure uses the impact angle to which the student last set the chapter's
+    /// figures.
     pub own: bool,
 }
 
 impl FigureKind {
-    /// The shortest and the longest contact that a figure shows, in milliseconds.
+    /// The shortest and the longest contact time in a figure, in milliseconds.
     pub(crate) const CONTACT_MS: (f64, f64) = (0.3, 1.5);
 
-    /// Whether the figure shows the collision itself, so that rays can be turned in it.
+    /// Whether the figure shows the collision itself, so that the student can turn rays in the
+    /// figure.
     pub fn is_hit(self) -> bool {
         matches!(self, Self::Lab | Self::Split { .. })
     }
 }
 
 impl Figure {
-    /// Reads the words of a figure: `lab carrom alpha_deg=40`. Fields after `then` change its shot
-    /// once the page's question is answered.
+    /// Reads the words of a figure: `lab carrom alpha_deg=40`. Fields after `then` change the shot
+    /// once the page's question has been answered.
     ///
     /// # Errors
-    /// A message that states what was expected.
+    /// Returns a message that states what was expected.
     pub(super) fn read(text: &str, shots: &Shots) -> Result<Self, String> {
         let (text, then) = text.split_once(" then ").unwrap_or((text, ""));
         let mut words = Words::of(text)?;
@@ -155,10 +161,10 @@ impl Figure {
         })
     }
 
-    /// Reads a figure as the command line names it; the only shot available is the worked one.
+    /// Reads a figure as specified on the command line; the only available shot is the worked one.
     ///
     /// # Errors
-    /// A message that states what was expected.
+    /// Returns a message that states what was expected.
     pub(crate) fn from_words(text: &str) -> Result<Self, String> {
         Self::read(text, &Shots::default())
     }

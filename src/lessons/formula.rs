@@ -1,7 +1,7 @@
 //! Formulas: their notation in a chapter, and their structure.
 //!
-//! The grammar is our own; `docs/lessons.md` lists it. `widgets::formula` lays out a formula
-//! over several rows.
+//! The grammar is specific to carrom; `docs/lessons.md` describes it. `widgets::formula` lays a
+//! formula out over several rows.
 
 mod inline;
 mod letters;
@@ -13,19 +13,19 @@ use letters::letter;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Formula(pub Vec<Term>);
 
-/// A part of a formula, with the space before it.
+/// A part of a formula, with the space that may precede it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Term {
-    /// Whether there is a space before it.
+    /// Whether there is a space before the part.
     pub apart: bool,
-    /// The part.
+    /// The part itself.
     pub node: Node,
 }
 
 /// A part of a formula.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Node {
-    /// A letter, a number, a sign or a word, as Unicode writes it.
+    /// A letter, a number, a sign or a word, as written in Unicode.
     Word(String),
     /// A fraction.
     Fraction(Formula, Formula),
@@ -52,12 +52,12 @@ impl From<Node> for Formula {
     }
 }
 
-/// `text` as a subscript, if Unicode has all its letters.
+/// Converts `text` to subscript characters; `None` if Unicode lacks any of them.
 pub(crate) fn subscript(text: &str) -> Option<String> {
     text.chars().map(letters::lowered).collect()
 }
 
-/// `text` as a superscript, if Unicode has all its letters.
+/// Converts `text` to superscript characters; `None` if Unicode lacks any of them.
 pub(crate) fn superscript(text: &str) -> Option<String> {
     text.chars().map(letters::raised).collect()
 }

@@ -1,4 +1,4 @@
-//! The glossary: the terms of mechanics, in `assets/glossary.toml`.
+//! The glossary, which contains the terms of mechanics listed in `assets/glossary.toml`.
 
 use std::sync::LazyLock;
 
@@ -10,26 +10,26 @@ use crate::quiz::Passage;
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct GlossaryEntry {
-    /// The term: "impact angle".
+    /// The term, such as "impact angle".
     pub term: String,
-    /// The symbol: "α".
+    /// The symbol, such as "α".
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub symbol: Option<String>,
-    /// The unit: "°".
+    /// The unit, such as "°".
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     /// The heading under which the term is listed; entries with the same heading are adjacent.
     pub topic: String,
     /// The meaning of the term, in one sentence.
     pub meaning: String,
-    /// The id of the chapter that introduces the term.
+    /// The id of the chapter in which the term is introduced.
     pub chapter: String,
     /// The title of the page in that chapter.
     pub page: String,
 }
 
 impl GlossaryEntry {
-    /// All entries, by topic.
+    /// All entries, sorted by topic.
     pub fn all() -> &'static [Self] {
         #[derive(Default, Deserialize)]
         struct Glossary {
@@ -61,7 +61,7 @@ mod tests {
     use crate::files::FileLibrary;
     use crate::lessons::{Book, ChapterLibrary};
 
-    /// The source text of a page of a chapter.
+    /// The source text of a page in a chapter.
     struct WrittenPage {
         chapter: String,
         title: String,
@@ -88,7 +88,7 @@ mod tests {
         pages
     }
 
-    /// The part that the singular and the plural of a term have in common.
+    /// The part that the singular and plural forms of a term have in common.
     fn stem(term: &str) -> &str {
         term.strip_suffix('y').unwrap_or(term)
     }
@@ -98,7 +98,7 @@ mod tests {
         found.any(|(at, _)| !text[..at].ends_with(char::is_alphabetic))
     }
 
-    /// Whether the term is in bold type, which marks the sentence that explains it.
+    /// Whether the term is in bold type, which marks the sentence in which it is explained.
     fn introduces(text: &str, term: &str) -> bool {
         let mut bold = text.split("**").skip(1).step_by(2);
         bold.any(|words| words.starts_with(stem(term)))

@@ -1,4 +1,4 @@
-//! The header of a chapter: format, title, description and shots.
+//! The header of a chapter: the format, title, description and shots.
 
 use std::collections::BTreeMap;
 
@@ -6,9 +6,9 @@ use super::{CollisionSpec, words::Words};
 use crate::files::{Fields, Source, all, is_id, one_line};
 use crate::quiz::concepts::read_hit;
 
-/// The format of chapters that this program reads.
+/// The version of the chapter format that this program reads.
 const FORMAT: u32 = 1;
-/// The line before and after a header.
+/// The line that precedes and follows a header.
 const FENCE: &str = "+++";
 /// The maximum length of a title, in characters.
 const TITLE: usize = 32;
@@ -29,8 +29,8 @@ pub(super) struct Header {
 pub(super) struct Shots(BTreeMap<String, CollisionSpec>);
 
 impl Shots {
-    /// Takes a shot from the words of a directive: its name, or `usual` without one, and the
-    /// fields that change it. `None` if the words contain none of these.
+    /// Takes a shot from the words of a directive: the named shot, or `usual` if the words name no
+    /// shot, changed by the fields in the words. `None` if there is neither a shot nor a field.
     pub(super) fn take(
         &self,
         words: &mut Words,
@@ -67,7 +67,7 @@ impl Shots {
     }
 }
 
-/// Reads the header of a file; `None` if it has no header of this format.
+/// Reads the header of a file; `None` if the file has no header in this format.
 pub(super) fn read(source: &Source) -> Option<Header> {
     let mut lines = source.text().split_inclusive('\n');
     let first = lines.next().unwrap_or_default();
@@ -98,7 +98,7 @@ pub(super) fn read(source: &Source) -> Option<Header> {
     header
 }
 
-/// Text on one line.
+/// Reads text on a single line.
 fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
     fields.text(name, most).map(one_line)
 }

@@ -1,4 +1,4 @@
-//! Inline text: words with emphasis, formulas and numbers.
+//! Inline text: words that may be emphasized, formulas and numbers.
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
@@ -14,8 +14,8 @@ pub(super) struct Meaning<'a> {
     pub(super) figure: Option<CollisionSpec>,
 }
 
-/// The placeholder for each formula and number while the Markdown is read: Unicode's first
-/// private character, which no text contains.
+/// The placeholder that represents a formula or a number while the Markdown is being read: the
+/// first private-use character of Unicode, which no text contains.
 const STAND_IN: u32 = 0xe000;
 
 /// Reads a paragraph that begins at a line.
@@ -61,7 +61,8 @@ fn stand_in(number: usize) -> Option<char> {
     char::from_u32(STAND_IN + u32::try_from(number).ok()?).filter(|c| *c <= '\u{f8ff}')
 }
 
-/// A number: `v1 carrom alpha_deg=40: 2.57`, or `v1` for a live one.
+/// Reads a number: `v1 carrom alpha_deg=40: 2.57`, or `v1` for a number that changes with the
+/// figure.
 fn number(text: &str, meaning: &Meaning) -> Result<Inline, String> {
     let (what, written) = match text.split_once(':') {
         Some((what, written)) => (what, Some(WrittenFigure::read(written)?)),
@@ -105,7 +106,7 @@ fn agreed(name: &str, written: &WrittenFigure, truth: Option<f64>) -> Result<Inl
     }
 }
 
-/// The pieces of the text, with placeholders for formulas and numbers.
+/// Splits the text into pieces; placeholders stand for formulas and numbers.
 fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
     let mut pieces = Vec::new();
     let mut tones = vec![Tone::Plain];
@@ -132,14 +133,14 @@ fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
     Ok(pieces)
 }
 
-/// Adds text, with its placeholders replaced.
+/// Adds text after replacing its placeholders.
 fn substitute(text: &str, tone: Tone, kept: &[Inline], pieces: &mut Vec<Inline>) {
     let mut words = String::new();
     for letter in text.chars() {
         let number = (letter as u32).checked_sub(STAND_IN);
         match number.and_then(|number| kept.get(number as usize)) {
             None => words.push(letter),
-            // A number takes the emphasis of its surroundings.
+            // A number takes on the emphasis of the text around it.
             Some(Inline::Text(figure, _)) => words.push_str(figure),
             Some(piece) => {
                 if !words.is_empty() {

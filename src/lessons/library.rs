@@ -1,4 +1,4 @@
-//! All available chapters: the built-in ones, and a teacher's own.
+//! All available chapters, which are the built-in chapters and a teacher's own.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -10,12 +10,12 @@ use crate::files::{self, FileError, FileLibrary};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
 
-/// All available chapters, sorted by number, the built-in ones first.
+/// All available chapters, sorted by number, with the built-in chapters first.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ChapterLibrary {
     /// The chapters; no two have the same id.
     pub chapters: Vec<Chapter>,
-    /// The errors in files that are left out.
+    /// The errors in the files that were left out.
     pub problems: Vec<FileError>,
 }
 
@@ -38,7 +38,7 @@ impl ChapterLibrary {
         by_id.or_else(by_number)
     }
 
-    /// Adds the chapter in the bytes of a file.
+    /// Adds the chapter in a file, given the bytes of the file.
     pub fn add(&mut self, file: &str, bytes: &[u8]) {
         let chapter = match Chapter::read(file, bytes) {
             Ok(chapter) => chapter,

@@ -1,11 +1,11 @@
 //! Lessons: chapters as Markdown files, with figures, checkpoints and numbers that
 //! are checked.
 //!
-//! A [`Chapter`] is a header and pages; a [`ChapterPage`] has at most one [`Figure`], its
-//! text as [`TextBlock`]s and at most one [`Checkpoint`]. Everything is read and checked
-//! when a file is opened: each directive, each formula, and each number in the text,
-//! which is computed again by the engine. A file with any [`FileError`] is left out; each error
-//! gives file, line and what was expected. `docs/lessons.md` describes the format.
+//! A [`Chapter`] consists of a header and pages; a [`ChapterPage`] has at most one [`Figure`], text
+//! in [`TextBlock`]s, and at most one [`Checkpoint`]. Everything is read and checked when a file is
+//! opened: each directive, each formula, and each number in the text, which the engine computes
+//! again. A file with any [`FileError`] is left out; each error gives file, line and what was
+//! expected. `docs/lessons.md` describes the format.
 //!
 //! This module draws nothing.
 
@@ -46,5 +46,5 @@ pub use crate::files::FileError;
 pub(crate) use crate::physics::CollisionSpec;
 pub(crate) use crate::physics::named::{Constant, Quantity};
 
-/// A line of a file and its number, from 1.
+/// A line of a file, with its number from 1.
 type SourceLine<'a> = (usize, &'a str);

@@ -7,10 +7,10 @@ use crate::files::Source;
 /// The maximum length of a title, in characters.
 const TITLE: usize = 40;
 
-/// A page: a figure, text, and a checkpoint at its end.
+/// A page, which may have a figure, followed by text and possibly a checkpoint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChapterPage {
-    /// The title, unique in its chapter.
+    /// The title, which is unique in its chapter.
     pub title: String,
     /// The figure above or beside the text.
     pub figure: Option<Figure>,
@@ -18,12 +18,12 @@ pub struct ChapterPage {
     pub text: Vec<TextBlock>,
     /// The question at the end of the page.
     pub checkpoint: Option<Checkpoint>,
-    /// The line of the title in the file, from 1.
+    /// The line that contains the title in the file, from 1.
     pub line: usize,
 }
 
 impl ChapterPage {
-    /// Reads a page: its title and the lines up to the next one.
+    /// Reads a page, given its title and the lines up to the next page.
     pub(super) fn read(
         source: &Source,
         (line, title): SourceLine,
@@ -62,7 +62,7 @@ impl ChapterPage {
     }
 }
 
-/// Reads a checkpoint and checks that nothing follows it.
+/// Reads a checkpoint, and checks that nothing comes after the checkpoint.
 fn checkpoint(
     source: &Source,
     (line, words): SourceLine,
@@ -88,7 +88,7 @@ fn is_figure((_, text): SourceLine) -> bool {
     text.starts_with("::") && !text.starts_with(":::")
 }
 
-/// The figure of a page, if it has one; `None` if it is invalid.
+/// The figure of a page, if there is one; `None` if the figure is invalid.
 fn figure(source: &Source, lines: &[SourceLine], shots: &Shots) -> Option<Option<Figure>> {
     let mut figures = lines.iter().copied().filter(|line| is_figure(*line));
     let Some((line, text)) = figures.next() else {

@@ -26,7 +26,7 @@ fn each_misconception_and_each_topic_leads_to_a_page_that_exists() {
     }
 }
 
-/// The source texts of the chapters, by id.
+/// The source texts of the chapters, indexed by id.
 fn chapters() -> BTreeMap<String, String> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons");
     let files = std::fs::read_dir(folder).unwrap().map(|it| it.unwrap());
@@ -38,7 +38,8 @@ fn chapters() -> BTreeMap<String, String> {
     files.map(chapter).collect()
 }
 
-/// Reads a table with lines `words | ids`: a page for an id must contain at least one of its words.
+/// Reads a table with lines of the form `words | ids`: a page for an id must contain at least one
+/// of these words.
 fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>> {
     let mut all = BTreeMap::new();
     for line in table.lines().map(str::trim).filter(|line| !line.is_empty()) {
@@ -51,8 +52,8 @@ fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>>
     all
 }
 
-/// A page that treats a misconception contains at least one of these phrases, as they are written
-/// in the chapters.
+/// A page about a misconception must contain at least one of its phrases, which are written as they
+/// are in the chapters.
 const OF_MISCONCEPTIONS: &str = "
     impact angle, at α =, 180 deg - 2 alpha, 90 deg - alpha | copied-angle
     90°, right angle, with equal masses | always-square square-on-the-ground
@@ -114,8 +115,8 @@ const OF_MISCONCEPTIONS: &str = "
     neither disc spins | no-spin-from-rest
 ";
 
-/// A page about what the questions on a topic ask for contains one of these phrases, in the same
-/// format.
+/// A page about the subject of the questions on a topic must contain one of these phrases, in the
+/// same format.
 const OF_TOPICS: &str = "
     angle, deflect, direction, leaves, rebound | equal-masses equal-masses-by-offset equal-masses-lossy
     angle, deflect, direction, leaves, rebound | heavier-striker heavier-striker-by-offset from-the-picture
@@ -152,8 +153,8 @@ const OF_TOPICS: &str = "
     friction, rims, spin | rough-rims
 ";
 
-/// A kind of wrong answer: the misconception, if a known one leads to it, the topic, and the names
-/// of the case.
+/// A kind of wrong answer: the misconception, if a known misconception leads to the answer, the
+/// topic, and the names of the case.
 type Case = (Option<&'static str>, Topic, [String; 3]);
 
 fn cases() -> BTreeMap<Case, Figures> {
@@ -175,15 +176,17 @@ fn cases() -> BTreeMap<Case, Figures> {
     cases
 }
 
-/// The chapters only about equal masses without loss, and those only about unequal masses.
+/// The chapters that are only about equal masses without loss, and those that are only about
+/// unequal masses.
 const OF_EQUAL_MASSES: [&str; 2] = ["the-right-angle", "speeds-and-angles"];
 const OF_UNEQUAL_MASSES: [&str; 2] = ["marbles", "weighing-by-angle"];
 
-/// The pages in those chapters that apply to all masses.
+/// The pages in these chapters that apply to all masses.
 const OF_ANY_MASSES: [&str; 2] = ["A share of the energy", "The split of energy"];
 
-/// Every wrong answer leads to a page about that case: the page mentions the misconception, if one
-/// shows, and what the question asks for, in a chapter about the same kind of masses.
+/// Every wrong answer leads to a page about the same case: the page mentions the misconception, if
+/// the answer shows one, and the subject of the question, in a chapter about the same kind of
+/// masses.
 #[test]
 fn the_page_after_a_wrong_answer_treats_what_was_asked() {
     let chapters = chapters();
@@ -228,7 +231,7 @@ fn the_page_after_a_wrong_answer_treats_what_was_asked() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     let met: BTreeSet<_> = cases.keys().filter_map(|(id, ..)| *id).collect();
     assert_eq!(met.len(), Misconception::ALL.len());
-    // Every page named under `elsewhere` is used.
+    // Every page listed under `elsewhere` is used.
     for misconception in Misconception::ALL {
         for name in misconception.settled_elsewhere() {
             let led_to = cases.keys().any(|(id, _, names)| {
@@ -255,7 +258,7 @@ fn every_checkpoint_has_a_topic_with_questions() {
     assert_eq!(asked, rows - 1);
 }
 
-/// Symbols and the chapters that use them, from the table in `docs/notation.md`.
+/// The symbols and the chapters in which they are used, from the table in `docs/notation.md`.
 fn notation() -> BTreeMap<&'static str, &'static str> {
     let mut notation = BTreeMap::new();
     for row in include_str!("../../docs/notation.md").lines() {
@@ -282,7 +285,7 @@ fn words(line: &str) -> impl Iterator<Item = &str> {
     line.split(ends).filter(|word| !word.is_empty())
 }
 
-/// The symbols of a formula: all its words that are not functions.
+/// The symbols in a formula, which are all its words except functions.
 fn in_formula(formula: &Formula) -> Vec<String> {
     let functions = ["sin", "cos", "tan", "arcsin"];
     let line = formula.inline();
@@ -290,7 +293,7 @@ fn in_formula(formula: &Formula) -> Vec<String> {
     symbols.map(String::from).collect()
 }
 
-/// The symbols in a text: those in its formulas, and every word with a Greek letter.
+/// The symbols in a text: those in its formulas, and every word that contains a Greek letter.
 fn in_text(text: &[Inline]) -> Vec<String> {
     let of_piece = |piece: &Inline| match piece {
         Inline::Formula(formula) => in_formula(formula),

@@ -2,7 +2,7 @@
 
 use super::Constant;
 
-/// The words of a directive. The parser takes out, one by one, those that it knows.
+/// The words of a directive. The parser takes the words that it knows out of this list, one by one.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
     bare: Vec<String>,
@@ -10,10 +10,10 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// Splits a directive at spaces; a value with spaces is in double quotes.
+    /// Splits a directive at spaces; a value that contains spaces must be in double quotes.
     ///
     /// # Errors
-    /// A message that states what was expected.
+    /// Returns a message that states what was expected.
     pub(super) fn of(text: &str) -> Result<Self, String> {
         let mut words = Self {
             bare: Vec::new(),
@@ -44,19 +44,19 @@ impl Words {
         (!self.bare.is_empty()).then(|| self.bare.remove(0))
     }
 
-    /// Takes the word `flag`, if present.
+    /// Takes the word `flag`, if it is present.
     pub(super) fn flag(&mut self, flag: &str) -> bool {
         let at = self.bare.iter().position(|word| word == flag);
         at.map(|at| self.bare.remove(at)).is_some()
     }
 
-    /// Takes the value of a field, if present.
+    /// Takes the value of a field, if the field is present.
     pub(super) fn field(&mut self, name: &str) -> Option<String> {
         let at = self.fields.iter().position(|(known, _)| known == name)?;
         Some(self.fields.remove(at).1)
     }
 
-    /// Takes all fields that `wanted` names.
+    /// Takes all fields whose names `wanted` accepts.
     pub(super) fn fields(&mut self, wanted: impl Fn(&str) -> bool) -> Vec<(String, String)> {
         let (taken, left) = std::mem::take(&mut self.fields)
             .into_iter()
@@ -65,10 +65,10 @@ impl Words {
         taken
     }
 
-    /// The constant of this name, if there is one; takes its fields.
+    /// The constant with this name, if there is one; also takes the fields of the constant.
     ///
     /// # Errors
-    /// A message about an invalid field.
+    /// Returns a message about an invalid field.
     pub(super) fn constant(&mut self, name: &str) -> Result<Option<Constant>, String> {
         let Some(mut constant) = Constant::named(name) else {
             return Ok(None);
@@ -82,7 +82,7 @@ impl Words {
     /// Takes a field that is a number between two bounds.
     ///
     /// # Errors
-    /// A message that states what was expected.
+    /// Returns a message that states what was expected.
     pub(super) fn number(
         &mut self,
         name: &str,
@@ -101,7 +101,7 @@ impl Words {
     /// Checks that no words are left.
     ///
     /// # Errors
-    /// A message about the word left over.
+    /// Returns a message about the word that is left.
     pub(super) fn finish(self) -> Result<(), String> {
         let fields = self.fields.into_iter().map(|(name, _)| name);
         match self.bare.into_iter().chain(fields).next() {

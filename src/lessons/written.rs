@@ -1,24 +1,24 @@
-//! A figure written in text, and its comparison with the engine's value.
+//! A figure as written in a text, and its comparison with the value calculated by the engine.
 
 use super::formula::superscript;
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct WrittenFigure {
-    /// The figure as the screen shows it.
+    /// The figure as shown on the screen.
     pub(super) shown: String,
     value: f64,
-    /// The largest allowed difference from the true value.
+    /// The largest permitted difference from the true value.
     margin: f64,
 }
 
-/// The rounding noise of an exact figure.
+/// The rounding error of an exact figure.
 const NOISE: f64 = 1e-9;
 
 impl WrittenFigure {
     /// Reads `3.46`, `-1`, `3.2e-7`, `sqrt 5` or `2 sqrt 3`.
     ///
     /// # Errors
-    /// A message that states what was expected.
+    /// Returns a message that states what was expected.
     pub(super) fn read(text: &str) -> Result<Self, String> {
         let text = text.trim().replace('−', "-");
         let wrong = || format!("expected a figure such as 3.46, 3.2e-7 or 2 sqrt 3, found {text}");
@@ -62,12 +62,12 @@ impl WrittenFigure {
         })
     }
 
-    /// Whether the figure is `truth` rounded to the same number of decimal places.
+    /// Whether the figure equals `truth` rounded to the same number of decimal places.
     pub(super) fn agrees(&self, truth: f64) -> bool {
         (truth - self.value).abs() <= self.margin
     }
 
-    /// `truth` with the same number of decimal places, for a message.
+    /// `truth` rounded to the same number of decimal places, for a message.
     pub(super) fn corrected(&self, truth: f64) -> String {
         let places = (-self.margin.log10()).floor().clamp(0.0, 12.0) as usize;
         if self.shown.contains("×10") {

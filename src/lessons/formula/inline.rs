@@ -1,9 +1,9 @@
-//! A formula in one line.
+//! Formulas on a single line.
 
 use super::{Formula, Node, subscript, superscript};
 
 impl Formula {
-    /// The formula in one line of Unicode.
+    /// The formula on a single line of Unicode text.
     pub fn inline(&self) -> String {
         let mut line = String::new();
         for term in &self.0 {
@@ -36,7 +36,7 @@ fn of_node(node: &Node) -> String {
     }
 }
 
-/// The formula in brackets, unless it is a single part.
+/// The formula in brackets, unless it consists of a single part.
 fn tight(formula: &Formula) -> String {
     let line = formula.inline();
     if formula.0.len() == 1 {

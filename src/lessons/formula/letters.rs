@@ -1,8 +1,8 @@
-//! Names of letters and signs, and the superscripts and subscripts that Unicode has.
+//! The names of letters and signs, and the superscript and subscript characters of Unicode.
 
 use crate::numbers::RAISED_DIGITS;
 
-/// The letter or sign for a word in a formula; `None` for other words.
+/// The letter or sign that a word stands for in a formula; `None` for any other word.
 pub(super) fn letter(word: &str) -> Option<&'static str> {
     Some(match word {
         "alpha" => "α",
@@ -37,7 +37,7 @@ pub(super) fn letter(word: &str) -> Option<&'static str> {
     })
 }
 
-/// A letter as a subscript.
+/// The subscript form of a letter.
 pub(super) fn lowered(letter: char) -> Option<char> {
     Some(match letter {
         '0'..='9' => char::from_u32('₀' as u32 + (letter as u32 - '0' as u32))?,
@@ -52,7 +52,7 @@ pub(super) fn lowered(letter: char) -> Option<char> {
     })
 }
 
-/// A letter as a superscript.
+/// The superscript form of a letter.
 pub(super) fn raised(letter: char) -> Option<char> {
     Some(match letter {
         '-' | '−' => '⁻',

@@ -4,14 +4,14 @@ use super::{Formula, Node, Term, letter};
 
 /// The maximum length of a formula, in characters.
 const LONGEST: usize = 300;
-/// The deepest nesting of brackets.
+/// The maximum depth of nested brackets.
 const DEEPEST: usize = 12;
 
 impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// A message that states what was expected.
+    /// Returns a message that states what was expected.
     ///
     /// ```
     /// use carrom::lessons::Formula;
@@ -63,7 +63,7 @@ impl FormulaReader<'_> {
         taken
     }
 
-    /// Terms up to a closing bracket or the end.
+    /// Reads terms up to a closing bracket or the end of the formula.
     fn row(&mut self) -> Result<Formula, String> {
         let mut terms = Vec::new();
         loop {
@@ -72,7 +72,7 @@ impl FormulaReader<'_> {
                 None | Some(')') => return Ok(Formula(terms)),
                 Some(_) => {
                     let node = self.term()?;
-                    // A degree sign directly follows its number.
+                    // There is no space between a number and a degree sign.
                     let apart = apart && node != Node::Word("°".into());
                     terms.push(Term { apart, node });
                 }
@@ -80,7 +80,7 @@ impl FormulaReader<'_> {
         }
     }
 
-    /// One term; a slash without spaces makes a fraction.
+    /// Reads a single term; a slash without spaces makes a fraction.
     fn term(&mut self) -> Result<Node, String> {
         let over = self.scripted()?;
         let is_operand = |c: char| c.is_alphanumeric() || c == '(' || c == '"';
@@ -92,7 +92,7 @@ impl FormulaReader<'_> {
         Ok(over)
     }
 
-    /// An atom with its subscript and superscript.
+    /// Reads an atom with its subscript and superscript.
     fn scripted(&mut self) -> Result<Node, String> {
         let base = self.atom()?;
         let (mut below, mut above) = (None, None);
@@ -161,7 +161,8 @@ impl FormulaReader<'_> {
         self.sign(first)
     }
 
-    /// The part below a root or an arrow: one atom, or the contents of a bracket.
+    /// Reads the part below a root or an arrow, which is a single atom or the contents of a
+    /// bracket.
     fn argument(&mut self) -> Result<Formula, String> {
         self.take_while(|c| c == ' ');
         self.deeper(|reader| match reader.peek() {
@@ -219,7 +220,7 @@ impl FormulaReader<'_> {
     }
 }
 
-/// A node, or the contents of a bracket.
+/// The contents of a node if it is a bracket, otherwise the node itself.
 fn unbracketed(node: Node) -> Formula {
     match node {
         Node::Group(inside) => inside,
