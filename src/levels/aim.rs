@@ -3,7 +3,7 @@
 use super::quantity as q;
 use crate::files::{Fields, NumberSpec, Range, all};
 
-/// A setting that a level may leave to the player, in the units of the screen.
+/// A setting that a level may leave to the player, in the units shown on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dial {
     /// The direction of the shot, in degrees from +x, anticlockwise.
@@ -19,7 +19,7 @@ pub enum Dial {
 }
 
 impl Dial {
-    /// All dials, the most used first.
+    /// All dials, with the most frequently used first.
     pub const ALL: [Self; 5] = [
         Self::Direction,
         Self::Speed,
@@ -28,7 +28,7 @@ impl Dial {
         Self::Restitution,
     ];
 
-    /// The dial's name in a file, its step and its range.
+    /// The name of the dial in a file, its step and its range.
     const fn facts(self) -> (&'static str, f64, &'static NumberSpec) {
         match self {
             Self::Direction => ("direction_deg", 0.5, &q::DIRECTION),
@@ -39,7 +39,7 @@ impl Dial {
         }
     }
 
-    /// The dial's name in a file.
+    /// The name of the dial in a file.
     pub const fn field(self) -> &'static str {
         self.facts().0
     }
@@ -49,7 +49,7 @@ impl Dial {
         Self::ALL.map(Self::field)
     }
 
-    /// The step of the dial; every solution in the built-in packs is a whole number of steps away
+    /// The step of the dial; in the built-in packs, every solution is a whole number of steps away
     /// from the initial aim.
     pub const fn step(self) -> f64 {
         self.facts().1
@@ -59,7 +59,7 @@ impl Dial {
         self.facts().2
     }
 
-    /// The dials named in a table of a file.
+    /// The dials that are named in a table of a file.
     fn named_in(fields: &Fields) -> impl Iterator<Item = Self> {
         Self::ALL
             .into_iter()
@@ -67,12 +67,12 @@ impl Dial {
     }
 }
 
-/// The setting of every dial, in the units of the screen.
+/// The setting of each dial, in the units shown on the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LevelAim([f64; 5]);
 
 impl LevelAim {
-    /// Sets every dial to its `setting`.
+    /// Creates an aim with the `setting` of each dial.
     pub(super) fn new(setting: impl FnMut(Dial) -> f64) -> Self {
         Self(Dial::ALL.map(setting))
     }
@@ -82,7 +82,7 @@ impl LevelAim {
         self.0[dial as usize]
     }
 
-    /// The same aim with a new setting of one dial.
+    /// This aim with a different setting of one dial.
     #[must_use]
     pub(crate) const fn with(mut self, dial: Dial, setting: f64) -> Self {
         self.0[dial as usize] = setting;
@@ -90,7 +90,7 @@ impl LevelAim {
     }
 }
 
-/// The dials that the player may change, and their ranges.
+/// The dials that the player may change, with their ranges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Adjust(Vec<(Dial, Range)>);
 
@@ -100,7 +100,7 @@ impl Adjust {
         self.0.iter().copied()
     }
 
-    /// The range of a dial; `None` if it is fixed.
+    /// The range of a dial; `None` if the player may not change the dial.
     pub(crate) fn range(&self, dial: Dial) -> Option<Range> {
         self.dials()
             .find_map(|(d, range)| (d == dial).then_some(range))
@@ -117,7 +117,8 @@ impl Adjust {
         Some(Self(dials))
     }
 
-    /// Reads settings of the dials; those left out are as in `start`.
+    /// Reads the settings of the dials; any dial that is left out has the same setting as in
+    /// `start`.
     pub(super) fn read_setting(&self, fields: &Fields, start: LevelAim) -> Option<LevelAim> {
         let settings = Dial::named_in(fields).map(|dial| {
             let name = dial.field();

@@ -1,4 +1,4 @@
-//! Whether a level can be won, and how hard it is.
+//! Checks whether a level can be won, and how hard that is.
 
 use super::aim::LevelAim;
 use super::judge::{Judgement, judge};
@@ -11,7 +11,7 @@ use crate::physics::{Engine, EngineError, Shot};
 pub struct Trial {
     /// Whether each goal was met.
     pub verdict: Judgement,
-    /// Whether the initial aim wins too, so that there is nothing to solve.
+    /// Whether the initial aim also wins, so that there is nothing to solve.
     pub opens_won: bool,
 }
 
@@ -20,7 +20,7 @@ impl Trial {
     ///
     /// # Errors
     ///
-    /// If a shot has too many events or exceeds its work budget.
+    /// Returns an error if a shot has too many events or exceeds its work budget.
     pub fn of(level: &Level) -> Result<Self, EngineError> {
         let verdict = |aim: &LevelAim| {
             let shot = level.aimed(aim).play(Patience::AKey)?;
@@ -33,13 +33,12 @@ impl Trial {
     }
 }
 
-/// The fraction, 0 to 1, of winning aims among `tries` aims spread evenly over all possible
-/// settings. This fraction measures how easily the level is won by chance. A shot that cannot be
-/// played counts as lost.
+/// The fraction, from 0 to 1, of aims that win, among `tries` aims spread evenly over all possible
+/// settings. This fraction measures how easily the level can be won by chance. A shot that cannot
+/// be played does not win.
 ///
-/// The aims are the points of an additive recurrence with the powers of the root of
-/// x^(d+1) = x + 1 (M. Roberts' R sequence), which fills d dimensions evenly and is always
-/// the same.
+/// The aims are the points of an additive recurrence with powers of the root of x^(d+1) = x + 1 (M.
+/// Roberts' R sequence). This sequence fills d dimensions evenly and is always the same.
 pub fn winning_share(level: &Level, tries: u32) -> f64 {
     let dials: Vec<_> = level.adjust.dials().collect();
     let root = root_for(dials.len());

@@ -10,7 +10,7 @@ use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 /// A goal; a level is won when all of its goals are met.
 ///
 /// "The first hit" is the first collision of two discs. Body 1 is always the disc that was shot,
-/// because all others are at rest until then.
+/// because all other discs are at rest before this collision.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal {
     /// These discs are pocketed, in this order.
@@ -30,16 +30,16 @@ pub enum Goal {
         /// The disc that must not hit this disc; `None` means that no disc may.
         by: Option<usize>,
     },
-    /// A disc is hit by another.
+    /// A disc is hit by another disc.
     Hit {
         /// The disc that is hit.
         disc: usize,
-        /// The disc that hits this disc.
+        /// The disc that hits it.
         by: usize,
-        /// The minimum number of cushions that `by` hits first.
+        /// The minimum number of cushions that `by` must hit first.
         least: usize,
     },
-    /// A disc comes to rest with its centre in a circle.
+    /// A disc comes to rest with its centre inside a circle.
     Rest {
         /// The disc.
         disc: usize,
@@ -57,12 +57,12 @@ pub enum Goal {
     Bank {
         /// The disc.
         disc: usize,
-        /// The disc that it then hits.
+        /// The disc that is hit after the cushions.
         target: usize,
         /// The minimum number of cushions.
         least: usize,
     },
-    /// A disc hits cushions, before or after other collisions.
+    /// A disc hits cushions, either before or after other collisions.
     Cushions {
         /// The disc.
         disc: usize,
@@ -78,22 +78,22 @@ pub enum Goal {
     },
 }
 
-/// A quantity right after the first collision.
+/// A quantity just after the first collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HitMeasure {
     /// The speed of a disc, in m/s.
     Speed(usize),
-    /// The angle between the initial path of body 1 and the velocity of a disc, to either side, in
+    /// The angle between the initial path of body 1 and the velocity of a disc, on either side, in
     /// radians.
     Turn(usize),
     /// The angle between the velocities of the two discs, in radians.
     Separation,
-    /// The fraction of body 1's energy that a disc has afterwards, 0 to 1.
+    /// The fraction of the energy of body 1 that a disc has after the collision, from 0 to 1.
     Energy(usize),
 }
 
 impl HitMeasure {
-    /// The disc concerned; `None` if both are.
+    /// The disc to which the quantity belongs; `None` if the quantity belongs to both discs.
     pub(super) const fn disc(self) -> Option<usize> {
         match self {
             Self::Speed(disc) | Self::Turn(disc) | Self::Energy(disc) => Some(disc),
@@ -101,7 +101,7 @@ impl HitMeasure {
         }
     }
 
-    /// A range of the quantity in words.
+    /// Describes a range of the quantity in words.
     pub(super) fn between(self, range: &Range) -> String {
         let (factor, unit) = match self {
             Self::Speed(_) => (1.0, " m/s"),
@@ -114,7 +114,7 @@ impl HitMeasure {
 }
 
 impl Goal {
-    /// Whether the first collision alone decides the goal.
+    /// Whether the goal is decided by the first collision alone.
     pub(crate) fn is_of_the_first_hit(&self) -> bool {
         matches!(self, Self::FirstHit { .. })
     }
@@ -132,7 +132,7 @@ pub struct GoalCircle {
 /// The maximum number of cushions that a goal may require.
 const MOST_CUSHIONS: usize = 20;
 
-/// The kinds of goals by their names in a file, each with its fields.
+/// The kinds of goals by their names in a file, each with the fields that it requires.
 const KINDS: [(&str, &[&str]); 12] = [
     ("pocket", &["kind", "discs"]),
     ("keep", &["kind", "disc"]),
@@ -173,7 +173,8 @@ impl Goal {
             let (measure, range) = measure.zip(range)?;
             Some(Self::FirstHit { measure, range })
         };
-        // `zip` reads all fields, so all errors are reported, before a missing value returns.
+        // `zip` reads all fields before a missing value ends the function, so all errors are
+        // reported.
         Some(match kind {
             "pocket" => Self::Pocket {
                 discs: read_discs(&fields, "discs", count, count)?,
@@ -223,7 +224,7 @@ impl Goal {
         })
     }
 
-    /// The circle to draw on the board, and the disc whose goal it is.
+    /// The circle to draw on the board, and the disc to whose goal the circle belongs.
     pub(crate) fn circle(&self) -> Option<(GoalCircle, usize)> {
         match self {
             Self::Rest { disc, circle } | Self::Pass { disc, circle } => Some((*circle, *disc)),
@@ -231,7 +232,7 @@ impl Goal {
         }
     }
 
-    /// What to do, in plain words.
+    /// Describes in plain words what the player has to do.
     pub(crate) fn describe(&self, scene: &Scene) -> String {
         let name = |disc: &usize| scene.name(*disc);
         match self {
@@ -299,7 +300,7 @@ impl Goal {
     }
 }
 
-/// At least this many cushions, in words.
+/// Describes a minimum number of cushions in words.
 fn cushions(least: usize) -> String {
     match least {
         1 => "a cushion".into(),
@@ -317,7 +318,8 @@ impl GoalCircle {
         })
     }
 
-    /// How far a point lies outside the circle in mm; negative inside.
+    /// The distance of a point from the edge of the circle, in mm, which is positive outside the
+    /// circle and negative inside.
     pub(super) fn outside_mm(&self, point: DVec2) -> f64 {
         mm_from_m(self.centre.distance(point) - self.radius)
     }

@@ -1,5 +1,5 @@
-//! Reports in words whether a shot meets the goals of a level, or what happened instead. Only the
-//! record of the shot is used.
+//! Reports in words whether a shot meets the goals of a level, or what happened instead. The
+//! reports are based only on the record of the shot.
 
 use glam::DVec2;
 
@@ -11,10 +11,10 @@ use crate::physics::angle::angle_between;
 use crate::physics::units::mm_from_m;
 use crate::physics::{DiscState, Event, EventKind, Shot};
 
-/// The results of a level's goals.
+/// The results for the goals of a level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
-    /// A finding for each goal, in the order of the goals.
+    /// A finding for each goal, in the same order as the goals.
     pub findings: Vec<Finding>,
 }
 
@@ -162,8 +162,8 @@ impl Goal {
 }
 
 impl GoalCircle {
-    /// Whether a point is inside the circle. `path` is the last straight part of a path that ends
-    /// at the point, and `did` is the beginning of the sentence.
+    /// Judges whether a point is inside the circle. `path` is the last straight part of a path that
+    /// ends at the point, and `did` is the beginning of the sentence.
     fn judge(&self, point: DVec2, path: Option<DVec2>, did: &str) -> Finding {
         let outside = self.outside_mm(point);
         if outside > 0.0 {
@@ -180,7 +180,7 @@ impl GoalCircle {
         )
     }
 
-    /// Where a point at the end of a path lies relative to the circle.
+    /// Describes where a point at the end of a path lies relative to the circle.
     fn side(&self, point: DVec2, path: DVec2) -> &'static str {
         let to_centre = self.centre - point;
         let (ahead, left) = (path.dot(to_centre), path.perp_dot(to_centre));
@@ -197,16 +197,16 @@ impl GoalCircle {
     }
 }
 
-/// Why a quantity of the first collision is undefined.
+/// The reason why a quantity of the first collision is undefined.
 enum Missing {
-    /// The disc was not in the first collision, or there was none.
+    /// The disc did not take part in the first collision, or there was no collision.
     Part,
-    /// A disc stopped.
+    /// A disc is at rest, so it has no direction.
     Direction,
 }
 
 impl Missing {
-    /// The reason in words; `name` is empty for a quantity of both discs.
+    /// The reason in words; `name` is empty if the quantity belongs to both discs.
     fn text(&self, name: &str) -> String {
         match (self, name) {
             (Self::Direction, "") => "one of the two discs stopped, so there is no angle".into(),
@@ -220,7 +220,7 @@ impl Missing {
 /// The first collision of two discs.
 struct FirstImpact {
     discs: [usize; 2],
-    /// The index in `discs` of the disc that was shot; the other is at rest.
+    /// The index, in `discs`, of the disc that was shot; the other disc is at rest.
     moving: usize,
     before: DVec2,
     afters: [DVec2; 2],
@@ -248,7 +248,7 @@ impl FirstImpact {
         })
     }
 
-    /// The value of a quantity, in the unit of the goal's range.
+    /// The value of a quantity, in the unit used for the goal's range.
     fn shows(&self, measure: HitMeasure, shot: &Shot) -> Result<f64, Missing> {
         let after = |disc| {
             let both = self.discs.into_iter().zip(self.afters);
@@ -295,7 +295,7 @@ fn pocketed(discs: &[usize], shot: &Shot, scene: &Scene) -> Finding {
     found(met, format!("pocketed: {}{wrong}", names.join(", then ")))
 }
 
-/// The events before the first collision of these two discs; `None` if there is none.
+/// The events before the first collision of these two discs; `None` if they do not collide.
 fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
     let meets = |event: &Event| event.kind.partner(one) == Some(other);
     let at = shot.events().iter().position(meets)?;
@@ -308,7 +308,7 @@ fn cushions(disc: usize, events: &[Event]) -> usize {
     events.iter().filter(|event| met(event.kind)).count()
 }
 
-/// A number of cushions in words.
+/// Describes a number of cushions in words.
 fn in_cushions(count: usize) -> String {
     match count {
         0 => "no cushion".into(),
@@ -316,7 +316,7 @@ fn in_cushions(count: usize) -> String {
     }
 }
 
-/// The point of a disc's path that is nearest to a point.
+/// The point on the path of a disc that is nearest to the given point.
 fn nearest_on_path(shot: &Shot, disc: usize, point: DVec2) -> DVec2 {
     let distance = |p: &DVec2| p.distance(point);
     shot.path(disc)

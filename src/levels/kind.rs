@@ -2,23 +2,24 @@
 
 use crate::physics::Disc;
 
-/// The kind of a disc, which determines its mass and size unless the file gives them.
+/// The kind of a disc, which determines the mass and the size of the disc unless the file specifies
+/// them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DiscKind {
-    /// The disc that is flicked: 15 g and 41.3 mm across, the most the Laws allow.
+    /// The disc that is flicked: 15 g and 41.3 mm in diameter, the maximum that the Laws allow.
     Striker,
-    /// A white coin: 5.5 g and 31.8 mm across, the most the Laws allow.
+    /// A white coin: 5.5 g and 31.8 mm in diameter, the maximum that the Laws allow.
     White,
-    /// A black coin, as heavy and large as a white one.
+    /// A black coin, with the same mass and size as a white coin.
     Black,
-    /// The red queen, as heavy and large as the other coins.
+    /// The red queen, with the same mass and size as the other coins.
     Queen,
-    /// A glass marble, as in the textbook's exercises: 20 g, 25 mm across.
+    /// A glass marble, as in textbook exercises: 20 g and 25 mm in diameter.
     Marble,
 }
 
 impl DiscKind {
-    /// All kinds with their names in a file.
+    /// All kinds, with their names in a file.
     pub(super) const NAMED: [(&'static str, Self); 5] = [
         ("striker", Self::Striker),
         ("white", Self::White),
@@ -27,7 +28,7 @@ impl DiscKind {
         ("marble", Self::Marble),
     ];
 
-    /// Mass and size of this kind.
+    /// The mass and the size of a disc of this kind.
     pub(crate) const fn disc(self) -> Disc {
         match self {
             Self::Striker => Disc::from_g_mm(15.0, 20.65),
@@ -36,7 +37,7 @@ impl DiscKind {
         }
     }
 
-    /// The name of a disc of this kind on the screen.
+    /// The name of this kind of disc on the screen.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Striker => "striker",

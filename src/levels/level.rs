@@ -8,7 +8,7 @@ use super::scene::{PlacedDisc, Scene, read_discs, tidy};
 use crate::files::{self, Fields, FileErrors, Range, Source, all};
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 
-/// The format that this program reads and writes.
+/// The version of the format that this program reads and writes.
 pub(crate) const FORMAT: u32 = 1;
 
 /// The maximum number of goals in a level.
@@ -29,7 +29,7 @@ const ABOUT: [&str; 6] = [
     "unknown_mass",
 ];
 
-/// A scene with goals, settings for the player, and an explanation.
+/// A scene with goals, settings for the player to change, and an explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     /// A name that never changes: lower-case letters, digits and hyphens.
@@ -38,11 +38,11 @@ pub struct Level {
     pub title: String,
     /// Hints, each more direct than the previous one.
     pub hints: Vec<String>,
-    /// The explanation after the shot: paragraphs separated by empty lines.
+    /// The explanation shown after the shot, in paragraphs separated by empty lines.
     pub explanation: String,
-    /// Discs whose direction after the first impact the player predicts.
+    /// The discs for which the player predicts the direction after the first impact.
     pub say_first: Vec<usize>,
-    /// Discs whose mass is hidden until the level is won.
+    /// The discs whose mass is hidden until the level is won.
     pub(crate) unknown_mass: Vec<usize>,
     /// The board, the discs, and the initial shot.
     pub scene: Scene,
@@ -55,16 +55,16 @@ pub struct Level {
 }
 
 impl Level {
-    /// Reads a level from the bytes of a file; messages call the file `name`.
+    /// Reads a level from the bytes of a file, which is called `name` in messages.
     ///
     /// # Errors
     ///
-    /// All errors in the file.
+    /// Returns all errors in the file.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         Self::read_beside(name, bytes, &[])
     }
 
-    /// Reads a level whose id must differ from the ids of other levels.
+    /// Reads a level whose id must differ from those of other levels.
     pub(super) fn read_beside(
         name: &str,
         bytes: &[u8],
@@ -127,14 +127,14 @@ impl Level {
         start(&self.scene)
     }
 
-    /// Whether the first collision alone decides the level, so that neither cushions nor pockets
-    /// matter.
+    /// Whether the level is decided by the first collision alone, so that cushions and pockets do
+    /// not matter.
     pub(crate) fn is_of_the_first_hit(&self) -> bool {
         let no_pockets = self.scene.board.pocket_diameter <= 0.0;
         no_pockets && self.goals.iter().all(Goal::is_of_the_first_hit)
     }
 
-    /// The scene with an aim, clamped to the allowed ranges.
+    /// The scene after setting an aim, which is clamped to the permitted ranges.
     pub fn aimed(&self, aim: &LevelAim) -> Scene {
         let mut within = self.start();
         for (dial, range) in self.adjust.dials() {
@@ -153,12 +153,13 @@ impl Level {
 }
 
 impl Scene {
-    /// Reads a scene from the bytes of a file; messages call the file `name`. For a level, the
-    /// whole level is read and checked, and its scene is returned.
+    /// Reads a scene from the bytes of a file, which is called `name` in messages. If the file
+    /// contains a level, the whole level is read and checked, and the scene of the level is
+    /// returned.
     ///
     /// # Errors
     ///
-    /// All errors in the file.
+    /// Returns all errors in the file.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, bytes, files::LARGEST)?;
         source.document("a scene", FORMAT..=FORMAT, &[], |fields| {
@@ -173,7 +174,7 @@ impl Scene {
     }
 }
 
-/// The settings of the dials in the shot of a scene.
+/// The settings of the dials that correspond to the shot of a scene.
 fn start(scene: &Scene) -> LevelAim {
     let piece = scene.pieces.get(scene.stroke.disc);
     LevelAim::new(|dial| match dial {
@@ -185,14 +186,15 @@ fn start(scene: &Scene) -> LevelAim {
     })
 }
 
-/// Reads the settings for the player: their ranges must contain the initial aim, and the disc must
-/// have room at every allowed position.
+/// Reads the dials that the player may change. Their ranges must contain the initial aim, and there
+/// must be room for the disc at every permitted position.
 fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     let adjust = Adjust::from_fields(fields)?;
     let scene = scene?;
     let start = start(scene);
     for (dial, range) in adjust.dials() {
-        // The setting has rounding errors: millimetres and grams were converted to SI and back.
+        // The setting has rounding errors, because millimetres and grams were converted to SI units
+        // and back.
         let setting = start.get(dial);
         if (range.nearest(setting) - setting).abs() > 1e-9 * setting.abs() {
             let message = format!(
@@ -210,8 +212,9 @@ fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     Some(adjust)
 }
 
-/// Checks that the disc that is shot has room at every x, in metres, within a range. It is enough
-/// to check both ends and the points nearest to each of the other discs and pockets.
+/// Checks that there is room for the disc that is shot at every x, in metres, in a range. It is
+/// enough to check both ends of the range and the points that are nearest to each of the other
+/// discs and pockets.
 fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     let number = scene.stroke.disc;
     let Some(&piece) = scene.pieces.get(number) else {
@@ -233,7 +236,7 @@ fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     Ok(())
 }
 
-/// Text with its line breaks replaced by spaces, except the empty lines between paragraphs.
+/// Replaces the line breaks in a text with spaces, except for empty lines between paragraphs.
 fn paragraphs(text: &str) -> String {
     let mut paragraphs = vec![String::new()];
     for line in text.lines().map(str::trim) {

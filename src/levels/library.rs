@@ -1,4 +1,4 @@
-//! Packs of levels: the built-in ones, and a teacher's own from a folder.
+//! Packs of levels: the built-in packs, and a teacher's own packs from a folder.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -11,17 +11,18 @@ use crate::numbers::capital;
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 
-/// Levels that belong together, in the order of their file names.
+/// Levels that belong together, sorted by the names of their files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// The name of the folder, without the number before the name, which only determines the order.
+    /// The name of the folder, without the number that may precede the name and only determines the
+    /// order.
     pub name: String,
     /// The levels; no two have the same id.
     pub levels: Vec<Level>,
 }
 
 impl Pack {
-    /// The name as a title: `first-hits` is "First hits".
+    /// The name as a title: `first-hits` becomes "First hits".
     pub(crate) fn title(&self) -> String {
         capital(&self.name.replace(['-', '_'], " "))
     }
@@ -32,19 +33,19 @@ impl Pack {
 pub struct LevelLibrary {
     /// The packs, in the order in which they are shown.
     pub packs: Vec<Pack>,
-    /// The errors in files that are left out.
+    /// The errors in the files that were left out.
     pub problems: Vec<FileError>,
 }
 
 impl LevelLibrary {
-    /// The built-in packs, read once per process when they are first needed, because they never
-    /// change.
+    /// The built-in packs, which are read only once per process, when they are first needed,
+    /// because they never change.
     pub fn embedded_once() -> &'static Self {
         static READ: LazyLock<LevelLibrary> = LazyLock::new(LevelLibrary::embedded);
         &READ
     }
 
-    /// Adds the level in the bytes of a file to a pack.
+    /// Adds the level in a file to a pack, given the bytes of the file.
     pub fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
         let known = self.packs.iter_mut().find(|known| known.name == pack);
         let others = known.as_ref().map_or(&[][..], |pack| &pack.levels);
@@ -80,13 +81,14 @@ impl FileLibrary for LevelLibrary {
         &mut self.problems
     }
 
-    /// Adds a level to the pack named after its folder.
+    /// Adds a level to the pack that is named after its folder.
     fn add_bytes(&mut self, path: &Path, bytes: &[u8]) {
         let (_, pack) = path.parent().map(order).unwrap_or_default();
         self.add(&pack, &path.display().to_string(), bytes);
     }
 
-    /// Adds the level files of a folder as one pack, and those of each subfolder as another.
+    /// Adds the level files in a folder as one pack, and those in each subfolder as a separate
+    /// pack.
     fn add_dir(&mut self, folder: &Path) {
         let mut folders = self.add_files_of(folder);
         folders.sort_by_key(|folder| order(folder));
@@ -96,7 +98,7 @@ impl FileLibrary for LevelLibrary {
     }
 }
 
-/// The position of a folder's pack, and its name: `2-right-angle` is the pack "right-angle" at
+/// The position and the name of a folder's pack: `2-right-angle` is the pack "right-angle" at
 /// position 2. Folders without a number come first.
 fn order(dir: &Path) -> (u32, String) {
     let name = dir

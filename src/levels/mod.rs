@@ -1,10 +1,10 @@
 //! Scene and level files: their format, loading, checking and judging.
 //!
-//! A **scene** is a board, the discs on it and a shot, as a TOML file. A **level**
-//! is a scene with a goal, what the player may set, hints, an explanation and an
-//! aim that wins; the aim is stored so that it can be checked by playing it. Every
-//! number in a file is checked against its bounds while it is read; a [`FileError`] gives
-//! file, line, field and what was expected.
+//! A **scene** is a board with discs on it, and a shot, in a TOML file. A **level** is a scene with
+//! goals, settings that the player may change, hints, an explanation and an aim that wins; the aim
+//! is stored so that the level can be checked by playing the shot. Every number in a file is
+//! checked against its bounds while it is read; a [`FileError`] gives file, line, field and what
+//! was expected.
 
 mod aim;
 mod check;

@@ -3,19 +3,20 @@
 use super::scene::Scene;
 use crate::physics::{Engine, EngineError, Limits, Shot};
 
-/// How long a shot on a board without friction is played, in seconds, because nothing would ever
-/// come to rest.
+/// How many seconds of a shot are played on a board without friction, where nothing would ever come
+/// to rest.
 const WATCHED: f64 = 60.0;
 
 /// The work budget of a shot, counted in tests of a pair of discs (see [`Limits::work`]). The
-/// budget limits how long a player waits; no built-in level comes near it.
+/// budget limits how long a player has to wait; no built-in level comes close to the limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Patience {
-    /// A few seconds: for a single shot, such as that of `carrom simulate`.
+    /// A few seconds, for a single shot such as that of `carrom simulate`.
     Seconds,
-    /// Five milliseconds: for a shot that is shown after a key press.
+    /// Five milliseconds, for a shot that is shown after a key press.
     AKey,
-    /// One millisecond: for one of thousands of shots, and for the preview while a player aims.
+    /// One millisecond, for one shot out of thousands, and for the preview while a player is
+    /// aiming.
     AMoment,
 }
 
@@ -30,21 +31,22 @@ impl Patience {
 }
 
 impl Scene {
-    /// Plays the shot to its end, or for a minute on a board without friction.
+    /// Plays the shot to its end or, on a board without friction, for a minute.
     ///
     /// # Errors
     ///
-    /// If the shot has too many events or exceeds its work budget.
+    /// Returns an error if the shot has too many events or exceeds its work budget.
     pub fn play(&self, patience: Patience) -> Result<Shot, EngineError> {
         let mut shot = Shot::default();
         self.play_into(&mut Engine::default(), &mut shot, patience)?;
         Ok(shot)
     }
 
-    /// Plays the shot until the smallest budget is used up, beyond the first contact.
+    /// Plays the shot until the smallest work budget is used up, even if this is after the first
+    /// contact.
     pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();
-        // On an error the record contains the shot up to then.
+        // If there is an error, the record contains the shot up to that point.
         let _ = self.play_into(&mut Engine::default(), &mut shot, Patience::AMoment);
         shot
     }

@@ -1,8 +1,8 @@
-//! The numbers of a level and their ranges.
+//! The numbers in a level, with their ranges.
 
 use crate::files::NumberSpec;
 
-// Within these bounds f64 is precise enough; they are far wider than any carrom board needs.
+// Within these bounds, which are far wider than any carrom board needs, f64 is precise enough.
 pub(super) const SIDE: NumberSpec = NumberSpec::new("a side", " mm", 50.0, 100_000.0);
 pub(super) const POCKET: NumberSpec = NumberSpec::new("a diameter", " mm", 0.0, 1000.0);
 pub(super) const FRICTION: NumberSpec = NumberSpec::new("a coefficient of friction", "", 0.0, 10.0);

@@ -1,4 +1,4 @@
-//! A scene: a board, the discs on it, and a shot.
+//! A scene: a board with discs on it, and a shot.
 
 use glam::DVec2;
 
@@ -13,27 +13,27 @@ use crate::physics::{Board, Disc, Motion};
 /// The maximum number of discs in a scene.
 pub(crate) const MOST_DISCS: usize = 256;
 
-/// How far discs may overlap each other or the frame, in metres. As in the engine, this allows for
-/// the rounding error of discs that are meant to touch.
+/// The distance, in metres, by which discs may overlap each other or the frame. As in the engine,
+/// this allows for the rounding errors of discs that are meant to touch.
 const SLACK: f64 = 1e-10;
 
 /// A disc and its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlacedDisc {
-    /// The kind of disc.
+    /// The kind of the disc.
     pub kind: DiscKind,
-    /// The mass and the radius.
+    /// The mass and the radius of the disc.
     pub disc: Disc,
-    /// The position of its centre, in metres from the centre of the board.
+    /// The position of the disc's centre, in metres from the centre of the board.
     pub at: DVec2,
 }
 
 /// The shot of one of the discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Launch {
-    /// The number of the disc.
+    /// The number of the disc that is shot.
     pub disc: usize,
-    /// The direction in degrees from +x, anticlockwise. Stored as in the file, so that a quarter
+    /// The direction in degrees from +x, anticlockwise, stored as in the file so that a quarter
     /// turn is exact.
     pub direction_deg: f64,
     /// The speed in m/s.
@@ -52,14 +52,15 @@ impl Launch {
 pub struct Scene {
     /// The board.
     pub board: Board,
-    /// The discs, by number.
+    /// The discs, indexed by number.
     pub pieces: Vec<PlacedDisc>,
     /// The shot.
     pub stroke: Launch,
 }
 
 impl Scene {
-    /// The scene, and the number of discs in the file, valid or not.
+    /// Reads the scene; also returns the number of discs in the file, whether they are valid or
+    /// not.
     pub(super) fn from_fields(fields: &Fields) -> (Option<Self>, usize) {
         let board = fields.or("board", Board::default(), |_| read_board(fields));
         let tables = fields.tables("disc", 1..=MOST_DISCS, &DISC_FIELDS);
@@ -88,12 +89,12 @@ impl Scene {
         (scene(), tables.len())
     }
 
-    /// The discs, by number.
+    /// The discs, indexed by number.
     pub fn discs(&self) -> Vec<Disc> {
         self.pieces.iter().map(|piece| piece.disc).collect()
     }
 
-    /// The initial motion of each disc: all at rest except the disc that is shot.
+    /// The initial motion of each disc: all discs are at rest except the disc that is shot.
     pub fn motions(&self) -> Vec<Motion> {
         let mut motions: Vec<_> = self
             .pieces
@@ -106,8 +107,8 @@ impl Scene {
         motions
     }
 
-    /// The name of a disc: "the striker", or "white coin 2" if there are several of its kind,
-    /// numbered in their order.
+    /// The name of a disc: "the striker" or, if there are several discs of the same kind, "white
+    /// coin 2", where the discs of this kind are numbered in order.
     pub fn name(&self, disc: usize) -> String {
         let Some(kind) = self.pieces.get(disc).map(|piece| piece.kind) else {
             return format!("disc {disc}");
@@ -190,7 +191,7 @@ pub(super) fn point(mm: [f64; 2]) -> DVec2 {
     DVec2::from(mm.map(m_from_mm))
 }
 
-/// Reads the shot of a scene of this many discs.
+/// Reads the shot in a scene with this many discs.
 fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
     let fields = fields.table("shot", &["disc", "direction_deg", "speed"])?;
     let disc = read_disc(&fields, "disc", count);
@@ -203,13 +204,14 @@ fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
     })
 }
 
-/// Reads the number of one of `count` discs; if there are none, that has already been reported.
+/// Reads the number of one of `count` discs. If there are no discs, that has already been reported.
 pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usize> {
     let last = count.checked_sub(1)?;
     fields.whole(name, &disc_number(last), 0..=last)
 }
 
-/// Reads a list of 1 to `most` different discs out of `count`.
+/// Reads a list of different discs out of `count` discs; the list must have from 1 to `most` of
+/// them.
 pub(super) fn read_discs(
     fields: &Fields,
     name: &str,
@@ -230,7 +232,7 @@ fn disc_number(last: usize) -> String {
 
 impl PlacedDisc {
     /// Checks that the disc is inside the frame, outside the pockets and clear of other discs; the
-    /// error gives what was expected.
+    /// error says what was expected.
     pub(super) fn check_place<'a>(
         &self,
         board: &Board,
@@ -259,7 +261,7 @@ impl PlacedDisc {
     }
 }
 
-/// A length in millimetres with enough digits that it is not printed as zero.
+/// Formats a length in millimetres with enough digits that the length is not printed as zero.
 fn small(length: f64) -> String {
     let mm = mm_from_m(length);
     if mm < 0.01 {
@@ -269,12 +271,13 @@ fn small(length: f64) -> String {
     }
 }
 
-/// A number to two decimals, without trailing zeros.
+/// Formats a number with two decimal places, but without trailing zeros.
 pub(super) fn tidy(number: f64) -> String {
     short(number, 2)
 }
 
-/// A measured length in millimetres, to three significant figures but at most two decimals.
+/// Formats a measured length in millimetres with three significant figures, but at most two decimal
+/// places.
 pub(super) fn figures(mm: f64) -> String {
     let decimals = match mm.abs() {
         ..10.0 => 2,
@@ -284,8 +287,8 @@ pub(super) fn figures(mm: f64) -> String {
     format!("{mm:.decimals$}")
 }
 
-/// The unit vector at an angle in degrees: sine and cosine of at most 45°, rotated by quarter
-/// turns, so that the vector is exact along the axes.
+/// The unit vector at an angle in degrees. The sine and cosine are those of an angle of at most
+/// 45°, and the result is rotated by quarter turns, so that the vector is exact along the axes.
 fn unit_vector(angle_deg: f64) -> DVec2 {
     let quarters = (angle_deg / 90.0).round();
     let within = direction((angle_deg - 90.0 * quarters).to_radians());

@@ -1,4 +1,4 @@
-//! The levels available to this player, and the best results.
+//! The levels that are available to this player, and the player's best results.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -7,19 +7,20 @@ use super::level::Level;
 use super::library::{LevelLibrary, Pack};
 use super::stars::{MOST_STARS, Starred, Win};
 
-/// All levels, numbered from 0 across all packs, with the best result in each.
+/// All levels, numbered from 0 across all packs, with the best result in each level.
 #[derive(Debug, Clone, Default)]
 pub struct Shelf {
-    /// `None` for the built-in levels alone, which are read only when they are needed.
+    /// `None` if there are only the built-in levels, which are read when they are first needed.
     library: Option<Arc<LevelLibrary>>,
-    /// The largest number of stars won, by the name of the pack and the id of the level.
+    /// The largest number of stars won in a level, indexed by the name of the pack and the id of
+    /// the level.
     best: BTreeMap<(String, String), u8>,
-    /// The index of the entry that was last selected: a level or, after all levels, a problem.
+    /// The index of the entry that was selected last: a level or, after all the levels, a problem.
     pub at: usize,
 }
 
 impl Shelf {
-    /// A shelf with the levels of this library, none of them won yet.
+    /// Creates a shelf with the levels of this library, of which none has been won yet.
     pub fn new(library: LevelLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -27,25 +28,25 @@ impl Shelf {
         }
     }
 
-    /// The levels and the errors of files left out.
+    /// The levels, and the errors in the files that were left out.
     pub fn library(&self) -> &LevelLibrary {
         let own = self.library.as_deref();
         own.unwrap_or_else(|| LevelLibrary::embedded_once())
     }
 
-    /// The levels with their packs, by number.
+    /// The levels and their packs, in order of number.
     pub fn levels(&self) -> impl Iterator<Item = (&Pack, &Level)> {
         let packs = self.library().packs.iter();
         packs.flat_map(|pack| pack.levels.iter().map(move |level| (pack, level)))
     }
 
-    /// A level and its pack; `None` beyond the last.
+    /// A level and its pack; `None` if there is no level with this number.
     pub fn get(&self, number: usize) -> Option<(&Pack, &Level)> {
         self.levels().nth(number)
     }
 
-    /// The number of the level called `name`, which is its id, or the name of its pack and its id
-    /// with a slash between them.
+    /// The number of the level called `name`, which is the id of the level, or the name of its pack
+    /// and its id separated by a slash.
     pub fn find(&self, name: &str) -> Option<usize> {
         let wanted = |(pack, level): (&Pack, &Level)| match name.split_once('/') {
             Some(name) => name == (&pack.name, &level.id),
@@ -60,7 +61,7 @@ impl Shelf {
         packs.map(|pack| pack.levels.len()).sum()
     }
 
-    /// The most stars won in a level; 0 if the level was never won.
+    /// The largest number of stars won in a level; 0 if the level was never won.
     pub fn stars(&self, number: usize) -> u8 {
         let key = |(pack, level): (&Pack, &Level)| (pack.name.clone(), level.id.clone());
         let stars = self
@@ -69,12 +70,13 @@ impl Shelf {
         stars.copied().unwrap_or(0)
     }
 
-    /// The first level that was never won; `None` if all were.
+    /// The first level that was never won; `None` if every level was won.
     pub fn next(&self) -> Option<usize> {
         (0..self.count()).find(|number| self.stars(*number) == 0)
     }
 
-    /// Records that a level was won, and returns the stars to save if there are more than before.
+    /// Records that a level was won, and returns the stars to be saved if there are more of them
+    /// than before.
     pub fn won(&mut self, number: usize, win: Win) -> Option<Starred> {
         let (pack, level) = self.get(number)?;
         let starred = Starred {
@@ -85,12 +87,12 @@ impl Shelf {
         self.recall(&starred).then_some(starred)
     }
 
-    /// Drops all stars, because another player's will be requested.
+    /// Drops all stars, because those of another player will be requested.
     pub(crate) fn forget(&mut self) {
         self.best.clear();
     }
 
-    /// Notes stars that were won before; returns whether there are more than were known.
+    /// Records stars that were won before; returns whether there are more of them than were known.
     pub fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();
