@@ -42,7 +42,7 @@ impl Scene {
         Ok(shot)
     }
 
-    /// Plays the shot until the smallest work budget is used up, even if this is after the first
+    /// Plays as much of the shot as the smallest work budget allows, which goes beyond the first
     /// contact.
     pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();

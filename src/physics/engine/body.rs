@@ -1,4 +1,4 @@
-//! A moving disc and its current slide.
+//! A moving disc and the slide that it is on.
 
 use glam::DVec2;
 
@@ -7,8 +7,8 @@ use super::super::{Disc, Motion};
 
 /// The state of a disc in the engine.
 ///
-/// The body stores the start of the current slide, which only an event of this disc changes: there
-/// are no time steps.
+/// A body stores the start of the current slide, which changes only in an event that involves this
+/// disc: there are no time steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Body {
     /// The start of the current slide.
@@ -18,9 +18,9 @@ pub(super) struct Body {
     pub(super) since: f64,
     pub(super) radius: f64,
     pub(super) mass: f64,
-    /// The fraction of its initial speed that the disc loses per second of its slide, a/v.
+    /// The fraction of its initial speed that the disc loses per second of the slide, a/v.
     pub(super) relative_deceleration: f64,
-    /// Counts the disc's slides, so that outdated forecasts can be recognized.
+    /// The number of slides of the disc so far, by which outdated forecasts can be recognized.
     pub(super) version: u32,
     pub(super) moving: bool,
 }
@@ -48,7 +48,7 @@ impl Body {
         self.version = self.version.wrapping_add(1);
     }
 
-    /// The disc's motion at a time, which must not be later than its stop.
+    /// The disc's motion at a time, which must not be later than the time at which the disc stops.
     #[inline(always)]
     pub(super) fn at(&self, time: f64) -> Motion {
         parabola(self.start, self.acceleration, time - self.since)

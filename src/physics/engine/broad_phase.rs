@@ -1,8 +1,9 @@
-//! Finds the discs that a given one could meet: a quick test of every pair that never rules out a
-//! pair that meets, and rules out nearly all others. The given disc is called the seeker.
+//! Finds the discs that a given disc could meet, by a quick test of every pair. The test never
+//! rules out a pair that meets, but rules out nearly all others. The given disc is called the
+//! seeker.
 //!
-//! The test has two stages, each for two discs at a time: it compares the boxes of all discs, then
-//! the motion of those whose boxes overlap.
+//! The test has two stages, each of which handles two discs at a time: the first compares the boxes
+//! of all discs, and the second compares the motion of the discs whose boxes overlap.
 
 use glam::DVec2;
 use wide::f64x2;
@@ -14,13 +15,14 @@ use super::lanes::{TwoVectors, of_both};
 use super::schedule::SAME_TIME;
 use super::work::Work;
 
-/// How much wider than a disc its box is, in metres: far more than rounding errors.
+/// How much wider a disc's box is than the disc, in metres: far more than the rounding errors.
 const MARGIN: f64 = 1e-9;
 
-/// The time limit, in seconds, of a slide that never ends: with ∞, 0 · ∞ would be NaN.
+/// The time limit, in seconds, for a slide that never ends. It is finite because 0 · ∞ would be
+/// NaN.
 const FOREVER: f64 = 1e100;
 
-/// How many boxes are compared before the motion of their discs: one per bit.
+/// The number of boxes that are compared before the motion of their discs is compared: one per bit.
 const AT_ONCE: usize = u64::BITS as usize;
 
 /// The boxes of all discs, and the working memory of a scan for partners.
@@ -35,19 +37,21 @@ impl BroadPhase {
     pub(super) fn begin(&mut self, discs: usize) {
         self.boxes.clear();
         self.boxes.resize(discs.div_ceil(2), TwoBoxes::NOWHERE);
-        // Two more, because the last two candidates are written even if they are ruled out.
+        // There are two additional places, because the last two candidates are written even if they
+        // are ruled out.
         self.partners.resize(discs + 2, 0);
     }
 
-    /// Stores the box of a disc from a time until its slide ends by itself. A contact may end the
-    /// slide earlier; the box stays, because a new one costs more than it saves.
+    /// Stores the box of a disc, from a given time until the slide ends by itself. If a contact
+    /// ends the slide earlier, the box is kept, because a new box would cost more than it saves.
     #[inline]
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
     }
 
-    /// Finds the discs that the seeker could meet before either's forecast, and returns their
-    /// number (see [`Self::partner`]), in the order of their indices or of the cells of the grid.
+    /// Finds the discs that the seeker could meet before the forecast of the seeker or of the other
+    /// disc. Returns the number of these discs (see [`Self::partner`]), which are in the order of
+    /// their indices or of the cells in the grid.
     #[inline]
     pub(super) fn find(&mut self, scan: &Scan, grid: &Grid, work: &mut Work) -> usize {
         let i = scan.disc;
@@ -88,7 +92,7 @@ impl BroadPhase {
         count
     }
 
-    /// A disc found by the latest scan, by its number in the result.
+    /// A disc that was found by the latest scan, given its position in the result.
     #[inline]
     pub(super) fn partner(&self, n: usize) -> usize {
         self.partners[n]
@@ -100,21 +104,21 @@ pub(super) struct Scan<'a> {
     pub(super) seeker: &'a Seeker,
     /// The seeker's number.
     pub(super) disc: usize,
-    /// Discs to skip, because they have already scanned for the seeker.
+    /// Discs to be skipped, because they have already scanned for the seeker.
     pub(super) have_looked: &'a [usize],
     pub(super) bodies: &'a [Body],
-    /// The forecast times of all discs, with padding.
+    /// The forecast times of all discs, padded to whole blocks.
     pub(super) times: &'a [f64],
 }
 
-/// Discs whose boxes overlap the seeker's, one bit each.
+/// The discs whose boxes overlap the seeker's box, with one bit for each disc.
 struct Candidates(u64);
 
 impl Candidates {
     /// Writes the discs that can meet the seeker and returns their number.
     ///
-    /// Every disc is written, and the next one overwrites it if it is ruled out. There is no
-    /// branch, because a processor cannot predict the result.
+    /// Every disc is written; if it is ruled out, the next disc overwrites it. There is no branch,
+    /// because a processor could not predict the result.
     #[inline(always)]
     fn sift(mut self, disc: impl Fn(usize) -> usize, scan: &Scan, partners: &mut [usize]) -> usize {
         let (seeker, bodies) = (scan.seeker, scan.bodies);
@@ -131,7 +135,7 @@ impl Candidates {
         count
     }
 
-    /// Removes and returns the next two candidates, or the last one twice.
+    /// Removes and returns the next two candidates; if only one is left, returns it twice.
     #[inline(always)]
     fn next_two(&mut self) -> Option<(usize, usize)> {
         if self.0 == 0 {
@@ -149,8 +153,8 @@ impl Candidates {
 /// The boxes of two discs. A box is axis-aligned and contains everything that a disc can touch
 /// between two times of its slide.
 ///
-/// Each box has four numbers: the least x and y, and the greatest with the sign reversed, so
-/// that all four are compared in the same way.
+/// Each box has four numbers: the smallest x and y, and the largest x and y with reversed signs, so
+/// that all four can be compared in the same way.
 #[derive(Debug, Clone, Copy)]
 struct TwoBoxes([f64x2; 4]);
 
@@ -160,14 +164,14 @@ impl TwoBoxes {
 
     #[inline]
     fn set(&mut self, lane: usize, sides: [f64; 4]) {
-        // Both lanes are written in one piece, as they will be read: reading a value that was
+        // Both lanes are written together, as they will be read together: reading a value that was
         // written in parts stalls the processor.
         let is_it = f64x2::splat(lane as f64).simd_eq(f64x2::new([0.0, 1.0]));
         let set = |at: usize| (is_it & f64x2::splat(sides[at])) | (!is_it & self.0[at]);
         self.0 = [set(0), set(1), set(2), set(3)];
     }
 
-    /// The limits for the sides of boxes that overlap this one.
+    /// The limits within which the sides of a box must lie to overlap this box.
     #[inline]
     fn limits(&self, lane: usize) -> [f64x2; 4] {
         let limit = |side: f64x2| f64x2::splat(-side.to_array()[lane]);
@@ -175,7 +179,7 @@ impl TwoBoxes {
         [limit(right), limit(top), limit(left), limit(bottom)]
     }
 
-    /// Which of the two overlap the box with these limits, one bit each.
+    /// Which of the two boxes overlap the box with these limits, with one bit for each box.
     #[inline(always)]
     fn overlap(&self, limits: &[f64x2; 4]) -> u64 {
         let [left, bottom, right, top] = self.0;
@@ -191,7 +195,7 @@ impl TwoBoxes {
 /// determine the box.
 #[inline]
 fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
-    // Contacts slightly beyond the forecast are included. A path without an end is followed for the
+    // Contacts slightly after the forecast are included. A path without an end is followed for the
     // longest finite time.
     let until = (until + SAME_TIME).min(f64::MAX);
     let (a, b) = (body.at(from).position, body.at(until).position);
@@ -204,7 +208,7 @@ fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seeker {
     pub(super) now: f64,
-    /// The time of its own forecast: later contacts do not matter.
+    /// The time of the seeker's own forecast: later contacts do not matter.
     until: f64,
     pub(super) here: Motion,
     pub(super) acceleration: DVec2,
@@ -213,7 +217,7 @@ pub(super) struct Seeker {
 }
 
 impl Seeker {
-    /// The search for a disc's contacts between `now` and `until`.
+    /// Prepares the search for a disc's contacts between `now` and `until`.
     #[inline]
     pub(super) fn new(body: &Body, now: f64, until: f64) -> Self {
         Self {
@@ -278,8 +282,8 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    /// Discs scattered over a board, every other one at rest; the numbers of discs include odd ones
-    /// and one above the number of bits.
+    /// The discs are scattered over a board, and every other disc is at rest. The tests use several
+    /// numbers of discs, including odd numbers and one that exceeds the number of bits.
     #[test]
     fn no_disc_that_meets_the_seeker_is_ruled_out() {
         let mut rng = Pcg64::seed_from_u64(7);

@@ -1,11 +1,11 @@
-//! The checks of a shot before the engine plays it.
+//! The checks that are made before the engine plays a shot.
 
 use super::super::{Board, Disc, Motion};
 use super::grid::WORTHWHILE;
 use super::{EngineError, Limits};
 
-/// How far, in metres, discs may overlap each other or the frame at the start: the rounding
-/// error of positions that are meant to touch.
+/// The distance, in metres, by which discs may overlap each other or the frame at the start, which
+/// allows for the rounding errors of positions that are meant to touch.
 const ROUNDING: f64 = 1e-10;
 
 pub(in super::super) fn check(
@@ -87,8 +87,8 @@ fn check_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
     Ok(())
 }
 
-/// The discs are sorted by their left edges: a disc can overlap only those whose left edge is
-/// before its right edge.
+/// The discs are sorted by their left edges: a disc can only overlap discs whose left edge lies
+/// before its own right edge.
 fn check_many_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
     let left = |i: usize| start[i].position.x - discs[i].radius;
     let right = |i: usize| start[i].position.x + discs[i].radius;

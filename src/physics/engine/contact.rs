@@ -7,27 +7,27 @@ use super::body::Body;
 use super::broad_phase::Seeker;
 use super::quartic::first_root;
 
-/// A gap in metres below which two discs count as touching: far above the rounding error after
-/// an impact, far below anything visible.
+/// The gap, in metres, below which two discs count as touching: far larger than the rounding error
+/// after an impact, and far too small to see.
 pub(super) const TOUCHING: f64 = 1e-13;
 
-/// How far in metres a pair that slides in contact may overlap before that counts as another
-/// impact. Discs that touch and decelerate differently can press against each other for a
-/// while; strictly, they would collide infinitely often.
+/// How far, in metres, a pair that slides in contact may overlap before this counts as another
+/// impact. Discs that touch and decelerate differently can press against each other for a while;
+/// strictly speaking, they would collide infinitely often.
 pub(super) const PRESS: f64 = 3e-10;
 
-/// A touching pair that slows down and approaches no faster than this (m/s) presses or stops
-/// without an impact. This ends series of ever smaller impacts.
+/// If a touching pair decelerates and its approach is no faster than this (in m/s), the discs press
+/// against each other or stop without an impact. This ends a series of ever smaller impacts.
 const PRESSING_SPEED: f64 = 1e-6;
 
 /// The largest overlap of a pair, in metres.
 const DEEPEST: f64 = 9e-10;
 
-/// A speed of approach below this fraction of the discs' speeds is a rounding error.
+/// An approach speed below this fraction of the discs' speeds is considered a rounding error.
 const ROUNDING: f64 = 1e-14;
 
-/// Seconds until the seeker and another disc meet while approaching, if that is within `end`
-/// seconds and neither starts a new slide before.
+/// The time in seconds until the seeker and another disc meet while approaching each other; `None`
+/// if they do not meet within `end` seconds, before which neither of them starts a new slide.
 #[inline]
 pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
     let (at_a, at_b) = (a.here, b.at(a.now));
@@ -42,7 +42,7 @@ pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
         let speed = at_a.velocity.length() + at_b.velocity.length();
         pair.touching(gap, speed, end)
     } else if !b.moving || !a.moving {
-        // In the frame of the disc at rest, the other moves in a straight line.
+        // In the frame of the disc at rest, the other disc moves in a straight line.
         pair.straight(gap)
     } else {
         pair.apart(gap, end)
@@ -50,12 +50,12 @@ pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
     time.filter(|&t| t <= end)
 }
 
-/// Two discs in the frame of the first: Δ(t) = d + w t + ½ a t².
+/// Two discs in the frame of the first disc: Δ(t) = d + w t + ½ a t².
 struct Pair {
     d: DVec2,
     w: DVec2,
     a: DVec2,
-    /// Sum of the radii.
+    /// The sum of the radii.
     contact_distance: f64,
 }
 
@@ -70,7 +70,8 @@ impl Pair {
         ]
     }
 
-    /// A pair with a gap between them: |d|² − reach² = `gap` > 0.
+    /// The contact of a pair with a gap between the discs: |d|² − R² = `gap` > 0, where R is the
+    /// sum of the radii.
     fn apart(&self, gap: f64, end: f64) -> Option<f64> {
         if self.a == DVec2::ZERO {
             self.straight(gap)
@@ -79,13 +80,14 @@ impl Pair {
         }
     }
 
-    /// A pair in contact, except for rounding. `speed` is the sum of the discs' speeds.
+    /// The next contact of a pair that is in contact, apart from rounding errors. `speed` is the
+    /// sum of the speeds of the discs.
     #[cold]
     fn touching(&self, gap: f64, speed: f64, end: f64) -> Option<f64> {
         let parting = self.d.dot(self.w) / self.contact_distance;
         let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.contact_distance;
-        // A pair that starts pressing from rest passes PRESS with twice this speed: an impact
-        // there separates it fast enough not to count as gentle again.
+        // If a pair starts pressing from rest, its overlap reaches PRESS at twice this speed. An
+        // impact at that point separates the pair fast enough that it no longer counts as gentle.
         let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= PRESSING_SPEED;
         let slides = self.a != DVec2::ZERO;
         if (gentle && slides) || parting.abs() <= ROUNDING * speed {
@@ -112,16 +114,16 @@ impl Pair {
         first_root([gap, c1, c2, c3, c4], end)
     }
 
-    /// A pair that touches and separates: the root at zero is divided out, and the remaining
-    /// cubic gives the time of the next contact.
+    /// The next contact of a pair that touches and separates: the root at zero is divided out, and
+    /// the remaining cubic gives the time.
     fn after_touch(&self, end: f64) -> Option<f64> {
         let [c1, c2, c3, c4] = self.quartic();
         let parts = self.a != DVec2::ZERO && c1 > 0.0;
         parts.then(|| first_root([c1, c2, c3, c4, 0.0], end))?
     }
 
-    /// A pair with a gap between them, if a is opposite to w or zero: the path is straight, so
-    /// the distance follows from a triangle and the time from s = v t − ½ a t².
+    /// The contact of a pair with a gap between the discs, if a is opposite to w or zero: the path
+    /// is straight, so the distance follows from a triangle and the time from s = v t − ½ a t².
     fn straight(&self, gap: f64) -> Option<f64> {
         let time = time_to_distance(self.d, self.w, self.contact_distance, gap)?;
         slowed(time, -self.a.dot(self.w) / self.w.length_squared())

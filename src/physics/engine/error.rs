@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::numbers::four_figures;
 
-/// Why a shot cannot be played to its end. Discs are numbered from 0.
+/// The reason why a shot cannot be played to its end. Discs are numbered from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum EngineError {
     /// The numbers of discs and motions differ.
@@ -15,10 +15,10 @@ pub enum EngineError {
         /// The number of motions.
         motions: usize,
     },
-    /// The board has an unusable number.
+    /// A number that describes the board is unusable.
     #[error("the board's {0}")]
     Board(&'static str),
-    /// A disc has an unusable number.
+    /// A number that describes a disc is unusable.
     #[error("disc {disc}: the {expected}")]
     Disc {
         /// The disc.
@@ -26,20 +26,20 @@ pub enum EngineError {
         /// The quantity and its expected range.
         expected: &'static str,
     },
-    /// A disc is not wholly within the frame.
+    /// A disc is not completely inside the frame.
     #[error("disc {disc} reaches {beyond_mm} mm beyond the frame: expected it on the board")]
     OffBoard {
         /// The disc.
         disc: usize,
-        /// How far outside, in millimetres.
+        /// How far outside the frame the disc is, in millimetres.
         beyond_mm: f64,
     },
     /// Two discs overlap.
     #[error("discs {first} and {second} overlap by {depth_mm} mm: expected them apart or touching")]
     Overlap {
-        /// One disc.
+        /// The first disc.
         first: usize,
-        /// The other.
+        /// The second disc.
         second: usize,
         /// The overlap, in millimetres.
         depth_mm: f64,
@@ -50,21 +50,21 @@ pub enum EngineError {
     /// The discs would never stop.
     #[error("without friction, discs in a frame never stop: expected a finite horizon")]
     Endless,
-    /// The limit on events was reached: most likely an inelastic collapse (restitution below 1
-    /// and no friction to end it).
+    /// The maximum number of events was reached. The most likely reason is an inelastic collapse
+    /// (restitution below 1 and no friction to end it).
     #[error("more than {events} events by {} s: abandoned", four_figures(*time))]
     TooManyEvents {
-        /// The limit.
+        /// The maximum number of events.
         events: usize,
-        /// Time reached, in seconds.
+        /// The time that was reached, in seconds.
         time: f64,
     },
-    /// The shot took more work than allowed.
+    /// The shot took more work than permitted.
     #[error("more than {work} tests of pairs of discs by {} s: abandoned", four_figures(*time))]
     TooMuchWork {
-        /// The allowed work, in tests of a pair of discs.
+        /// The permitted work, measured as the number of tests of a pair of discs.
         work: u64,
-        /// Time reached, in seconds.
+        /// The time that was reached, in seconds.
         time: f64,
     },
 }

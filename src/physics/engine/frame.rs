@@ -1,4 +1,4 @@
-//! Events of a single disc: its stop, the cushions and the pockets.
+//! The events of a single disc, which stops, hits a cushion or falls into a pocket.
 
 use glam::DVec2;
 
@@ -8,7 +8,7 @@ use super::super::{Board, Motion};
 /// How a slide ends if no other disc interferes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum SlideEnd {
-    /// Never: nothing slows the disc and nothing is in its path.
+    /// The slide never ends, because nothing slows the disc and nothing is in its path.
     Never,
     Stop,
     /// The disc hits the cushion on this side.
@@ -23,15 +23,16 @@ pub(super) enum SlideEnd {
 /// A side of the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FrameSide {
-    /// The axis perpendicular to it: 0 for left and right, 1 for bottom and top.
+    /// The axis perpendicular to the side: 0 for the left and right sides, 1 for the bottom and top
+    /// sides.
     pub(super) axis: usize,
-    /// Whether it is the side with larger coordinates: right or top.
+    /// Whether the side is the one with the larger coordinates: right or top.
     pub(super) beyond: bool,
 }
 
 impl FrameSide {
-    /// The side that is reached first at this velocity, and the time in seconds: the side ahead
-    /// along x is `x` seconds away, the side ahead along y is `y` seconds away.
+    /// The side that is reached first at this velocity, and the time in seconds. It takes `x`
+    /// seconds to reach the side ahead along x, and `y` seconds to reach the side ahead along y.
     #[inline]
     pub(super) fn ahead(velocity: DVec2, x: f64, y: f64) -> (f64, Self) {
         let (time, axis) = if x <= y { (x, 0) } else { (y, 1) };
@@ -39,13 +40,13 @@ impl FrameSide {
         (time, Self { axis, beyond })
     }
 
-    /// 1 for the side with larger coordinates, −1 for the other.
+    /// 1 for the side with the larger coordinates, −1 for the other side.
     #[inline]
     pub(super) fn sign(self) -> f64 {
         if self.beyond { 1.0 } else { -1.0 }
     }
 
-    /// The unit vector into the cushion.
+    /// The unit vector that points into the cushion.
     #[inline]
     pub(super) fn normal(self) -> DVec2 {
         let mut normal = DVec2::ZERO;
@@ -54,11 +55,11 @@ impl FrameSide {
     }
 }
 
-/// Seconds from the start of a slide to its end, and what ends it. `relative_deceleration` is the
-/// fraction of its speed that the disc loses per second, a/v.
+/// The time in seconds from the start of a slide to its end, and the cause of the end.
+/// `relative_deceleration` is the fraction of its speed that the disc loses per second, a/v.
 ///
-/// Everything in the path is first timed at the initial speed, because friction does not change the
-/// order.
+/// All times are first calculated for a constant speed, because friction does not change the order
+/// of events.
 #[inline]
 pub(super) fn end(
     board: &Board,
@@ -94,15 +95,15 @@ pub(super) fn end(
     }
 }
 
-/// Time to the first of the lines |x| = `wall` and |y| = `wall` at constant velocity; 0 for a disc
-/// that rounding has moved past a line and that is still moving outward.
+/// The time until the disc reaches the first of the lines |x| = `wall` and |y| = `wall` at constant
+/// velocity; 0 if rounding has moved the disc past a line and the disc is still moving outwards.
 #[inline]
 fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide) {
     let to = |place: f64, speed: f64| {
         if speed == 0.0 {
             f64::INFINITY
         } else {
-            // The wall ahead is on the side towards which the disc moves.
+            // The wall ahead is on the side towards which the disc is moving.
             let place = if speed < 0.0 { -place } else { place };
             ((wall - place) / speed.abs()).max(0.0)
         }
@@ -111,8 +112,9 @@ fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide
     FrameSide::ahead(velocity, x, y)
 }
 
-/// Time until a point at constant velocity, now at `place` relative to a centre, comes within
-/// `radius` of it; 0 if it is already within, `None` if it passes by.
+/// The time until a point that moves at constant velocity and is now at `place`, relative to a
+/// centre, comes within `radius` of that centre; 0 if the point is already within `radius`, `None`
+/// if it passes by.
 #[inline]
 fn time_to_circle(place: DVec2, velocity: DVec2, radius: f64) -> Option<f64> {
     let outside = place.length_squared() - radius * radius;

@@ -1,32 +1,33 @@
-//! A grid of cells over a large board, to find neighbouring discs.
+//! A grid of cells over a large board, which is used to find neighbouring discs.
 //!
-//! Cells are at least as wide as the widest disc, so discs that touch are in the same cell or
-//! in neighbouring ones. A disc's forecast then needs only nine cells, and is repeated when the
-//! disc passes into another cell.
+//! Cells are at least as wide as the widest disc, so discs that touch are in the same cell or in
+//! neighbouring cells. The forecast of a disc then needs to consider only nine cells, and is
+//! repeated when the disc passes into another cell.
 
 use super::super::{Board, Disc, Motion};
 use super::frame::FrameSide;
 
-/// With at least this many discs, a grid is faster than testing all pairs.
+/// The number of discs from which a grid is faster than testing all pairs.
 pub(super) const WORTHWHILE: usize = 48;
 
-/// The cells of a board; none if all discs count as near.
+/// The cells of a board; there are none if all discs count as neighbours.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Grid {
-    /// Cells along a side; 0 if there is no grid.
+    /// The number of cells along a side; 0 if there is no grid.
     columns: usize,
-    /// Side of a cell in metres.
+    /// The side of a cell, in metres.
     size: f64,
-    /// Half the side of the board.
+    /// Half the side of the board, in metres.
     half: f64,
-    /// The discs of each cell, row by row from the lower left.
+    /// The discs in each cell, row by row from the lower left.
     cells: Vec<Vec<usize>>,
-    /// Column and row of each disc.
+    /// The column and the row of each disc.
     places: Vec<[usize; 2]>,
 }
 
 impl Grid {
-    /// Creates the grid if the board has sides and enough discs, with about one disc per cell.
+    /// Creates the grid, with about one disc per cell, if the board has sides and there are enough
+    /// discs.
     pub(super) fn begin(&mut self, board: &Board, discs: &[Disc], start: &[Motion]) {
         self.columns = 0;
         if discs.len() < WORTHWHILE || !board.side.is_finite() {
@@ -42,8 +43,8 @@ impl Grid {
         self.cells.resize(self.columns * self.columns, Vec::new());
         self.places.clear();
         for (i, motion) in start.iter().enumerate() {
-            // A cast of a float saturates, so a position that rounding has moved outside counts as
-            // inside.
+            // A cast from a float saturates, so a position that rounding has moved outside the
+            // board counts as inside.
             let along = |x: f64| (((x + self.half) / self.size) as usize).min(self.columns - 1);
             let place = [along(motion.position.x), along(motion.position.y)];
             self.places.push(place);
@@ -60,7 +61,8 @@ impl Grid {
         self.columns > 0
     }
 
-    /// The discs in a disc's cell and the neighbouring cells, including the disc itself.
+    /// Finds the discs in the disc's own cell and in the neighbouring cells, including the disc
+    /// itself.
     pub(super) fn near(&self, i: usize, near: &mut Vec<usize>) {
         near.clear();
         let [column, row] = self.places[i];
@@ -72,8 +74,9 @@ impl Grid {
         }
     }
 
-    /// Seconds from the start of a slide, at its initial speed, until the disc passes into another
-    /// cell, and on which side; infinite if there is only the cushion ahead.
+    /// The time in seconds from the start of a slide, at constant speed, until the disc passes into
+    /// another cell, and the side on which it leaves its cell; infinite if only the cushion lies
+    /// ahead.
     pub(super) fn leaves(&self, i: usize, start: Motion) -> (f64, FrameSide) {
         let to = |place: f64, speed: f64, cell: usize| {
             let edge = if speed > 0.0 && cell + 1 < self.columns {
@@ -93,7 +96,7 @@ impl Grid {
         FrameSide::ahead(velocity, x, y)
     }
 
-    /// Moves a disc into the next cell on a side.
+    /// Moves a disc into the neighbouring cell on this side.
     pub(super) fn cross(&mut self, i: usize, side: FrameSide) {
         self.remove(i);
         let along = &mut self.places[i][side.axis];

@@ -1,4 +1,4 @@
-//! Impacts of one pair of discs, or of several at the same instant.
+//! Impacts of a single pair of discs, or of several pairs at the same instant.
 
 use glam::DVec2;
 
@@ -12,11 +12,12 @@ use super::play::ShotInPlay;
 use super::schedule::SAME_TIME;
 
 impl ShotInPlay<'_> {
-    /// Resolves the contact of two discs, with all others at the same instant that
-    /// share a disc with it.
+    /// Resolves the contact of two discs, together with all simultaneous contacts that share a disc
+    /// with it.
     pub(super) fn impact(&mut self, i: usize, k: usize, time: f64) {
         let pair = [i.min(k), i.max(k)];
-        // All discs in contact now are due now; usually just these two.
+        // All discs that are in contact now have a forecast for the present time; usually there are
+        // just these two discs.
         if self.schedule.due(time + SAME_TIME) > 2 {
             let pairs = self.gather(pair, time);
             if pairs.len() > 1 {
@@ -50,9 +51,9 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// The positions of two discs in contact. A pair that slid in contact may overlap slightly (see
-    /// [`PRESS`](super::contact::PRESS)): it is moved apart about its centre of mass; otherwise
-    /// many small overlaps would add up.
+    /// The positions of two discs in contact. If the pair slid in contact, it may overlap slightly
+    /// (see [`PRESS`](super::contact::PRESS)). The discs are then moved apart about their centre of
+    /// mass, because otherwise many small overlaps would add up.
     fn unpressed(&self, [i, k]: [usize; 2], [a, b]: [DVec2; 2]) -> [DVec2; 2] {
         let apart = b - a;
         let distance = apart.length();
@@ -79,8 +80,8 @@ impl ShotInPlay<'_> {
         contact
     }
 
-    /// The pair and all other pairs in contact at the same time that share a disc with it,
-    /// directly or through others.
+    /// This pair and all other pairs that are in contact at the same time and share a disc with it,
+    /// either directly or through other pairs.
     fn gather(&mut self, pair: [usize; 2], time: f64) -> Vec<[usize; 2]> {
         let mut pairs = vec![pair];
         let mut discs = pair.to_vec();

@@ -1,32 +1,32 @@
 //! Impulses at several contacts at once.
 //!
-//! Contacts of one disc at the same instant cannot be resolved one after another: the result
-//! would depend on the order, and a symmetric break would become asymmetric. Each contact has
-//! to reverse its own approach speed with its own e, all at once, and none may pull: a linear
-//! complementarity problem, Σ K J = (1+e) w with J ≥ 0. Energy never increases: it changes by
-//! −½ Σ (1−e) J w.
+//! Simultaneous contacts of the same disc cannot be resolved one after another: the result would
+//! depend on the order, and a symmetric break would become asymmetric. All contacts must reverse
+//! their approach speeds at once, each with its own e, and no contact may pull. This is a linear
+//! complementarity problem, Σ K J = (1+e) w with J ≥ 0. Energy never increases: it changes by −½ Σ
+//! (1−e) J w.
 //!
-//! On such problems see R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear Complementarity
-//! Problem* (1992); on several impacts at once, F. Pfeiffer and C. Glocker, *Multibody Dynamics
-//! with Unilateral Contacts* (1996), impacts without friction.
+//! For linear complementarity problems, see R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear
+//! Complementarity Problem* (1992); for simultaneous impacts, see F. Pfeiffer and C. Glocker,
+//! *Multibody Dynamics with Unilateral Contacts* (1996), impacts without friction.
 
 use glam::DVec2;
 
 use super::body::Body;
 use super::work::Work;
 
-/// Two discs in contact and approaching.
+/// Two discs that are in contact and approach each other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Touch {
     pub(super) discs: [usize; 2],
-    /// Unit vector from the first centre to the second.
+    /// The unit vector from the first centre to the second.
     pub(super) normal: DVec2,
-    /// The required change (1+e) w of its normal speed in m/s.
+    /// The required change (1+e) w of the normal speed at this contact, in m/s.
     pub(super) wanted: f64,
 }
 
-/// The impulses of contacts at the same instant, one per contact, in N s; `None` if finding
-/// them takes too much work.
+/// The impulses of simultaneous contacts, one for each contact, in N s; `None` if it takes too much
+/// work to find them.
 pub(super) fn simultaneous(
     touches: &[Touch],
     bodies: &[Body],
@@ -38,7 +38,7 @@ pub(super) fn simultaneous(
     }
 }
 
-/// Change in the normal speed at `a` caused by a unit impulse at `b`.
+/// The change in the normal speed at `a` caused by a unit impulse at `b`.
 fn coupling(a: &Touch, b: &Touch, bodies: &[Body]) -> f64 {
     let mut sum = 0.0;
     for (end_a, &disc_a) in a.discs.iter().enumerate() {
@@ -52,12 +52,13 @@ fn coupling(a: &Touch, b: &Touch, bodies: &[Body]) -> f64 {
     sum * a.normal.dot(b.normal)
 }
 
-/// Change in the normal speed at a contact caused by a unit impulse at the same contact.
+/// The change in the normal speed at a contact caused by a unit impulse at the same contact.
 fn yielding(touch: &Touch, bodies: &[Body]) -> f64 {
     1.0 / bodies[touch.discs[0]].mass + 1.0 / bodies[touch.discs[1]].mass
 }
 
-/// Cramer's rule, which treats both contacts identically, bit for bit.
+/// Solves the problem for two contacts by Cramer's rule, which treats both contacts identically,
+/// bit for bit.
 fn two_at_once(a: &Touch, b: &Touch, bodies: &[Body]) -> [f64; 2] {
     let (k_a, k_b) = (yielding(a, bodies), yielding(b, bodies));
     let k_ab = coupling(a, b, bodies);
@@ -73,7 +74,8 @@ fn two_at_once(a: &Touch, b: &Touch, bodies: &[Body]) -> [f64; 2] {
     }
 }
 
-/// Projected Gauss–Seidel: sweeps over the contacts and corrects each.
+/// Solves the problem by projected Gauss–Seidel iteration: each sweep corrects one contact after
+/// another.
 fn many_at_once(touches: &[Touch], bodies: &[Body], work: &mut Work) -> Option<Vec<f64>> {
     let coupled = coupled(touches, bodies);
     work.add(touches.len() * touches.len());
@@ -100,8 +102,8 @@ fn many_at_once(touches: &[Touch], bodies: &[Body], work: &mut Work) -> Option<V
     Some(impulses)
 }
 
-/// For each contact, the contacts that share a disc with it, including itself, and how strongly
-/// their impulses change its normal speed.
+/// For each contact, the contacts that share a disc with it, including the contact itself, and how
+/// strongly their impulses change its normal speed.
 fn coupled(touches: &[Touch], bodies: &[Body]) -> Vec<Vec<(usize, f64)>> {
     let shares = |a: &Touch, b: &Touch| a.discs.iter().any(|disc| b.discs.contains(disc));
     touches

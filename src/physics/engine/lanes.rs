@@ -1,12 +1,12 @@
-//! Two values at a time: most processors handle two numbers in one step, and round each like a
-//! single one.
+//! Calculations with two values at a time: most processors handle two numbers in a single step, and
+//! round each of them as they would a single number.
 
 use std::ops::{Add, Mul, Sub};
 
 use glam::DVec2;
 use wide::f64x2;
 
-/// One number for each of two objects.
+/// Takes one number from each of two objects.
 #[inline(always)]
 pub(super) fn of_both<T>([a, b]: [&T; 2], number: impl Fn(&T) -> f64) -> f64x2 {
     f64x2::new([number(a), number(b)])
@@ -19,7 +19,7 @@ pub(super) struct TwoVectors {
 }
 
 impl TwoVectors {
-    /// One vector for each of two objects.
+    /// Takes one vector from each of two objects.
     #[inline(always)]
     pub(super) fn of_both<T>(things: [&T; 2], vector: impl Fn(&T) -> DVec2) -> Self {
         Self {

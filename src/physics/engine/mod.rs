@@ -5,8 +5,8 @@
 //! linear for a stop, quadratic for cushions, pockets and discs at rest, quartic for two moving
 //! discs. There are no time steps, so nothing is missed and nothing overlaps.
 //!
-//! Only + − × ÷ and √ are used, which IEEE 754 rounds the same way everywhere: every
-//! machine and every build plays the same shot bit for bit.
+//! The engine uses only + − × ÷ and √, which IEEE 754 rounds in the same way everywhere. Every
+//! machine and every build therefore plays the same shot, bit for bit.
 
 mod body;
 mod broad_phase;
@@ -40,20 +40,21 @@ use work::Work;
 /// The limits for playing a shot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Stop after this many seconds; may be infinite if the shot ends by itself.
+    /// The time, in seconds, after which the shot stops; it may be infinite if the shot ends by
+    /// itself.
     pub(crate) horizon: f64,
-    /// Give up with an error after this many events.
+    /// The number of events after which the engine gives up with an error.
     pub events: usize,
-    /// Give up with an error after this much work, counted in tests of a pair of discs: a few
-    /// nanoseconds each, and the same number on every machine. Unlike the number of events it also
-    /// bounds the search for the impulses of many contacts at once, which takes long if masses
-    /// differ by many powers of ten.
+    /// The amount of work after which the engine gives up with an error, measured as the number of
+    /// tests of a pair of discs: each test takes a few nanoseconds, and the number is the same on
+    /// every machine. Unlike the number of events, this also limits the search for the impulses of
+    /// many simultaneous contacts, which takes long if the masses differ by many powers of ten.
     pub work: u64,
 }
 
 impl Default for Limits {
-    /// To the end, with at most 200,000 events and a billion tests of a pair, which take a few
-    /// seconds.
+    /// The shot is played to its end, with at most 200,000 events and a billion tests of a pair,
+    /// which take a few seconds.
     fn default() -> Self {
         Self {
             horizon: f64::INFINITY,
@@ -64,7 +65,7 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// Up to `horizon` seconds.
+    /// Limits the shot to `horizon` seconds.
     pub fn until(horizon: f64) -> Self {
         Self {
             horizon,
@@ -81,8 +82,8 @@ impl Limits {
 ///
 /// # Errors
 ///
-/// If a number is unusable, a disc is off the board or overlaps another, the shot
-/// would have no end, or it takes too many events or too much work.
+/// Returns an error if a number is unusable, if a disc is off the board or overlaps another disc,
+/// if the shot would never end, or if it takes too many events or too much work.
 pub fn play(
     board: &Board,
     discs: &[Disc],
@@ -94,7 +95,7 @@ pub fn play(
     Ok(shot)
 }
 
-/// An engine that keeps its working memory from shot to shot.
+/// An engine that keeps its working memory between shots.
 #[derive(Debug, Default, Clone)]
 pub struct Engine {
     bodies: Vec<Body>,
@@ -104,12 +105,12 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// Plays a shot into a record and reuses its memory, for a search through many shots. See
-    /// [`play()`].
+    /// Plays a shot and writes it into an existing record, whose memory is reused. This is useful
+    /// for a search through many shots. See [`play()`].
     ///
     /// # Errors
     ///
-    /// As for [`play()`]. The record then contains the shot up to the error.
+    /// The errors are those of [`play()`]. The record then contains the shot up to the error.
     pub fn play_into(
         &mut self,
         shot: &mut Shot,

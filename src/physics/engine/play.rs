@@ -14,12 +14,12 @@ use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::work::Work;
 use super::{EngineError, Limits};
 
-/// On a board with friction, discs that approach more slowly than this (m/s) separate at the same
-/// speed, regardless of e: otherwise they could collide infinitely often before friction stops
-/// them.
+/// On a board with friction, discs whose approach speed is below this value (in m/s) separate at
+/// the same speed, regardless of e: otherwise they could collide infinitely often before friction
+/// stops them.
 const ELASTIC_BELOW: f64 = 2e-3;
 
-/// One shot that is being played.
+/// A shot that is being played.
 pub(super) struct ShotInPlay<'a> {
     pub(super) board: &'a Board,
     pub(super) limits: Limits,
@@ -34,7 +34,7 @@ pub(super) struct ShotInPlay<'a> {
 }
 
 impl ShotInPlay<'_> {
-    /// Plays the shot and returns its duration in seconds.
+    /// Plays the shot, and returns its duration in seconds.
     pub(super) fn run(mut self) -> Result<f64, EngineError> {
         self.set_off();
         let mut last = 0.0;
@@ -85,8 +85,7 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Forecasts the next event of discs that are on a new slide, or whose forecast was
-    /// outdated.
+    /// Forecasts the next event of each disc that is on a new slide or whose forecast was outdated.
     pub(super) fn forecast(&mut self, discs: &[usize], now: f64) {
         for &disc in discs {
             self.forecast_alone(disc, now);
@@ -96,7 +95,7 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Forecasts the end of a disc's slide if no other interferes.
+    /// Forecasts the end of a disc's slide if no other disc interferes.
     fn forecast_alone(&mut self, i: usize, now: f64) {
         let Body {
             start,
@@ -118,8 +117,8 @@ impl ShotInPlay<'_> {
         self.broad_phase.expect(i, &self.bodies[i], now, time);
     }
 
-    /// Forecasts the contacts of a disc, for it and for its partners, except discs that have
-    /// just scanned for it.
+    /// Forecasts the contacts of a disc, both for the disc and for its partners, except for discs
+    /// that have just scanned for this disc.
     fn forecast_meetings(&mut self, i: usize, now: f64, have_looked: &[usize]) {
         let seeker = Seeker::new(&self.bodies[i], now, self.schedule.time(i));
         let scan = Scan {
@@ -135,14 +134,15 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Forecasts the contact of the seeker and another disc, if no other known event comes
-    /// before.
+    /// Forecasts the contact between the seeker and another disc, unless another known event comes
+    /// first.
     fn forecast_meeting(&mut self, seeker: &Seeker, i: usize, k: usize) {
         if !(seeker.moving || self.bodies[k].moving) {
             return;
         }
         let known = self.schedule.time(i).min(self.schedule.time(k));
-        // Slightly longer, so that a contact at the same time as a known event is found too.
+        // The time is slightly longer, so that a contact that coincides with a known event is also
+        // found.
         let until = known - seeker.now + SAME_TIME;
         if let Some(time) = contact(seeker, &self.bodies[k], until) {
             let time = seeker.now + time;
@@ -156,7 +156,7 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Ends a slide that no other disc interfered with.
+    /// Ends a slide in which no other disc interfered.
     fn finish(&mut self, i: usize, time: f64, end: SlideEnd) {
         let now = self.bodies[i].at(time);
         match end {
@@ -194,7 +194,7 @@ impl ShotInPlay<'_> {
         self.release(i, time, after);
     }
 
-    /// The restitution at a speed of approach in m/s.
+    /// The coefficient of restitution at this approach speed, in m/s.
     pub(super) fn restitution(&self, board: f64, approach: f64) -> f64 {
         if self.deceleration > 0.0 && approach < ELASTIC_BELOW {
             1.0
@@ -219,8 +219,8 @@ impl ShotInPlay<'_> {
     }
 }
 
-/// Where the engine puts a pocketed disc: beyond the reach of any other disc, each at a different
-/// position.
+/// The position to which the engine moves a pocketed disc: out of reach of all other discs, and
+/// different for every disc.
 fn off_the_board(i: usize) -> Motion {
     Motion::at_rest(DVec2::new(1e9 * (i + 1) as f64, 1e9))
 }

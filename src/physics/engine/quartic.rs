@@ -1,20 +1,20 @@
-//! The first root of a quartic on an interval.
+//! The first root of a quartic in an interval.
 
-/// How many times an interval is halved before the rest counts as a graze without contact: 2⁻⁵⁰ of
-/// the interval.
+/// The number of times that an interval is halved before the rest counts as a graze without
+/// contact: 2⁻⁵⁰ of the interval.
 const DEPTH: u32 = 50;
 
 /// The first t in [0, `end`] at which c₀ + c₁t + c₂t² + c₃t³ + c₄t⁴ falls to zero, for c₀ > 0
 /// and a finite `end`.
 ///
-/// In Bernstein form on an interval the polynomial lies within the hull of its
-/// coefficients: all positive means no root there, one change of sign means exactly
-/// one root (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)
-/// 112). Otherwise the interval is halved and the left half searched first, so
-/// no root is missed. A double root (a graze) counts as no root.
+/// In Bernstein form on an interval, the polynomial lies within the hull of its coefficients. If
+/// all coefficients are positive, there is no root in the interval; if they change sign once, there
+/// is exactly one root (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)
+/// 112). Otherwise the interval is halved and the left half is searched first, so no root is
+/// missed. A double root (a graze) does not count as a root.
 #[inline]
 pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
-    // On the unit interval.
+    // These are the coefficients on the unit interval.
     let e2 = end * end;
     let c = [c[0], c[1] * end, c[2] * e2, c[3] * e2 * end, c[4] * e2 * e2];
     let b = [
@@ -45,7 +45,7 @@ fn search(c: &[f64; 5], b: [f64; 5], low: f64, high: f64, depth: u32) -> Option<
     search(c, left, low, middle, depth - 1).or_else(|| search(c, right, middle, high, depth - 1))
 }
 
-/// de Casteljau's construction at one half.
+/// Halves the interval by de Casteljau's construction.
 fn halve(b: [f64; 5]) -> ([f64; 5], [f64; 5]) {
     let mid = |a: f64, b: f64| 0.5 * (a + b);
     let [b0, b1, b2, b3, b4] = b;
@@ -56,9 +56,10 @@ fn halve(b: [f64; 5]) -> ([f64; 5], [f64; 5]) {
     ([b0, l1, l2, l3, top], [top, r3, r2, r1, b4])
 }
 
-/// The root in an interval that contains exactly one; the polynomial is positive before it.
-/// Newton's method, with the bracket halved instead if a step would leave it. The first guess is
-/// the root of the quadratic part, a good approximation if friction bends the path only slightly.
+/// Finds the root in an interval that contains exactly one root; the polynomial is positive before
+/// the root. This uses Newton's method, and halves the bracket if a step would leave the bracket.
+/// The first guess is the root of the quadratic part, which is a good approximation if friction
+/// bends the path only slightly.
 fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     let quadratic = 2.0 * c[0] / ((c[1] * c[1] - 4.0 * c[2] * c[0]).max(0.0).sqrt() - c[1]);
     let mut x = if quadratic > low && quadratic < high {
@@ -79,7 +80,8 @@ fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
         let next = if inside { newton } else { 0.5 * (low + high) };
         let step = (next - x).abs();
         x = next;
-        // Newton's error is proportional to the square of the step, so it is negligible.
+        // The error of Newton's method is proportional to the square of the step, so it is
+        // negligible.
         if step <= 1e-11 * x && inside || high - low <= f64::EPSILON * high {
             break;
         }
@@ -106,23 +108,24 @@ mod tests {
 
     #[test]
     fn known_roots_are_found() {
-        // (x−1)(x−2)(x−3)(x−4) and the same over a shorter stretch.
+        // These are (x−1)(x−2)(x−3)(x−4), and the same polynomial on a shorter interval.
         let c = [24.0, -50.0, 35.0, -10.0, 1.0];
         assert!((first_root(c, 10.0).unwrap() - 1.0).abs() < 1e-14);
         assert!((first_root(c, 1.5).unwrap() - 1.0).abs() < 1e-14);
         assert_eq!(first_root(c, 0.9), None);
-        // Two roots close together, and a graze.
+        // These have two roots close together, and a graze.
         let close = [1.0 - 1e-12, -2.0, 1.0, 0.0, 0.0];
         assert!((first_root(close, 3.0).unwrap() - (1.0 - 1e-6)).abs() < 1e-9);
         assert_eq!(first_root([1.0, -2.0, 1.0, 0.0, 0.0], 3.0), None);
-        // Lower degrees, and a root very close to zero.
+        // These have a lower degree, or a root very close to zero.
         assert!((first_root([3.0, -2.0, 0.0, 0.0, 0.0], 2.0).unwrap() - 1.5).abs() < 1e-15);
         let near = first_root([1e-30, -1.0, 1.0, 1.0, 1.0], 0.5).unwrap();
         assert!((near / 1e-30 - 1.0).abs() < 1e-12);
     }
 
-    /// A million pairs of sliding discs against Aberth's simultaneous iteration, which finds all
-    /// four complex roots at once and shares no code with the search here.
+    /// Compares the results for a million pairs of sliding discs with those of Aberth's
+    /// simultaneous iteration, which finds all four complex roots at once and shares no code with
+    /// the search in this file.
     #[test]
     fn a_million_random_pairs_agree_with_an_independent_root_finder() {
         let mut rng = Pcg64::seed_from_u64(3);
@@ -132,7 +135,7 @@ mod tests {
             let end = rng.random_range(0.05..2.0);
             let first = aberth(&c, 100, 1e-14)
                 .iter()
-                // A real root, not one of a complex pair near the axis.
+                // A root counts as real if it is not one of a complex pair near the axis.
                 .filter(|root| root.im.abs() <= 1e-9 * root.re.abs())
                 .map(|root| root.re)
                 .filter(|&x| x > 0.0 && x < end)
@@ -146,7 +149,7 @@ mod tests {
                     assert!(near, "{c:?}: {x}, but {first} comes first");
                 }
                 None => {
-                    // Only a root at the very end, or a graze, may be left out.
+                    // A root may be left out only if it is at the very end or is a graze.
                     let left_out = first.is_infinite()
                         || value(&c, end) > -noise(&c, end)
                             && value(&c, first * (1.0 + 1e-7)) >= -noise(&c, first);
@@ -157,7 +160,7 @@ mod tests {
         assert!(meetings > 50_000, "{meetings}");
     }
 
-    /// |Δ(t)|² − R² of two coins on a board, both sliding.
+    /// The polynomial |Δ(t)|² − R² for two coins that are both sliding on a board.
     fn pair(rng: &mut Pcg64) -> [f64; 5] {
         let mut vector = |least: f64, most: f64| {
             let angle: f64 = rng.random_range(0.0..std::f64::consts::TAU);

@@ -1,15 +1,17 @@
-//! The schedule of events: one forecast per disc.
+//! The schedule of events, with one forecast for each disc.
 
 use wide::f64x2;
 
 use super::frame::SlideEnd;
 
-/// Contacts on shared discs within this many seconds are one event: a symmetric
-/// break reaches both sides at times that differ only by rounding.
+/// Contacts that share a disc and are less than this many seconds apart are treated as one event:
+/// in a symmetric break, the contacts on the two sides have times that differ only by rounding
+/// errors.
 pub(super) const SAME_TIME: f64 = 1e-12;
 
-/// How many discs share a stored earliest time. A carrom board is one such block; with
-/// thousands of discs the search for the first event checks only a few.
+/// The number of discs for which a common earliest time is stored. The discs of a carrom board fit
+/// into a single block; if there are thousands of discs, the search for the first event has to
+/// check only a few.
 const BLOCK: usize = 24;
 
 /// The forecast of a disc.
@@ -17,20 +19,20 @@ const BLOCK: usize = 24;
 pub(super) enum Forecast {
     /// The disc's slide ends by itself.
     Alone(SlideEnd),
-    /// The disc meets a partner that is still on the slide with this version.
+    /// The disc meets a partner, if the partner is still on the slide with this version.
     Meet { partner: usize, version: u32 },
 }
 
 /// The earliest forecast of each disc.
 ///
-/// A forecast may be outdated because its partner's motion has changed since. Such a forecast is
-/// too early, never too late, and is repeated when its time comes.
+/// A forecast becomes outdated if the motion of the partner changes. An outdated forecast is too
+/// early, never too late, and is repeated when its time comes.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Schedule {
-    /// One per disc, padded with infinities to whole blocks.
+    /// The time for each disc, padded with infinities to whole blocks.
     pub(super) times: Vec<f64>,
     forecasts: Vec<Forecast>,
-    /// The earliest time of each block, unless it has changed since.
+    /// The earliest time in each block; `None` if a time in the block has changed.
     earliest: Vec<Option<f64>>,
 }
 
@@ -63,8 +65,8 @@ impl Schedule {
         self.forecasts[disc]
     }
 
-    /// The disc whose forecast comes first, and its time; the lowest-numbered disc if several are
-    /// equal.
+    /// The disc with the earliest forecast, and the time of this forecast; if several forecasts are
+    /// equally early, the disc with the lowest number.
     #[inline]
     pub(super) fn first(&mut self) -> Option<(usize, f64)> {
         let blocks = self.times.as_chunks::<BLOCK>().0;
@@ -81,7 +83,7 @@ impl Schedule {
         Some((b * BLOCK + first_up_to(&blocks[b], least), least))
     }
 
-    /// The number of discs whose forecast is not later than a time.
+    /// The number of discs whose forecast is not later than this time.
     #[inline]
     pub(super) fn due(&self, time: f64) -> usize {
         let blocks = self.times.as_chunks::<BLOCK>().0;
@@ -92,7 +94,7 @@ impl Schedule {
     }
 }
 
-/// The earliest time of a block, found by comparing four at a time.
+/// The earliest time in a block, which is found by comparing four times at once.
 #[inline]
 fn minimum(block: &[f64; BLOCK]) -> f64 {
     let mut least = [f64x2::splat(f64::INFINITY); 2];
@@ -104,8 +106,8 @@ fn minimum(block: &[f64; BLOCK]) -> f64 {
     a.min(b)
 }
 
-/// The index of the first time in a block that is not beyond `time`. There is no branch,
-/// because a processor cannot predict the index.
+/// The index of the first time in a block that is not later than `time`. There is no branch,
+/// because a processor could not predict the index.
 #[inline]
 fn first_up_to(block: &[f64; BLOCK], time: f64) -> usize {
     let mut found = 0;

@@ -1,7 +1,8 @@
 //! The cost of playing a shot.
 
-/// The work done on a shot, counted in tests of a pair of discs: the count is the same on every
-/// machine, so a shot that exceeds the limit on one exceeds it on all.
+/// The work done on a shot, measured as the number of tests of a pair of discs. This number is the
+/// same on every machine, so a shot that exceeds the limit on one machine exceeds it on all
+/// machines.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Work {
     done: u64,

@@ -1,4 +1,4 @@
-//! Scenes whose answer is known in closed form.
+//! Shots whose outcome is known in closed form.
 
 use glam::DVec2;
 
@@ -17,13 +17,14 @@ fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
     shot.events().iter().filter_map(|e| pair(e.kind)).collect()
 }
 
-/// Seconds to cover `distance` metres: the smaller root of s = v t − ½ a t².
+/// The time in seconds that it takes to cover `distance` metres, which is the smaller root of s = v
+/// t − ½ a t².
 fn time_to_cover(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
     let left = speed_after(distance, speed, deceleration)?;
     Some(2.0 * distance / (speed + left))
 }
 
-/// Speed left after `distance` metres, √(v² − 2as).
+/// The speed after `distance` metres, √(v² − 2as).
 fn speed_after(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
     let left = speed * speed - 2.0 * deceleration * distance;
     (left >= 0.0).then(|| left.sqrt())
@@ -81,7 +82,8 @@ fn one_disc_falls_into_a_pocket() {
     let shot = Table::default()
         .with(COIN, (0.0, 0.0), (-2.0, 2.0))
         .play(&board);
-    // The pocket's centre is one radius from both sides; the disc falls at the pocket's edge.
+    // The centre of the pocket is one radius away from both sides; the disc falls when its centre
+    // reaches the edge of the pocket.
     let hole = 0.5 * board.pocket_diameter;
     let way = (0.37 - hole) * 2_f64.sqrt() - hole;
     let speed = 8_f64.sqrt();
@@ -119,7 +121,7 @@ fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
             DVec2::new(way - 0.2, 0.0),
             1e-14,
         );
-        // The discs leave as the closed forms for a target at rest predict.
+        // The discs leave as predicted by the closed forms for a target at rest.
         let speed = speed_after(way, 2.0, a).expect("the disc gets there");
         let EventKind::Impact {
             discs,
@@ -143,8 +145,9 @@ fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
 
 #[test]
 fn two_sliding_discs_meet_at_the_predicted_time() {
-    // The discs move at right angles with equal speeds: the centres are at (−x, 0) and (0, −x), so
-    // they are √2 x apart and meet at x = R/√2, after sliding equally far.
+    // The discs move at right angles to each other with equal speeds. Their centres are at (−x, 0)
+    // and (0, −x), so they are √2 x apart and meet at x = R/√2, after sliding through the same
+    // distance.
     let board = closed_board();
     let shot = Table::default()
         .with(COIN, (-0.2, 0.0), (1.7, 0.0))
@@ -159,7 +162,8 @@ fn two_sliding_discs_meet_at_the_predicted_time() {
 
 #[test]
 fn a_row_of_equal_discs_passes_the_motion_on() {
-    // At e = 1 as many discs leave as arrive: one, two or three, touching or with gaps.
+    // At e = 1, as many discs leave as arrive: one, two or three, whether they touch or have gaps
+    // between them.
     let board = Board {
         friction: 0.0,
         ..Board::open(1.0)
@@ -206,8 +210,8 @@ fn two_discs_sliding_side_by_side_do_not_disturb_each_other() {
 
 #[test]
 fn a_pair_pressed_together_while_it_slides_stays_apart_and_comes_to_rest() {
-    // If two touching discs move in the same direction, the slower one loses its sideways speed
-    // sooner and the other is pressed against it: a lasting, sliding contact.
+    // If two touching discs move in the same direction, the slower disc loses its sideways speed
+    // sooner and the other disc is pressed against it. The result is a lasting, sliding contact.
     let board = closed_board();
     let reach = 2.0 * COIN.radius;
     let shot = Table::default()
@@ -229,7 +233,7 @@ fn a_pair_pressed_together_while_it_slides_stays_apart_and_comes_to_rest() {
 
 #[test]
 fn a_gap_of_1e_19_m_is_closed() {
-    // The discs are so small that an `f64` can represent such a gap.
+    // The discs are so small that an `f64` can represent a gap of this size.
     let small = Disc {
         mass: 1e-6,
         radius: 5e-5,
@@ -334,8 +338,9 @@ fn an_impossible_shot_is_refused_with_a_reason() {
     assert!(says(&board, &good, few).starts_with("more than 0 events"));
 }
 
-/// In a touching pack with masses over six powers of ten, nearly all the work is finding the
-/// impulses of simultaneous contacts. The record keeps the part that was played before the limit.
+/// In a touching pack whose masses span six powers of ten, nearly all the work is needed to find
+/// the impulses of simultaneous contacts. The record keeps the part of the shot that was played
+/// before the limit was reached.
 #[test]
 fn a_shot_that_takes_too_much_work_stops_and_keeps_its_record() {
     let mut table = rack(0.0, (0.3, 4.0));

@@ -1,9 +1,9 @@
-//! The same shot to the last bit on every machine and in every build.
+//! Checks that a shot is the same to the last bit on every machine and in every build.
 
 use super::tables::{closed_board, rack};
 use crate::physics::{Board, EventKind, Shot};
 
-/// FNV-1a over the bits of a whole shot.
+/// The FNV-1a hash of all bits of a shot.
 fn fingerprint(shot: &Shot) -> u64 {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     let mut add = |value: f64| {
@@ -27,9 +27,9 @@ fn fingerprint(shot: &Shot) -> u64 {
     hash
 }
 
-/// A pinned number is the right test only here: a break is chaotic, so one bit rounded differently
-/// by a compiler or a processor gives another number. A deliberate change of the arithmetic
-/// requires a new pinned number.
+/// Pinning a number is the right kind of test only here: a break is chaotic, so a different number
+/// results if a compiler or a processor rounds a single bit differently. If the arithmetic is
+/// deliberately changed, the number must be pinned again.
 #[test]
 fn whole_breaks_are_the_same_to_the_last_bit() {
     let inelastic = Board {

@@ -1,4 +1,4 @@
-//! Properties that hold on any table.
+//! Properties that hold for any table.
 
 use glam::DVec2;
 use proptest::prelude::*;
@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::tables::{Table, rack};
 use crate::physics::{Board, Disc, DiscState, EventKind, Limits, Motion, Shot, play};
 
-/// The largest allowed overlap of a disc with another or with the frame, in metres.
+/// The maximum permitted overlap of a disc with another disc or with the frame, in metres.
 const DEEPEST: f64 = 1e-9;
 
 fn a_disc() -> impl Strategy<Value = (Disc, Motion)> {
@@ -21,7 +21,8 @@ fn a_disc() -> impl Strategy<Value = (Disc, Motion)> {
     })
 }
 
-/// Two to twenty discs, without those that would overlap an earlier one.
+/// A table with two to twenty discs, from which any disc that would overlap an earlier disc has
+/// been removed.
 fn a_table() -> impl Strategy<Value = Table> {
     prop::collection::vec(a_disc(), 2..=20).prop_map(|all| {
         let mut table = Table::default();
@@ -52,7 +53,7 @@ fn a_board() -> impl Strategy<Value = Board> {
     )
 }
 
-/// The times to check: all events, and evenly spaced ones between.
+/// The times to be checked: those of all events, and evenly spaced times between them.
 fn times(shot: &Shot) -> Vec<f64> {
     let mut times: Vec<f64> = shot.events().iter().map(|event| event.time).collect();
     times.extend((0..=300).map(|i| shot.duration() * f64::from(i) / 300.0));
@@ -88,7 +89,7 @@ fn assert_on_the_board(shot: &Shot) {
 }
 
 fn assert_balanced(shot: &Shot) {
-    // Contacts at the same instant exchange energy: only the total must not increase.
+    // Simultaneous contacts exchange energy, so only the total must not increase.
     let mut gained = 0.0;
     let mut since = f64::NAN;
     for event in shot.events() {
@@ -110,7 +111,7 @@ fn assert_balanced(shot: &Shot) {
                 (gained, since) = (0.0, event.time);
             }
             gained += 0.5 * (energy(after) - energy(before));
-            // Smooth discs: the perpendicular components do not change.
+            // The discs are smooth, so the perpendicular components do not change.
             for (u, v) in before.into_iter().zip(after) {
                 let across = (v - u).perp_dot(normal).abs();
                 assert!(across <= 1e-14 * (u.length() + v.length()));
@@ -164,7 +165,8 @@ proptest! {
     }
 }
 
-/// Packs that stay together, press and come to rest disc by disc: the hardest case.
+/// Packs that stay together, press against each other and come to rest disc by disc are the hardest
+/// case.
 #[test]
 fn collapsing_packs_obey_the_laws() {
     for (gap, friction, e, cushion, velocity) in [
@@ -185,7 +187,7 @@ fn collapsing_packs_obey_the_laws() {
     }
 }
 
-/// A table large enough for the grid, with every disc moving.
+/// The table is large enough for the grid, and every disc is moving.
 #[test]
 fn a_crowd_obeys_the_laws() {
     for e in [1.0, 0.6] {
@@ -207,7 +209,7 @@ fn a_crowd_obeys_the_laws() {
     }
 }
 
-/// Without friction no energy is lost at e = 1, however long the shot.
+/// Without friction no energy is lost at e = 1, however long the shot lasts.
 #[test]
 fn without_friction_energy_is_conserved() {
     let board = Board {

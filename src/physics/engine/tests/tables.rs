@@ -1,4 +1,4 @@
-//! Boards, discs and starting positions of the tests.
+//! Boards, discs and starting positions used in the tests.
 
 use glam::DVec2;
 
@@ -7,7 +7,7 @@ use crate::physics::{Board, Disc, Limits, Motion, Shot, play};
 pub(super) const COIN: Disc = Disc::from_g_mm(5.5, 15.9);
 pub(super) const STRIKER: Disc = Disc::from_g_mm(15.0, 20.65);
 
-/// A table: discs and their initial motion.
+/// A table: the discs and their initial motions.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Table {
     pub(super) discs: Vec<Disc>,
@@ -37,8 +37,8 @@ pub(super) fn closed_board() -> Board {
     }
 }
 
-/// A striker below a pack of 19: one disc, six around it and twelve around those, `gap` metres
-/// apart. The pack is its own mirror image to the last bit.
+/// A striker below a pack of 19 discs: one disc in the centre, six around it and twelve around
+/// those, with gaps of `gap` metres. The pack is its own mirror image to the last bit.
 pub(super) fn rack(gap: f64, velocity: (f64, f64)) -> Table {
     let mut table = Table::default().with(STRIKER, (0.0, -0.26), velocity);
     let pitch = 2.0 * COIN.radius + gap;
