@@ -1,5 +1,5 @@
-//! The frame of every screen: the title line, the key line, the help page, and the single line on a
-//! screen that is too small for anything else.
+//! The parts that every screen has in common: the title line, the key line, the help page, and the
+//! single line on a screen that is too small for anything else.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
@@ -12,7 +12,7 @@ use crate::widgets::panel::{Panel, Writing};
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Charset, Look, Role, SheetKind, areas, keys, sheet, text};
 
-/// The area of the current screen at this size.
+/// The area of the current screen if the window has this size.
 pub(super) fn body(size: Rect) -> Rect {
     Rect::new(
         0,
@@ -34,7 +34,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     title_line(app, screen.as_ref(), area, buf, look);
     let body = body(area);
     screen.draw(buf, &app.context);
-    // `?` is the last of the screen's keys.
+    // The key `?` is the last key of the screen.
     let table = screen.table(&app.context);
     let rows = table.rows().iter().filter(|row| !row.name.is_empty());
     let rows = rows.map(|row| (row.brief(), row.name));
@@ -89,12 +89,12 @@ fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, l
     let width = text::width(&status) as u16;
     let start = area.width.saturating_sub(width + 1).max(end + 2);
     let room = usize::from(area.width.saturating_sub(start));
-    // A truncated code would look like another code.
+    // If a code were truncated, it would look like a different code.
     let status = text::clipped(&status, room);
     buf.set_stringn(start, 0, status, room, look.theme.style(Role::Dim));
 }
 
-/// Shows as many keys as fit completely; the last key is always shown.
+/// Shows as many keys as fit without being cut off; the last key is always shown.
 fn key_line(
     keys: impl Iterator<Item = (String, &'static str)>,
     area: Rect,
@@ -125,7 +125,7 @@ fn panel_of(app: &App, layer: &AppLayer) -> Panel<LayerAction> {
     panel
 }
 
-/// The help page of the screen on top.
+/// The help page for the topmost screen.
 fn help(app: &App) -> Panel<LayerAction> {
     let Some(screen) = app.stack.last() else {
         return Panel::new("help");
@@ -162,7 +162,8 @@ pub(super) fn help_overflow(app: &App) -> u16 {
 }
 
 /// Draws a layer. A help page covers the whole body, because only truncated words would be visible
-/// beside it; any other layer is at the foot of the body, so that part of the screen stays visible.
+/// beside the page. Any other layer is at the bottom of the body, so that part of the screen stays
+/// visible.
 fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     let writing = writing(app);
     let panel = panel_of(app, layer);
@@ -201,7 +202,7 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
         .draw(scrolled, buf, &writing);
 }
 
-/// The columns of the body that a layer covers.
+/// The columns of the body that are covered by a layer.
 fn centred(body: Rect) -> Rect {
     areas::middle(body, 76)
 }
@@ -211,8 +212,8 @@ fn clear(area: Rect, buf: &mut Buffer, look: Look) {
     buf.set_style(area, look.theme.base());
 }
 
-/// Ensures that an ASCII screen contains only ASCII: names and text from outside may contain other
-/// characters.
+/// Ensures that a screen in ASCII contains only ASCII characters: names and text from outside may
+/// contain other characters.
 fn keep_ascii(area: Rect, buf: &mut Buffer) {
     for position in area.positions() {
         if let Some(cell) = buf.cell_mut(position) {

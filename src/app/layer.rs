@@ -1,4 +1,4 @@
-//! The layers over a screen: its help, a notice and a question.
+//! The layers that can cover a screen: its help page, a notice or a question.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -8,25 +8,25 @@ use crate::screens::{Confirmation, Route};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, Rebound};
 
-/// A layer over the screen.
+/// A layer that covers the screen.
 #[derive(Debug, Clone)]
 pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
         /// The number of lines by which the page is scrolled.
         scrolled: u16,
-        /// The rules of the game on the screen.
+        /// The rules of the game that is on the screen.
         rules: Option<Rules>,
     },
-    /// A notice, until a key is pressed.
+    /// A notice, which is shown until a key is pressed.
     Notice(String),
-    /// A question to the player.
+    /// A question for the player.
     Confirm(Confirmation),
-    /// Asks whether to leave although something is not saved yet.
+    /// A question whether to leave even though something has not been saved yet.
     Leave(Confirmation),
 }
 
-/// How a layer responds to keys.
+/// The key actions of a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum LayerAction {
@@ -45,16 +45,16 @@ pub(super) enum LayerAction {
 /// How a layer was closed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LayerDone {
-    /// The player gave no answer, or declined.
+    /// The player did not answer, or declined.
     Closed,
     /// The player agreed.
     Agreed,
-    /// The player looks something up.
+    /// The player wants to look something up.
     LookUp(Route),
 }
 
 impl AppLayer {
-    /// The keys of the layer. Any other key closes the layer, unless the layer is a question.
+    /// The keys for the layer. Any other key closes the layer, unless the layer is a question.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
         use LayerAction::{Agree, Decline, Glossary, Rules, Scroll};
         let table = KeyTable::new("layer");
@@ -79,8 +79,8 @@ impl AppLayer {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }
 
-    /// Handles a key; returns [`Outcome::Done`] when the layer is closed. `most` is the number of
-    /// lines by which a help page can be scrolled.
+    /// Handles a key; returns [`Outcome::Done`] if the key closes the layer. `most` is the number
+    /// of lines by which a help page can be scrolled.
     pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {

@@ -1,8 +1,8 @@
-//! The app: a stack of screens, and what they have in common.
+//! The app: a stack of screens, and everything that the screens have in common.
 //!
 //! The app is pure: [`App::update`] and [`App::advance`] return effects for a shell to carry out,
-//! [`App::wake`] returns the time until the next change, and [`App::draw`] changes nothing. Nothing
-//! here uses a clock, a file, a thread or a global.
+//! [`App::wake`] returns the time until the next change, and [`App::draw`] changes nothing. The app
+//! uses no clock, file, thread or global variable.
 
 mod chrome;
 mod layer;
@@ -45,28 +45,28 @@ use crate::widgets::{Outcome, Palette, PictureSizes};
 
 use layer::{AppLayer, LayerDone};
 
-/// The size below which only a line of advice is drawn.
+/// The size below which only one line of advice is drawn.
 pub(crate) const SMALLEST: (u16, u16) = (60, 20);
 
-/// The contents of an app: what can be read, played and answered.
+/// The contents of an app: everything that can be read, played and answered.
 #[derive(Debug, Clone, Default)]
 pub struct Data {
     /// The levels.
     pub shelf: Shelf,
     /// The chapters.
     pub book: Book,
-    /// Questions in words, in addition to the built-in ones.
+    /// Questions in words that are available in addition to the built-in questions.
     pub own: Arc<Library>,
-    /// The path of the folder in which data is saved.
+    /// The path of the folder where data is saved.
     pub folder: Option<String>,
 }
 
-/// The pause before the first retry of a failed save; each failed retry doubles it, up to the
-/// longest pause.
+/// The pause before the first retry after a failed save; each failed retry doubles the pause, up to
+/// the longest pause.
 const RETRY: Duration = Duration::from_secs(2);
 const LONGEST_RETRY: Duration = Duration::from_secs(8);
 
-/// The state of retries of failed saves.
+/// The state of the retries after a failed save.
 #[derive(Debug, Clone, Copy, Default)]
 struct Retry {
     /// The time since the last attempt.
@@ -78,39 +78,39 @@ struct Retry {
 }
 
 impl Retry {
-    /// The pause before the next attempt.
+    /// The pause before the next retry.
     fn pause(self) -> Duration {
         let pause = RETRY.saturating_mul(1 << self.failures.min(8));
         pause.min(LONGEST_RETRY)
     }
 }
 
-/// The whole game, headless.
+/// The whole game, without a terminal or any other shell.
 pub struct App {
     stack: Vec<Box<dyn AnyScreen>>,
     context: Context,
     size: Rect,
-    /// The layers over the screen, the topmost last.
+    /// The layers over the screen, with the topmost last.
     layers: Vec<AppLayer>,
-    /// The tickets of slow saves in progress.
+    /// The tickets of slow saves that are in progress.
     saving: BTreeSet<u64>,
-    /// The number of items that could not be saved so far.
+    /// The number of items that have not been saved yet because saving failed.
     unsaved: usize,
-    /// The time since the last retry, and whether one is in progress.
+    /// The time since the last retry, and whether a retry is in progress.
     retry: Retry,
-    /// Whether the player has been notified that earlier answers could not be loaded, or that
-    /// settings cannot be saved: one notice is enough.
+    /// Whether the player has been told that earlier answers could not be loaded, or that settings
+    /// cannot be saved: one notice is enough.
     reported_store: bool,
     has_quit: bool,
 }
 
 impl App {
-    /// An app that starts at `route`, with Home below it.
+    /// Creates an app that starts at `route`, with Home below.
     pub fn new(route: Route, settings: Settings, seed: u64) -> Self {
         Self::with_data(Data::default(), route, settings, seed)
     }
 
-    /// An app with contents in addition to the built-in ones.
+    /// Creates an app with contents in addition to the built-in ones.
     pub fn with_data(data: Data, route: Route, settings: Settings, seed: u64) -> Self {
         let mut context = Context::new(settings, seed);
         context.shelf = data.shelf;
@@ -140,7 +140,7 @@ impl App {
         app
     }
 
-    /// A teacher's own questions in words.
+    /// The questions in words written by a teacher.
     pub fn own(&self) -> &Arc<Library> {
         &self.context.own
     }
@@ -155,15 +155,15 @@ impl App {
         &self.context.shelf
     }
 
-    /// An app that starts on a screen supplied by the caller, with Home below it.
+    /// Creates an app that starts on a screen supplied by the caller, with Home below.
     pub fn on(screen: Box<dyn AnyScreen>, settings: Settings, seed: u64) -> Self {
         let mut app = Self::new(Route::Home, settings, seed);
         app.stack.push(screen);
         app
     }
 
-    /// The address of the current screen, and how many screens are open, including the first.
-    /// [`Data::route`] finds the same screen from the address.
+    /// The address of the current screen, and the number of open screens, including the first.
+    /// [`Data::route`] converts the address back to the route of the screen.
     pub fn address(&self) -> (String, usize) {
         let cx = &self.context;
         let top = self.stack.last().map(|screen| screen.route(cx));
@@ -171,7 +171,7 @@ impl App {
         (address, self.stack.len())
     }
 
-    /// Whether the player has quit. After that, the app expects no inputs.
+    /// Whether the player has quit. Once this is true, the app expects no more inputs.
     pub fn has_quit(&self) -> bool {
         self.has_quit
     }
@@ -186,7 +186,8 @@ impl App {
         &mut self.context.settings
     }
 
-    /// Applies the preferences of the player's system to settings that the player has not changed.
+    /// Applies the preferences of the player's system to the settings that the player has not
+    /// changed.
     pub fn prefer(&mut self, palette: Palette, reduced_motion: bool) {
         let preferred = Settings {
             palette,
@@ -199,14 +200,14 @@ impl App {
         };
     }
 
-    /// Sets the sizes of pictures independently of the size of the screen, for a page that lays out
+    /// Sets the sizes of pictures independently of the size of the screen, for a page that arranges
     /// the recorded blocks itself.
     pub fn set_pictures(&mut self, sizes: Option<PictureSizes>) {
         self.context.pictures = sizes;
     }
 
-    /// Sets the settings that were stored when the app began; with `None`, the stored ones are not
-    /// changed.
+    /// Sets the settings that were stored when the app started; if `kept` is `None`, the stored
+    /// settings are not changed.
     pub fn set_kept(&mut self, kept: Option<KeptSettings>) {
         self.context.kept = kept;
     }
@@ -225,11 +226,12 @@ impl App {
             Input::Resize(columns, rows) => {
                 self.size = Rect::new(0, 0, *columns, *rows);
                 self.context.body = chrome::body(self.size);
-                // The first screen's requests.
+                // The requests of the first screen are returned.
                 return self.context.take_asked();
             }
             Input::Key(Key::Ctrl('c')) => self.leave(),
-            // The screen that made the request waits for the result, even if a layer covers it.
+            // The screen that made the request is waiting for the result, even if a layer covers
+            // the screen.
             Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
                 return self.pass_down(input);
             }
@@ -240,11 +242,11 @@ impl App {
                 self.note(answer);
                 return self.pass_down(input);
             }
-            // On a screen this small nobody can see what a key would do.
+            // On a screen this small, the player could not see the effect of a key.
             _ if self.too_small() => {}
             Input::Key(key) => return self.press(*key),
             Input::Mouse(mouse) => {
-                // A drag may leave the body and end outside it.
+                // A drag may leave the body, and the button may be released outside the body.
                 let held = matches!(mouse.kind, MouseKind::Drag | MouseKind::Up);
                 if self.layers.is_empty() && (held || self.in_body(mouse)) {
                     return self.pass_on(input);
@@ -256,7 +258,7 @@ impl App {
         vec![]
     }
 
-    /// Handles the parts of an answer that do not concern a particular screen.
+    /// Handles the parts of a reply from the store that do not concern a particular screen.
     fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
         if let Some(notice) = &answer.notice {
@@ -309,8 +311,8 @@ impl App {
         }
     }
 
-    /// Leaves the program, or asks first if something is not saved yet; a second request to leave
-    /// is carried out without asking.
+    /// Leaves the program, or asks first if something has not been saved yet; a second request to
+    /// leave is carried out without asking.
     fn leave(&mut self) {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
         if self.unsaved == 0 || self.layers.iter().any(is_asked) {
@@ -326,13 +328,13 @@ impl App {
         self.layers.push(AppLayer::Leave(question));
     }
 
-    /// The time until the next retry of a failed save.
+    /// The time until the next retry after a failed save.
     fn retry_in(&self) -> Option<Duration> {
         let waits = self.unsaved > 0 && self.retry.ticket.is_none();
         waits.then(|| self.retry.pause().saturating_sub(self.retry.waited))
     }
 
-    /// Counts down the time until the next retry by `passed`.
+    /// Reduces the time until the next retry by `passed`, and starts the retry when it is due.
     fn retry(&mut self, passed: Duration) -> Option<Effect> {
         self.retry_in()?;
         self.retry.waited += passed;
@@ -349,7 +351,7 @@ impl App {
         Some(Effect::Keep(StoreCall { ticket, request }))
     }
 
-    /// The status of a slow or failing save; empty otherwise.
+    /// The status of a save that is slow or has failed; otherwise empty.
     fn keeping(&self) -> String {
         match self.unsaved {
             _ if !self.saving.is_empty() => "saving ..".into(),
@@ -358,7 +360,7 @@ impl App {
         }
     }
 
-    /// Advances the time by `passed`.
+    /// Advances the time of the app by `passed`.
     pub fn advance(&mut self, passed: Duration) -> Vec<Effect> {
         let mut effects = match self.screen_wake() {
             None => vec![],
@@ -371,14 +373,14 @@ impl App {
         effects
     }
 
-    /// The time until the app must next be advanced; `None` while nothing moves.
+    /// The time until the app must next be advanced; `None` if nothing is moving.
     pub fn wake(&self) -> Option<Duration> {
         let times = [self.screen_wake(), self.retry_in()];
         times.into_iter().flatten().min()
     }
 
-    /// The time until the screen's next motion, for shells that can skip the wait by advancing the
-    /// time at once; also `None` during a countdown that other people see.
+    /// The time until the next motion on the screen, for shells that can skip the wait by advancing
+    /// the time immediately; `None` also during a countdown that other people can see.
     pub(crate) fn motion(&self) -> Option<Duration> {
         let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
         let wake = self.screen_wake();
@@ -394,8 +396,8 @@ impl App {
         self.stack.last()?.wake(&self.context)
     }
 
-    /// The current keys as the player has set them: those of the layer on top, or the screen's own
-    /// and those that all screens share.
+    /// The current keys, as set by the player: if there is a layer, the keys of the topmost layer,
+    /// otherwise the keys of the screen and those that all screens share.
     pub fn keys(&self) -> KeyTable<()> {
         match (self.layers.last(), self.stack.last()) {
             (Some(layer), _) => layer.keys(&self.context.settings.keys).map(|_| ()),
@@ -404,7 +406,7 @@ impl App {
         }
     }
 
-    /// The cells beside the picture that react to a click, from the top.
+    /// The cells beside the picture that can be clicked, from top to bottom.
     pub fn targets(&self) -> Vec<Rect> {
         match (self.layers.last(), self.stack.last()) {
             (None, Some(screen)) if !self.too_small() => screen.targets(&self.context),
@@ -412,7 +414,7 @@ impl App {
         }
     }
 
-    /// Activates the target with this number, as a click on it would.
+    /// Activates the target with this number, as if it had been clicked.
     pub fn choose(&mut self, target: usize) -> Vec<Effect> {
         let before = self.context.settings.clone();
         let mut effects = match self.layers.is_empty() && !self.too_small() {
@@ -424,8 +426,8 @@ impl App {
         effects
     }
 
-    /// Draws the whole screen. The app must have received the frame's size by [`Input::Resize`], so
-    /// that mouse positions are correct.
+    /// Draws the whole screen. For mouse positions to be correct, the app must already have
+    /// received the size of the frame in an [`Input::Resize`].
     pub fn draw(&self, frame: &mut Frame) {
         let area = frame.area();
         let buf = frame.buffer_mut();
@@ -447,9 +449,9 @@ impl App {
         self.layers.push(AppLayer::Notice(words));
     }
 
-    /// Passes a key to the layer or screen on top.
+    /// Passes a key to the topmost layer or screen.
     fn press(&mut self, key: Key) -> Vec<Effect> {
-        // The text is measured only if a key scrolls it.
+        // The text is measured only if the key scrolls the text.
         let scrolls = |layer: &AppLayer| layer.scrolls(key, &self.context.settings.keys);
         let most = match self.layers.last().is_some_and(scrolls) {
             true => chrome::help_overflow(self),
@@ -472,7 +474,7 @@ impl App {
         }
     }
 
-    /// Opens a reference page over the screen, unless it is open.
+    /// Opens a reference page over the screen, unless the page is already open.
     fn look_up(&mut self, route: Route) -> Vec<Effect> {
         self.with_screen(|screen, cx| match screen.route(cx) == route {
             true => Next::Stay,
@@ -484,9 +486,9 @@ impl App {
         self.with_screen(|screen, cx| screen.input(input, cx))
     }
 
-    /// Passes an input to the screen on top or, if that screen ignores it, to a class below,
-    /// because the class continues for its other members. If the class then opens or closes a
-    /// screen, the screens above it are closed first.
+    /// Passes an input to the topmost screen or, if that screen ignores the input, to a class
+    /// below, because the class continues for its other members. If the class then opens or closes
+    /// a screen, the screens above the class are closed first.
     fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
         let top = self.stack.len().saturating_sub(1);
         let mut screens = self.stack.iter_mut().enumerate().rev();
@@ -506,7 +508,7 @@ impl App {
         self.with_screen(|_, _| next)
     }
 
-    /// Lets the screen on top act, then carries out what it requests.
+    /// Lets the topmost screen act, then carries out its requests.
     fn with_screen(
         &mut self,
         act: impl FnOnce(&mut dyn AnyScreen, &mut Context) -> Next,
@@ -564,7 +566,7 @@ impl App {
         }
     }
 
-    /// Notifies the screen on top that it is visible again.
+    /// Tells the topmost screen that it is visible again.
     fn resume(&mut self) {
         if let Some(screen) = self.stack.last_mut() {
             screen.resumed(&mut self.context);

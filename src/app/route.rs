@@ -1,4 +1,4 @@
-//! Routes by name, as the command line and links use them.
+//! The names of routes, as used on the command line and in links.
 
 use super::Data;
 use crate::game::{BoardCode, Rules};
@@ -7,11 +7,11 @@ use crate::quiz::{Answer, Code};
 use crate::screens::{Context, FoilPage, Route};
 
 impl Data {
-    /// The route of this name. `value` selects a chapter, a level or the code of a round; it may be
-    /// empty.
+    /// The route with this name. `value` specifies a chapter, a level or the code of a round, and
+    /// may be empty.
     ///
     /// # Errors
-    /// A description of what was expected instead.
+    /// Returns a description of what was expected instead.
     pub fn route(&self, name: &str, value: &str) -> Result<Route, String> {
         Ok(match name {
             "home" => Route::Home,
@@ -90,8 +90,8 @@ impl Data {
         })
     }
 
-    /// The round that a code describes, with the teacher's own questions if the code refers to
-    /// them; `None` if the code is empty.
+    /// The round described by a code, with the teacher's own questions if the code refers to them;
+    /// `None` if the code is empty.
     fn round(&self, code: &str) -> Result<Option<Code>, String> {
         if code.is_empty() {
             return Ok(None);
@@ -101,24 +101,25 @@ impl Data {
     }
 }
 
-/// The last part of a link to the lab that hides the outcome.
+/// The last part of a link to the lab in which the outcome is hidden.
 const HIDE: &str = "hide";
 
 /// The code of a board for one player.
 const BOARD: &str = "the code of a board: a day such as 2026-11-26, or a number up to 999999";
 
-/// Separates the address of a round from the answers given in the round.
+/// The separator between the address of a round and the answers given in the round.
 const ANSWERS: &str = "&said=";
 
-/// The address of a route, in the form that [`Data::route`] reads. Answers given in a round follow
-/// [`ANSWERS`].
+/// The address of a route, in the form that [`Data::route`] reads. The answers given in a round
+/// come after [`ANSWERS`].
 pub(super) fn address(route: &Route, cx: &Context) -> String {
     let named = |name: &str, value: &str| match value {
         "" => name.to_owned(),
         value => format!("{name}={value}"),
     };
     let round = |name: &str, code: &Code| match code.course.kind.is_personal() {
-        // Its questions depend on the player's answers, so nobody could use its code again.
+        // The questions depend on the player's record, so the code would be of no use to anybody
+        // else.
         true => name.to_owned(),
         false => named(name, &code.to_string()),
     };
@@ -187,10 +188,10 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
 }
 
 impl Route {
-    /// A round with the answers in its address.
+    /// The round with the answers that are in its address.
     ///
     /// # Errors
-    /// A description of what was expected instead.
+    /// Returns a description of what was expected instead.
     pub fn with_answers(self, said: &str) -> Result<Self, String> {
         let Self::Quiz { code: Some(code) } = self else {
             return Err("answers only after the code of a round".into());
@@ -217,7 +218,7 @@ mod tests {
         App::new(route, Settings::default(), 1)
     }
 
-    /// The app that a link with this address opens.
+    /// The app that opens for a link with this address.
     fn linked(address: &str) -> App {
         let (address, said) = address.split_once(ANSWERS).unwrap_or((address, ""));
         let (name, value) = address.split_once('=').unwrap_or((address, ""));
@@ -263,8 +264,8 @@ mod tests {
         }
     }
 
-    /// A round continues at the same question with the answers that were given, even if the next
-    /// question depends on them.
+    /// A round continues at the same question with the same answers, even if the next question
+    /// depends on these answers.
     #[test]
     fn a_round_continues_where_the_player_left_off() {
         for code in ["mixed-7", "find-out-3", "exam-4", "hits-2"] {
@@ -283,7 +284,7 @@ mod tests {
                     let (address, _) = app.address();
                     let again = linked(&address);
                     assert_eq!(again.address().0, address);
-                    // The points for an answer are shown after the replay of its collision.
+                    // The points for an answer are shown after the collision has been replayed.
                     let status = |app: &App| {
                         let top = app.stack.last().expect("a screen");
                         let status = top.status(&app.context);

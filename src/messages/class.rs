@@ -1,16 +1,16 @@
-//! A class on pupils' own devices: the requests that a pupil's carrom sends to its connection to
-//! the host, and the events that arrive.
+//! A class on the pupils' own devices: the requests that a pupil's carrom sends to its connection
+//! with the host, and the events that come back.
 
-/// A request from a pupil's carrom to its connection.
+/// A request from a pupil's carrom to its connection with the host.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum JoinCall {
-    /// Connect to the host at this address; close any other connection.
+    /// Connect to the host at this address, and close any other connection.
     Dial(String),
-    /// Send this text.
+    /// Send this text to the host.
     Say(String),
-    /// Save how the pupil can rejoin the class.
+    /// Save the information that the pupil needs to rejoin the class.
     Remember {
-        /// The token of the pupil's seat, as text.
+        /// The token for the pupil's seat, as text.
         seat: String,
         /// The pupil's name.
         name: String,
@@ -28,9 +28,9 @@ pub enum JoinNews {
     Reached,
     /// The host has sent this text.
     Heard(String),
-    /// The host cannot be reached, or the connection was lost, for this reason.
+    /// The host cannot be reached, or the connection has been lost; the text gives the reason.
     Lost(String),
-    /// Remembered from an earlier connection: the token, and the name.
+    /// The token and the name that were saved during an earlier connection.
     Remembered(String, String),
     /// The device was asleep or the page was hidden, and is active again.
     Awake,

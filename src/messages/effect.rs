@@ -8,19 +8,20 @@ pub enum Effect {
     /// Read or change stored data, and return the
     /// [`StoreAnswer`](super::StoreAnswer) as an input.
     Keep(StoreCall),
-    /// On the teacher's side, host a class on pupils' devices, and return what arrives as an
-    /// [`Input::Hosted`](super::Input::Hosted).
+    /// On the teacher's side, host a class on the pupils' devices, and return the resulting events
+    /// as an [`Input::Hosted`](super::Input::Hosted).
     Host(HostCall),
-    /// On a pupil's side, connect to such a class, and return what arrives as an
-    /// [`Input::Joined`](super::Input::Joined).
+    /// On a pupil's side, connect to a class that is hosted in this way, and return the resulting
+    /// events as an [`Input::Joined`](super::Input::Joined).
     Join(JoinCall),
-    /// Write text to a file of this name for the player (in a terminal, in the folder where carrom
-    /// was started), and return its path as an [`Input::Exported`](super::Input::Exported). (A
-    /// [`StoreRequest`](super::StoreRequest) exports to the data folder instead.)
+    /// Write text to a file with this name for the player, and return the path of the file as an
+    /// [`Input::Exported`](super::Input::Exported). In a terminal the file is in the folder where
+    /// carrom was started. (A [`StoreRequest`](super::StoreRequest) exports to the data folder
+    /// instead.)
     Export {
-        /// Letters, digits, hyphens and an extension.
+        /// The name of the file, which consists of letters, digits, hyphens and an extension.
         name: String,
-        /// The text.
+        /// The content of the file.
         content: String,
     },
 }

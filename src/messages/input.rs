@@ -5,26 +5,26 @@ use ratatui::layout::Rect;
 
 use super::{HostNews, JoinNews, Key, StoreAnswer};
 
-/// One event from outside.
+/// An event from outside the app.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Input {
-    /// A key was pressed.
+    /// A key has been pressed.
     Key(Key),
-    /// The mouse did something over a cell.
+    /// The mouse has done something over a cell.
     Mouse(Mouse),
-    /// Text was pasted.
+    /// Text has been pasted.
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// The [`Effect::Keep`](super::Effect::Keep) with this ticket takes a long time; its result
+    /// The [`Effect::Keep`](super::Effect::Keep) with this ticket is taking a long time; the result
     /// will follow.
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),
-    /// The result of an [`Effect::Export`](super::Effect::Export): the file's path, or the reason
-    /// why there is none.
+    /// The result of an [`Effect::Export`](super::Effect::Export): the path of the file, or the
+    /// reason why it could not be written.
     Exported(Result<String, String>),
-    /// The events from a class on pupils' devices since the last input, in order.
+    /// The events from a class on the pupils' devices since the last input, in order.
     Hosted(Vec<HostNews>),
     /// An event from the host of the class.
     Joined(JoinNews),
@@ -36,22 +36,23 @@ impl From<Key> for Input {
     }
 }
 
-/// The mouse over a cell, counted from 0 at the top left.
+/// A mouse event over a cell; cells are counted from 0 at the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mouse {
     /// What the mouse did.
     pub kind: MouseKind,
-    /// Column of the cell.
+    /// The column of the cell.
     pub column: u16,
-    /// Row of the cell.
+    /// The row of the cell.
     pub row: u16,
-    /// The position in the cell, in 256ths of its width and height, because cells are too coarse
-    /// for touch input. A terminal reports only the cell; the position is then its middle.
+    /// The position within the cell, in 256ths of its width and height, because whole cells are too
+    /// coarse for touch input. A terminal reports only the cell, so the position is then the middle
+    /// of the cell.
     pub within: (u8, u8),
 }
 
 impl Mouse {
-    /// The mouse in the middle of a cell (column, row).
+    /// A mouse event in the middle of a cell (column, row).
     pub const fn over(kind: MouseKind, (column, row): (u16, u16)) -> Self {
         Self {
             kind,
@@ -61,8 +62,8 @@ impl Mouse {
         }
     }
 
-    /// The mouse at a position on the screen, in columns and rows from its upper left corner;
-    /// positions outside are moved to the edge.
+    /// A mouse event at a position on the screen, in columns and rows from the upper left corner; a
+    /// position outside the screen is moved to the edge.
     pub fn at(kind: MouseKind, place: DVec2) -> Self {
         let place = place.max(DVec2::ZERO);
         let within = 256.0 * place.fract();
@@ -72,7 +73,7 @@ impl Mouse {
         }
     }
 
-    /// The position on the screen, in columns and rows from its upper left corner.
+    /// The position on the screen, in columns and rows from the upper left corner.
     pub fn place(&self) -> DVec2 {
         let (x, y) = self.within;
         dvec2(self.column.into(), self.row.into()) + dvec2(x.into(), y.into()) / 256.0
@@ -83,17 +84,19 @@ impl Mouse {
         (self.column, self.row)
     }
 
-    /// Whether the button has just been pressed in an area.
+    /// Whether the button has just been pressed inside an area.
     pub fn presses(&self, area: Rect) -> bool {
         self.kind == MouseKind::Down && area.contains(self.cell().into())
     }
 
-    /// Whether the button is down, whether just pressed or held.
+    /// Whether the button is down, either because it has just been pressed or because it is being
+    /// held.
     pub(crate) fn is_held(&self) -> bool {
         matches!(self.kind, MouseKind::Down | MouseKind::Drag)
     }
 
-    /// A step of the wheel, if it turned: 1 away from the user, −1 towards the user.
+    /// The direction in which the wheel was turned, if it was: 1 away from the user, −1 towards the
+    /// user.
     pub const fn wheel(&self) -> Option<i8> {
         match self.kind {
             MouseKind::ScrollUp => Some(1),
@@ -108,13 +111,13 @@ impl Mouse {
 pub enum MouseKind {
     /// The button was pressed.
     Down,
-    /// The mouse moved with the button down.
+    /// The mouse was moved with the button down.
     Drag,
     /// The button was released.
     Up,
-    /// The wheel turned away from the user.
+    /// The wheel was turned away from the user.
     ScrollUp,
-    /// The wheel turned towards the user.
+    /// The wheel was turned towards the user.
     ScrollDown,
 }
 

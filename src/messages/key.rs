@@ -1,20 +1,20 @@
-//! One press of a key.
+//! A single key press.
 
 use std::fmt;
 
 use strum::{EnumString, IntoStaticStr};
 
-/// A key press (or repeat), independent of any terminal library's types.
+/// A key press (or an automatic repeat), independent of the types of any terminal library.
 ///
-/// Shift is already included in the character of [`Key::Char`]; shells do not pass on
-/// presses with Alt or with the system key.
+/// The character in [`Key::Char`] already takes Shift into account; shells do not pass on key
+/// presses with Alt or the system key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr)]
 #[strum(ascii_case_insensitive)]
 pub enum Key {
     /// A printable character; the space bar is `Char(' ')`.
     #[strum(disabled)]
     Char(char),
-    /// A lower-case letter with Control held.
+    /// A lower-case letter pressed together with Control.
     #[strum(disabled)]
     Ctrl(char),
     /// Arrow up.
@@ -32,7 +32,7 @@ pub enum Key {
     Escape,
     /// Tab.
     Tab,
-    /// Shift and Tab.
+    /// Shift and Tab together.
     #[strum(serialize = "Shift+Tab")]
     BackTab,
     /// Backspace.
@@ -47,7 +47,7 @@ pub enum Key {
     Home,
     /// End.
     End,
-    /// A function key, from 1.
+    /// A function key, numbered from 1.
     #[strum(disabled)]
     F(u8),
 }
@@ -62,7 +62,8 @@ impl Key {
     /// The four arrows: up, down, left, right.
     pub(crate) const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
 
-    /// The key for a string: a single character, or a name as in a tape.
+    /// The key that a string stands for, which is either a single character or the name of a key as
+    /// in a tape.
     pub fn parse(text: &str) -> Option<Self> {
         match text.parse::<char>() {
             Ok(c) if !c.is_control() => Some(Self::Char(c)),
@@ -71,7 +72,7 @@ impl Key {
     }
 
     /// The key with this name, as in a tape (`Right`, `Space`, `Ctrl+C`, `F1`), in upper or lower
-    /// case; `None` if there is no such key.
+    /// case; `None` if no key has this name.
     pub fn named(name: &str) -> Option<Self> {
         let lower = name.to_ascii_lowercase();
         if lower == "space" {
@@ -90,7 +91,7 @@ impl Key {
 }
 
 impl fmt::Display for Key {
-    /// The name as the bottom line of a screen shows it, in ASCII.
+    /// Writes the name in ASCII, as shown in the bottom line of a screen.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Char(' ') => f.write_str("Space"),

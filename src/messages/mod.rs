@@ -1,5 +1,5 @@
-//! The inputs and effects of the app: keys, the mouse and the size of the screen; requests to a
-//! shell, and their results.
+//! The inputs and effects of the app: keys, mouse events and the size of the screen; requests to a
+//! shell, and the results of these requests.
 //!
 //! Each shell translates its own events into these types, so the app does not know which
 //! shell drives it.

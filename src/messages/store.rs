@@ -1,4 +1,4 @@
-//! Requests to the store of games and of players' progress, and the answers of the store.
+//! Requests to the store of games and of players' progress, and the replies from the store.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -13,10 +13,10 @@ use crate::lessons::{Bookmark, Forget};
 use crate::levels::Starred;
 use crate::progress::{Attempt, Calendar, NotedHit, Observation};
 
-/// A request to the store, with its ticket.
+/// A request to the store, with a ticket.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoreCall {
-    /// A number chosen by the app, which identifies the answer.
+    /// A number chosen by the app, which identifies the reply.
     pub ticket: u64,
     /// The request.
     pub request: StoreRequest,
@@ -25,44 +25,44 @@ pub struct StoreCall {
 /// What a [`StoreCall`] asks the store to do.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreRequest {
-    /// Save the current state of a game, replacing what was saved or loaded with the same ticket
-    /// before.
+    /// Save the current state of a game, replacing the state that was previously saved or loaded
+    /// with the same ticket.
     Save(Box<SavedGame>),
     /// List the saved games.
     List,
-    /// Load the game of this name, to be saved with the same ticket from now on.
+    /// Load the game with this name, which will be saved with the same ticket from now on.
     Load(String),
-    /// Remove the game of this name.
+    /// Remove the game with this name.
     Remove(String),
-    /// Export a game for its player.
+    /// Export a game for the player.
     Export(Box<SavedGame>),
-    /// Save the current state of a class round, replacing what was saved or loaded with the same
-    /// ticket before.
+    /// Save the current state of a class round, replacing the state that was previously saved or
+    /// loaded with the same ticket.
     SaveClass(Arc<ClassRound>),
-    /// Save the latest changes of such a round: the changes alone if everything before them is
-    /// saved, otherwise the whole round.
+    /// Save the latest changes to a class round: only the changes if everything before them has
+    /// been saved, otherwise the whole round.
     NoteClass {
         /// The changes.
         changes: Vec<ClassChange>,
-        /// The round after these changes.
+        /// The round after the changes.
         round: Arc<ClassRound>,
     },
     /// List the saved class rounds.
     ListClasses,
-    /// Load the class round of this name, to be saved with the same ticket from now on.
+    /// Load the class round with this name, which will be saved with the same ticket from now on.
     LoadClass(String),
-    /// Remove the class round of this name.
+    /// Remove the class round with this name.
     RemoveClass(String),
-    /// Export the tables of a class round for its teacher.
+    /// Export the tables of a class round for the teacher.
     ExportClass(Arc<ClassRound>),
-    /// Save a hand-in, unless the same one exists already.
+    /// Save a hand-in, unless an identical hand-in has already been saved.
     KeepHandIn(Box<HandIn>),
-    /// Save an answer, with the time. The answer should be saved before the explanation is shown,
-    /// so nothing is drawn until then, unless saving takes a long time.
+    /// Save an answer with the current time. The answer should be saved before the explanation is
+    /// shown, so nothing is drawn until then, unless saving takes a long time.
     Record(Box<Attempt>),
-    /// Save what a player saw in a hit, with the time.
+    /// Save what a player saw in a hit, with the current time.
     Observe(Box<Observation>),
-    /// Add a hit to this player's notebook of the lab, with the time.
+    /// Add a hit to this player's notebook in the lab, with the current time.
     NoteHit(String, Box<NotedHit>),
     /// List the latest hits in this player's notebook.
     Notebook(String),
@@ -70,13 +70,13 @@ pub enum StoreRequest {
     ClearNotebook(String),
     /// Save the stars of a level that this player has won.
     Star(String, Starred),
-    /// Load this player's answers, or everyone's if there is no name.
+    /// Load this player's answers, or everyone's answers if no name is given.
     Recall(Option<String>),
     /// List the levels that this player has won.
     Stars(String),
-    /// List everyone who has done something here.
+    /// List everyone who has done something on this device.
     Players,
-    /// Add what a player has done in a chapter to its bookmark.
+    /// Add what a player has done in a chapter to the player's bookmark in the chapter.
     Mark {
         /// The player's name.
         player: String,
@@ -91,68 +91,69 @@ pub enum StoreRequest {
     Marks(String),
     /// Look up today's date in the player's calendar.
     Today,
-    /// Save this text as the settings file.
+    /// Save this text as the content of the settings file.
     KeepSettings(String),
-    /// Try again to save what is pending.
+    /// Try again to save everything that is pending.
     Retry,
 }
 
-/// The result of a [`StoreCall`]; after a failure, the reason in words.
+/// The result of a [`StoreCall`]; if the call failed, the result contains the reason in words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoreAnswer {
     /// The ticket of the request.
     pub ticket: u64,
     /// The reply to the request.
     pub done: StoreReply,
-    /// The number of answers, stars, bookmarks and hits that could not be saved so far. They will
-    /// be saved in order as soon as possible.
+    /// The number of answers, stars, bookmarks and hits that have not been saved yet because saving
+    /// failed. They will be saved in order as soon as possible.
     pub unsaved: usize,
-    /// Something else that the player should know.
+    /// Any other information that the player should see.
     pub notice: Option<String>,
 }
 
 /// The reply to a [`StoreRequest`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreReply {
-    /// The game or the round has been saved.
+    /// The game or the class round has been saved.
     Saved(Result<(), String>),
-    /// The saved games, newest first.
+    /// The saved games, with the newest first.
     Listed(Result<Vec<KeptGame>, String>),
-    /// The game.
+    /// The game that was loaded.
     Loaded(Result<Box<SavedGame>, String>),
-    /// The game or the round has been removed.
+    /// The game or the class round has been removed.
     Removed(Result<(), String>),
     /// The path of the exported file or folder.
     Exported(Result<String, String>),
     /// The hand-in has been saved in this folder.
     HandedIn(Result<String, String>),
-    /// The saved class rounds, newest first.
+    /// The saved class rounds, with the newest first.
     Classes(Result<Vec<Kept<ClassRound>>, String>),
-    /// The round of a class.
+    /// The class round that was loaded.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars, the bookmark, the hit or the settings have been saved, after everything that
-    /// was pending before them.
+    /// The answer, the stars, the bookmark, the hit or the settings have been saved, along with
+    /// everything that was pending before.
     Noted(Result<(), String>),
-    /// The answers so far.
+    /// The answers and observations so far.
     Recalled(Result<Box<History>, String>),
     /// The hits in the notebook, in the order in which they were made.
     Notebook(Result<Vec<NotedHit>, String>),
-    /// The levels that were won.
+    /// The levels that the player has won.
     Stars(Result<Vec<Starred>, String>),
-    /// The bookmarks, by the ids of the chapters.
+    /// The bookmarks, indexed by the ids of the chapters.
     Marks(Result<BTreeMap<String, Bookmark>, String>),
     /// Today's date; `None` if the time is unknown.
     Today(Option<Date>),
     /// The players, those who answered last first.
+    /// The players, starting with those who answered most recently.
     Players(Result<Vec<KnownPlayer>, String>),
 }
 
-/// Somebody who has answered, read or won something here.
+/// A person who has answered, read or won something on this device.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KnownPlayer {
     /// The name.
     pub name: String,
-    /// The day of the last answer, if that is known.
+    /// The day of the last answer, if it is known.
     pub last: Option<Date>,
 }
 
@@ -172,11 +173,11 @@ pub struct History {
 pub struct Kept<T> {
     /// The name of the item.
     pub name: String,
-    /// How long ago the item was saved; `None` if the time is unknown.
+    /// The time since the item was saved; `None` if the time is unknown.
     pub(crate) age: Option<Duration>,
     /// The day on which the item was saved; `None` if the day is unknown.
     pub day: Option<Date>,
-    /// The contents, or the reason why they cannot be read.
+    /// The content of the item, or the reason why the content cannot be read.
     pub content: Result<Box<T>, String>,
 }
 
