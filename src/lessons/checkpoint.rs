@@ -42,7 +42,7 @@ pub enum CheckpointKind {
         /// The largest error that counts as right, in the same unit as the number.
         tolerance: f64,
     },
-    /// One of several options.
+    /// One of several options, which the student chooses.
     Choice(Vec<CheckpointChoice>),
 }
 

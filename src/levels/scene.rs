@@ -210,8 +210,7 @@ pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usi
     fields.whole(name, &disc_number(last), 0..=last)
 }
 
-/// Reads a list of different discs out of `count` discs; the list must have from 1 to `most` of
-/// them.
+/// Reads a list of 1 to `most` different discs, out of `count` discs.
 pub(super) fn read_discs(
     fields: &Fields,
     name: &str,

@@ -27,7 +27,7 @@ const DEEPEST: f64 = 9e-10;
 const ROUNDING: f64 = 1e-14;
 
 /// The time in seconds until the seeker and another disc meet while approaching each other; `None`
-/// if they do not meet within `end` seconds, before which neither of them starts a new slide.
+/// if they do not meet within `end` seconds. Neither disc may start a new slide before `end`.
 #[inline]
 pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
     let (at_a, at_b) = (a.here, b.at(a.now));

@@ -1,5 +1,5 @@
-//! The greatest deflection of a striker in a single collision: whether there is a limit, how large
-//! it is, and where to aim to reach it.
+//! The greatest deflection of a striker in a single collision: whether the deflection has a limit,
+//! how large the limit is, and where to aim to reach it.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,5 +1,5 @@
 //! What students may believe about collisions: where both discs will go, and the other
-//! misconceptions of the catalogue.
+//! misconceptions in the catalogue.
 //!
 //! A misconception about rays predicts them for any `Hit`; a family of questions that asks for
 //! something else defines the answers that misconceptions lead to. A question is asked only if it

@@ -10,7 +10,7 @@ pub enum Response {
     Rays(Rays),
     /// A number, in the unit of its [`Measure`](super::Measure).
     Number(f64),
-    /// One of the choices, by its index from 0.
+    /// A choice, by its index counted from 0.
     Choice(usize),
     /// A shot with this offset, in metres; if the offset is positive, the target is on the right.
     Shot(f64),

@@ -1,4 +1,4 @@
-//! How sure a player is, and the points for it.
+//! How sure a player is, and the points that depend on this.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};

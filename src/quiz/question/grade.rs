@@ -1,4 +1,4 @@
-//! How good an answer is, from its error.
+//! How good an answer is, which depends on its error.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -25,7 +25,7 @@ fn credit(distance: f64) -> f64 {
     if credit < 1e-12 { 0.0 } else { credit }
 }
 
-/// How good one ray is.
+/// How good the prediction of one ray is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayGrade {
     /// The error in radians, from 0 to π; 0 if the disc correctly stays still, `None` if it moves
@@ -48,7 +48,7 @@ impl RayGrade {
     }
 }
 
-/// How good two rays are.
+/// How good the prediction of both rays is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaysGrade {
     /// The striker's ray.

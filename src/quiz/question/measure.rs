@@ -30,7 +30,7 @@ pub enum Measure {
     Own {
         /// The symbol in formulas, such as "θ₁".
         sign: String,
-        /// Its unit.
+        /// The unit of the number.
         unit: String,
         /// The largest error that counts as right.
         tolerance: f64,

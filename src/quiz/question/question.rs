@@ -18,7 +18,7 @@ pub const MIN_SEPARATION: f64 = 2.0625;
 pub struct Question {
     /// The family of the question.
     pub family: Family,
-    /// How hard it is.
+    /// The difficulty of the question.
     pub difficulty: Difficulty,
     /// The topic of the question: "equal masses, by offset".
     pub topic: Topic,
@@ -158,8 +158,9 @@ impl Question {
         self.beliefs.iter().map(|belief| belief.misconception)
     }
 
-    /// How far an answer may be from the answer that a misconception leads to and still fit it, as
-    /// a fraction of the largest tolerance: 1 except for small angles, percentages and values of e.
+    /// How far an answer may be from the answer of a misconception and still fit that
+    /// misconception, as a fraction of the largest tolerance: 1 except for small angles,
+    /// percentages and values of e.
     pub(in crate::quiz) fn width(&self, belief: &WrongAnswer) -> f64 {
         match (&self.form, belief.said) {
             (Form::Number { quantity, .. }, Response::Number(x)) => quantity.width(x),

@@ -191,7 +191,7 @@ impl Round {
         &self.code.course
     }
 
-    /// Its questions in order.
+    /// The questions of the round, in order.
     pub fn questions(&self) -> &[Question] {
         &self.questions
     }

@@ -108,7 +108,7 @@ impl Asking {
         said.map_or(Outcome::Ignored, Outcome::Done)
     }
 
-    /// Writes the confidence levels, and beside each of them its values in the columns `heads`.
+    /// Writes the confidence levels, each with its values in the columns `heads` beside it.
     pub(crate) fn write_confidence(
         &self,
         heads: &[&str],

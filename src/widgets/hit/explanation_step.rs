@@ -114,8 +114,8 @@ impl<'a> StepWords<'a> {
         format!("{number} of {}: {name}", steps.len())
     }
 
-    /// The text of a step. The last step has no text here, because each screen explains it in its
-    /// own way.
+    /// The text of a step. The last step has no text here, because every screen explains that step
+    /// differently.
     pub(super) fn of(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.bond == Bond::Stick;
         match step {

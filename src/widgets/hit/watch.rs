@@ -61,7 +61,7 @@ pub enum WatchAction {
 /// The appearance of a disc in a collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Face {
-    /// Its colour.
+    /// The colour of the disc.
     pub role: Role,
     /// The letter on the disc.
     pub letter: char,

@@ -54,7 +54,7 @@ struct Block<A> {
 enum Content {
     /// An empty row after the block above.
     Gap,
-    /// A heading for the blocks after it, in one row.
+    /// A heading for the blocks that follow, in a single row.
     Heading(String),
     /// Short text in large letters, if the panel has at least this many rows: the first of these
     /// strings that fits.
@@ -93,7 +93,7 @@ enum Content {
         name: (String, Role),
         values: Vec<(String, Role)>,
     },
-    /// One of several items of a list, in one row.
+    /// An item of a list, in a single row.
     Row {
         name: String,
         /// The text at the right edge.

@@ -114,9 +114,9 @@ pub(crate) enum Region {
 /// A disc in a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
-    /// Its centre.
+    /// The centre of the disc.
     pub at: DVec2,
-    /// Its radius, in world units.
+    /// The radius of the disc, in world units.
     pub radius: f64,
     /// The role, which determines the colour of the disc.
     pub role: Role,

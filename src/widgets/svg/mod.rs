@@ -2,8 +2,8 @@
 //!
 //! A [`Picture`] becomes true lines, circles and text. The letters of a screen become text in any
 //! available monospace font, with each word stretched to its cells. Braille, block elements and box
-//! lines are drawn as shapes, so that no font can distort a picture made of them. All shapes except
-//! round ones have hard edges, so that no seams are visible between cells.
+//! lines are drawn as shapes, so that no font can distort a picture made of them. All shapes that
+//! are not round have hard edges, so that no seams are visible between cells.
 
 mod colour;
 pub(crate) mod painted;

@@ -12,7 +12,7 @@ use crate::widgets::{Charset, Role, text};
 pub struct Run {
     /// The text.
     pub text: String,
-    /// Its style.
+    /// The style of the text.
     pub role: Role,
     /// The formula that the text represents, if there is one, for screen readers.
     #[serde(skip)]

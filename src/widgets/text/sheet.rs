@@ -44,7 +44,7 @@ pub enum SheetKind {
     Question,
 }
 
-/// The contents of one frame, or of a part of the screen without one.
+/// The contents of a frame, or of a part of the screen that has no frame.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Section {
     /// The title of the frame; empty for none.
@@ -191,7 +191,7 @@ impl Recorder {
     }
 
     fn note(&mut self, area: Rect, item: Item) {
-        // Two pictures may be drawn after the text that is above both of them.
+        // Both pictures may be drawn after the text that is above them.
         let section = self.sheet().section(area);
         let is_right = 2 * area.x.saturating_sub(section.area.x) >= section.area.width.max(1);
         let place = (is_right, area.y);
