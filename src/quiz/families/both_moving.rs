@@ -49,8 +49,8 @@ impl MovingPair {
         })
     }
 
-    /// The collision, if the discs approach each other and the collision is neither so close to a
-    /// graze nor so close to head-on that it cannot be drawn clearly.
+    /// The collision; `None` if the discs do not approach each other, or if the collision is too
+    /// close to a graze or to head-on to be drawn clearly.
     fn collision(&self) -> Option<Collision> {
         let towards = |speed: u32, deg: f64| {
             f64::from(speed) * DVec2::from_angle(rad_from_deg(self.direction_deg + deg))

@@ -6,7 +6,7 @@ use rand_pcg::Pcg32;
 /// The stream of the generator, on which the codes of rounds depend.
 const STREAM: u64 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Random choices that follow from a seed and are the same on every machine.
+/// Random choices that are determined by a seed and are the same on every machine.
 ///
 /// The generator is PCG-XSH-RR 64/32 ("PCG32"; M. E. O'Neill, 2014), started with the seed as its
 /// state and with a fixed stream. Neither seeding nor choosing is left to a library, which may

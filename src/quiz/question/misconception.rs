@@ -8,122 +8,124 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Misconception {
-    /// The scattering angle is taken to be the impact angle.
+    /// The scattering angle is assumed to be the impact angle.
     CopiedAngle,
     /// The 90° rule for equal masses is applied to all masses.
     AlwaysSquare,
-    /// The two discs are taken to leave at 45° each.
+    /// The two discs are assumed to leave at 45° each.
     HalfAndHalf,
     /// The angles of striker and target are swapped.
     Swapped,
-    /// The heavier disc is taken to move on, or to stay at rest, as if there had been no collision.
+    /// The heavier disc is assumed to move on, or to stay at rest, as if there had been no
+    /// collision.
     HeavyUnmoved,
-    /// The striker is taken to keep its direction, although it is not the heavier one
+    /// The striker is assumed to keep its direction, although it is not the heavier one
     /// (otherwise this is [`HeavyUnmoved`](Self::HeavyUnmoved)).
     StraightOn,
-    /// The target is taken to be pushed along the striker's path, not along the line of
+    /// The target is assumed to be pushed along the striker's path, not along the line of
     /// impact.
     PushedAhead,
-    /// The striker is taken to follow the target to the same side.
+    /// The striker is assumed to follow the target to the same side.
     SameSide,
     /// Both angles are right, but each is on the wrong side.
     SidesExchanged,
-    /// The striker is taken to rebound from the target as from a wall.
+    /// The striker is assumed to rebound from the target as from a wall.
     OffAWall,
-    /// α is taken to be 90° · b / (r₁ + r₂), although sin α is b / (r₁ + r₂).
+    /// α is assumed to be 90° · b / (r₁ + r₂), although sin α is b / (r₁ + r₂).
     OffsetAsAngle,
-    /// e < 1 is taken to be 1. With equal masses this means "always 90°".
+    /// e < 1 is assumed to be 1. With equal masses this means "always 90°".
     Lossless,
-    /// The striker is taken to stop in a head-on collision, as it does with equal masses.
+    /// The striker is assumed to stop in a head-on collision, as it does with equal masses.
     AlwaysStops,
     /// Momenta of different directions are added as plain numbers.
     ScalarMomentum,
-    /// The final speeds are taken to add up to the original speed.
+    /// The final speeds are assumed to add up to the original speed.
     SpeedsAdd,
-    /// Momentum is taken to be lost along with the energy.
+    /// Momentum is assumed to be lost along with the energy.
     MomentumLost,
-    /// Momentum is taken to be conserved for each body by itself.
+    /// Momentum is assumed to be conserved for each body by itself.
     EachKeepsMomentum,
-    /// Momentum is taken to be conserved only if something still moves afterwards.
+    /// Momentum is assumed to be conserved only if something still moves afterwards.
     GoneAtRest,
-    /// Momentum and kinetic energy are taken to be the same quantity.
+    /// Momentum and kinetic energy are assumed to be the same quantity.
     MomentumAsEnergy,
     /// Kinetic energy is given a direction and components.
     EnergyComponents,
-    /// Bodies that stay together are taken to exert the larger impulse.
+    /// Bodies that stay together are assumed to exert the larger impulse.
     StickingHitsHarder,
-    /// The forces of the two discs on each other are taken to differ.
+    /// The forces of the two discs on each other are assumed to differ.
     HeavierPushesHarder,
     /// The head-on formula is used with the whole velocity.
     OneLineFormula,
     /// Sine and cosine are swapped.
     SineCosine,
-    /// The angles are taken to depend on the speed.
+    /// The angles are assumed to depend on the speed.
     SpeedOpensAngle,
-    /// Energy is taken to be proportional to speed.
+    /// Energy is assumed to be proportional to speed.
     EnergyAsSpeed,
-    /// The heavier disc is taken to get more energy.
+    /// The heavier disc is assumed to get more energy.
     HeavyTakesEnergy,
-    /// All angles, or all offsets, are taken to be equally likely.
+    /// All angles, or all offsets, are assumed to be equally likely.
     EveryAngleAlike,
     /// A ratio is inverted, or the two masses are swapped in a formula.
     UpsideDown,
-    /// A heavier striker is taken to rebound, and a lighter striker to move on.
+    /// A heavier striker is assumed to rebound, and a lighter striker to move on.
     HeavyRebounds,
-    /// The larger angle is taken to have the larger count.
+    /// The larger angle is assumed to have the larger count.
     CountsReversed,
-    /// An inverse proportion is taken to be a direct proportion.
+    /// An inverse proportion is assumed to be a direct proportion.
     DirectForInverse,
-    /// The deflection of a heavier striker is taken to have no limit.
+    /// The deflection of a heavier striker is assumed to have no limit.
     BeyondLargest,
     /// The whole velocity is multiplied by e.
     LossOnEverything,
-    /// e is taken to be the fraction of the energy that is left.
+    /// e is assumed to be the fraction of the energy that is left.
     EAsEnergy,
-    /// A loss is taken to make the angle between the paths larger.
+    /// A loss is assumed to make the angle between the paths larger.
     LossOpensAngle,
-    /// A right angle is taken to be impossible with a loss.
+    /// A right angle is assumed to be impossible with a loss.
     LossForbidsSquare,
-    /// Friction at the contact is taken to have no effect.
+    /// Friction at the contact is assumed to have no effect.
     GripIgnored,
-    /// At e = 0 smooth rims are taken to stop all tangential motion.
+    /// At e = 0 smooth rims are assumed to stop all tangential motion.
     GripStopsAll,
     /// An angle in one frame is used in another frame.
     FramesMixed,
     /// The frame's velocity is subtracted where it must be added.
     FrameReversed,
-    /// The centre of mass is taken to be halfway between the discs, whatever the masses.
+    /// The centre of mass is assumed to be halfway between the discs, whatever the masses.
     HalfwayCentre,
     /// The right angle is expected in the laboratory frame, even though both discs are moving.
     SquareOnTheGround,
     /// The whole angle is used instead of half the angle.
     HalfAngleForgotten,
-    /// The count is taken to fall too slowly with the angle: with the second power instead of the
+    /// The count is assumed to fall too slowly with the angle: with the second power instead of the
     /// fourth.
     TooGentle,
-    /// Anything heavy or fast is thought never to bounce back.
+    /// It is assumed that nothing heavy or fast ever bounces back.
     NeverBack,
     /// The rules for a target at rest are used even though the target is moving.
     CoinAtRest,
     /// The impact angle is subtracted once instead of twice.
     DoubleAngleForgotten,
-    /// The larger force is taken to have the larger impulse, whatever its duration.
+    /// The larger force is assumed to have the larger impulse, whatever its duration.
     ForceAsImpulse,
-    /// The longer contact is taken to have the larger impulse, whatever the force.
+    /// The longer contact is assumed to have the larger impulse, whatever the force.
     TimeAsImpulse,
-    /// Friction with the board is taken to change the momentum noticeably during a contact.
+    /// Friction with the board is assumed to change the momentum noticeably during a contact.
     FrictionInContact,
-    /// A perfectly inelastic collision is taken to lose all of the kinetic energy.
+    /// A perfectly inelastic collision is assumed to lose all of the kinetic energy.
     AllEnergyLost,
-    /// Two bodies that coalesce are taken to move on halfway between their paths.
+    /// Two bodies that coalesce are assumed to move on halfway between their paths.
     HalfwayDirection,
-    /// Kinetic energy is taken to be conserved while two bodies coalesce, as in a ballistic pendulum.
+    /// Kinetic energy is assumed to be conserved while two bodies coalesce, as in a ballistic
+    /// pendulum.
     EnergyThroughImpact,
-    /// An explosion is taken to produce momentum.
+    /// An explosion is assumed to produce momentum.
     MomentumFromExplosion,
-    /// The loss of energy is taken to depend on the frame.
+    /// The loss of energy is assumed to depend on the frame.
     LossByFrame,
-    /// The reduced mass is taken to be between the two masses.
+    /// The reduced mass is assumed to be between the two masses.
     ReducedAsMean,
     /// Friction is taken only to slow things down, never to change a direction.
     FrictionOnlySlows,

@@ -126,8 +126,8 @@ impl CourseKind {
             .or_else(|| read().map(Self::Read))
     }
 
-    /// The families that have a round on a single topic: all except the hits of every kind, for
-    /// which there is a separate course.
+    /// The families that have a round on a single topic: all except [`Family::WhereTo`], for which
+    /// there is a separate course.
     pub fn topics() -> impl Iterator<Item = Family> {
         let all = Family::ALL.iter().copied();
         all.filter(|family| *family != Family::WhereTo)

@@ -15,7 +15,7 @@ pub(in crate::widgets) struct PlacedLabel {
     pub(in crate::widgets) role: Role,
     /// The cells of the label, in one row of the screen.
     pub(in crate::widgets) place: Rect,
-    /// The side of the anchor on which the label is.
+    /// The side of the anchor on which the label is placed.
     pub(in crate::widgets) side: LabelSide,
     /// The cell of the point that the label refers to, counted from the corner of the area.
     anchor: (i32, i32),

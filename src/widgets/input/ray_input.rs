@@ -80,7 +80,7 @@ impl RayInput {
         self
     }
 
-    /// This input with only one ray to set. The other disc is taken to stay still.
+    /// This input with only one ray to set. The other disc is assumed to stay still.
     #[must_use]
     pub(crate) fn only(mut self, ray: Ray) -> Self {
         self.turning = ray;
@@ -109,7 +109,7 @@ impl RayInput {
         self.said().filter(|_| self.only.is_none())
     }
 
-    /// The rays so far; a disc whose ray is not set is taken to stay still.
+    /// The rays so far; a disc whose ray is not set is assumed to stay still.
     pub(crate) fn so_far(&self) -> Rays {
         let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {

@@ -348,7 +348,7 @@ impl<A> Panel<A> {
         self.push(Content::Large(texts, role, from));
     }
 
-    /// Adds text for the back row, in the largest letters that fit.
+    /// Adds text that must be legible from the back row, in the largest letters that fit.
     pub(crate) fn large_text(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::LargeText(LargeText {
             text: text.into(),

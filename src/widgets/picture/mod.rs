@@ -75,7 +75,7 @@ pub(crate) enum Mark {
         body: Body,
         letter: DVec2,
     },
-    /// Many discs, all drawn in the same way and all visible.
+    /// A group of discs that are all drawn in the same way and are all visible.
     Discs(Vec<Body>),
     /// A part of a board. If the terminal has shades, the part is filled, below everything else;
     /// otherwise only its outline is drawn, if it has one.

@@ -105,7 +105,7 @@ impl ShotPlayer {
         Self { said, ..self }
     }
 
-    /// This shot with a list of impacts, from which the player selects one before it is enlarged.
+    /// This shot with a list of impacts, from which the player selects an impact to enlarge.
     #[must_use]
     pub(crate) fn with_list(mut self) -> Self {
         self.lists = true;

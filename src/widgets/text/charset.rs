@@ -12,7 +12,7 @@ use super::signs::{greek, superscript};
 pub enum Charset {
     /// Printable ASCII only.
     Ascii,
-    /// Also braille, block elements, box lines and the symbols of physics.
+    /// Also braille, block elements, box lines and the symbols used in physics.
     #[default]
     Unicode,
 }
@@ -30,8 +30,8 @@ impl Charset {
     /// `text` in this charset.
     ///
     /// In Unicode that is the text itself, with minus signs instead of hyphens before and between
-    /// numbers. In ASCII each symbol of physics is spelt out, and characters without a spelling
-    /// become `?`, so the result is printable ASCII. Line breaks are kept.
+    /// numbers. In ASCII each symbol used in physics is spelt out, and characters without a
+    /// spelling become `?`, so the result is printable ASCII. Line breaks are kept.
     ///
     /// ```
     /// use carrom::widgets::Charset;

@@ -78,7 +78,7 @@ pub struct Item {
 pub enum Words {
     /// A gap below the item above.
     Gap,
-    /// One of the pictures in the screen.
+    /// One of the pictures on the screen.
     Picture {
         /// The index of the picture among all the pictures drawn, from 0.
         number: usize,

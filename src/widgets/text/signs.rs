@@ -1,4 +1,4 @@
-//! Symbols of physics that are spelt out on ASCII screens and in plain mode.
+//! Symbols used in physics that are spelt out on ASCII screens and in plain mode.
 
 use crate::numbers::RAISED_DIGITS;
 

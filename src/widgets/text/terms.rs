@@ -209,7 +209,7 @@ fn is_prose(word: &str) -> bool {
         && !FUNCTIONS.contains(&letters)
 }
 
-/// Whether a word is a symbol of physics, such as `α`, that stays with its value.
+/// Whether a word is a symbol for a quantity, such as `α`, that stays with its value.
 fn is_sign(word: &str) -> bool {
     const LONGEST: usize = 6;
     word.starts_with(char::is_alphabetic)

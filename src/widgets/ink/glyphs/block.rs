@@ -11,7 +11,7 @@ use crate::widgets::text::blocks::{self, LEFT, LOWER, QUARTERS};
 pub(in super::super) struct BlockGlyph {
     pub(in super::super) symbol: char,
     pub(in super::super) inverse: bool,
-    /// The cells of the 8 × 8 grid that it covers, row by row from the top left.
+    /// The cells of the 8 × 8 grid that the block covers, row by row from the top left.
     cover: u64,
 }
 
