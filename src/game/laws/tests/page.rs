@@ -103,10 +103,10 @@ fn the_numbers_on_the_page_of_rules_are_those_of_the_referee() {
     let page = text(Rules::Tournament);
     for expected in [
         format!("{QUEEN_POINTS} points for the queen"),
-        format!("a score of {QUEEN_WORTHLESS_FROM} points on"),
+        format!("a score of {QUEEN_WORTHLESS_FROM} points upwards"),
         format!("more than {MOST_POINTS} points"),
-        format!("A game goes to {GAME_POINTS} points"),
-        format!("first side with {MATCH_GAMES} games"),
+        format!("A game is played to {GAME_POINTS} points"),
+        format!("first side to win {MATCH_GAMES} games"),
     ] {
         assert!(page.contains(&expected), "{expected}");
     }
