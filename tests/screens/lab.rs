@@ -259,7 +259,7 @@ fn rim_friction_adds_a_step_and_shows_both_spins_before_and_after() {
     let mut game = lab();
     game.press(TO_FRICTION);
     assert!(
-        game.screen().contains("coefficient of friction"),
+        game.screen().contains("friction between the"),
         "{}",
         game.screen()
     );

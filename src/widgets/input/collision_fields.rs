@@ -147,7 +147,7 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "rim friction μᵣ",
-        about: "coefficient of friction between the rims; 0: smooth; the board itself has smooth rims",
+        about: "friction between the rims; 0: smooth, as on the board",
         value: |spec| FieldValue::number(spec.rims.friction, within("rim_friction"), 0.05, ""),
         shown: |spec| fixed(spec.rims.friction, 2),
         put: |spec, friction| spec.rims.friction = friction,
