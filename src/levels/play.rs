@@ -55,7 +55,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// As [`Scene::play`].
+    /// The errors are those of [`Scene::play`].
     pub fn play_into(
         &self,
         engine: &mut Engine,

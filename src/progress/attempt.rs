@@ -27,8 +27,8 @@ pub(crate) fn figures_text(figures: &Figures) -> String {
 /// that gives the player's name only once.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
-    /// The time in seconds since the start of 1970 (UTC), set by the store; `None` before that, or
-    /// if the time is unknown.
+    /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` until
+    /// the attempt is stored, or if the time is unknown.
     #[serde(default)]
     pub time_s: Option<i64>,
     /// The player's name.

@@ -9,7 +9,7 @@ use jiff::tz::TimeZone;
 /// The caller supplies the time; this module reads no clock.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Calendar {
-    /// The current time in seconds since the start of 1970 (UTC); `None` if it is unknown.
+    /// The current time in seconds since the start of 1970 (UTC); `None` if the time is unknown.
     pub now_s: Option<i64>,
     zone: TimeZone,
 }

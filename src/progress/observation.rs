@@ -15,8 +15,8 @@ use crate::quiz::Rays;
 /// An observation, with the prediction made before it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observation {
-    /// The time in seconds since the start of 1970 (UTC), set by the store; `None` if it is
-    /// unknown.
+    /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` if the
+    /// time is unknown.
     pub time_s: Option<i64>,
     /// The player's name.
     pub player: String,

@@ -98,8 +98,8 @@ mod tests {
 
     #[test]
     fn the_nucleus_is_tiny_and_the_paths_stay_away_from_it() {
-        // 180° and 60°: the head-on particle turns at d, the other at (d/2)(1 + 1/sin 30°)
-        // = 1.5 d.
+        // The angles are 180° and 60°: the head-on particle turns back at the distance d, and the
+        // other particle is closest at (d/2)(1 + 1/sin 30°) = 1.5 d.
         let gold = Rutherford::radium_c_on_gold();
         let area = Rect::new(0, 0, 44, 18);
         let picture = tracks_picture(area, &gold, [PI, PI / 3.0]);

@@ -230,12 +230,12 @@ impl Seeker {
         }
     }
 
-    /// Which of two other discs the seeker cannot meet before the earlier of its own forecast and
-    /// theirs, at `times`: one bit each.
+    /// Which of two other discs the seeker cannot meet before its own forecast or the other disc's
+    /// forecast, at `times`, whichever is earlier. There is one bit for each disc.
     ///
     /// In the seeker's frame the other disc is at Δ(τ) = d + w τ + ½ a τ² for τ up to h. There is
     /// no contact if
-    /// - it stays far along d: contact needs d·Δ ≤ R |d| ≤ (R² + d²)/2, and d·Δ stays
+    /// - it stays far away along d: contact needs d·Δ ≤ R |d| ≤ (R² + d²)/2, and d·Δ stays
     ///   above the least of its three Bernstein coefficients (as in
     ///   [`first_root`](super::quartic::first_root)); or
     /// - it stays to one side of w by more than R: Δ × w changes monotonically from its value at 0

@@ -45,7 +45,7 @@ pub struct Concept {
     pub ask: String,
     /// The right choice.
     pub right: String,
-    /// The two or three wrong choices, in their natural order if the question is ordered.
+    /// The two or three wrong choices; if the question is ordered, they are in their natural order.
     pub wrongs: Vec<Wrong>,
     /// The explanation of the right choice, which is shown after every answer.
     pub why: String,

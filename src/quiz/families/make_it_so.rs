@@ -91,8 +91,8 @@ impl ShotTask {
     fn striker(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
-        // In the centre-of-mass frame the striker is deflected by Θ = 180° − 2α, and
-        // sin(Θ − θ₁) = (m₁/m₂) sin θ₁, from θ₁ = atan2(sin Θ, cos Θ + m₁/m₂).
+        // In the centre-of-mass frame the striker is deflected by Θ = 180° − 2α, and sin(Θ − θ₁) =
+        // (m₁/m₂) sin θ₁, which follows from θ₁ = atan2(sin Θ, cos Θ + m₁/m₂).
         let ratio = self.hit.mass_ratio();
         let turn = wanted + (ratio * wanted.sin()).clamp(-1.0, 1.0).asin();
         let alpha = rad_from_deg(90.0) - turn / 2.0;

@@ -1,5 +1,5 @@
-//! The picture of a collision, which explains the final directions of the discs. The lab, the quiz
-//! and every enlarged impact use it.
+//! The picture of a collision, which explains the final directions of the discs. It is used in the
+//! lab, in the quiz and for every enlarged impact.
 
 mod after;
 mod explain;

@@ -22,7 +22,7 @@ const NUMBER_MM: i32 = 10;
 const WAY: f64 = 2.8;
 const ARC: f64 = 1.9;
 
-/// The corners of the smallest rectangle around circles, given by centres and radii.
+/// The corners of the smallest rectangle that contains the circles with these centres and radii.
 fn around(circles: impl IntoIterator<Item = (DVec2, f64)>) -> [DVec2; 2] {
     let mut corners = [DVec2::INFINITY, DVec2::NEG_INFINITY];
     for (centre, radius) in circles {

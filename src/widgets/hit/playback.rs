@@ -1,4 +1,5 @@
-//! The clock of a collision: up to the contact, step by step at the contact, and beyond it.
+//! The clock of a collision, which runs up to the contact, then step by step at the contact, and
+//! finally on to the end.
 
 use std::time::Duration;
 

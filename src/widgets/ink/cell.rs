@@ -147,7 +147,7 @@ impl Cell {
         }
     }
 
-    /// Adds a disc that covers part of the cell; unless it is faint, it hides what is below.
+    /// Adds a disc that covers part of the cell and, unless it is faint, hides everything below.
     pub(super) fn fill(&mut self, disc: DiscCover, charset: Charset) {
         if self.pen.layer < DrawLayer::Disc && !disc.faint {
             self.ink &= !under(disc.bits, charset);

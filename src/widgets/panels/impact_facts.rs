@@ -52,7 +52,8 @@ pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("separation", separation);
 }
 
-/// Writes the throw and the spins before and after, if the rims have friction or a disc spins.
+/// Writes the throw, and the spins before and after the collision, if the rims have friction or a
+/// disc spins.
 pub(crate) fn rim_facts<A>(collision: &Collision, panel: &mut Panel<A>) {
     if collision.rims.is_plain() {
         return;

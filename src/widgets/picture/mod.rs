@@ -48,9 +48,8 @@ pub(crate) enum Mark {
         points: Vec<DVec2>,
         pen: Pen,
     },
-    /// An arc, given by its centre and radius, from one angle to another (radians,
-    /// anticlockwise from +x; clockwise if to < from). A whole turn or more gives a
-    /// circle.
+    /// An arc, given by its centre and radius, from one angle to another (in radians, anticlockwise
+    /// from +x; clockwise if to < from). An arc of a full turn or more becomes a circle.
     Arc {
         circle: (DVec2, f64),
         turn: [f64; 2],
@@ -280,7 +279,7 @@ impl Picture {
         self.marks.push(Mark::Reserved(at));
     }
 
-    /// Adds a label beside a point, on the first of `sides` that is free, otherwise on another
+    /// Adds a label beside a point: on the first of `sides` that is free, or otherwise on another
     /// side. Labels are placed after everything else is drawn, and earlier labels have priority. A
     /// label for which there is no room is left out.
     pub fn label(
