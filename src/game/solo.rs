@@ -66,7 +66,7 @@ impl BoardCode {
     pub fn parse(text: &str) -> Result<Self, NotABoard> {
         let text = text.trim();
         match text.parse::<Date>() {
-            Ok(day) if text.contains('-') => Self::of_day(day),
+            Ok(day) if day.to_string() == text => Self::of_day(day),
             _ if text.bytes().all(|it| it.is_ascii_digit()) => {
                 Self::from_number(text.parse().map_err(|_| NotABoard)?)
             }

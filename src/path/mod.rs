@@ -180,9 +180,7 @@ impl<'a> PathSoFar<'a> {
             times => format!("Because {times} of your answers showed this: {name}."),
         };
         let pages = pages_about(misconception, belief.shown.iter().copied());
-        // The simplest case first; the others if the check showed the misconception again.
-        let next = |page: &&Passage| !belief.failed_check() || !self.has_seen(**page);
-        let passage = *pages.iter().find(next).or(pages.first())?;
+        let passage = *pages.first()?;
         let (chapter, page) = self.book.find(passage)?;
         let number = self.chapters()[chapter].number;
         Some(match self.has_seen(passage) {

@@ -26,7 +26,7 @@ fn the_players_own_key_works_and_is_shown_in_the_help() {
     game.press("z");
     assert_ne!(game.screen(), before);
     assert!(game.screen().contains("z pieces"));
-    game.press("?<PageDown><PageDown>");
+    game.press("?<PageDown><PageDown><PageDown>");
     assert!(game.screen().contains("next set of pieces"));
 }
 

@@ -154,7 +154,7 @@ fn claims() -> Vec<Claim> {
     );
     // The friction of the table, during a contact of a millisecond.
     let slowing = 0.12 * 9.80665;
-    claim(1, "may slow a disc by [1.2] m/s in a second.", slowing);
+    claim(1, "may slow a disc by [1.2] m/s every second.", slowing);
     claim(1, "that is only [0.0012] m/s.", slowing / 1000.0);
     claim(
         2,
@@ -197,7 +197,7 @@ fn claims() -> Vec<Claim> {
     );
     claim(
         5,
-        "The striker keeps the other [quarter]",
+        "The striker keeps the remaining [quarter]",
         1.0 - share_of_target(equal(30.0)),
     );
 
@@ -251,7 +251,11 @@ fn claims() -> Vec<Claim> {
         "the striker transfers [three quarters] of its energy",
         share_of_target(equal(30.0)),
     );
-    claim(8, "It is not 0.6 of 90°, which would be [54]°", 0.6 * 90.0);
+    claim(
+        8,
+        "It is not 0.6 times 90°, which would be [54]°",
+        0.6 * 90.0,
+    );
     claim(
         8,
         "than half of the range, which ends at [30] mm.",

@@ -524,7 +524,8 @@ fn the_rules_of_the_game_are_read_from_its_set_up_and_its_help() {
         ("<Right>r", "the rules: friendly"),
         ("<Right><Enter>?r", "the rules: friendly"),
         ("<Right><Right>r", "the rules: points"),
-        ("<Enter>?r<Left>", "the rules: practice"),
+        ("<Enter>?r<Left>", "the rules: solo"),
+        ("<Enter>?r<Left><Left>", "the rules: practice"),
     ] {
         let mut game = opened(keys);
         assert!(game.screen().contains(title), "{keys}: {}", game.screen());

@@ -6,8 +6,8 @@
 //! - The queen may be taken at any time and must be covered: with any coin in the same stroke or the
 //!   next. Otherwise she goes back to the centre.
 //!
-//! These values and the total are those of "Point Carrom" as Wikipedia described it in 2007
-//! (copied at carrom.wordpress.com). House rules settle the rest:
+//! These values and the total are those of "Point Carrom" as described at carrom.wordpress.com in
+//! 2007. House rules settle the rest:
 //!
 //! - Pocket the striker and one of your coins goes back, a white one if you have one; the turn
 //!   passes. No debt remains.

@@ -3,10 +3,7 @@
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
-use serde::{Deserialize, Serialize};
-use strum::IntoStaticStr;
 
-use super::strength::Strength;
 use super::words;
 use crate::physics::Motion;
 
@@ -22,46 +19,6 @@ pub struct Hand {
     pub direction: f64,
     /// Error in speed, as a fraction of the speed.
     pub speed: f64,
-}
-
-/// The hand of the people at the keyboard; as text, one word such as "club".
-#[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Default,
-    Serialize,
-    Deserialize,
-    IntoStaticStr,
-)]
-#[serde(rename_all = "snake_case")]
-#[strum(serialize_all = "lowercase")]
-pub enum PlayerHand {
-    /// Each stroke is played exactly as it was aimed.
-    #[default]
-    Exact,
-    /// The errors of an expert.
-    Steady,
-    /// The errors of a club player.
-    Club,
-}
-
-impl PlayerHand {
-    /// All hands, the steadiest first.
-    pub const ALL: [Self; 3] = [Self::Exact, Self::Steady, Self::Club];
-
-    /// The size of the errors; `None` if there are none.
-    pub fn errors(self) -> Option<Hand> {
-        match self {
-            Self::Exact => None,
-            Self::Steady => Some(Strength::Expert.hand()),
-            Self::Club => Some(Strength::Club.hand()),
-        }
-    }
 }
 
 /// The error of one stroke.
@@ -128,6 +85,7 @@ mod tests {
     use rand::SeedableRng;
 
     use super::*;
+    use crate::game::opponent::PlayerHand;
 
     #[test]
     fn slips_have_the_mean_and_spread_of_the_hand() {

@@ -38,11 +38,11 @@ mod words;
 mod worth;
 
 pub use clearing::{clearing, par};
-pub use hand::{FASTEST, Hand, PlayerHand, Slip};
+pub use hand::{FASTEST, Hand, Slip};
 pub use hint::StrokeHint;
 pub use open_shots::open_shots;
 pub use story::{Chance, Fall, FirstContact, Reason, Story};
-pub use strength::Strength;
+pub use strength::{PlayerHand, Strength};
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64;

@@ -1,7 +1,7 @@
 //! The strength of an opponent: how thoroughly the opponent searches and how steady its hand is.
 
 use serde::{Deserialize, Serialize};
-use strum::Display;
+use strum::{Display, IntoStaticStr};
 
 use super::hand::Hand;
 
@@ -157,6 +157,46 @@ impl Skill {
         let first_look = self.aims * self.speeds.len() + self.knocks;
         // One more for the exact stroke, which the comment afterwards describes.
         first_look + (self.finalists + self.refinements) * self.slips + 1
+    }
+}
+
+/// The hand of the people at the keyboard; as text, one word such as "club".
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Default,
+    Serialize,
+    Deserialize,
+    IntoStaticStr,
+)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "lowercase")]
+pub enum PlayerHand {
+    /// Each stroke is played exactly as it was aimed.
+    #[default]
+    Exact,
+    /// The errors of an expert.
+    Steady,
+    /// The errors of a club player.
+    Club,
+}
+
+impl PlayerHand {
+    /// All hands, the steadiest first.
+    pub const ALL: [Self; 3] = [Self::Exact, Self::Steady, Self::Club];
+
+    /// The size of the errors; `None` if there are none.
+    pub fn errors(self) -> Option<Hand> {
+        match self {
+            Self::Exact => None,
+            Self::Steady => Some(Strength::Expert.hand()),
+            Self::Club => Some(Strength::Club.hand()),
+        }
     }
 }
 

@@ -17,6 +17,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::ahead::Ahead;
 use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View, leads};
+use crate::lessons::Book;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::{Collision, Frame};
 use crate::progress::{Attempt, Observation, ObservationPlace, Summary};
@@ -342,13 +343,16 @@ impl Quiz {
     }
 
     /// The page to read after a wrong answer, once the result has been shown; after a round, the
-    /// page that explains the most wrong answers.
-    fn passage(&self) -> Option<Passage> {
+    /// page that explains the most wrong answers, unless it is the next step anyway.
+    fn passage(&self, book: &Book) -> Option<Passage> {
         match &self.phase {
             QuizPhase::Asked(_) | QuizPhase::See(_) => None,
             QuizPhase::Watch(watched) if !watched.reveal.is_explaining() => watched.passage(),
             QuizPhase::Watch(_) => None,
-            QuizPhase::Summary(_) => self.summary().passage(),
+            QuizPhase::Summary(_) => self.summary().passage().filter(|page| {
+                let ahead = self.ahead.as_ref();
+                !ahead.is_some_and(|ahead| ahead.is_page(*page, book))
+            }),
         }
     }
 
@@ -494,7 +498,7 @@ impl Screen for Quiz {
         }
     }
 
-    fn keys(&self, _cx: &Context) -> KeyTable<QuizAction> {
+    fn keys(&self, cx: &Context) -> KeyTable<QuizAction> {
         use QuizAction::{Another, Ask, Check, GoOn, Leave, LookBack, ReadUp, Scroll, Watch};
         let keys = KeyTable::new("quiz");
         match &self.phase {
@@ -535,7 +539,7 @@ impl Screen for Quiz {
                 keys.on(Key::Enter, GoOn, next)
                     .when(!watched.reveal.is_explaining())
                     .on(Key::Char('c'), ReadUp, "chapter")
-                    .when(self.passage().is_some())
+                    .when(self.passage(&cx.book).is_some())
                     .on(Key::Escape, Leave, away)
                     .with(watched.reveal.keys(), Watch)
                     .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], scroll)
@@ -549,7 +553,7 @@ impl Screen for Quiz {
                 .on(Key::Char('n'), Another, "another round")
                 .on(Key::Escape, Leave, "other rounds")
                 .on(Key::Char('c'), ReadUp, "chapter")
-                .when(self.passage().is_some()),
+                .when(self.passage(&cx.book).is_some()),
         }
     }
 
@@ -599,7 +603,7 @@ impl Screen for Quiz {
                 }
             }
             (QuizAction::Another, _) => return self.again(cx),
-            (QuizAction::ReadUp, _) => return leads::open(self.passage(), cx),
+            (QuizAction::ReadUp, _) => return leads::open(self.passage(&cx.book), cx),
             (QuizAction::Next, _) => {
                 let ahead = self.ahead.as_ref();
                 return match ahead.map_or(Next::Stay, |ahead| ahead.follow(cx)) {

@@ -40,12 +40,7 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
         }
         panel.paragraph(text, Role::Text);
     }
-    let page = summary.passage().filter(|page| {
-        // One prompt for one page.
-        let ahead = quiz.ahead.as_ref();
-        !ahead.is_some_and(|ahead| ahead.is_page(*page, book))
-    });
-    leads::write(page, book, QuizAction::ReadUp, &mut panel);
+    leads::write(quiz.passage(book), book, QuizAction::ReadUp, &mut panel);
     if let Some(ahead) = &quiz.ahead {
         panel.worth(4, Panel::gap);
         ahead.write(QuizAction::Next, &mut panel);
