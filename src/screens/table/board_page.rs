@@ -120,7 +120,7 @@ impl BoardPage {
                     match BoardCode::parse(&number.to_string()) {
                         Ok(code) => self.show(code),
                         Err(error) => {
-                            self.notice = Some(format!("{}.", capital(&error.to_string())))
+                            self.notice = Some(format!("{}.", capital(&error.to_string())));
                         }
                     }
                 }

@@ -55,8 +55,8 @@ pub(super) fn flaw(game: &Game) -> Option<&'static str> {
         }
     }
     let ended = |played: usize| {
-        let score = Score::after(&setup, game.finished.iter().take(played));
-        score.match_winner(&setup).is_some()
+        let score = Score::after(setup, game.finished.iter().take(played));
+        score.match_winner(setup).is_some()
     };
     let on = (1..=game.finished.len()).any(ended);
     on.then_some("a board was played after the match had ended")
