@@ -1,7 +1,7 @@
 //! A measured collision: the tracks of two bodies from a film, fitted and compared with the exact
 //! prediction, everything with its uncertainty.
 //!
-//! [`read`] reads the tracks, [`Measurement::new`] analyses them. Uncertainties follow from the
+//! [`read()`] reads the tracks, [`Measurement::new`] analyses them. Uncertainties follow from the
 //! scatter of the points about the fitted paths; `coverage` checks with simulated measurements that
 //! the stated intervals contain the truth as often as they say.
 
