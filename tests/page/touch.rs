@@ -123,8 +123,8 @@ impl Phone {
     /// Taps the main button; returns whether there is one.
     pub(crate) fn go_on(&mut self) -> bool {
         // The visits do not describe what they saw.
-        if self.shows("go on without it") {
-            return self.button("skip");
+        if self.shows("Go on without it") {
+            return self.button("Go on without it");
         }
         let script = "
             const all = over.querySelectorAll('#keys .primary, .answers button');
