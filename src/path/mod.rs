@@ -20,7 +20,7 @@ use indexmap::{IndexMap, IndexSet};
 use crate::lessons::{Book, Chapter};
 use crate::levels::Shelf;
 use crate::numbers::counted;
-use crate::progress::{Attempt, Calendar, Due, Tally, UnsettledBelief, pages_about, unsettled};
+use crate::progress::{Attempt, Calendar, Due, Tally, UnsettledBelief, page_about, unsettled};
 use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, Topic};
 
 /// With fewer quiz answers than this, the path suggests *Find out*.
@@ -179,8 +179,7 @@ impl<'a> PathSoFar<'a> {
             1 => format!("Because one of your answers showed this: {name}."),
             times => format!("Because {times} of your answers showed this: {name}."),
         };
-        let pages = pages_about(misconception, belief.shown.iter().copied());
-        let passage = *pages.first()?;
+        let passage = page_about(misconception, belief.shown.iter().copied())?;
         let (chapter, page) = self.book.find(passage)?;
         let number = self.chapters()[chapter].number;
         Some(match self.has_seen(passage) {

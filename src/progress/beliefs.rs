@@ -92,19 +92,18 @@ impl UnsettledBelief<'_> {
     }
 }
 
-/// The pages about the cases in which these answers showed a misconception, in the order of the
-/// chapters: the first page is about the simplest case.
-pub(crate) fn pages_about<'a>(
+/// The page about the simplest case in which these answers showed a misconception: the first page
+/// in the order of the chapters.
+pub(crate) fn page_about<'a>(
     misconception: Misconception,
     shown: impl IntoIterator<Item = &'a Attempt>,
-) -> Vec<Passage> {
+) -> Option<Passage> {
     let page = |it: &Attempt| {
         let topic = Topic::with_id(it.quiz_topic()?.to_owned());
         Some(misconception.settled_in(&topic, &it.question))
     };
-    let mut pages: Vec<Passage> = shown.into_iter().filter_map(page).collect();
-    pages.sort_by_key(|page| ChaptersRead::order_of(page.chapter));
-    pages
+    let pages = shown.into_iter().filter_map(page);
+    pages.min_by_key(|page| ChaptersRead::order_of(page.chapter))
 }
 
 /// The named misconceptions that are not settled, and the number of misconceptions that were ever

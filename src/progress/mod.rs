@@ -23,7 +23,7 @@ pub(crate) mod words;
 pub use attempt::{Attempt, LESSON};
 pub(crate) use attempt::{REVIEWED_BY, ROUND, figures_text};
 pub use beliefs::beliefs;
-pub(crate) use beliefs::{HeldBelief, Trend, UnsettledBelief, pages_about, unsettled};
+pub(crate) use beliefs::{HeldBelief, Trend, UnsettledBelief, page_about, unsettled};
 pub use calendar::Calendar;
 pub(crate) use calendar::long_day;
 pub(crate) use calibration::{Calibrated, calibration_over_time};

@@ -1,6 +1,6 @@
 //! The summary of a round.
 
-use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration, pages_about};
+use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration, page_about};
 use crate::numbers;
 use crate::physics::units::rad_from_deg;
 use crate::quiz::{
@@ -242,7 +242,7 @@ impl<'a> Summary<'a> {
         if let Some((misconception, _)) = self.most_held() {
             let shows = |it: &&Attempt| it.shows() == Some(misconception);
             let shown = self.attempts.iter().filter(shows);
-            return pages_about(misconception, shown).first().copied();
+            return page_about(misconception, shown);
         }
         let missed = self.attempts.iter().filter(|it| !it.right);
         let teaching = missed.filter_map(|it| {

@@ -244,8 +244,10 @@ fn damage(each: usize) {
         );
         counts.insert(kind.name, refused);
     }
-    // A damaged database is nearly always mended.
-    counts.remove("progress.db");
+    // A damaged database is nearly always mended, so a few may all be read.
+    if each < 100 {
+        counts.remove("progress.db");
+    }
     assert!(counts.values().all(|refused| *refused > 0), "{counts:?}");
 }
 
