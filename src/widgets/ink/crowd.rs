@@ -15,12 +15,16 @@ const OUTLINE_WIDTH: i32 = 3;
 /// The radius, in columns, below which a disc is drawn as an [`outline`].
 const OUTLINED: f64 = 2.0;
 
+/// The height, in rows, of the smallest disc, below which discs are drawn as blocks. Slightly less
+/// than the height of a coin on the whole board in a window with 30 rows.
+const BLOCK_ROWS: f64 = 1.05;
+
 /// The radius of the ring around a marked disc, in units of the disc's radius.
 const RING: f64 = 1.25;
 
 impl Canvas {
-    /// Draws discs at one scale: all as circles if the smallest is large enough, otherwise all as
-    /// [tokens](token).
+    /// Draws discs at one scale: all as circles if the smallest is large enough, all as
+    /// [blocks](Self::block) if it is smaller, and all as [tokens](token) if it is smaller still.
     ///
     /// A round disc is at its true position, with its letter in the cell that contains its centre.
     /// Tokens and outlines never share cells: if two would overlap, the one farther from the middle
@@ -33,12 +37,17 @@ impl Canvas {
             // its token.
             let is_outline =
                 |body: &&Body| self.is_mono && body.radius / self.view().per_column() < OUTLINED;
-            let (outlined, round): (Vec<_>, Vec<_>) = real.partition(is_outline);
+            let (outlined, mut round): (Vec<_>, Vec<&Body>) = real.partition(is_outline);
+            // In a tight pack of small discs, nothing covers the queen.
+            round.sort_by_key(|body| body.role == Role::Queen);
             for (place, body) in self.places(outlined, |_| OUTLINE_WIDTH) {
                 self.stamp(middle(place), &outline(body.role), body.role, false);
             }
             for body in round {
-                self.round(body);
+                match self.is_block(body, bodies) {
+                    true => self.block(body),
+                    false => self.round(body),
+                }
             }
             for body in bodies.iter().filter(|body| body.pointed_out) {
                 self.circle(body.at, RING * body.radius, Role::Good);
@@ -55,18 +64,29 @@ impl Canvas {
         }
     }
 
-    /// Whether discs at one scale are drawn as circles, which is the case if the smallest is high
-    /// enough to be distinguished from its neighbours.
+    /// Whether discs at one scale are drawn as circles or blocks, which is the case if the smallest
+    /// is high enough to be distinguished from its neighbours.
     pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
-        let smallest = bodies.iter().map(|body| body.radius);
-        let smallest = smallest.fold(f64::INFINITY, f64::min);
         let fewest_rows = match self.charset {
             Charset::Ascii => token_rows(self.charset),
-            // Slightly less than the height of a coin on the whole board in a window with 30 rows.
-            Charset::Unicode if self.has_shades => 1.05,
+            // Slightly less than the height of a coin on the whole board in a window with 24 rows.
+            Charset::Unicode if self.has_shades => 0.8,
             Charset::Unicode => 1.4,
         };
-        2.0 * smallest / self.view().per_row() >= fewest_rows
+        self.rows_of_smallest(bodies) >= fewest_rows
+    }
+
+    /// Whether a disc among others is drawn as a block: the soft edge of the smallest would be larger
+    /// than the rest of it, and the disc itself would not look round.
+    pub(super) fn is_block(&self, body: &Body, bodies: &[Body]) -> bool {
+        let is_soft = self.charset == Charset::Unicode && self.has_shades;
+        is_soft && self.rows_of_smallest(bodies) < BLOCK_ROWS && self.is_token(body)
+    }
+
+    /// The height of the smallest of these discs, in rows.
+    fn rows_of_smallest(&self, bodies: &[Body]) -> f64 {
+        let smallest = bodies.iter().map(|body| body.radius);
+        2.0 * smallest.fold(f64::INFINITY, f64::min) / self.view().per_row()
     }
 
     /// The cells of the tokens of these discs.

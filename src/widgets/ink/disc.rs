@@ -2,7 +2,7 @@
 
 use glam::{DVec2, dvec2};
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, cell_of};
 use super::cell::{Cell, DiscCover, Glyph};
 use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
@@ -32,7 +32,8 @@ impl Canvas {
         }
     }
 
-    fn is_token(&self, body: &Body) -> bool {
+    /// Whether a disc is too small to look round.
+    pub(super) fn is_token(&self, body: &Body) -> bool {
         2.0 * body.radius / self.view().per_row() < token_rows(self.charset)
     }
 
@@ -74,6 +75,46 @@ impl Canvas {
         let upon = faint || self.charset == Charset::Ascii;
         let sign = body.letter.to_string();
         self.stamp(place, &self.charset.text(&sign), body.role, upon);
+    }
+
+    /// Draws a disc as a block of half cells, at most a quarter of a cell from its true place in
+    /// each direction. The queen and the striker have the letter of their [`token`], in a cell of
+    /// their colour. Their blocks are an even number of half cells wide, so that this cell moves the
+    /// middle of the block towards the true place.
+    pub(super) fn block(&mut self, body: &Body) {
+        let (centre, role) = (self.paper(body.at), body.role);
+        let radius = body.radius / self.view().per_column();
+        if !(centre.is_finite() && radius.is_finite()) {
+            return;
+        }
+        let charset = self.charset;
+        let letter = match role {
+            Role::Queen => "Q",
+            Role::Striker => "S",
+            _ => "",
+        };
+        let mut size = (radius * dvec2(4.0, 2.0)).round().max(DVec2::ONE);
+        if !letter.is_empty() {
+            size.x = 2.0 * (size.x / 2.0).ceil();
+        }
+        let low = (centre * dvec2(2.0, 1.0) - size / 2.0).round() / 2.0;
+        let high = low + size / 2.0;
+        for row in low.y.floor() as i32..high.y.ceil() as i32 {
+            let lines = eighths(low.y, high.y, f64::from(row));
+            for column in low.x.floor() as i32..high.x.ceil() as i32 {
+                let line = u64::from(eighths(low.x, high.x, f64::from(column)));
+                let lines = (0..8).filter(|eighth| lines >> eighth & 1 == 1);
+                let bits = match (column, row) == cell_of(centre) && !letter.is_empty() {
+                    true => u64::MAX,
+                    false => lines.fold(0, |bits, eighth| bits | line << (8 * eighth)),
+                };
+                if let Some(cell) = self.cell_mut((column, row)) {
+                    let faint = false;
+                    cell.fill(DiscCover { bits, role, faint }, charset);
+                }
+            }
+        }
+        self.stamp(centre, letter, role, true);
     }
 
     /// Covers the cells under a disc, row by row; all lengths are in paper units.

@@ -13,6 +13,7 @@ use crate::widgets::{Blocks, Charset, Look, Role, Theme};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Drawn {
     Token,
+    /// As a circle or a block.
     Round,
 }
 
@@ -33,7 +34,7 @@ pub(crate) fn centre_errors(picture: &Picture, charset: Charset) -> Vec<(Body, D
     for bodies in discs {
         if canvas.are_round(bodies) {
             errors.extend(bodies.iter().map(|body| {
-                let drawn = round_at(&canvas, body, &look);
+                let drawn = round_at(&canvas, body, canvas.is_block(body, bodies), &look);
                 (*body, Drawn::Round, error(body, drawn))
             }));
         } else {
@@ -53,14 +54,17 @@ pub(crate) fn centre_errors(picture: &Picture, charset: Charset) -> Vec<(Body, D
     errors
 }
 
-/// The position at which a disc appears when it is drawn as a circle on its own.
-fn round_at(canvas: &Canvas, body: &Body, look: &Look) -> DVec2 {
+/// The position at which a disc appears when it is drawn on its own, as a circle or a block.
+fn round_at(canvas: &Canvas, body: &Body, is_block: bool, look: &Look) -> DVec2 {
     let mut alone = Canvas::of(&Picture::new(*canvas.view()), look);
     let letter = match look.charset {
         Charset::Ascii => ' ',
         Charset::Unicode => body.letter,
     };
-    alone.round(&Body { letter, ..*body });
+    match is_block {
+        true => alone.block(body),
+        false => alone.round(&Body { letter, ..*body }),
+    }
     // The cells of the disc, plus one more on each side.
     let half = dvec2(1.0, 0.5) * body.radius / alone.view().per_column() + 1.0;
     let [low, high] = [-half, half].map(|to| alone.view().to_cell(body.at) + to);
