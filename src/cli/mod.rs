@@ -44,9 +44,7 @@ pub(crate) use options::GlobalOptions;
 
 use crate::app::{App, Data};
 use crate::class::{JoinCode, team_names};
-use crate::files::{
-    Document, LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json,
-};
+use crate::files::{LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json};
 use crate::physics::CollisionSpec;
 use crate::quiz::{Code, concepts};
 use crate::screens::{KeptSettings, Route, code_of, host_of};
@@ -561,7 +559,7 @@ fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -
 }
 
 /// Prints the names of written files, one per line.
-fn print_names<'a>(documents: impl IntoIterator<Item = &'a Document>) -> io::Result<()> {
+fn print_names<'a, T: 'a>(documents: impl IntoIterator<Item = &'a (PathBuf, T)>) -> io::Result<()> {
     let names = documents
         .into_iter()
         .map(|(path, _)| format!("{}\n", path.display()));

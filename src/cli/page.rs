@@ -1,13 +1,17 @@
 //! `carrom page`: carrom as one HTML file, including a teacher's own levels, chapters and
 //! questions.
 
+use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use anyhow::{Context, anyhow};
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
 
 use super::{Failure, GlobalOptions, written};
 use crate::files::{self, FileError, FileErrors};
+use crate::quiz::Code;
 
 /// The page that was built into this program, if there is one.
 const EMBEDDED: Option<&str> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
@@ -15,6 +19,9 @@ const EMBEDDED: Option<&str> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 const NAME: &str = "carrom.html";
 /// The element of a page that holds added files.
 const OWN: [&str; 2] = ["<script type=\"application/json\" id=\"own\">", "</script>"];
+/// The path, among the files added to a page, of the code of a round that the page reports to a
+/// learning platform.
+const ROUND: &str = "scorm/round";
 /// The maximum number of files that are read from one folder.
 const MOST_FILES: usize = 500;
 
@@ -23,6 +30,15 @@ const MOST_FILES: usize = 500;
 /// It contains the levels, chapters and questions in words from --levels, --lessons and --concepts,
 /// so a class gets them by opening the file.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  carrom page --out carrom.html
+  carrom page --concepts mine --out physics-10b.html
+  carrom page --scorm quick-7 --out quick-7.zip
+
+A SCORM package is a ZIP file to upload to a learning platform (Moodle: Add an activity, SCORM
+package). It opens the round and reports the score for accuracy from 0 to 100, whether the round
+is complete, the time, and each answer. A pupil who comes back continues where they stopped.")]
 pub(super) struct Args {
     /// The file to write
     #[arg(long, value_name = "FILE")]
@@ -30,6 +46,9 @@ pub(super) struct Args {
     /// The page to start from (default: the one in this program, or carrom.html beside it)
     #[arg(long, value_name = "FILE")]
     page: Option<PathBuf>,
+    /// Write a SCORM 1.2 package for a learning platform, which opens this round and reports it
+    #[arg(long, value_name = "CODE", value_parser = round)]
+    scorm: Option<Code>,
     /// Replace an existing file
     #[arg(long)]
     force: bool,
@@ -42,9 +61,61 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         return Err(Failure::input(problems.join("\n")));
     }
     let page = page(args.page.as_deref()).map_err(Failure::Input)?;
-    let own = own_files(options).map_err(Failure::input)?;
+    let mut own = own_files(options).map_err(Failure::input)?;
+    let Some(code) = &args.scorm else {
+        let page = with_files(&page, &own).map_err(Failure::Input)?;
+        return written::write_named_beside(&args.out, &[(args.out.clone(), page)], args.force);
+    };
+    let code = code.clone().with_own(&options.own());
+    let code = code.map_err(Failure::input)?.to_string();
+    own.push((ROUND.into(), code.clone()));
     let page = with_files(&page, &own).map_err(Failure::Input)?;
-    written::write_named_beside(&args.out, &[(args.out.clone(), page)], args.force)
+    let package = package(&code, &page).map_err(Failure::Input)?;
+    written::write_named_beside(&args.out, &[(args.out.clone(), package)], args.force)
+}
+
+/// Reads the code of a round whose questions are the same for everyone.
+fn round(text: &str) -> Result<Code, String> {
+    Code::read(text)
+        .map_err(|error| error.to_string())?
+        .same_for_all()
+}
+
+/// A SCORM 1.2 package: the page and a manifest that names it.
+fn package(code: &str, page: &str) -> anyhow::Result<Vec<u8>> {
+    let manifest = format!(
+        r#"<?xml version="1.0" encoding="UTF-8"?>
+<manifest identifier="carrom-{code}" version="1.0"
+    xmlns="http://www.imsproject.org/xsd/imscp_rootv1p1p2"
+    xmlns:adlcp="http://www.adlnet.org/xsd/adlcp_rootv1p2">
+  <metadata>
+    <schema>ADL SCORM</schema>
+    <schemaversion>1.2</schemaversion>
+  </metadata>
+  <organizations default="carrom">
+    <organization identifier="carrom">
+      <title>carrom: {code}</title>
+      <item identifier="round" identifierref="page">
+        <title>carrom: {code}</title>
+      </item>
+    </organization>
+  </organizations>
+  <resources>
+    <resource identifier="page" type="webcontent" adlcp:scormtype="sco" href="index.html">
+      <file href="index.html"/>
+    </resource>
+  </resources>
+</manifest>
+"#
+    );
+    let mut package = ZipWriter::new(Cursor::new(Vec::new()));
+    // Without a time: the same page gives the same package.
+    let options = SimpleFileOptions::default();
+    for (name, text) in [("imsmanifest.xml", manifest.as_str()), ("index.html", page)] {
+        package.start_file(name, options)?;
+        package.write_all(text.as_bytes())?;
+    }
+    Ok(package.finish()?.into_inner())
 }
 
 /// The page to start from.

@@ -10,7 +10,7 @@ use crate::files::{Document, Existing, Unwritten, put};
 
 /// Writes documents, all of them or none; existing files are replaced only with --force.
 /// Missing folders are created.
-pub(super) fn write(documents: &[Document], force: bool) -> anyhow::Result<()> {
+pub(super) fn write<T: AsRef<[u8]>>(documents: &[(PathBuf, T)], force: bool) -> anyhow::Result<()> {
     let existing = if force { Existing::Go } else { Existing::Stay };
     put(documents, existing).map_err(|error| match error {
         Unwritten::There(_) => anyhow!("{error} (--force replaces it)"),
@@ -26,9 +26,9 @@ pub(super) fn write_named(documents: &[Document], force: bool) -> Result<(), Fai
 
 /// Writes documents in or beside a file that the user has named. Its folder has to exist, so that a
 /// typo does not create one.
-pub(super) fn write_beside(
+pub(super) fn write_beside<T: AsRef<[u8]>>(
     named: &Path,
-    documents: &[Document],
+    documents: &[(PathBuf, T)],
     force: bool,
 ) -> anyhow::Result<()> {
     let folder = named.parent().filter(|it| !it.as_os_str().is_empty());
@@ -42,9 +42,9 @@ pub(super) fn write_beside(
 }
 
 /// Like [`write_beside`], and prints the names of the files.
-pub(super) fn write_named_beside(
+pub(super) fn write_named_beside<T: AsRef<[u8]>>(
     named: &Path,
-    documents: &[Document],
+    documents: &[(PathBuf, T)],
     force: bool,
 ) -> Result<(), Failure> {
     write_beside(named, documents, force)?;

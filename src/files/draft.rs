@@ -23,7 +23,11 @@ impl UnplacedFile {
     /// # Errors
     /// If the file cannot be written completely; it is then removed.
     #[cfg_attr(not(unix), allow(unused_variables, reason = "only Unix has modes"))]
-    pub(crate) fn write(folder: &Path, text: &str, private: bool) -> io::Result<Self> {
+    pub(crate) fn write(
+        folder: &Path,
+        content: impl AsRef<[u8]>,
+        private: bool,
+    ) -> io::Result<Self> {
         let mut builder = Builder::new();
         builder.prefix(UNFINISHED);
         #[cfg(unix)]
@@ -33,7 +37,7 @@ impl UnplacedFile {
             0o666
         }));
         let mut file = builder.tempfile_in(folder)?;
-        file.write_all(text.as_bytes())?;
+        file.write_all(content.as_ref())?;
         file.as_file().sync_all()?;
         Ok(Self(file.into_temp_path()))
     }

@@ -38,7 +38,10 @@ pub enum Unwritten {
 ///
 /// # Errors
 /// The first file that exists and must be kept, or that cannot be written.
-pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> {
+pub fn put<T: AsRef<[u8]>>(
+    documents: &[(PathBuf, T)],
+    existing: Existing,
+) -> Result<(), Unwritten> {
     let mut made = Folders::default();
     let mut drafts = Vec::new();
     let mut streams = Vec::new();
@@ -63,7 +66,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
     }
     for (path, text) in streams {
         let opened = OpenOptions::new().write(true).open(path);
-        let written = opened.and_then(|mut stream| stream.write_all(text.as_bytes()));
+        let written = opened.and_then(|mut stream| stream.write_all(text.as_ref()));
         written.map_err(|error| Unwritten::Failed(path.clone(), error))?;
     }
     for (draft, place) in drafts {

@@ -110,6 +110,12 @@ impl Chromium {
         self.in_session("window", &json!({ "handle": window }));
     }
 
+    /// Runs scripts in the first frame of the page from now on, or in the page itself.
+    pub(crate) fn go_to_frame(&mut self, is_frame: bool) {
+        let frame = if is_frame { json!(0) } else { Value::Null };
+        self.in_session("frame", &json!({ "id": frame }));
+    }
+
     fn in_session(&mut self, path: &str, body: &Value) -> Value {
         let path = format!("/session/{}/{path}", self.session);
         self.ask("POST", &path, Some(body))

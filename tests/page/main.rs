@@ -15,6 +15,7 @@ mod firefox;
 mod history;
 mod kept;
 mod safe;
+mod scorm;
 mod site;
 mod soft_keyboard;
 mod tapes;

@@ -13,7 +13,7 @@ use crate::browser::{Browser, SCREEN, press, wait_until_ready};
 use crate::chromium::Chromium;
 
 /// A static server for a folder, which no longer responds once `down` is set.
-fn serve(folder: PathBuf) -> (u16, Arc<AtomicBool>) {
+pub(crate) fn serve(folder: PathBuf) -> (u16, Arc<AtomicBool>) {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();
     let down = Arc::new(AtomicBool::new(false));

@@ -1,8 +1,10 @@
 //! `carrom page` writes a copy of the page with a teacher's own files in it.
 
 use std::fs;
+use std::io::Read;
 
 use scraper::{Html, Selector};
+use zip::ZipArchive;
 
 use crate::folder::Folder;
 use crate::start::{done, refused};
@@ -94,4 +96,65 @@ fn a_page_is_made_only_from_a_carrom_page_and_overwrites_nothing() {
     );
     assert!(message.contains("bad.toml"), "{message}");
     assert!(!folder.path().join("bad.html").exists());
+}
+
+#[test]
+fn a_scorm_package_contains_a_manifest_and_the_page_with_its_round() {
+    let folder = Folder::new("scorm");
+    folder.file("carrom.html", PAGE);
+    let arguments = "page --page carrom.html --scorm quick-7 --out";
+    let printed = done(&folder, &format!("{arguments} a.zip"));
+    assert_eq!(printed, "a.zip\n");
+    let path = folder.path().join("a.zip");
+    let mut package = ZipArchive::new(fs::File::open(&path).unwrap()).unwrap();
+    let mut text = |name: &str| {
+        let mut text = String::new();
+        let mut file = package.by_name(name).unwrap();
+        file.read_to_string(&mut text).unwrap();
+        text
+    };
+    let manifest = text("imsmanifest.xml");
+    folder.file("index.html", &text("index.html"));
+    let own = own(&folder, "index.html");
+    assert_eq!(own, [("scorm/round".to_owned(), "quick-7".to_owned())]);
+    let manifest = roxmltree::Document::parse(&manifest).unwrap();
+    let named = |name: &str| {
+        let mut all = manifest.descendants();
+        all.find(|it| it.tag_name().name() == name).unwrap()
+    };
+    assert_eq!(named("schemaversion").text(), Some("1.2"));
+    // The names in the manifest refer to each other.
+    let [organizations, organization, item, resource, file] =
+        ["organizations", "organization", "item", "resource", "file"].map(named);
+    assert_eq!(
+        organizations.attribute("default"),
+        organization.attribute("identifier")
+    );
+    assert_eq!(
+        item.attribute("identifierref"),
+        resource.attribute("identifier")
+    );
+    assert_eq!(resource.attribute("href"), file.attribute("href"));
+    assert_eq!(file.attribute("href"), Some("index.html"));
+    let adl = "http://www.adlnet.org/xsd/adlcp_rootv1p2";
+    assert_eq!(resource.attribute((adl, "scormtype")), Some("sco"));
+    // The same round gives the same package.
+    done(&folder, &format!("{arguments} b.zip"));
+    assert_eq!(
+        fs::read(path).unwrap(),
+        fs::read(folder.path().join("b.zip")).unwrap()
+    );
+    // Only a round that is the same for everyone can be given to everyone.
+    for (code, reason) in [
+        ("find-out-7", "depend on the answers"),
+        ("own-7", "--concepts"),
+        ("quick", "code"),
+    ] {
+        let message = refused(
+            &folder,
+            &format!("page --page carrom.html --scorm {code} --out c.zip"),
+            2,
+        );
+        assert!(message.contains(reason), "{message}");
+    }
 }

@@ -28,6 +28,8 @@ const page = (() => {
       return fail(error);
     }
     ready = true;
+    const warning = platform.warning();
+    if (warning) tell(warning);
     input.start(speak);
     panels.start({ copy });
     classroom.start(speak);
@@ -83,7 +85,7 @@ const page = (() => {
     const own = kept.filter(([path]) => path.startsWith("own/") || path === "settings.toml");
     const given = JSON.parse(document.getElementById("own").textContent);
     const encoder = new TextEncoder();
-    for (const [path, text] of given) own.push([path, encoder.encode(text)]);
+    for (const [path, text] of platform.start(given)) own.push([path, encoder.encode(text)]);
     const packed = keeper.packed(own);
     measure();
     const reply = program.call({
@@ -170,6 +172,7 @@ const page = (() => {
     if (reply.fault) throw new Error(reply.fault);
     last = reply;
     address.show(reply);
+    platform.show(reply.address);
     for (const { name, content } of reply.downloads) give(name, content);
     for (const call of reply.calls) classroom.does(call);
     if (isPlain) plain.show(reply.lines);

@@ -18,6 +18,7 @@ mod keeping;
 mod message;
 mod opening;
 mod own;
+mod report;
 mod shell;
 
 pub use message::{Command, Reply};

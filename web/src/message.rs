@@ -3,6 +3,8 @@
 use carrom::widgets::{PictureSizes, Role, Section, SheetKind};
 use serde::{Deserialize, Serialize};
 
+use crate::report::RoundReport;
+
 /// A command from the page.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(tag = "do", rename_all = "kebab-case")]
@@ -106,6 +108,13 @@ pub enum Command {
     Joined {
         /// The news.
         news: News,
+    },
+    /// Report a round to a learning platform.
+    Round {
+        /// The code of the round.
+        code: String,
+        /// The answers given so far, as in a link.
+        said: String,
     },
     /// Show a notice to the player.
     Tell {
@@ -225,6 +234,8 @@ pub struct Reply {
     pub address: String,
     /// The number of open screens.
     pub depth: usize,
+    /// The report of a round.
+    pub round: Option<RoundReport>,
     /// A notice for the player, to show after the page has opened carrom again with the contents of
     /// a new file.
     pub renewed: Option<String>,

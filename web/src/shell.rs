@@ -23,7 +23,7 @@ use crate::message::{
     ClassCall, Command, Download, FileLength, Keys, News, Opening, Painted, PictureMessage, Reply,
     split,
 };
-use crate::{message, opening, own};
+use crate::{message, opening, own, report};
 
 /// The bit of a cell that a picture replaces.
 const VECTOR: u32 = 1 << 16;
@@ -207,6 +207,9 @@ impl Shell {
                 reply.lines = self.read(|reader, shell| reader.hear(&text, shell));
             }
             Command::Joined { news } => self.input(&Input::Joined(heard(news))),
+            Command::Round { code, said } => {
+                reply.round = report::of_round(&code, &said, self.app.own());
+            }
             Command::Tell { words } => self.app.notify(words),
         }
         reply.lines.extend(self.read(|reader, shell| match is_time {
@@ -220,6 +223,7 @@ impl Shell {
             gone: reply.gone,
             lines: reply.lines,
             renewed: reply.renewed,
+            round: reply.round,
             fault: reply.fault,
             ..self.reply()
         }
