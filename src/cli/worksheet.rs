@@ -23,6 +23,8 @@ Examples:
                                 any round that has a code
   carrom worksheet --seed 7 --versions 2 --paper letter --out sheets
                                 two versions, for pupils who sit side by side, on US paper
+  carrom worksheet --code speeds-3 --moodle speeds.xml
+                                the same questions for Moodle's question bank
   carrom worksheet --cards 32 --out sheets
                                 cards A to D to vote with, one sheet per pupil to fold twice
 
@@ -31,7 +33,8 @@ solutions with the wrong answers to listen for: two files, so that you can print
 the sheet without the key. worksheet.md and key.md contain the same in Markdown, with their
 pictures in the folder pictures. Open an HTML file in a browser and print it; nothing else is
 needed. With several versions, each question is of the same kind and difficulty, with different
-numbers: worksheet-a.html, key-a.html, worksheet-b.html and so on.
+numbers: worksheet-a.html, key-a.html, worksheet-b.html and so on. The file for Moodle has all
+answers with their feedback and the pictures; import it as Moodle XML (carrom guide worksheets).
 
 The code on the sheet opens the same round on a screen: carrom quiz --code mixed12-7")]
 pub(super) struct Args {
@@ -42,8 +45,11 @@ pub(super) struct Args {
     #[arg(long, value_name = "CODE", value_parser = Code::read, conflicts_with = "count")]
     pub(super) code: Option<Code>,
     /// The folder to write to; created if it does not exist
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
+    #[arg(long, value_name = "DIR", required_unless_present = "moodle")]
+    out: Option<PathBuf>,
+    /// A file with the questions to write for Moodle, instead of the sheets or with --out as well
+    #[arg(long, value_name = "FILE.xml")]
+    moodle: Option<PathBuf>,
     /// The heading
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     title: Option<String>,
@@ -61,7 +67,8 @@ pub(super) struct Args {
     /// Instead of a worksheet, write N sheets of voting cards A to D, to fold twice
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "1",
           value_parser = clap::value_parser!(u16).range(1..=200),
-          conflicts_with_all = ["count", "code", "with_key", "versions"])]
+          requires = "out",
+          conflicts_with_all = ["count", "code", "with_key", "versions", "moodle"])]
     cards: Option<u16>,
     /// Replace an existing worksheet with its key and its pictures
     #[arg(long)]
@@ -72,8 +79,8 @@ pub(super) struct Args {
 const PICTURES: &str = "pictures";
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
-    if let Some(count) = args.cards {
-        let path = args.out.join("cards.html");
+    if let (Some(count), Some(out)) = (args.cards, &args.out) {
+        let path = out.join("cards.html");
         let document = (path, cards(count.into(), args.paper));
         return written::write_named(&[document], args.force);
     }
@@ -86,25 +93,26 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     } else {
         Vec::new()
     };
+    let versions: Vec<_> = (1..=args.versions)
+        .map(|number| round.version(number.into()))
+        .collect();
+    let worksheet = |(round, letter)| Worksheet {
+        version: (args.versions > 1).then_some(letter),
+        concepts: concepts.clone(),
+        paper: args.paper,
+        ..Worksheet::new(round, args.title.as_deref())
+    };
+    let worksheets: Vec<_> = versions.iter().zip('A'..).map(worksheet).collect();
     let mut all = Vec::new();
-    for (number, letter) in (1..=args.versions).zip('A'..) {
-        let round = round.version(number.into());
-        let several = args.versions > 1;
-        let worksheet = Worksheet {
-            version: several.then_some(letter),
-            concepts: concepts.clone(),
-            paper: args.paper,
-            ..Worksheet::new(&round, args.title.as_deref())
-        };
-        let version = match several {
-            true => format!("-{}", letter.to_ascii_lowercase()),
-            false => String::new(),
-        };
-        all.extend(files(&worksheet, args, &version));
+    if let Some(out) = &args.out {
+        all.extend(worksheets.iter().flat_map(|it| files(it, args, out)));
+    }
+    if let Some(moodle) = &args.moodle {
+        all.push((moodle.clone(), Worksheet::moodle_xml(&worksheets)));
     }
     written::write(&all, args.force)?;
-    if args.force {
-        remove_others(&args.out, &all)?;
+    if let Some(out) = args.out.as_ref().filter(|_| args.force) {
+        remove_others(out, &all)?;
     }
     Ok(print_names(
         all.iter().filter(|(path, _)| !is_picture(path)),
@@ -125,12 +133,14 @@ fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
     Ok(Code { course, seed })
 }
 
-/// The files to write.
-fn files(worksheet: &Worksheet, args: &Args, version: &str) -> Vec<Document> {
+/// The files to write into a folder.
+fn files(worksheet: &Worksheet, args: &Args, out: &Path) -> Vec<Document> {
+    let version = worksheet.version.map(|it| it.to_ascii_lowercase());
+    let version = version.map_or_else(String::new, |letter| format!("-{letter}"));
     let mut files = Vec::new();
     let mut file = |name: &str, content: String| {
         let named = name.replacen('.', &format!("{version}."), 1);
-        files.push((args.out.join(named), content));
+        files.push((out.join(named), content));
     };
     let pictures = format!("{PICTURES}{version}");
     let sheet = worksheet.sheet_markdown(&pictures);
@@ -145,10 +155,7 @@ fn files(worksheet: &Worksheet, args: &Args, version: &str) -> Vec<Document> {
         file("key.md", key);
     }
     for picture in worksheet.pictures() {
-        let path = args
-            .out
-            .join(&pictures)
-            .join(format!("{}.svg", picture.name));
+        let path = out.join(&pictures).join(format!("{}.svg", picture.name));
         files.push((path, picture.svg.file()));
     }
     files

@@ -22,6 +22,7 @@ mod hosted;
 mod kill;
 mod measure;
 mod memory;
+mod moodle;
 #[cfg(target_os = "linux")]
 mod noise;
 mod old_files;

@@ -14,7 +14,7 @@ use scraper::{Html, Selector};
 use crate::folder::Folder;
 
 /// One round of each kind and of each topic.
-fn rounds() -> impl Iterator<Item = Round> {
+pub(crate) fn rounds() -> impl Iterator<Item = Round> {
     let topics = CourseKind::topics().map(|family| format!("{}-5", family.id()));
     let mixed = ["mixed12-7", "mixed1-3", "quick-5", "exam-3", "7"].map(str::to_owned);
     let codes = topics.chain(mixed);
@@ -219,7 +219,7 @@ fn within(folder: &Folder, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().into()
 }
 
-fn worksheet(arguments: &[&str]) -> Output {
+pub(crate) fn worksheet(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_carrom"))
         .arg("worksheet")
         .args(arguments)
@@ -228,7 +228,7 @@ fn worksheet(arguments: &[&str]) -> Output {
         .unwrap()
 }
 
-fn err(output: &Output) -> String {
+pub(crate) fn err(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 

@@ -7,6 +7,7 @@ mod cards;
 mod html;
 mod key;
 mod markdown;
+mod moodle;
 mod pictures;
 mod words;
 
@@ -104,6 +105,12 @@ impl<'a> Worksheet<'a> {
     /// All pictures in the Markdown documents.
     pub fn pictures(&self) -> Vec<WorksheetPicture> {
         pictures::all(self.round)
+    }
+
+    /// The questions of these worksheets for Moodle's question bank: a file in its XML format, with
+    /// all answers, their feedback and the pictures.
+    pub fn moodle_xml(worksheets: &[Self]) -> String {
+        moodle::file(worksheets)
     }
 
     fn key_title(&self) -> String {

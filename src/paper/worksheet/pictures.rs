@@ -56,6 +56,15 @@ pub(super) fn all(round: &Round) -> Vec<WorksheetPicture> {
 /// The picture of a question, without the answer. It has a protractor if the answer is two
 /// directions, and a scale if it is an offset.
 pub(super) fn of_question(question: &Question) -> Option<Svg> {
+    picture(question, true)
+}
+
+/// The same picture without a protractor, for a screen.
+pub(super) fn on_screen(question: &Question) -> Option<Svg> {
+    picture(question, false)
+}
+
+fn picture(question: &Question, with_protractor: bool) -> Option<Svg> {
     let drawn = || question_picture(AREA, question, None);
     let (picture, words) = match (&question.picture, &question.form) {
         (Illustration::Before { .. }, Form::Shot(aim)) => {
@@ -63,7 +72,7 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
                          path, and the required direction of one disc, seen from above";
             (scale_picture(aim), words.into())
         }
-        (Illustration::Before { collision, shown }, Form::Rays { .. }) => {
+        (Illustration::Before { collision, shown }, Form::Rays { .. }) if with_protractor => {
             let words = words(collision, ", with an empty protractor for both directions");
             (protractor_picture(collision, *shown), words)
         }

@@ -27,7 +27,7 @@ pub(super) fn command(code: &Code, concepts: &[String]) -> String {
 }
 
 /// The points for a question on paper: one if it is easy, up to three.
-const fn worth_of(question: &Question) -> usize {
+pub(super) const fn worth_of(question: &Question) -> usize {
     match question.difficulty {
         Difficulty::Easy => 1,
         Difficulty::Middle => 2,

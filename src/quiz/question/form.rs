@@ -131,6 +131,31 @@ impl Form {
         }
     }
 
+    /// The largest error in either direction with which an answer still counts as `said`: in the
+    /// unit of a number, in degrees for a ray, in metres for an offset.
+    pub(crate) fn tolerance(&self, said: &Response) -> f64 {
+        match (self, said) {
+            (Self::Number { quantity, .. }, Response::Number(x)) => quantity.tolerance(*x),
+            (Self::Shot(aim), Response::Shot(offset)) => {
+                let graze = aim.collision.contact_distance().copysign(*offset);
+                let errors = [0.0, graze].map(|mut far| {
+                    // The direction changes steadily with the offset, so bisection finds the limit.
+                    let mut near = *offset;
+                    for _ in 0..40 {
+                        let middle = f64::midpoint(near, far);
+                        match self.distance(&Response::Shot(middle), said) <= 1.0 {
+                            true => near = middle,
+                            false => far = middle,
+                        }
+                    }
+                    (near - offset).abs()
+                });
+                errors[0].max(errors[1])
+            }
+            _ => RIGHT_DEG,
+        }
+    }
+
     /// The difference between two answers in units of the largest tolerance: see
     /// [`Measure::spacing`].
     pub(crate) fn spacing(&self, a: &Response, b: &Response) -> f64 {

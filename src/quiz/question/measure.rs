@@ -121,6 +121,19 @@ impl Measure {
         }
     }
 
+    /// The largest error with which a number counts as `truth`. If the ratio counts, this is the
+    /// error upwards, which is the larger one.
+    pub(crate) fn tolerance(&self, truth: f64) -> f64 {
+        let largest = match self {
+            Self::Angle => RIGHT_DEG,
+            Self::Share => MOST_SHARE,
+            Self::Restitution => MOST_RESTITUTION,
+            Self::Own { tolerance, .. } => *tolerance,
+            _ => truth.abs() / 20.0,
+        };
+        largest * self.width(truth)
+    }
+
     /// The difference between two numbers in units of the largest tolerance, which is never more
     /// than [`distance`](Self::distance). This value is used to choose questions whose answers are
     /// clearly different, so the codes of rounds depend on it and it must not change.

@@ -24,15 +24,19 @@ impl Ray {
     /// Both rays, with the striker's first.
     pub const BOTH: [Self; 2] = [Self::Striker, Self::Target];
 
+    /// The angle of this ray, positive to the left: a scattering angle is positive to the left, and
+    /// a recoil angle is positive to the right.
+    pub(crate) fn leftward(self, angle: f64) -> f64 {
+        match self {
+            Self::Striker => angle,
+            Self::Target => -angle,
+        }
+    }
+
     /// The direction of this ray in words: "60.0° left", "straight ahead", "stays still". Left and
     /// right are as seen along the striker's path.
     pub fn words(self, angle: Option<f64>) -> String {
-        // A scattering angle is positive to the left, and a recoil angle is positive to the right.
-        let leftward = match self {
-            Self::Striker => angle,
-            Self::Target => angle.map(|angle| -angle),
-        };
-        match leftward {
+        match angle.map(|angle| self.leftward(angle)) {
             None => "stays still".into(),
             Some(angle) => match numbers::tenths(angle.abs()) {
                 0 => "straight ahead".into(),

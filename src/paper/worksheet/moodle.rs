@@ -1,0 +1,438 @@
+//! The questions of a round in Moodle's XML format.
+//!
+//! Moodle compares an answer with a list of answers, and the first one that fits gives the points
+//! and the feedback. So every misconception's answer is in the list, with its feedback. Two
+//! directions, or an offset with its side, are a question with several fields (Cloze). Such fields
+//! are compared separately: a sentence that is true only of both directions begins with them.
+
+use data_encoding::BASE64;
+use maud::{Markup, PreEscaped, Render, html};
+
+use super::{Worksheet, pictures, words};
+use crate::numbers::{capital, figures, tenths};
+use crate::physics::units::{deg_from_rad, mm_from_m};
+use crate::quiz::{Form, Measure, Question, RIGHT_DEG, Ray, Rays, Response};
+use crate::widgets::svg::Svg;
+use crate::widgets::text::unbroken;
+
+/// An answer that Moodle recognizes in a question or in one of its fields.
+struct KnownAnswer {
+    said: String,
+    /// The number with the largest error that counts as this answer; `None` for a choice.
+    number: Option<[f64; 2]>,
+    is_right: bool,
+    feedback: String,
+}
+
+/// A field of a question: all answers that it recognizes.
+#[derive(Default)]
+struct AnswerField(Vec<KnownAnswer>);
+
+/// The file with the questions of these worksheets, each in a category of its own.
+pub(super) fn file(worksheets: &[Worksheet]) -> String {
+    let quiz = html! {
+        quiz {
+            @for worksheet in worksheets {
+                (category(worksheet))
+                @for (number, question) in (1..).zip(worksheet.round.questions()) {
+                    (one(number, question))
+                }
+            }
+        }
+    };
+    let xml = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n",
+        quiz.into_string()
+    );
+    // XML allows neither of these, even escaped.
+    xml.replace(['\u{fffe}', '\u{ffff}'], "")
+}
+
+fn category(worksheet: &Worksheet) -> Markup {
+    html! {
+        question type="category" {
+            category { text { "$course$/top/" (worksheet.code()) } }
+            info format="html" {
+                (inner(html! {
+                    p { (worksheet.title) }
+                    @if let Some(command) = worksheet.command() { p { code { (command) } } }
+                }))
+            }
+        }
+    }
+}
+
+fn one(number: usize, question: &Question) -> Markup {
+    let kind = match &question.form {
+        Form::Rays { .. } | Form::Shot(_) => "cloze",
+        Form::Number { .. } => "numerical",
+        Form::Choice { .. } => "multichoice",
+    };
+    let asked = Shown::new(
+        pictures::on_screen(question),
+        &pictures::question_name(number),
+    );
+    let solved = Shown::new(
+        pictures::of_answer(question),
+        &pictures::answer_name(number),
+    );
+    html! {
+        question type=(kind) {
+            name { text { (format_args!("{number:02} {}", question.topic)) } }
+            questiontext format="html" {
+                (inner(html! {
+                    p { (unbroken(&question.text)) }
+                    @if let Some(picture) = &asked { (picture.image()) }
+                    (fields(question))
+                }))
+                @if let Some(picture) = &asked { (picture.file()) }
+            }
+            generalfeedback format="html" {
+                (inner(html! {
+                    p { strong { (words::truth(question)) } }
+                    p { (unbroken(&question.why)) }
+                    @if let Some(picture) = &solved { (picture.image()) }
+                }))
+                @if let Some(picture) = &solved { (picture.file()) }
+            }
+            defaultgrade { (words::worth_of(question)) }
+            penalty { "0.3333333" }
+            hidden { "0" }
+            @match &question.form {
+                Form::Number { quantity, .. } => {
+                    (of_number(question, quantity))
+                }
+                Form::Choice { options, .. } => {
+                    single { "true" }
+                    shuffleanswers { "false" }
+                    answernumbering { "ABCD" }
+                    (of_choices(question, options))
+                }
+                Form::Rays { .. } | Form::Shot(_) => {}
+            }
+        }
+    }
+}
+
+/// HTML as the text of an element.
+fn inner(html: Markup) -> Markup {
+    html! { text { (html.into_string()) } }
+}
+
+/// A picture in a text, and in the file of questions.
+struct Shown {
+    svg: Svg,
+    name: String,
+}
+
+impl Shown {
+    fn new(svg: Option<Svg>, name: &str) -> Option<Self> {
+        let name = format!("{name}.svg");
+        svg.map(|svg| Self { svg, name })
+    }
+
+    fn image(&self) -> Markup {
+        let [width, height] = self.svg.size().map(|length| length.round());
+        html! {
+            p {
+                img src=(format_args!("@@PLUGINFILE@@/{}", self.name)) alt=(self.svg.words())
+                    width=(width) height=(height);
+            }
+        }
+    }
+
+    fn file(&self) -> Markup {
+        html! {
+            file name=(self.name) path="/" encoding="base64" {
+                (BASE64.encode(self.svg.file().as_bytes()))
+            }
+        }
+    }
+}
+
+/// The text after a question: the unit of its answer, or the fields for it.
+fn fields(question: &Question) -> Markup {
+    match &question.form {
+        Form::Number { quantity, .. } => html! {
+            @if let Some(unit) = unit_in_words(quantity) { p { "Give your answer in " (unit) "." } }
+        },
+        Form::Rays { truth, target, .. } => {
+            let [striker, other] = of_rays(question, truth, target);
+            html! {
+                p {
+                    "Measure each angle from the striker's original direction; left and right are as \
+                     seen along its path. If a disc stays still, enter 0."
+                }
+                @for (name, [angle, side]) in [("striker", striker), (target, other)] {
+                    p { (capital(name)) ": " (angle) "° " (side) }
+                }
+            }
+        }
+        Form::Shot(_) => {
+            let [size, side] = of_shot(question);
+            html! { p { "Offset of the target's centre: " (size) " mm " (side) } }
+        }
+        Form::Choice { .. } => Markup::default(),
+    }
+}
+
+/// The unit of an answer, if the question does not imply it.
+fn unit_in_words(quantity: &Measure) -> Option<&str> {
+    match quantity.unit() {
+        "" | "times" => None,
+        "°" => Some("degrees"),
+        unit => Some(unit),
+    }
+}
+
+fn of_number(question: &Question, quantity: &Measure) -> Markup {
+    let mut field = AnswerField::default();
+    let known = |said: &Response, is_right, feedback: &str| match said {
+        Response::Number(x) => {
+            KnownAnswer::number(*x, question.form.tolerance(said), is_right, feedback)
+        }
+        _ => KnownAnswer::choice("", is_right, feedback),
+    };
+    field.0.push(known(&question.form.truth(), true, RIGHT));
+    let wrong = question.wrong_answers().into_iter();
+    field
+        .0
+        .extend(wrong.map(|(said, _, says)| known(&said, false, says)));
+    html! {
+        (field.elements("moodle_auto_format"))
+        @if !quantity.unit().is_empty() {
+            units { unit { multiplier { "1" } unit_name { (quantity.unit()) } } }
+        }
+    }
+}
+
+/// The feedback for a right answer; the explanation follows it.
+const RIGHT: &str = "Right.";
+
+fn of_choices(question: &Question, options: &[String]) -> Markup {
+    let known = question.wrong_answers();
+    let answers = options.iter().enumerate().map(|(choice, text)| {
+        let said = Response::Choice(choice);
+        let is_right = question.form.is_right(&said);
+        let feedback = known.iter().find(|(wrong, ..)| *wrong == said);
+        let feedback = feedback.map_or("", |(_, _, says)| says);
+        let text = html! { p { (unbroken(text)) } }.into_string();
+        KnownAnswer::choice(&text, is_right, if is_right { RIGHT } else { feedback })
+    });
+    AnswerField(answers.collect()).elements("html")
+}
+
+/// The sides in the list of a field.
+const SIDES: [&str; 3] = ["to the left", "to the right", "stays still"];
+
+/// The angle and the side of each ray.
+fn of_rays(question: &Question, truth: &Rays, target: &str) -> [[Markup; 2]; 2] {
+    let mut rays = Ray::BOTH.map(|ray| {
+        let right = truth.get(ray);
+        let angle = KnownAnswer::number(size_deg(right), RIGHT_DEG, true, RIGHT);
+        [
+            AnswerField(vec![angle]),
+            AnswerField::of_sides(&SIDES, sides(ray, right)),
+        ]
+    });
+    // A ray that shows a misconception by itself comes first: its sentence needs no condition.
+    let alone = question.beliefs.iter().filter(|it| it.telltale.is_some());
+    let together = question.beliefs.iter().filter(|it| it.telltale.is_none());
+    for belief in alone.chain(together) {
+        let Response::Rays(held) = belief.said else {
+            continue;
+        };
+        let feedback = match belief.telltale {
+            Some(_) => belief.says.clone(),
+            None => format!("If you answered “{}”: {}", held.words(target), belief.says),
+        };
+        for (ray, [angle, side]) in Ray::BOTH.into_iter().zip(&mut rays) {
+            let [said, right] = [&held, truth].map(|rays| rays.get(ray));
+            let is_shown_here = belief.telltale.is_none_or(|it| it == ray);
+            let gap = (size_deg(said) - size_deg(right)).abs();
+            let [on, right_on] = [said, right].map(|angle| sides(ray, angle));
+            let is_right_side = (0..3).any(|i| on[i] && right_on[i]);
+            if is_shown_here && said.is_some() && gap > RIGHT_DEG {
+                angle.add(size_deg(said), RIGHT_DEG, &feedback);
+                break;
+            }
+            if is_shown_here && !is_right_side {
+                side.add_to(on, &feedback);
+                break;
+            }
+        }
+    }
+    rays.map(|[angle, side]| [angle.cloze("NUMERICAL"), side.cloze("MULTICHOICE")])
+}
+
+/// The size of an angle in degrees; 0 for a disc that stays still.
+fn size_deg(angle: Option<f64>) -> f64 {
+    deg_from_rad(angle.unwrap_or_default().abs())
+}
+
+/// Which of the [`SIDES`] are right for a ray. Straight ahead and straight back are on neither side,
+/// so both are accepted.
+fn sides(ray: Ray, angle: Option<f64>) -> [bool; 3] {
+    let Some(angle) = angle else {
+        return [false, false, true];
+    };
+    let has_side = tenths(angle.abs()) % 1800 != 0;
+    let is_left = ray.leftward(angle) > 0.0;
+    [is_left || !has_side, !is_left || !has_side, false]
+}
+
+/// The size and the side of an offset.
+fn of_shot(question: &Question) -> [Markup; 2] {
+    let offset = |said: &Response| match said {
+        Response::Shot(offset) => *offset,
+        _ => 0.0,
+    };
+    let sides = |offset: f64| [offset < 0.0, offset > 0.0, false];
+    let mm = |said: &Response| {
+        let tolerance = question.form.tolerance(said);
+        [offset(said).abs(), tolerance].map(mm_from_m)
+    };
+    let right = question.form.truth();
+    let [size_mm, tolerance_mm] = mm(&right);
+    let size = KnownAnswer::number(size_mm, tolerance_mm, true, RIGHT);
+    let mut size = AnswerField(vec![size]);
+    let mut side = AnswerField::of_sides(&SIDES[..2], sides(offset(&right)));
+    for (said, _, says) in question.wrong_answers() {
+        if offset(&said) * offset(&right) < 0.0 {
+            side.add_to(sides(offset(&said)), says);
+        } else {
+            let [size_mm, tolerance_mm] = mm(&said);
+            size.add(size_mm, tolerance_mm, says);
+        }
+    }
+    [size.cloze("NUMERICAL"), side.cloze("MULTICHOICE")]
+}
+
+impl KnownAnswer {
+    fn number(x: f64, tolerance: f64, is_right: bool, feedback: &str) -> Self {
+        Self {
+            number: Some([x, tolerance]),
+            ..Self::choice(&exact(x), is_right, feedback)
+        }
+    }
+
+    fn choice(said: &str, is_right: bool, feedback: &str) -> Self {
+        Self {
+            said: said.into(),
+            number: None,
+            is_right,
+            feedback: feedback.into(),
+        }
+    }
+
+    /// Adds a sentence to the feedback.
+    fn add(&mut self, feedback: &str) {
+        if !self.feedback.is_empty() {
+            self.feedback.push(' ');
+        }
+        self.feedback.push_str(feedback);
+    }
+}
+
+/// A number with so many figures that rounding does not matter to any tolerance.
+fn exact(x: f64) -> String {
+    figures(x, 5)
+}
+
+impl AnswerField {
+    /// A list of sides, of which some are right.
+    fn of_sides(sides: &[&str], right: [bool; 3]) -> Self {
+        let each = sides.iter().zip(right);
+        let known = each
+            .map(|(side, right)| KnownAnswer::choice(side, right, if right { RIGHT } else { "" }));
+        Self(known.collect())
+    }
+
+    /// Adds the feedback on a wrong number. If an earlier number fits it too, Moodle never reaches
+    /// this one, so the earlier number gets the feedback.
+    fn add(&mut self, x: f64, tolerance: f64, feedback: &str) {
+        let earlier = self.0.iter_mut().find(|it| {
+            let fits = |[y, tolerance]: [f64; 2]| (x - y).abs() <= tolerance;
+            it.number.is_some_and(fits)
+        });
+        match earlier {
+            Some(earlier) => earlier.add(feedback),
+            None => self
+                .0
+                .push(KnownAnswer::number(x, tolerance, false, feedback)),
+        }
+    }
+
+    /// Adds the feedback on wrong choices.
+    fn add_to(&mut self, choices: [bool; 3], feedback: &str) {
+        let chosen = self.0.iter_mut().zip(choices);
+        for (known, _) in chosen.filter(|(_, is_meant)| *is_meant) {
+            known.add(feedback);
+        }
+    }
+
+    /// The answers as elements of a question.
+    fn elements(&self, format: &str) -> Markup {
+        html! {
+            @for known in &self.0 {
+                answer fraction=(if known.is_right { 100 } else { 0 }) format=(format) {
+                    text { (known.said) }
+                    feedback format="html" {
+                        (inner(html! {
+                            @if !known.feedback.is_empty() { p { (unbroken(&known.feedback)) } }
+                        }))
+                    }
+                    @if let Some([_, tolerance]) = known.number { tolerance { (exact(tolerance)) } }
+                }
+            }
+        }
+    }
+
+    /// The field within a text: `{1:NUMERICAL:=60:4#Right.~30:4#...}`.
+    fn cloze(&self, kind: &str) -> Markup {
+        let each = self.0.iter().map(|known| {
+            let sign = if known.is_right { "=" } else { "" };
+            let tolerance = known.number.map(|[_, tolerance]| exact(tolerance));
+            let tolerance = tolerance.map_or_else(String::new, |it| format!(":{it}"));
+            let feedback = match known.feedback.as_str() {
+                "" => String::new(),
+                feedback => format!("#{}", escaped(feedback)),
+            };
+            format!("{sign}{}{tolerance}{feedback}", known.said)
+        });
+        let answers = each.collect::<Vec<_>>().join("~");
+        PreEscaped(format!("{{1:{kind}:{answers}}}"))
+    }
+}
+
+/// Feedback within a field. Moodle splits a field at some characters, then replaces entities once,
+/// and the result is HTML.
+fn escaped(feedback: &str) -> String {
+    let mut escaped = String::new();
+    for c in unbroken(feedback).render().into_string().chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '{' | '}' | '~' | '#' | '/' | '\\' | '"' => {
+                escaped.push_str(&format!("&#{};", u32::from(c)));
+            }
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_character_ends_the_feedback_in_a_field() {
+        let escaped = escaped("a } ~ # / \\ \" {1:NM:=1} < & b");
+        assert!(
+            !escaped.contains(['{', '}', '~', '/', '\\', '"', '<']),
+            "{escaped}"
+        );
+        assert_eq!(escaped.matches('#').count(), escaped.matches("&#").count());
+        assert!(escaped.contains("&amp;lt;") && escaped.contains("&amp;amp;"));
+    }
+}
