@@ -30,7 +30,7 @@ struct Guide {
 }
 
 /// All guides, in the order in which a teacher needs them.
-static GUIDES: [Guide; 13] = [
+static GUIDES: [Guide; 14] = [
     Guide {
         name: "start",
         about: "the first ten minutes",
@@ -45,6 +45,11 @@ static GUIDES: [Guide; 13] = [
         name: "worksheets",
         about: "a round on paper",
         markdown: include_str!("../../docs/worksheets.md"),
+    },
+    Guide {
+        name: "sets",
+        about: "choosing the questions",
+        markdown: include_str!("../../docs/sets.md"),
     },
     Guide {
         name: "judging",

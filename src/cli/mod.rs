@@ -22,6 +22,7 @@ mod page;
 mod play;
 mod progress;
 mod replay;
+mod set;
 mod settings;
 mod simulate;
 mod solve;
@@ -77,6 +78,8 @@ Examples:
   carrom lab --set m2=5.5,b=12 --hide
                                exactly this hit, its outcome hidden until you predict it
   carrom quiz --code mixed-7   a round of the quiz, the same for everyone with this code
+  carrom quiz --list mixed-7   its questions, to choose from
+  carrom class --set ours.toml the questions that you have chosen, in a class round
   carrom class --teams Ants,Bees --palette light
                                a round for a class, on a projector
   carrom class --host --class 10b
@@ -126,6 +129,8 @@ enum Command {
     Lesson(lesson::Command),
     #[command(subcommand)]
     Concept(concept::Command),
+    #[command(subcommand)]
+    Set(set::Command),
     Misconceptions(misconceptions::Args),
     Glossary(glossary::Args),
     Figure(figure::Args),
@@ -168,6 +173,15 @@ enum OpenCommand {
         /// The round to play, by its code: mixed-7, speeds6-7, or 7 for ten hits
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
+        /// The round to play, by the file of a set: questions that you have chosen
+        #[arg(long, value_name = "FILE", conflicts_with = "code")]
+        set: Option<PathBuf>,
+        /// Print the questions of a code instead
+        #[arg(long, value_name = "CODE", value_parser = Code::read, conflicts_with_all = ["code", "set"])]
+        list: Option<Code>,
+        /// Print them as one JSON object
+        #[arg(long, requires = "list")]
+        json: bool,
     },
     /// Open a round for a class: teams at one keyboard, or everyone on their own device
     Class {
@@ -185,6 +199,9 @@ enum OpenCommand {
         /// The round to play, by its code, such as mixed-7
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
+        /// The round to play, by the file of a set: questions that you have chosen
+        #[arg(long, value_name = "FILE", conflicts_with = "code")]
+        set: Option<PathBuf>,
         /// The names of 1 to 8 teams, separated by commas
         #[arg(long, value_name = "A,B,C", conflicts_with = "host")]
         #[arg(value_parser = |names: &str| team_names(names.split(',')))]
@@ -248,7 +265,16 @@ impl OpenCommand {
             Self::Progress(args) => !args.prints(),
             Self::Board(args) => !args.prints(),
             Self::Measure(args) => args.screen,
+            Self::Quiz { list, .. } => list.is_none(),
             _ => true,
+        }
+    }
+
+    /// The file of the set to play.
+    fn set(&self) -> Option<&Path> {
+        match self {
+            Self::Quiz { set, .. } | Self::Class { set, .. } => set.as_deref(),
+            _ => None,
         }
     }
 
@@ -267,7 +293,7 @@ impl OpenCommand {
                 setup: *setup,
                 hidden: *hide,
             },
-            Self::Quiz { code } => Route::Quiz {
+            Self::Quiz { code, .. } => Route::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
             },
             Self::Class {
@@ -319,8 +345,12 @@ fn round(
     Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
 }
 
-/// A code, completed with the teacher's own questions if it requires them.
+/// The code of the given set, or a code completed with the teacher's own questions if it requires
+/// them.
 fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Code>, String> {
+    if let Some(set) = own.sets.first() {
+        return Ok(Some(Code::of_set(set)));
+    }
     code.cloned().map(|code| code.with_own(own)).transpose()
 }
 
@@ -348,7 +378,7 @@ fn app(
     let data = Data {
         shelf: options.shelf(),
         book: options.book(),
-        own: options.own(),
+        own: options.own_with(screen.and_then(OpenCommand::set))?,
         folder: folder.map(|folder| folder.display().to_string()),
     };
     let route = screen.map_or(Ok(Route::Home), |screen| screen.route(&data, options))?;
@@ -381,9 +411,9 @@ impl Cli {
     fn check(&self) -> Result<(), String> {
         let has_code = match &self.command {
             Some(Command::Open(
-                OpenCommand::Quiz { code, .. } | OpenCommand::Class { code, .. },
-            )) => code.is_some(),
-            Some(Command::Worksheet(args)) => args.code.is_some(),
+                OpenCommand::Quiz { code, set, .. } | OpenCommand::Class { code, set, .. },
+            )) => code.is_some() || set.is_some(),
+            Some(Command::Worksheet(args)) => args.code.is_some() || args.set.is_some(),
             _ => false,
         };
         if self.plain
@@ -431,6 +461,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             progress::run(args, &cli.options)
         }
         Some(Command::Open(OpenCommand::Board(args))) if args.prints() => board::run(args),
+        Some(Command::Open(OpenCommand::Quiz {
+            list: Some(code),
+            json,
+            ..
+        })) => set::list(code, *json, &cli.options),
         Some(Command::Open(OpenCommand::Measure(args))) if !args.screen => {
             measure::run(args, &cli.options)
         }
@@ -442,6 +477,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Level(command)) => level::run(command, &cli.options),
         Some(Command::Lesson(command)) => lesson::run(command, &cli.options),
         Some(Command::Concept(command)) => concept::run(command, &cli.options),
+        Some(Command::Set(command)) => set::run(command, &cli.options),
         Some(Command::Misconceptions(args)) => misconceptions::run(args, &cli.options),
         Some(Command::Glossary(args)) => glossary::run(args, &cli.options),
         Some(Command::HandIn(args)) => hand_in::hand_in(args, &cli.options),

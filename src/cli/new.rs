@@ -8,16 +8,17 @@ use super::{Failure, examples, print, written};
 use crate::files::is_id;
 use crate::numbers::capital;
 
-/// Start your own level, chapter or questions in words
+/// Start your own level, chapter, questions in words or set of questions
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   carrom new level long-way-round       writes long-way-round.toml
   carrom new chapter friction           writes 01-friction.md
   carrom new questions our-marbles      writes our-marbles.toml
+  carrom new set my-set                 writes my-set.toml
 
 The file is complete and passes its check; change it step by step and check it again. The formats:
-carrom guide levels, carrom guide lessons, carrom guide concepts.")]
+carrom guide levels, carrom guide lessons, carrom guide concepts, carrom guide sets.")]
 pub(super) struct Args {
     /// What to start
     #[arg(value_name = "KIND")]
@@ -41,6 +42,8 @@ enum Kind {
     Chapter,
     /// Questions in words
     Questions,
+    /// A set: questions that you choose, built in or your own
+    Set,
 }
 
 impl Kind {
@@ -50,6 +53,7 @@ impl Kind {
             Self::Level => ("levels/our-pack/a-glance.toml", "a-glance"),
             Self::Chapter => ("chapters/01-our-coins.md", "our-coins"),
             Self::Questions => ("questions/our-coins.toml", "our-coins"),
+            Self::Set => ("sets/first-lesson.toml", "first-lesson"),
         }
     }
 
@@ -57,7 +61,7 @@ impl Kind {
     fn file(self, name: &str) -> String {
         match self {
             Self::Chapter => format!("01-{name}.md"),
-            Self::Level | Self::Questions => format!("{name}.toml"),
+            Self::Level | Self::Questions | Self::Set => format!("{name}.toml"),
         }
     }
 
@@ -67,6 +71,7 @@ impl Kind {
             Self::Level => "carrom level check",
             Self::Chapter => "carrom lesson check",
             Self::Questions => "carrom concept check",
+            Self::Set => "carrom set check",
         }
     }
 

@@ -124,17 +124,16 @@ impl GlobalOptions {
         self.charset(terminal::charset(|name| env::var(name).ok()))
     }
 
-    /// The folders of the teacher's own questions, quoted for a shell.
-    pub(super) fn concepts(&self) -> Vec<String> {
-        let folders = self
-            .concepts
-            .iter()
-            .map(|folder| folder.display().to_string());
-        let quoted = |folder: String| match shlex::try_quote(&folder) {
-            Ok(quoted) => quoted.into_owned(),
-            Err(_) => folder,
+    /// The options that open the teacher's own questions on a screen: " --concepts my-folder".
+    pub(super) fn of_own(&self, set: Option<&Path>) -> String {
+        let folders = self.concepts.iter().map(|it| ("concepts", it.as_path()));
+        let set = set.map(|it| ("set", it));
+        let option = |(name, path): (&str, &Path)| {
+            let path = path.display().to_string();
+            let quoted = shlex::try_quote(&path).map_or(path.clone(), Into::into);
+            format!(" --{name} {quoted}")
         };
-        folders.map(quoted).collect()
+        set.into_iter().chain(folders).map(option).collect()
     }
 
     /// The player's name: the given one, or else that of the last player.
@@ -187,6 +186,18 @@ impl GlobalOptions {
     /// rounds are chosen.
     pub(super) fn own(&self) -> Arc<Library> {
         Arc::new(Library::default().with(&self.concepts))
+    }
+
+    /// The same, with the set in this file.
+    ///
+    /// # Errors
+    /// All errors in the file of the set.
+    pub(super) fn own_with(&self, set: Option<&Path>) -> Result<Arc<Library>, String> {
+        let mut own = Library::default().with(&self.concepts);
+        if let Some(set) = set {
+            own.add_set(set).map_err(|errors| errors.to_string())?;
+        }
+        Ok(Arc::new(own))
     }
 
     /// The given folders with levels, chapters and written questions.

@@ -21,6 +21,8 @@ Examples:
                                 a mixed round of 12 questions
   carrom worksheet --code speeds-3 --title \"Physics 10b\" --out sheets
                                 any round that has a code
+  carrom worksheet --set ours.toml --out sheets
+                                the questions that you have chosen
   carrom worksheet --seed 7 --versions 2 --paper letter --out sheets
                                 two versions, for pupils who sit side by side, on US paper
   carrom worksheet --code speeds-3 --moodle speeds.xml
@@ -44,6 +46,9 @@ pub(super) struct Args {
     /// The round by its code, instead of --seed and --count: mixed12-7, speeds-7, exam-7
     #[arg(long, value_name = "CODE", value_parser = Code::read, conflicts_with = "count")]
     pub(super) code: Option<Code>,
+    /// The round by the file of a set: questions that you have chosen
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["code", "count"])]
+    pub(super) set: Option<PathBuf>,
     /// The folder to write to; created if it does not exist
     #[arg(long, value_name = "DIR", required_unless_present = "moodle")]
     out: Option<PathBuf>,
@@ -68,7 +73,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "1",
           value_parser = clap::value_parser!(u16).range(1..=200),
           requires = "out",
-          conflicts_with_all = ["count", "code", "with_key", "versions", "moodle"])]
+          conflicts_with_all = ["count", "code", "set", "with_key", "versions", "moodle"])]
     cards: Option<u16>,
     /// Replace an existing worksheet with its key and its pictures
     #[arg(long)]
@@ -84,21 +89,25 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         let document = (path, cards(count.into(), args.paper));
         return written::write_named(&[document], args.force);
     }
-    let code = code(args, options);
-    let code = code.and_then(|code| code.with_own(&options.own())?.same_for_all());
+    let own = options
+        .own_with(args.set.as_deref())
+        .map_err(Failure::input)?;
+    let code = match own.sets.first() {
+        Some(set) => Ok(Code::of_set(set)),
+        None => code(args, options),
+    };
+    let code = code.and_then(|code| code.with_own(&own)?.same_for_all());
     let round = Round::of(code.map_err(Failure::input)?);
-    let is_own = matches!(round.course().kind, CourseKind::Own(_));
-    let concepts = if is_own {
-        options.concepts()
-    } else {
-        Vec::new()
+    let own = match round.course().kind {
+        CourseKind::Own(_) | CourseKind::Set(_) => options.of_own(args.set.as_deref()),
+        _ => String::new(),
     };
     let versions: Vec<_> = (1..=args.versions)
         .map(|number| round.version(number.into()))
         .collect();
     let worksheet = |(round, letter)| Worksheet {
         version: (args.versions > 1).then_some(letter),
-        concepts: concepts.clone(),
+        own: own.clone(),
         paper: args.paper,
         ..Worksheet::new(round, args.title.as_deref())
     };
@@ -125,7 +134,7 @@ fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
         return Ok(code.clone());
     }
     let seed = options.seed;
-    let seed = seed.ok_or("expected --seed N or --code CODE, to fix the questions")?;
+    let seed = seed.ok_or("expected --seed N, --code CODE or --set FILE, to fix the questions")?;
     let course = match args.count {
         Some(count) => Course::of(CourseKind::Mixed, count),
         None => Course::new(CourseKind::Mixed),

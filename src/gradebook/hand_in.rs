@@ -215,7 +215,9 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
                 quoted(&attempt.family)
             )
         })?;
-        let is_own = code.is_some_and(|code| matches!(code.course.kind, CourseKind::Own(_)));
+        let is_own = code.is_some_and(|code| {
+            matches!(code.course.kind, CourseKind::Own(_) | CourseKind::Set(_))
+        });
         // The topic of a teacher's own question is the name of its file.
         let is_free = is_own && family == Family::Concept;
         if !is_free && !is_topic_of(&attempt.topic, family, known) {

@@ -195,6 +195,11 @@ fn kinds() -> Vec<Kind> {
             models: files("tests/own-concepts", ".toml", "our"),
             open: |folder, bytes| check(folder, &["concept", "check"], "questions.toml", bytes),
         },
+        Kind {
+            name: "sets",
+            models: files("assets/examples/sets", ".toml", ""),
+            open: |folder, bytes| check(folder, &["set", "check"], "set.toml", bytes),
+        },
     ]
 }
 

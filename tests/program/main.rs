@@ -37,6 +37,7 @@ mod salvage;
 mod saves;
 #[cfg(target_os = "linux")]
 mod seen_devices;
+mod sets;
 mod simulate;
 mod solve;
 mod start;

@@ -43,7 +43,7 @@ fn every_example_passes_the_check_that_its_readme_names() {
         .filter(|code| code.starts_with("carrom ") && !code.contains("NAME"))
         .filter(|code| code.contains(" check ") || code.contains("simulate"))
         .collect();
-    assert_eq!(commands.len(), 5, "{commands:?}");
+    assert_eq!(commands.len(), 6, "{commands:?}");
     for command in commands {
         done(&folder, command.strip_prefix("carrom ").unwrap());
     }
@@ -72,6 +72,7 @@ fn a_new_file_passes_its_check_even_with_the_longest_name() {
             ("level", "level check"),
             ("chapter", "lesson check"),
             ("questions", "concept check"),
+            ("set", "set check"),
         ] {
             let out = done(&folder, &format!("new {kind} {name} --out {kind}"));
             let path = out.lines().next().unwrap();
@@ -104,7 +105,7 @@ fn the_guides_link_to_one_another() {
     let folder = Folder::new("guides");
     let list = done(&folder, "guide");
     let pages = done(&folder, "guide --out guides");
-    assert_eq!(pages.lines().count(), 14);
+    assert_eq!(pages.lines().count(), 15);
     for line in list
         .lines()
         .filter_map(|line| line.strip_prefix("  carrom guide "))

@@ -481,6 +481,40 @@ fn escape_asks_for_confirmation_once_there_is_a_vote() {
     assert!(game.screen().contains("carrom : home"));
 }
 
+/// The teacher sees the questions of a round before it begins, and it begins with them.
+#[test]
+fn a_round_begins_with_the_questions_that_were_seen() {
+    let folder = Folder::new("class-preview");
+    let app = cli::open("class --teams A,B --seed 3").unwrap();
+    let mut game = Headless::keeping(app, 80, 24, Store::in_folder(folder.path()));
+    assert!(game.screen().contains("p: see the questions"));
+    game.press("p");
+    let round = ClassRound::new(Code::parse("even-3").unwrap(), vec!["A".into()]);
+    let screen = game.screen();
+    assert!(screen.contains("the questions of even-3"), "{screen}");
+    let start = |text: &str| text.split(' ').take(6).collect::<Vec<_>>().join(" ");
+    let first = start(&round.questions()[0].text);
+    assert!(screen.contains(&first), "{first}: {screen}");
+    assert!(!screen.contains("10  "), "it is longer than the screen");
+    game.press(&"<PageDown>".repeat(8));
+    assert!(game.screen().contains("10  "), "{}", game.screen());
+    game.press("<Escape>");
+    assert!(game.screen().contains("by its code: even-3"));
+    game.press("<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("question 1 of 10  code even-3"), "{screen}");
+
+    // A letter in a text is typed, and a text that is not a code is reported.
+    let app = cli::open("class --teams A,B --code 7").unwrap();
+    let mut game = Headless::new(app, 80, 24);
+    game.press("<Up>p<Down>p");
+    let screen = game.screen();
+    assert!(
+        screen.contains("7p") && screen.contains("The code: expected the code of a round"),
+        "{screen}"
+    );
+}
+
 /// A class plays a teacher's own questions and can resume the round. Once their files have changed,
 /// the round is refused, because the votes would be on other questions.
 #[test]

@@ -11,7 +11,7 @@ mod moodle;
 mod pictures;
 mod words;
 
-use crate::quiz::Round;
+use crate::quiz::{CourseKind, Round};
 
 pub use cards::cards;
 pub(crate) use pictures::WorksheetPicture;
@@ -33,9 +33,9 @@ pub struct Worksheet<'a> {
     /// The letter of the version, if there are several. The code opens the questions of version A
     /// on a screen.
     pub(crate) version: Option<char>,
-    /// The folders of the teacher's own questions that are required to open the round on a screen,
-    /// quoted for a shell.
-    pub(crate) concepts: Vec<String>,
+    /// The options that open the teacher's own questions, if the round requires them to be opened
+    /// on a screen: " --concepts my-folder".
+    pub(crate) own: String,
     pub(crate) paper: Paper,
 }
 
@@ -43,17 +43,21 @@ impl<'a> Worksheet<'a> {
     /// The worksheet of a round. A title that is too long for a heading is truncated; a missing
     /// title, or one without a visible letter, is replaced by a default.
     pub fn new(round: &'a Round, title: Option<&str>) -> Self {
-        let title = clean(title.unwrap_or_default(), TITLE);
-        let title = if title.is_empty() {
-            HEADING.into()
+        let usual = match &round.course().kind {
+            CourseKind::Set(set) => &set.title,
+            _ => HEADING,
+        };
+        let given = clean(title.unwrap_or_default(), TITLE);
+        let title = if given.is_empty() {
+            clean(usual, TITLE)
         } else {
-            title
+            given
         };
         Self {
             round,
             title,
             version: None,
-            concepts: Vec::new(),
+            own: String::new(),
             paper: Paper::default(),
         }
     }
@@ -62,15 +66,18 @@ impl<'a> Worksheet<'a> {
     /// different numbers.
     fn command(&self) -> Option<String> {
         let is_first = self.version.is_none_or(|letter| letter == 'A');
-        is_first.then(|| words::command(self.round.code(), &self.concepts))
+        is_first.then(|| words::command(self.round.code(), &self.own))
     }
 
     /// The code with the version: "mixed-7", "mixed-7, version B".
     fn code(&self) -> String {
-        let code = self.round.code();
+        self.with_version(&self.round.code().to_string())
+    }
+
+    fn with_version(&self, name: &str) -> String {
         match self.version {
-            Some(letter) => format!("{code}, version {letter}"),
-            None => code.to_string(),
+            Some(letter) => format!("{name}, version {letter}"),
+            None => name.to_owned(),
         }
     }
 

@@ -11,7 +11,7 @@ use maud::{Markup, PreEscaped, Render, html};
 use super::{Worksheet, pictures, words};
 use crate::numbers::{capital, figures, tenths};
 use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::quiz::{Form, Measure, Question, RIGHT_DEG, Ray, Rays, Response};
+use crate::quiz::{CourseKind, Form, Measure, Question, RIGHT_DEG, Ray, Rays, Response};
 use crate::widgets::svg::Svg;
 use crate::widgets::text::unbroken;
 
@@ -49,9 +49,14 @@ pub(super) fn file(worksheets: &[Worksheet]) -> String {
 }
 
 fn category(worksheet: &Worksheet) -> Markup {
+    let name = match &worksheet.round.course().kind {
+        // A single slash separates categories.
+        CourseKind::Set(_) => worksheet.title.replace('/', "//"),
+        _ => worksheet.round.code().to_string(),
+    };
     html! {
         question type="category" {
-            category { text { "$course$/top/" (worksheet.code()) } }
+            category { text { "$course$/top/" (worksheet.with_version(&name)) } }
             info format="html" {
                 (inner(html! {
                     p { (worksheet.title) }

@@ -2,7 +2,8 @@
 
 use crate::numbers;
 use crate::quiz::{
-    Code, Confidence, Difficulty, Form, Illustration, Measure, Question, RIGHT_DEG, letter,
+    Code, Confidence, CourseKind, Difficulty, Form, Illustration, Measure, Question, RIGHT_DEG,
+    letter,
 };
 
 /// What a student should know before the first question.
@@ -19,11 +20,11 @@ pub(super) const KEY_ADVICE: &str = "For the teacher: each question has its true
                                      with the reasoning that probably led to them.";
 
 /// The command that opens the same round on a screen.
-pub(super) fn command(code: &Code, concepts: &[String]) -> String {
-    let folders = concepts
-        .iter()
-        .map(|folder| format!(" --concepts {folder}"));
-    format!("carrom quiz --code {code}{}", folders.collect::<String>())
+pub(super) fn command(code: &Code, own: &str) -> String {
+    match code.course.kind {
+        CourseKind::Set(_) => format!("carrom quiz{own}"),
+        _ => format!("carrom quiz --code {code}{own}"),
+    }
 }
 
 /// The points for a question on paper: one if it is easy, up to three.

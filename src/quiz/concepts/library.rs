@@ -1,8 +1,9 @@
 //! Questions from files outside the program: a teacher's own questions.
 
 use std::path::Path;
+use std::sync::Arc;
 
-use super::{Concept, read, with_id};
+use super::{Concept, QuestionSet, read, with_id};
 use crate::files::{FileError, FileErrors, FileLibrary, escape_control};
 
 /// The maximum number of letters in a subject, which is the name of a file.
@@ -16,6 +17,8 @@ pub struct Library {
     pub concepts: Vec<Concept>,
     /// The errors in the files that were not added.
     pub problems: Vec<FileError>,
+    /// The sets of questions that were opened.
+    pub sets: Vec<Arc<QuestionSet>>,
 }
 
 impl FileLibrary for Library {
@@ -27,7 +30,11 @@ impl FileLibrary for Library {
             Ok(concepts) => (concepts, Vec::new()),
             Err(errors) => (Vec::new(), errors.into_iter().collect()),
         };
-        Self { concepts, problems }
+        Self {
+            concepts,
+            problems,
+            sets: Vec::new(),
+        }
     }
 
     fn problems_mut(&mut self) -> &mut Vec<FileError> {

@@ -9,6 +9,7 @@
 mod check;
 mod figures;
 mod library;
+mod question_set;
 mod read;
 #[cfg(test)]
 mod tests;
@@ -23,6 +24,7 @@ use crate::quiz::question::{Difficulty, Family, Misconception, Topic};
 
 pub use check::check;
 pub use library::Library;
+pub use question_set::{ChosenQuestion, QuestionSet};
 pub(crate) use read::read_hit;
 
 static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/concepts");

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use super::ChaptersRead;
-use crate::quiz::concepts::Library;
+use crate::quiz::concepts::{Library, QuestionSet};
 use crate::quiz::families;
 use crate::quiz::question::{Family, Misconception, Topic};
 
@@ -60,6 +60,9 @@ pub enum CourseKind {
     /// A teacher's own questions in words. A code that has just been read does not contain the
     /// questions yet: [`Code::with_own`] adds them.
     Own(Arc<Library>),
+    /// A set that a teacher has put together. A code that has just been read does not contain the
+    /// questions yet: [`Code::with_own`] adds them.
+    Set(Arc<QuestionSet>),
 }
 
 impl CourseKind {
@@ -104,6 +107,13 @@ impl CourseKind {
             Self::Met(_) => ("met", "topics you have met", 10),
             Self::Review(due) => ("review", "review", due.len().min(Course::REVIEWED)),
             Self::Own(_) => ("own", "your own questions", 10),
+            Self::Set(set) => {
+                let count = match set.questions.len() {
+                    0 => Course::MOST,
+                    count => count,
+                };
+                ("set", "a set of questions", count)
+            }
         }
     }
 
@@ -120,6 +130,7 @@ impl CourseKind {
         Self::ALWAYS
             .into_iter()
             .chain([Self::Mixed, Self::FindOutFromAny, Self::Own(Arc::default())])
+            .chain([Self::Set(Arc::default())])
             .chain(topics)
             .chain(checks)
             .find(|kind| kind.id() == id)
@@ -148,10 +159,11 @@ impl Course {
     }
 
     /// Creates a course of this many questions, clamped to the range from 1 to [`Course::MOST`];
-    /// ten hits are always ten, and a review has one question per topic.
+    /// ten hits are always ten, a review has one question per topic, and a set has all of its
+    /// questions.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
-            CourseKind::Hits | CourseKind::Review(_) => kind.length(),
+            CourseKind::Hits | CourseKind::Review(_) | CourseKind::Set(_) => kind.length(),
             _ => count.clamp(1, Self::MOST),
         };
         Self { kind, count }
@@ -175,7 +187,7 @@ impl Course {
 ///
 /// Examples: `even-7`; with a count, `even12-7`; for a topic, `speeds-7`; for a misconception,
 /// `copied-angle-7`; for what some chapters teach, `read-abd-7`; for ten hits, `hits-7` or simply
-/// `7`. Only `own-7` depends on anything else: the teacher's own files.
+/// `7`. Only `own-7` and the code of a set, `set-7`, depend on anything else: the teacher's files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
     /// The definition of the round.
@@ -296,7 +308,7 @@ impl Code {
         }
     }
 
-    /// The code with a teacher's own questions, if it requires them.
+    /// The code with a teacher's own questions or their set, if it requires them.
     ///
     /// # Errors
     /// Returns the reason in words if the code requires such questions but there are none.
@@ -308,6 +320,15 @@ impl Code {
                 ));
             }
             *library = Arc::clone(own);
+        }
+        if let CourseKind::Set(_) = &self.course.kind {
+            let set = own.sets.iter().find(|set| set.seed == self.seed);
+            return set.map(Self::of_set).ok_or_else(|| {
+                format!(
+                    "expected the set with the code {self}; --set gives its file, and a set whose \
+                     questions have changed has another code"
+                )
+            });
         }
         Ok(self)
     }
@@ -350,6 +371,7 @@ mod tests {
             "from-angle4-12",
             "own-7",
             "own3-7",
+            "set-7",
             "read-a-7",
             "read-abdl5-12",
         ] {
@@ -402,6 +424,7 @@ mod tests {
             "hits12-7",
             "mixed0-7",
             "mixed61-7",
+            "set5-7",
             "mixed99999999999999999999-7",
             "mixed-18446744073709551616",
             "7.5",

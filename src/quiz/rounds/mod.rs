@@ -6,6 +6,7 @@ mod even;
 mod find_out;
 mod review;
 mod round;
+mod set;
 
 pub(crate) use chapters_read::ChaptersRead;
 pub use course::{Code, Course, CourseKind};

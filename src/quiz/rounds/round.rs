@@ -64,6 +64,10 @@ impl Round {
             CourseKind::FindOut | CourseKind::FindOutFromAny => Vec::new(),
             CourseKind::Check(misconception) => showing(*misconception, &course, seed),
             CourseKind::Own(library) => own(&library.concepts, &course, seed),
+            CourseKind::Set(set) => {
+                let chosen = set.questions.iter();
+                chosen.map(|it| it.question.clone()).collect()
+            }
             CourseKind::Met(topics) => {
                 let mut dice = Dice::new(salted(course.kind.id(), seed));
                 let asked = review::in_turn(topics, course.count, Topic::families, &mut dice);
@@ -166,6 +170,12 @@ impl Round {
             let id = asked.figures.get("id")?.as_str()?;
             let concept = library.concepts.iter().find(|it| it.id == id)?;
             return concept::question(concept, dice);
+        }
+        if let CourseKind::Set(set) = &self.code.course.kind {
+            let chosen = set.questions.iter().find(|it| it.question == *asked)?;
+            if let Some(concept) = &chosen.concept {
+                return concept::question(concept, dice);
+            }
         }
         // In a round of ten hits, the difficulty of a kind may differ from its difficulty in the
         // family.

@@ -6,6 +6,7 @@ mod earlier;
 mod ending;
 mod hosting;
 mod play;
+mod preview;
 mod question;
 mod scores;
 mod set_up;
@@ -39,6 +40,7 @@ use earlier::EarlierRounds;
 use ending::EndAction;
 use hosting::HostingAction;
 use play::ClassPlay;
+use preview::Preview;
 use set_up::{SetUp, SetUpAction, SetUpEnd, SetUpRow};
 use tally::CountAction;
 use unfinished::{Unfinished, UnfinishedEnd};
@@ -105,6 +107,7 @@ pub(crate) struct Class {
 #[derive(Debug, Clone)]
 enum ClassScene {
     SetUp(Box<SetUp>),
+    Preview(Box<Preview>),
     Earlier(Box<EarlierRounds>),
     Unfinished(Box<Unfinished>),
     Play(Box<ClassPlay>),
@@ -155,6 +158,13 @@ impl Class {
             Outcome::Ignored => return Next::Ignored,
             Outcome::Used => {}
             Outcome::Done(SetUpEnd::Start(play)) => self.scene = ClassScene::Play(play),
+            Outcome::Done(SetUpEnd::Preview(round)) => {
+                if let ClassScene::SetUp(set_up) = &self.scene {
+                    let set_up = *set_up.clone();
+                    let round = *round;
+                    self.scene = ClassScene::Preview(Box::new(Preview { set_up, round }));
+                }
+            }
             Outcome::Done(SetUpEnd::Earlier) => {
                 if let ClassScene::SetUp(set_up) = &self.scene {
                     let earlier = EarlierRounds::ask(*set_up.clone(), cx);
@@ -170,6 +180,10 @@ impl Class {
             ClassScene::SetUp(_) | ClassScene::Unfinished(_) => Next::Back,
             ClassScene::Earlier(earlier) => {
                 self.scene = ClassScene::SetUp(Box::new(earlier.set_up.clone()));
+                Next::Stay
+            }
+            ClassScene::Preview(preview) => {
+                self.scene = ClassScene::SetUp(Box::new(preview.set_up.clone()));
                 Next::Stay
             }
             ClassScene::Play(play) if !play.asks_before_leaving() => {
@@ -240,6 +254,7 @@ impl Screen for Class {
         let keys = KeyTable::new("class");
         let keys = match &self.scene {
             ClassScene::SetUp(set_up) => keys.with(set_up.keys(), ClassAction::SetUp),
+            ClassScene::Preview(_) => keys,
             ClassScene::Earlier(earlier) => {
                 keys.with(earlier.rounds.keys("resume it"), ClassAction::Earlier)
             }
@@ -334,6 +349,7 @@ impl Screen for Class {
         let list = ListAction::Choose(by.into());
         let action = match &self.scene {
             _ if self.paused => None,
+            ClassScene::Preview(_) => None,
             ClassScene::SetUp(_) => Some(ClassAction::SetUp(SetUpAction::List(list))),
             ClassScene::Earlier(_) => Some(ClassAction::Earlier(KeptAction::List(list))),
             ClassScene::Unfinished(_) => Some(ClassAction::Unfinished(list)),
@@ -364,6 +380,7 @@ impl Screen for Class {
         match &self.scene {
             _ if self.paused => View::picture_alone(draw_pause),
             ClassScene::SetUp(set_up) => set_up_view::view(set_up),
+            ClassScene::Preview(preview) => preview.view(),
             ClassScene::Earlier(earlier) => earlier.view(),
             ClassScene::Unfinished(unfinished) => unfinished.view(),
             ClassScene::Play(play) => play.view(cx),

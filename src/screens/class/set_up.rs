@@ -8,7 +8,7 @@ use super::play::ClassPlay;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
 use crate::messages::Key;
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, Course, CourseKind};
+use crate::quiz::{Code, Course, CourseKind, Round};
 use crate::screens::Context;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
@@ -78,12 +78,16 @@ pub(crate) enum SetUpAction {
     Topic(isize),
     /// remove the team
     Remove,
+    /// see the questions of the chosen round
+    Preview,
 }
 
 /// The result of the set-up page.
 pub(super) enum SetUpEnd {
     /// The round begins.
     Start(Box<ClassPlay>),
+    /// Shows the questions of the round.
+    Preview(Box<Round>),
     /// Opens the list of earlier rounds.
     Earlier,
 }
@@ -177,7 +181,7 @@ impl SetUp {
 
     /// The keys of the marked row; letters are typed into it.
     pub(super) fn keys(&self) -> KeyTable<SetUpAction> {
-        use SetUpAction::{List, Remove, Topic};
+        use SetUpAction::{List, Preview, Remove, Topic};
         let at = self.at();
         let enter = match at {
             SetUpRow::Team(_) | SetUpRow::Add | SetUpRow::Class => "next",
@@ -198,6 +202,14 @@ impl SetUp {
             .with(ListView::keys(enter).without_keys(ends), List)
             .on(Key::Delete, Remove, "remove it")
             .when(matches!(at, SetUpRow::Team(_)))
+            .on('p', Preview, "see the questions")
+            .when(self.can_preview())
+    }
+
+    /// Whether the questions can be previewed: in the other rows the key would type a letter.
+    pub(super) fn can_preview(&self) -> bool {
+        use SetUpRow::{Add, Class, Kind, Team};
+        !matches!(self.at(), Team(_) | Add | Class | Kind(RoundKind::Code))
     }
 
     /// Handles a key that edits text; returns whether the key was used.
@@ -239,6 +251,19 @@ impl SetUp {
                     self.teams.remove(team);
                 }
                 Outcome::Used
+            }
+            SetUpAction::Preview => {
+                if let SetUpRow::Kind(kind) = self.at() {
+                    self.kind = kind;
+                }
+                let Some(code) = self.chosen_code(cx) else {
+                    return Outcome::Used;
+                };
+                // The round now has a code, so that it begins with the questions that were seen.
+                self.code = TextField::new(&code.to_string(), LONGEST);
+                self.kind = RoundKind::Code;
+                self.put(SetUpRow::Start);
+                Outcome::Done(SetUpEnd::Preview(Box::new(Round::of(code))))
             }
         }
     }
@@ -329,6 +354,21 @@ impl SetUp {
                 return Outcome::Used;
             }
         };
+        let Some(code) = self.chosen_code(cx) else {
+            return Outcome::Used;
+        };
+        let round = match at {
+            SetUpRow::Devices => ClassRound::with_devices(code),
+            SetUpRow::Tally => ClassRound::with_tally(code),
+            _ => ClassRound::new(code, names),
+        };
+        let round = round.of_class(self.class.text());
+        Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
+    }
+
+    /// The code of the chosen round, with a new seed unless it was typed; `None` if it is not a
+    /// code, which is then shown.
+    fn chosen_code(&mut self, cx: &mut Context) -> Option<Code> {
         let code = match self.course(self.kind) {
             Some(kind) => Ok(Code {
                 course: Course::new(kind),
@@ -339,19 +379,11 @@ impl SetUp {
                 .and_then(|code| code.with_own(&self.own)?.same_for_all()),
         };
         match code {
-            Ok(code) => {
-                let round = match at {
-                    SetUpRow::Devices => ClassRound::with_devices(code),
-                    SetUpRow::Tally => ClassRound::with_tally(code),
-                    _ => ClassRound::new(code, names),
-                };
-                let round = round.of_class(self.class.text());
-                Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
-            }
+            Ok(code) => Some(code),
             Err(trouble) => {
                 self.put(SetUpRow::Kind(RoundKind::Code));
                 self.trouble = Some(format!("The code: {trouble}."));
-                Outcome::Used
+                None
             }
         }
     }

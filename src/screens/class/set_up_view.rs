@@ -30,6 +30,13 @@ pub(super) fn view(set_up: &SetUp) -> View<'_, ClassAction> {
             write(set_up, row, action, panel);
         });
     }
+    if set_up.can_preview() {
+        round.gap();
+        round.prompt(
+            "see the questions",
+            ClassAction::SetUp(SetUpAction::Preview),
+        );
+    }
     if let Some(trouble) = &set_up.trouble {
         teams.gap();
         teams.paragraph(trouble, Role::Warn);

@@ -63,7 +63,9 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
 /// The command that gives a friend the same round; a review has none, because it is personal.
 fn for_a_friend(code: &Code) -> Option<(&'static str, String)> {
     match code.course.kind {
-        CourseKind::Met(_) | CourseKind::Review(_) | CourseKind::Own(_) => None,
+        CourseKind::Met(_) | CourseKind::Review(_) | CourseKind::Own(_) | CourseKind::Set(_) => {
+            None
+        }
         CourseKind::Hits => Some((
             "The same ten for a friend",
             format!("carrom quiz --seed {code}"),

@@ -107,7 +107,7 @@ impl Choosing {
 
     /// The kinds of round to choose from, with a teacher's questions only if a folder was given.
     fn choices(&self) -> &'static [(char, RoundChoice)] {
-        match *self.own == Library::default() {
+        match self.own.concepts.is_empty() && self.own.problems.is_empty() {
             true => &CHOICES[..CHOICES.len() - 1],
             false => &CHOICES,
         }

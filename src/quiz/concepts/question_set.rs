@@ -1,0 +1,29 @@
+//! A set: questions that a teacher has put together.
+
+use super::Concept;
+use crate::quiz::question::Question;
+
+/// Questions that a teacher has put together, in this order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct QuestionSet {
+    /// The title.
+    pub title: String,
+    /// The questions, each different.
+    pub questions: Vec<ChosenQuestion>,
+    /// The number in the code of the set's round. It follows from the choice and the order of the
+    /// questions, so that a round can tell whether its set is still the same.
+    pub seed: u64,
+}
+
+/// A question of a set.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChosenQuestion {
+    /// The question.
+    pub question: Question,
+    /// Where it comes from: "speeds-7, question 3", or the id of a question in words.
+    pub source: String,
+    /// Why it is in the set.
+    pub reason: Option<String>,
+    /// The question in words that was chosen by its id.
+    pub(in crate::quiz) concept: Option<Concept>,
+}
