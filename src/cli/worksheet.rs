@@ -134,7 +134,8 @@ fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
         return Ok(code.clone());
     }
     let seed = options.seed;
-    let seed = seed.ok_or("expected --seed N, --code CODE or --set FILE, to fix the questions")?;
+    let seed =
+        seed.ok_or("expected --seed N or --code CODE, to fix the questions, or --set FILE")?;
     let course = match args.count {
         Some(count) => Course::of(CourseKind::Mixed, count),
         None => Course::new(CourseKind::Mixed),

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::process::{Command, Output, Stdio};
+use std::time::Duration;
 
 use carrom::class::ClassRound;
 use carrom::cli;
@@ -111,6 +112,43 @@ impl Teacher {
     }
 }
 
+/// Begins a class round and enters a team's vote.
+fn vote(game: &mut Headless, round: &Round) {
+    let form = &round.questions()[0].form;
+    let said = keys::said(form, &form.truth());
+    game.press(&format!("<Enter><Enter><Enter>1{said}"));
+}
+
+/// Answers the question on the screen and goes on to the next one.
+fn answer(game: &mut Headless, question: &Question) {
+    let said = keys::said(&question.form, &question.form.truth());
+    let top = |game: &mut Headless| {
+        let screen = game.screen();
+        let line = screen.lines().next().unwrap_or_default();
+        let status = line.trim_start_matches(" carrom : quiz").trim_start();
+        status.split("  ").next().map(str::to_owned)
+    };
+    let here = top(game);
+    game.press(&format!("{said}2"));
+    for _ in 0..4 {
+        if game
+            .app()
+            .keys()
+            .rows()
+            .iter()
+            .any(|row| row.id == "hit.end")
+        {
+            game.press("<End>");
+        }
+        assert!(game.settle(Duration::from_secs(120)));
+        if top(game) != here {
+            return;
+        }
+        game.press("<Enter>");
+    }
+    panic!("{}", game.screen());
+}
+
 fn texts(questions: &[Question]) -> Vec<&str> {
     questions.iter().map(|it| it.text.as_str()).collect()
 }
@@ -132,10 +170,7 @@ fn the_quiz_a_class_a_worksheet_and_moodle_ask_the_same_questions() {
 
     let mut game = teacher.game("quiz");
     for question in round.questions() {
-        let said = keys::said(&question.form, &question.form.truth());
-        game.press(&format!("{said}2<Enter>"));
-        game.settle(std::time::Duration::from_secs(60));
-        game.press("<Enter>");
+        answer(&mut game, question);
     }
     let attempts = game.attempts();
     assert_eq!(attempts.len(), 5);
@@ -148,7 +183,7 @@ fn the_quiz_a_class_a_worksheet_and_moodle_ask_the_same_questions() {
     }
 
     let mut game = teacher.game("class --teams A,B");
-    game.press("<Enter><Enter><Enter>");
+    vote(&mut game, &teacher.round());
     let (name, bytes) = teacher.class_file();
     let mut own = teacher.own();
     own.add_set(teacher.set.as_ref()).unwrap();
@@ -203,7 +238,7 @@ fn a_class_round_is_resumed_only_with_the_same_questions() {
     let mut game = teacher.game("class --teams A,B");
     let code = teacher.round().code().to_string();
     assert!(game.screen().contains(&code), "{}", game.screen());
-    game.press("<Enter><Enter><Enter>");
+    vote(&mut game, &teacher.round());
     // Another title changes nothing.
     fs::write(&teacher.set, SET.replace("Our / first", "Another")).unwrap();
     let mut game = teacher.game("class");
@@ -234,10 +269,7 @@ fn the_answers_of_a_set_can_be_handed_in_and_read_again() {
     let round = teacher.round();
     let mut game = teacher.game("quiz");
     for question in round.questions().iter().take(2) {
-        let said = keys::said(&question.form, &question.form.truth());
-        game.press(&format!("{said}2<Enter>"));
-        game.settle(std::time::Duration::from_secs(60));
-        game.press("<Enter>");
+        answer(&mut game, question);
     }
     let data = teacher.folder.path().to_str().unwrap();
     let all = carrom(&["progress", "--json", "--data-dir", data]);
