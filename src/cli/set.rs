@@ -42,7 +42,9 @@ pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Fail
                 writeln!(report, "{name}: good: {}", set.title)?;
                 for (number, chosen) in (1..).zip(&set.questions) {
                     write_question(number, &chosen.question, &mut report)?;
-                    writeln!(report, "    from {}", chosen.source)?;
+                    if id(&chosen.question) != Some(&chosen.source) {
+                        writeln!(report, "    from {}", chosen.source)?;
+                    }
                     if let Some(reason) = &chosen.reason {
                         writeln!(report, "    reason: {reason}")?;
                     }

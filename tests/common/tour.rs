@@ -173,7 +173,7 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("class, setting up", "class", "").taking_any(),
     moment("class, a team's name", "class", "Ants").taking_any(),
     moment("class, earlier rounds", "class", "<End><Enter>"),
-    moment("class, the questions", "class", "<Down><Down>p"),
+    moment("class, a kind of round", "class", "<Down><Down>"),
     moment("class, described", CLASS, "<Enter>"),
     moment("class, predicting", CLASS, "<Enter><Enter>"),
     moment("class, voting", CLASS, "<Enter><Enter><Enter>"),

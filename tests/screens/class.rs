@@ -510,7 +510,7 @@ fn a_round_begins_with_the_questions_that_were_seen() {
     game.press("<Up>p<Down>p");
     let screen = game.screen();
     assert!(
-        screen.contains("7p") && screen.contains("The code: expected the code of a round"),
+        screen.contains("code: 7p") && screen.contains("The code: expected the code of"),
         "{screen}"
     );
 }
