@@ -611,7 +611,11 @@ impl App {
             Route::Class { code, teams, name } => {
                 hosted(Class::new(code.as_ref(), &teams, &name, cx))
             }
-            Route::Host { code, name } => hosted(Class::with_devices(code.as_ref(), &name, cx)),
+            Route::Host {
+                code,
+                name,
+                nicknames,
+            } => hosted(Class::with_devices(code.as_ref(), &name, nicknames, cx)),
             Route::Join {
                 address,
                 code,

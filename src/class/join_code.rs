@@ -86,6 +86,11 @@ impl SeatToken {
     pub const fn of(random: u128) -> Self {
         Self(random)
     }
+
+    /// A number below `limit` that reveals next to nothing of the token.
+    pub(super) fn number_below(self, limit: usize) -> usize {
+        (self.0 % limit.max(1) as u128) as usize
+    }
 }
 
 /// The token is a secret, so it must not appear in crash reports.

@@ -72,6 +72,11 @@ pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
 
+/// Whether two names are those of the same class: `carrom gather --class` ignores case, too.
+pub(crate) fn is_same_class(one: &str, other: &str) -> bool {
+    folded(&tidy(one)) == folded(&tidy(other))
+}
+
 /// A name as it is shown and stored: only visible letters, no blanks at the ends, at most
 /// [`LONGEST_NAME`] letters.
 pub(super) fn tidy(name: &str) -> String {

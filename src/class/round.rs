@@ -7,6 +7,7 @@ use super::ballot::{Ballot, Said, Vote, unsure};
 use super::device::Device;
 use super::join_code::{JoinCode, SeatToken};
 use super::names::{folded, free_name, tidy};
+use super::nicknames;
 use super::step::ClassPlace;
 use super::way::WayOfVoting;
 use crate::progress::Tally;
@@ -65,6 +66,8 @@ pub struct ClassRound {
     place: ClassPlace,
     /// The name of the class; may be empty.
     class: String,
+    /// Whether carrom gives nicknames to pupils' devices instead of asking for names.
+    nicknames: bool,
     /// How many votes in its file did not fit their questions and were dropped.
     pub(super) dropped: usize,
 }
@@ -119,6 +122,7 @@ impl ClassRound {
             joining: None,
             place: ClassPlace::default(),
             class: String::new(),
+            nicknames: false,
             dropped: 0,
         }
     }
@@ -138,6 +142,17 @@ impl ClassRound {
     pub fn of_class(self, name: &str) -> Self {
         let class = tidy(name);
         Self { class, ..self }
+    }
+
+    /// The same round, in which carrom gives nicknames to pupils' devices, or asks for names.
+    #[must_use]
+    pub fn with_nicknames(self, nicknames: bool) -> Self {
+        Self { nicknames, ..self }
+    }
+
+    /// Whether carrom gives nicknames to pupils' devices.
+    pub fn gives_nicknames(&self) -> bool {
+        self.nicknames
     }
 
     /// The name of the class; may be empty.
@@ -222,6 +237,19 @@ impl ClassRound {
     pub fn name_for(&self, name: &str) -> Option<String> {
         let name = tidy(name);
         (!name.is_empty()).then(|| free_name(&name, &self.teams()))
+    }
+
+    /// The name of a newcomer who asks for this name and gets this token: a nickname, if the round
+    /// gives them.
+    pub(super) fn newcomers_name(&self, name: &str, token: SeatToken) -> Option<String> {
+        if !self.nicknames {
+            return self.name_for(name);
+        }
+        let is_taken = |it: &str| {
+            let is_used = self.participants.iter().any(|other| other.name == it);
+            is_used || self.is_removed(None, it)
+        };
+        self.name_for(&nicknames::for_device(name, token, is_taken))
     }
 
     /// A participant by index.

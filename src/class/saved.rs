@@ -34,6 +34,9 @@ struct Written<'a> {
     #[serde(skip_serializing_if = "str::is_empty")]
     class: &'a str,
     way: &'a str,
+    /// Whether carrom gives nicknames to pupils' devices.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    nicknames: bool,
     /// The current question, counted from 1.
     number: usize,
     step: &'a str,
@@ -51,8 +54,18 @@ struct Written<'a> {
 }
 
 /// The fields of a file.
-const FIELDS: [&str; 10] = [
-    "format", "code", "class", "way", "number", "step", "asked", "door", "address", "then",
+const FIELDS: [&str; 11] = [
+    "format",
+    "code",
+    "class",
+    "way",
+    "nicknames",
+    "number",
+    "step",
+    "asked",
+    "door",
+    "address",
+    "then",
 ];
 
 /// The complete part of a file: a crash may leave a partial last line.
@@ -79,6 +92,7 @@ impl ClassRound {
             code: self.code().to_string(),
             class: self.class(),
             way: self.way().into(),
+            nicknames: self.gives_nicknames(),
             number: self.place().question + 1,
             step: self.place().step.into(),
             asked: self.own_ids(),
@@ -189,7 +203,11 @@ impl ClassRound {
             let parse = |text: &str| text.parse().map_err(|_| expected.to_owned());
             fields.text_as(name, parse).map(Some)
         });
-        let mut round = Self::voting(way?, code?).of_class(&class?);
+        let nicknames = fields.or("nicknames", false, |name| {
+            fields.parsed(name, "true or false")
+        });
+        let round = Self::voting(way?, code?).of_class(&class?);
+        let mut round = round.with_nicknames(nicknames?);
         if asked?.is_some_and(|asked| round.own_ids() != asked) {
             let message = "expected your own questions as they were; their files have changed";
             return fields.refuse("asked", message);

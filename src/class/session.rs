@@ -376,7 +376,7 @@ impl Session {
         if !self.new_seats.has_one(address, at) {
             return Err(Refusal::Later);
         }
-        let name = self.round.name_for(name).ok_or(Refusal::Name)?;
+        let name = (self.round.newcomers_name(name, fresh)).ok_or(Refusal::Name)?;
         if self.round.participants().len() >= self.round.way().most() {
             let person = self.who_gives_way(address).ok_or(Refusal::Full)?;
             self.change_people(&ClassChange::Vacate { person });

@@ -1,6 +1,7 @@
 //! The command line, with one file per subcommand.
 
 mod board;
+mod class;
 mod completions;
 mod concept;
 mod examples;
@@ -33,7 +34,7 @@ mod written;
 use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -44,7 +45,7 @@ pub(crate) use failure::Failure;
 pub(crate) use options::GlobalOptions;
 
 use crate::app::{App, Data};
-use crate::class::{JoinCode, team_names};
+use crate::class::JoinCode;
 use crate::files::{LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json};
 use crate::physics::CollisionSpec;
 use crate::quiz::{Code, concepts};
@@ -183,33 +184,7 @@ enum OpenCommand {
         #[arg(long, requires = "list")]
         json: bool,
     },
-    /// Open a round for a class: teams at one keyboard, or everyone on their own device
-    Class {
-        /// Let everyone vote on their own phone or laptop, on the local network
-        #[arg(long)]
-        host: bool,
-        /// The port for their devices (default: the port of the round you continue, or the first
-        /// free one from 8090 on)
-        #[arg(long, value_name = "PORT")]
-        port: Option<u16>,
-        /// The page for their browsers (default: the one in this program, or carrom.html
-        /// beside it)
-        #[arg(long, value_name = "FILE")]
-        page: Option<PathBuf>,
-        /// The round to play, by its code, such as mixed-7
-        #[arg(long, value_name = "CODE", value_parser = Code::read)]
-        code: Option<Code>,
-        /// The round to play, by the file of a set: questions that you have chosen
-        #[arg(long, value_name = "FILE", conflicts_with = "code")]
-        set: Option<PathBuf>,
-        /// The names of 1 to 8 teams, separated by commas
-        #[arg(long, value_name = "A,B,C", conflicts_with = "host")]
-        #[arg(value_parser = |names: &str| team_names(names.split(',')))]
-        teams: Option<Teams>,
-        /// The name of the class, for the exported tables and the pupils' hand-ins
-        #[arg(long, value_name = "NAME")]
-        class: Option<String>,
-    },
+    Class(class::Args),
     /// Join a class from your own device
     Join {
         /// The address of the class, as shown on the board: 192.168.43.117:8090
@@ -254,7 +229,7 @@ impl OpenCommand {
     /// The options for serving a class, if one is hosted.
     fn host_options(&self) -> anyhow::Result<HostOptions> {
         match self {
-            Self::Class { port, page, .. } => play::host_options(*port, page.as_deref()),
+            Self::Class(args) => play::host_options(args.port, args.page.as_deref()),
             _ => play::host_options(None, None),
         }
     }
@@ -264,6 +239,7 @@ impl OpenCommand {
         match self {
             Self::Progress(args) => !args.prints(),
             Self::Board(args) => !args.prints(),
+            Self::Class(args) => !args.prints(),
             Self::Measure(args) => args.screen,
             Self::Quiz { list, .. } => list.is_none(),
             _ => true,
@@ -273,7 +249,8 @@ impl OpenCommand {
     /// The file of the set to play.
     fn set(&self) -> Option<&Path> {
         match self {
-            Self::Quiz { set, .. } | Self::Class { set, .. } => set.as_deref(),
+            Self::Quiz { set, .. } => set.as_deref(),
+            Self::Class(args) => args.set.as_deref(),
             _ => None,
         }
     }
@@ -296,22 +273,7 @@ impl OpenCommand {
             Self::Quiz { code, .. } => Route::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
             },
-            Self::Class {
-                code,
-                host,
-                class,
-                teams,
-                ..
-            } => {
-                let name = class.clone().unwrap_or_default();
-                let code = filled(code.as_ref(), &data.own)?;
-                let code = code.map(Code::same_for_all).transpose()?;
-                let teams = teams.clone().unwrap_or_default();
-                match host {
-                    true => Route::Host { name, code },
-                    false => Route::Class { name, code, teams },
-                }
-            }
+            Self::Class(args) => args.route(filled(args.code.as_ref(), &data.own)?)?,
             Self::Join { address, code } => Route::Join {
                 code: code.or_else(|| code_of(address.as_deref()?)),
                 address: Some(address.as_deref().and_then(host_of).unwrap_or_default()),
@@ -410,9 +372,12 @@ impl Cli {
     /// What was expected.
     fn check(&self) -> Result<(), String> {
         let has_code = match &self.command {
-            Some(Command::Open(
-                OpenCommand::Quiz { code, set, .. } | OpenCommand::Class { code, set, .. },
-            )) => code.is_some() || set.is_some(),
+            Some(Command::Open(OpenCommand::Quiz { code, set, .. })) => {
+                code.is_some() || set.is_some()
+            }
+            Some(Command::Open(OpenCommand::Class(args))) => {
+                args.code.is_some() || args.set.is_some()
+            }
             Some(Command::Worksheet(args)) => args.code.is_some() || args.set.is_some(),
             _ => false,
         };
@@ -466,6 +431,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             json,
             ..
         })) => set::list(code, *json, &cli.options),
+        Some(Command::Open(OpenCommand::Class(args))) if args.prints() => {
+            class::run(args, &cli.options)
+        }
         Some(Command::Open(OpenCommand::Measure(args))) if !args.screen => {
             measure::run(args, &cli.options)
         }

@@ -182,7 +182,7 @@ fn report(results: &PupilResults<'_>) -> Markup {
         .collect();
     let held = &results.beliefs;
     html! {
-        p {
+        p data-class=(pupil.class) {
             @if !pupil.class.is_empty() { bdi { (clean(&pupil.class, NAME)) } ". " }
             (counted(tally.attempts, "answer")) ", " (percent(tally.share_right())) " right."
         }

@@ -22,6 +22,7 @@
 //! assert!(text.text().starts_with("# Ada \\<3"));
 //! ```
 
+pub mod class_report;
 mod clean;
 pub mod gradebook;
 mod guide;
@@ -36,6 +37,10 @@ pub(crate) use guide::guide_page;
 pub use markdown::Markdown;
 pub use measured::measured_html;
 pub use page::{Paper, html_page};
+
+/// The attribute by which a page names each class that it is about, so that `carrom class --forget`
+/// finds it.
+pub(crate) const CLASS_MARK: &str = "data-class";
 
 use crate::widgets::picture::Picture;
 use crate::widgets::svg::Svg;

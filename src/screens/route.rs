@@ -67,6 +67,8 @@ pub enum Route {
         code: Option<Code>,
         /// The name of the class; may be empty.
         name: String,
+        /// Whether carrom gives nicknames to the devices instead of asking for names.
+        nicknames: bool,
     },
     /// A pupil's device in a class.
     Join {

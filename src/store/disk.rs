@@ -10,7 +10,7 @@ use super::text_store::{TextStore, free_number, number};
 use crate::files::{self, FileError, UNFINISHED, UnplacedFile, fsync_dir};
 
 /// The lock file for writing to a folder.
-const LOCK: &str = ".lock";
+pub(super) const LOCK: &str = ".lock";
 
 /// Texts as files in a folder, which is created when the first text is written.
 pub(super) struct Disk {

@@ -3,7 +3,7 @@
 
 use super::memory::Memory;
 use super::text_store::TextStore;
-use super::{Database, Store, TABLE, TEXT};
+use super::{Database, PAGE, Store, TABLE, TEXT};
 
 /// A file: its path in the data folder, such as `games/game-1.toml`, and its bytes.
 pub type FileBytes = (String, Vec<u8>);
@@ -70,7 +70,7 @@ impl Store {
     /// The files exported since the last call: names and texts.
     pub fn take_exports(&mut self) -> Vec<(String, String)> {
         let mut taken = Vec::new();
-        for store in [&mut self.exports, &mut self.tables] {
+        for store in [&mut self.exports, &mut self.tables, &mut self.pages] {
             for name in store.names().unwrap_or_default() {
                 let place = store.place(&name);
                 let bytes = store.read(&name).unwrap_or_default();
@@ -80,6 +80,7 @@ impl Store {
         }
         self.exports = texts("exports", &[]);
         self.tables = Box::new(Memory::new("exports", TABLE));
+        self.pages = Box::new(Memory::new("exports", PAGE));
         taken
     }
 

@@ -13,6 +13,7 @@
 mod database;
 mod disk;
 mod folder_lock;
+mod forget;
 mod kept_elsewhere;
 mod memory;
 mod open_files;
@@ -31,11 +32,13 @@ use crate::game::{Game, SavedGame};
 use crate::gradebook::HandIn;
 use crate::messages::{History, KnownPlayer, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::numbers::counted;
+use crate::paper::class_report;
 use crate::progress::{Calendar, NotedHit};
 use crate::quiz::concepts::Library;
 use crate::screens::KeptSettings;
 use database::Database;
 use disk::Disk;
+pub(crate) use forget::Forgetting;
 pub use kept_elsewhere::FileBytes;
 use memory::Memory;
 use open_files::OpenFiles;
@@ -53,6 +56,8 @@ const HANDED_IN: &str = "handed-in";
 const HAND_IN: &str = ".json";
 /// The suffix of tables for other programs.
 const TABLE: &str = ".csv";
+/// The suffix of pages for a browser.
+const PAGE: &str = ".html";
 
 /// Whether this request stores an action of the player, which must be stored in order.
 fn is_note(request: &StoreRequest) -> bool {
@@ -76,6 +81,7 @@ pub struct Store {
     classes: OpenFiles<ClassRound>,
     exports: Box<dyn TextStore>,
     tables: Box<dyn TextStore>,
+    pages: Box<dyn TextStore>,
     handed_in: Box<dyn TextStore>,
     progress: Database,
     /// Files that are kept but not used: damaged databases.
@@ -117,11 +123,13 @@ impl Store {
             let disk = Disk::new(folder.join(name), ending, largest);
             // Seat tokens and pupils' answers are for the teacher alone, and so are the tables of
             // them.
-            Box::new(if [CLASSES, HANDED_IN].contains(&name) || ending == TABLE {
-                disk.private()
-            } else {
-                disk
-            })
+            Box::new(
+                if [CLASSES, HANDED_IN].contains(&name) || [TABLE, PAGE].contains(&ending) {
+                    disk.private()
+                } else {
+                    disk
+                },
+            )
         });
         Self {
             settings: Some(folder.join(KeptSettings::FILE)),
@@ -194,6 +202,7 @@ impl Store {
             // These texts are only written.
             exports: texts("exports", TEXT, 0),
             tables: texts("exports", TABLE, 0),
+            pages: texts("exports", PAGE, 0),
             handed_in: texts(HANDED_IN, HAND_IN, HandIn::LARGEST_FILE),
             progress,
             aside: Vec::new(),
@@ -278,19 +287,29 @@ impl Store {
         }
     }
 
-    /// Writes both tables of a class round.
+    /// Writes both tables and the report of a class round.
     fn export_class(&mut self, round: &ClassRound) -> Result<String, String> {
         let mut places = Vec::new();
-        let today = self.calendar().today().map(|day| day.to_string());
-        let today = today.unwrap_or_default();
-        for (kind, text) in [
-            ("class-answers", answers_csv(round, &today)?),
-            ("class-items", items_csv(round, &today)?),
+        let day = self.calendar().today();
+        let today = day.map(|day| day.to_string()).unwrap_or_default();
+        let about = class_report::About {
+            day,
+            with_names: false,
+        };
+        for (is_page, kind, text) in [
+            (false, "class-answers", answers_csv(round, &today)?),
+            (false, "class-items", items_csv(round, &today)?),
+            (true, "class-report", class_report::html(round, &about)),
         ] {
-            let name = self.tables.add(kind, &text)?;
-            places.push(self.tables.place(&name));
+            let store = match is_page {
+                true => &mut self.pages,
+                false => &mut self.tables,
+            };
+            let name = store.add(kind, &text)?;
+            places.push(store.place(&name));
         }
-        Ok(places.join(" and "))
+        let last = places.pop().unwrap_or_default();
+        Ok(format!("{} and {last}", places.join(", ")))
     }
 
     /// Stores a hand-in beside earlier ones, unless an identical one is already there. Returns the

@@ -50,7 +50,15 @@ impl Teacher {
         let (path, shown) = (folder.path().to_owned(), Arc::clone(&screen));
         let thread = thread::spawn(move || {
             let name = "10b".to_owned();
-            let app = App::new(Route::Host { code, name }, Settings::default(), 7);
+            let app = App::new(
+                Route::Host {
+                    code,
+                    name,
+                    nicknames: false,
+                },
+                Settings::default(),
+                7,
+            );
             let store = Store::in_folder(&path);
             let game = Headless::keeping(app, 80, 24, store);
             teach(game, page, &pressed, &told, &shown);

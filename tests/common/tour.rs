@@ -416,7 +416,17 @@ fn devices(
     };
     let code = Code::parse(code);
     let name = String::new();
-    let mut class = Classroom::new(opened(Route::Host { code, name }, "teacher").into());
+    let mut class = Classroom::new(
+        opened(
+            Route::Host {
+                code,
+                name,
+                nicknames: false,
+            },
+            "teacher",
+        )
+        .into(),
+    );
     let [ada, _] = ["Ada", "Bo"].map(|name| {
         let place = Route::Join {
             address: None,

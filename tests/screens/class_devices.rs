@@ -76,6 +76,7 @@ fn answered_alone(folder: &Folder) -> (Classroom, Who) {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
+        nicknames: false,
     };
     let app = App::new(place, Settings::default(), 7);
     let store = Store::in_folder(folder.path()).timeless();
@@ -168,6 +169,7 @@ fn a_class_continues_while_the_glossary_is_open() {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
+        nicknames: false,
     };
     let app = App::new(place, Settings::default(), 7);
     let mut class = Classroom::new(app.into());
@@ -208,6 +210,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
         let place_of = Route::Host {
             code: Code::parse("concept-1"),
             name: String::new(),
+            nicknames: false,
         };
         let app = App::new(place_of, Settings::default(), 7);
         let store = Store::in_folder(folder.path()).timeless();
@@ -304,6 +307,7 @@ fn gathering(names: &[&str]) -> (Classroom, Vec<Who>) {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
+        nicknames: false,
     };
     let app = App::new(place, Settings::default(), 7);
     let store = Store::in_memory().timeless();
@@ -468,6 +472,7 @@ fn hosted(folder: &Folder, code: Option<&str>, name: &str, pupils: &[&str]) -> C
     let place = Route::Host {
         code: code.map(|code| Code::parse(code).unwrap()),
         name: name.into(),
+        nicknames: false,
     };
     let app = App::new(place, Settings::default(), 7);
     let store = Store::in_folder(folder.path());
@@ -660,6 +665,7 @@ impl Crowd {
         let place = Route::Host {
             code: Code::parse("from-angle2-7"),
             name: String::new(),
+            nicknames: false,
         };
         let app = App::new(place, Settings::default(), 7);
         let mut host = Headless::new(app, 80, 24);

@@ -14,7 +14,8 @@ mod words;
 use crate::quiz::{CourseKind, Round};
 
 pub use cards::cards;
-pub(crate) use pictures::WorksheetPicture;
+pub(crate) use pictures::{WorksheetPicture, asked, of_answer};
+pub(crate) use words::said;
 
 use super::{Paper, clean};
 

@@ -89,8 +89,18 @@ fn picture(question: &Question, with_protractor: bool) -> Option<Svg> {
     Some(svg(&words, &picture))
 }
 
+/// The picture of a question as it is asked on a screen.
+pub(crate) fn asked(question: &Question) -> Option<Svg> {
+    let picture = question_picture(AREA, question, None)?;
+    let words = match &question.picture {
+        Illustration::Before { collision, .. } => words(collision, ""),
+        _ => of_question(question)?.words().to_owned(),
+    };
+    Some(svg(&words, &picture))
+}
+
 /// The true collision of a question, with all its values.
-pub(super) fn of_answer(question: &Question) -> Option<Svg> {
+pub(crate) fn of_answer(question: &Question) -> Option<Svg> {
     let collision = match &question.form {
         Form::Shot(aim) => aim.with(aim.offset),
         _ => *question.picture.collision()?,

@@ -90,7 +90,7 @@ pub(super) fn truth(question: &Question) -> String {
 }
 
 /// An answer in words; a choice includes its letter.
-pub(super) fn said(question: &Question, said: &crate::quiz::Response) -> String {
+pub(crate) fn said(question: &Question, said: &crate::quiz::Response) -> String {
     let words = question.form.words(said);
     match said {
         crate::quiz::Response::Choice(choice) => format!("{}: {words}", letter(*choice)),

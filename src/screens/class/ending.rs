@@ -1,17 +1,15 @@
 //! After the last question: the final scores, the class's misconceptions, the results of each
 //! question.
 
-use std::cmp::Reverse;
-
 use strum::{EnumMessage, FromRepr, IntoStaticStr};
 
 use super::stage::Stage;
 use super::{ClassAction, RoundAction, scores};
-use crate::class::{ClassRound, ItemAnalysis, Vote, WayOfVoting, items};
+use crate::class::{ClassRound, ItemAnalysis, WayOfVoting, beliefs, items};
 use crate::messages::Key;
 use crate::numbers::fixed;
 use crate::progress::words::percent;
-use crate::quiz::{Evidence, Form, Misconception, Question, letter};
+use crate::quiz::{Form, Question, letter};
 use crate::screens::View;
 use crate::screens::view::WIDEST;
 use crate::widgets::input::KeyTable;
@@ -82,55 +80,10 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
     }
 }
 
-/// A misconception in a class: the number of teams whose votes show it, before and after the
-/// discussion, and the number of votes that fit it.
-struct ClassBelief {
-    misconception: Misconception,
-    teams: [usize; 2],
-    votes: [usize; 2],
-    /// The total evidence in the votes before the discussion.
-    weight: f64,
-}
-
-/// The class's misconceptions, ordered by the number of teams that hold them and, in a tie, by the
-/// evidence.
-fn held(round: &ClassRound) -> Vec<ClassBelief> {
-    // Counted hands have no names, so their evidence is weighed question by question.
-    let all = match round.way() {
-        WayOfVoting::Tally => round.questions().len(),
-        WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),
-    };
-    let clues = Vote::BOTH.map(|vote| {
-        let each = (0..all).map(|number| match round.way() {
-            WayOfVoting::Tally => round.clues(number, vote),
-            WayOfVoting::Teams | WayOfVoting::Devices => round.clues_of(number, vote),
-        });
-        each.collect::<Vec<_>>()
-    });
-    let of = |misconception| {
-        let [first, second] = clues.each_ref().map(|teams| {
-            let each = teams.iter().map(|clues| Evidence::of(misconception, clues));
-            each.collect::<Vec<_>>()
-        });
-        let both = [&first, &second];
-        ClassBelief {
-            misconception,
-            teams: both.map(|teams| teams.iter().filter(|it| it.names()).count()),
-            votes: both.map(|teams| teams.iter().map(|it| it.times).sum()),
-            weight: first.iter().map(|it| it.weight.max(0.0)).sum(),
-        }
-    };
-    let mut held: Vec<_> = Misconception::ALL.iter().map(|it| of(*it)).collect();
-    held.retain(|it| it.votes != [0, 0]);
-    let rank = |it: &ClassBelief| (it.teams[0], it.teams[1], (1e6 * it.weight) as i64);
-    held.sort_by_key(|it| Reverse(rank(it)));
-    held
-}
-
 fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     panel.large(["Your beliefs", "Beliefs"], Role::Title, LARGE_FROM);
     panel.gap();
-    let held = held(round);
+    let held = beliefs(round);
     if held.is_empty() {
         panel.paragraph(
             "No vote fits a known misconception. That is rare, and good.",

@@ -125,8 +125,13 @@ impl Class {
 
     /// A round on pupils' own devices: an interrupted one if the teacher resumes it, otherwise a
     /// new one.
-    pub(crate) fn with_devices(code: Option<&Code>, name: &str, cx: &mut Context) -> Self {
-        let unfinished = Unfinished::ask(code.cloned(), name, cx);
+    pub(crate) fn with_devices(
+        code: Option<&Code>,
+        name: &str,
+        nicknames: bool,
+        cx: &mut Context,
+    ) -> Self {
+        let unfinished = Unfinished::ask(code.cloned(), name, nicknames, cx);
         Self {
             scene: ClassScene::Unfinished(Box::new(unfinished)),
             paused: false,
@@ -141,12 +146,14 @@ impl Class {
         self.scene = match (end, unfinished.other()) {
             (None, _) => return,
             (Some(UnfinishedEnd::TakeUp(play)), _) => ClassScene::Play(play),
-            (Some(UnfinishedEnd::Another), (Some(code), name)) => {
+            (Some(UnfinishedEnd::Another), (Some(code), name, nicknames)) => {
                 let round = ClassRound::with_devices(code.clone()).of_class(name);
+                let round = round.with_nicknames(nicknames);
                 ClassScene::Play(Box::new(ClassPlay::new(round, cx)))
             }
-            (Some(UnfinishedEnd::Another), (None, name)) => {
+            (Some(UnfinishedEnd::Another), (None, name, nicknames)) => {
                 let mut set_up = SetUp::new(None, &[], name, Arc::clone(&cx.own));
+                set_up.nicknames = nicknames;
                 set_up.put(SetUpRow::Devices);
                 ClassScene::SetUp(Box::new(set_up))
             }

@@ -31,6 +31,8 @@ pub(super) struct SetUp {
     /// The chosen topic, as an index into [`CourseKind::topics`].
     pub(super) topic: usize,
     pub(super) code: TextField,
+    /// Whether carrom gives nicknames to pupils' devices.
+    pub(super) nicknames: bool,
     /// The reason why the round cannot start.
     pub(super) trouble: Option<String>,
     /// The teacher's own questions.
@@ -53,6 +55,8 @@ pub(super) enum SetUpRow {
     Tally,
     /// Starts the round with everyone on their own device.
     Devices,
+    /// Whether carrom gives nicknames to their devices.
+    Nicknames,
     /// The list of earlier rounds.
     Earlier,
 }
@@ -113,6 +117,7 @@ impl SetUp {
             kind: code.map_or(RoundKind::Mixed, |_| RoundKind::Code),
             topic: 0,
             code: TextField::new(&code.map(ToString::to_string).unwrap_or_default(), LONGEST),
+            nicknames: false,
             trouble: left_out(&own),
             own,
         };
@@ -164,6 +169,7 @@ impl SetUp {
             SetUpRow::Start,
             SetUpRow::Tally,
             SetUpRow::Devices,
+            SetUpRow::Nicknames,
             SetUpRow::Earlier,
         ]);
         rows
@@ -187,6 +193,7 @@ impl SetUp {
             SetUpRow::Team(_) | SetUpRow::Add | SetUpRow::Class => "next",
             SetUpRow::Kind(_) => "choose it",
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
+            SetUpRow::Nicknames => "switch",
             SetUpRow::Earlier => "open the list",
         };
         // In a text field, these keys move the cursor to its ends.
@@ -339,6 +346,7 @@ impl SetUp {
                 self.put(SetUpRow::Start);
             }
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => return self.start(at, cx),
+            SetUpRow::Nicknames => self.nicknames = !self.nicknames,
             SetUpRow::Earlier => return Outcome::Done(SetUpEnd::Earlier),
         }
         Outcome::Used
@@ -358,7 +366,7 @@ impl SetUp {
             return Outcome::Used;
         };
         let round = match at {
-            SetUpRow::Devices => ClassRound::with_devices(code),
+            SetUpRow::Devices => ClassRound::with_devices(code).with_nicknames(self.nicknames),
             SetUpRow::Tally => ClassRound::with_tally(code),
             _ => ClassRound::new(code, names),
         };

@@ -77,6 +77,11 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
             }
             panel.marked("    ", about, Role::Dim);
         }
+        SetUpRow::Nicknames => {
+            let name = if set_up.nicknames { "on" } else { "off" };
+            let label = ("  nicknames given automatically", Role::Text);
+            panel.row(label, (name, Role::Dim), chosen, action);
+        }
         SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices | SetUpRow::Earlier => {
             let name = match row {
                 SetUpRow::Start => {

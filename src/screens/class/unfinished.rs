@@ -19,9 +19,11 @@ const CHOICES: [&str; 2] = ["resume it", "begin another round"];
 /// The page on which an interrupted round can be resumed.
 #[derive(Debug, Clone)]
 pub(super) struct Unfinished {
-    /// The round that begins if the interrupted one is not resumed, and the name of its class.
+    /// The round that begins if the interrupted one is not resumed, the name of its class, and
+    /// whether it gives nicknames.
     code: Option<Code>,
     name: String,
+    nicknames: bool,
     /// The interrupted round; `None` while it is being loaded.
     stopped: Option<Kept<ClassRound>>,
     list: ListView,
@@ -42,11 +44,12 @@ pub(super) enum UnfinishedEnd {
 impl Unfinished {
     /// Looks for an interrupted round; if a code or a class is given, for one with this code or of
     /// this class.
-    pub(super) fn ask(code: Option<Code>, name: &str, cx: &mut Context) -> Self {
+    pub(super) fn ask(code: Option<Code>, name: &str, nicknames: bool, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {
             code,
             name: name.to_owned(),
+            nicknames,
             stopped: None,
             list: ListView::default(),
             loading: None,
@@ -54,9 +57,10 @@ impl Unfinished {
         }
     }
 
-    /// The round that begins if the interrupted one is not resumed, and the name of its class.
-    pub(super) fn other(&self) -> (Option<&Code>, &str) {
-        (self.code.as_ref(), &self.name)
+    /// The round that begins if the interrupted one is not resumed, the name of its class, and
+    /// whether it gives nicknames.
+    pub(super) fn other(&self) -> (Option<&Code>, &str, bool) {
+        (self.code.as_ref(), &self.name, self.nicknames)
     }
 
     /// The latest round on devices with this code and of this class, if it is not over and somebody

@@ -2,7 +2,7 @@
 
 use crate::class::{JoinCode, LONGEST_NAME};
 use crate::messages::Key;
-use crate::screens::Route;
+use crate::screens::{Context, Route};
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role};
@@ -175,16 +175,23 @@ impl JoinForm {
                 "The code is the six letters on the board, such as BCDFGH.",
             );
         };
+        // A round that gives nicknames requires no name.
         let name = self.name.text().trim().to_owned();
-        if name.is_empty() {
-            return self.refuse(JoinRow::Name, "Enter your name. A nickname is fine.");
-        }
         let code = code.to_string();
         Some(Entry {
             address,
             code,
             name,
         })
+    }
+
+    /// Uses the nickname that the class has given to this device from now on. On a page that the host
+    /// has served, it becomes the player's name.
+    pub(super) fn take_nickname(&mut self, name: &str, cx: &mut Context) {
+        self.name = TextField::new(name, 2 * LONGEST_NAME);
+        if self.address.is_none() {
+            cx.change_player(name.to_owned());
+        }
     }
 
     fn refuse<T>(&mut self, row: JoinRow, words: &str) -> Option<T> {

@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::class::protocol::{
     ClientMessage, HandedIn, HostMessage, LARGEST_HAND_IN, PupilState, PupilStep, Refusal, VERSION,
 };
-use crate::class::{Said, SeatToken, Vote};
+use crate::class::{Said, SeatToken, Vote, is_nickname};
 use crate::messages::{JoinCall, JoinNews};
 use crate::screens::Context;
 
@@ -138,6 +138,9 @@ impl Link {
                 self.state = LinkState::In;
                 self.tries = 0;
                 self.held_up = None;
+                if is_nickname(&state.name) {
+                    self.name.clone_from(&state.name);
+                }
                 if first && self.seat != Some(state.seat) {
                     cx.join(JoinCall::Remember {
                         seat: state.seat.to_string(),

@@ -15,8 +15,8 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
 use super::{Confirmation, Context, Next, Route, Screen, Settings, SharedAction, View};
-use crate::class::JoinCode;
 use crate::class::protocol::{PupilStep, Refusal};
+use crate::class::{JoinCode, is_nickname};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::gradebook::HandIn;
@@ -295,6 +295,9 @@ impl Screen for Join {
                     Some(LinkNews::State(state)) => match &mut self.joined {
                         Some(joined) => joined.take(*state, pace),
                         None => {
+                            if is_nickname(&state.name) {
+                                self.form.take_nickname(&state.name, cx);
+                            }
                             self.joined = Some(JoinedClass::new(*state, pace));
                             self.history = Recall::ask(cx);
                         }

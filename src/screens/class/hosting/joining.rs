@@ -27,6 +27,10 @@ const LEAST_WORDS: u16 = 24;
 /// The notice that names and votes are not private.
 const OPENLY: &str = "Everyone on this network can see names and votes. Nicknames are fine.";
 
+/// The same notice, if carrom gives nicknames.
+const NICKNAMES: &str = "carrom gives everyone a nickname: leave the name empty. Everyone on this \
+                         network can see nicknames and votes.";
+
 /// The instructions for joining.
 pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction> {
     let mut panel = Panel::new("");
@@ -51,7 +55,11 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let (look, area) = (cx.settings.look(), cx.body);
     let address = address(joining);
     let link = format!("http://{address}/#code={}", joining.code);
-    let rows = text::wrap(OPENLY, area.width.saturating_sub(2).into()).len() as u16;
+    let openly = match session.round().gives_nicknames() {
+        true => NICKNAMES,
+        false => OPENLY,
+    };
+    let rows = text::wrap(openly, area.width.saturating_sub(2).into()).len() as u16;
     let [body, _] = areas::upper(area, area.height.saturating_sub(rows));
     let qr = Qr::of(&link, &look).filter(|_| joining.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
@@ -73,7 +81,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     }
     match waits && beside.is_none() {
         true => foot.paragraph(HINT, Role::Warn),
-        false => foot.paragraph(OPENLY, Role::Dim),
+        false => foot.paragraph(openly, Role::Dim),
     }
     let view = match beside {
         Some(BesideQr {
