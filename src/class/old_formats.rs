@@ -12,9 +12,22 @@ use crate::files::Fields;
 pub(super) const OLDEST: u32 = 1;
 
 /// The fields of a file.
-pub(super) const FIELDS: [&str; 14] = [
-    "format", "code", "class", "way", "teams", "number", "step", "asked", "door", "address",
-    "seats", "removed", "question", "then",
+pub(super) const FIELDS: [&str; 15] = [
+    "format",
+    "code",
+    "class",
+    "way",
+    "nicknames",
+    "teams",
+    "number",
+    "step",
+    "asked",
+    "door",
+    "address",
+    "seats",
+    "removed",
+    "question",
+    "then",
 ];
 /// The fields of a question in a file.
 const OF_QUESTION: [&str; 4] = ["first", "second", "first_counts", "second_counts"];

@@ -42,6 +42,11 @@ static GUIDES: [Guide; 14] = [
         markdown: include_str!("../../docs/class.md"),
     },
     Guide {
+        name: "privacy",
+        about: "what is kept, who sees it, how to delete it",
+        markdown: include_str!("../../docs/privacy.md"),
+    },
+    Guide {
         name: "worksheets",
         about: "a round on paper",
         markdown: include_str!("../../docs/worksheets.md"),

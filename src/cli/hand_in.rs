@@ -8,7 +8,7 @@ use anyhow::{Context, anyhow};
 use super::written::{self, NamedFile};
 use super::{Failure, GlobalOptions, progress};
 use crate::files::{self, Document, escape_control_lines};
-use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv};
+use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, learning_csv, pupils_csv};
 use crate::numbers::counted;
 use crate::paper;
 use crate::quiz::Code;
@@ -49,7 +49,8 @@ Examples:
   carrom gather handed-in --out class.html
                                 tables to print, and a page for each pupil
   carrom gather handed-in --out class.csv
-                                class.csv, class-items.csv and class-beliefs.csv
+                                class.csv, class-items.csv and class-beliefs.csv, and
+                                class-learning.csv after the rounds before-1 and after-1
 
   carrom gather ~/.local/share/carrom/handed-in --class 10b --out class.html
                                 what 10b has handed in from devices (carrom class --host)
@@ -161,7 +162,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
     written::write_named_beside(&args.out.path, &documents, args.force)
 }
 
-/// The gradebook in one file, or as three tables.
+/// The gradebook in one file, or as tables.
 fn documents(book: &Gradebook, out: &NamedFile) -> Result<Vec<Document>, String> {
     let (path, results) = (&out.path, book.results());
     if !out.is_second {
@@ -169,9 +170,11 @@ fn documents(book: &Gradebook, out: &NamedFile) -> Result<Vec<Document>, String>
     }
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let beside = |what: &str| path.with_file_name(format!("{stem}-{what}.csv"));
-    Ok(vec![
+    let mut documents = vec![
         (path.clone(), pupils_csv(&results)?),
         (beside("items"), items_csv(&results)?),
         (beside("beliefs"), beliefs_csv(&results)?),
-    ])
+    ];
+    documents.extend(learning_csv(&results)?.map(|text| (beside("learning"), text)));
+    Ok(documents)
 }

@@ -5,17 +5,22 @@
 //! answer counts, because a pupil who plays a round again has seen the right answers.
 
 mod beliefs;
+mod gain;
 mod hand_in;
 mod items;
+mod learning;
 mod pupils;
 mod results;
 mod tables;
 
 pub(crate) use beliefs::BeliefCount;
 pub use beliefs::beliefs;
+pub(crate) use gain::FEWEST;
+pub use gain::{NoGain, NormalizedGain};
 pub use hand_in::HandIn;
 pub(crate) use items::ItemStatistics;
 pub use items::items;
+pub use learning::{BeliefChange, Learning, Matched, learning};
 pub use pupils::{Gradebook, Pupil};
 pub(crate) use results::{ClassResults, PupilResults};
-pub use tables::{beliefs_csv, items_csv, pupils_csv};
+pub use tables::{beliefs_csv, items_csv, learning_csv, pupils_csv};

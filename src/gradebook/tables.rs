@@ -1,6 +1,6 @@
 //! The gradebook as comma-separated values.
 
-use super::{BeliefCount, ClassResults, ItemStatistics, beliefs, items};
+use super::{BeliefCount, ClassResults, ItemStatistics, beliefs, items, learning};
 use crate::files::csv_table;
 use crate::numbers::fixed;
 
@@ -105,4 +105,29 @@ pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
         ("class", &|_| class.clone()),
     ];
     table(&columns, &beliefs(results))
+}
+
+/// One row per pupil who answered every question before and after a unit; `None` if nobody has begun
+/// such forms.
+///
+/// # Errors
+/// The reason if a row cannot be written, which does not happen in practice.
+pub fn learning_csv(results: &ClassResults<'_>) -> Result<Option<String>, String> {
+    let all = learning(results);
+    let rows: Vec<Vec<String>> = { all.iter() }
+        .flat_map(|of| {
+            of.matched.iter().map(|it| {
+                let mut row = vec![it.pupil.name.clone(), it.pupil.class.clone()];
+                row.extend(of.codes.clone());
+                row.push(of.count.to_string());
+                row.extend(it.right.map(|right| right.to_string()));
+                row
+            })
+        })
+        .collect();
+    let heads = "name,class,before,after,questions,right_before,right_after".split(',');
+    match all.is_empty() {
+        true => Ok(None),
+        false => csv_table(heads, &rows).map(Some),
+    }
 }

@@ -27,6 +27,7 @@ pub(crate) use model::State;
 pub use quantities::LineFrom;
 pub(crate) use quantities::{Known, QUANTITIES, Quantity, Unit, line};
 pub use read::{LARGEST, Reading, read};
+pub(crate) use student::t_beyond;
 pub use track::{Leg, Point, Track};
 pub use words::{Row, Section};
 

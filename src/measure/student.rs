@@ -11,7 +11,7 @@ pub(super) fn beyond_f(f: f64, k: f64, dof: f64) -> f64 {
 }
 
 /// The value that |t| exceeds with this probability.
-pub(super) fn t_beyond(probability: f64, dof: f64) -> f64 {
+pub(crate) fn t_beyond(probability: f64, dof: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     while beyond_t(high, dof) > probability && high < 1e9 {
         (low, high) = (high, 2.0 * high);

@@ -3,7 +3,9 @@
 use maud::{Markup, html};
 
 use super::{Paper, clean, html_page};
-use crate::gradebook::{ClassResults, PupilResults, beliefs, items};
+use crate::gradebook::{
+    ClassResults, FEWEST, Learning, NoGain, PupilResults, beliefs, items, learning,
+};
 use crate::numbers::{counted, fixed};
 use crate::progress::Mastery;
 use crate::progress::words::percent;
@@ -19,14 +21,17 @@ const COLUMNS: usize = 6;
 /// The gradebook as an HTML document: the results by pupil, the results by question, the class's
 /// misconceptions, then one page per pupil.
 pub fn html(results: &ClassResults<'_>) -> String {
-    let of_class = [
-        sheet("Gradebook", &overview(results)),
-        sheet("The questions", &questions(results)),
-        sheet("What the class believes", &believed(results)),
-    ];
+    let forms = learning(results);
+    let learnt = (!forms.is_empty()).then(|| sheet("Did the class learn it?", &learnt(&forms)));
+    let of_class = std::iter::once(sheet("Gradebook", &overview(results)))
+        .chain(learnt)
+        .chain([
+            sheet("The questions", &questions(results)),
+            sheet("What the class believes", &believed(results)),
+        ]);
     let pupils =
         { results.pupils.iter() }.map(|it| sheet(&clean(&it.pupil.name, NAME), &report(it)));
-    let sheets = of_class.into_iter().chain(pupils);
+    let sheets = of_class.chain(pupils);
     html_page(
         "carrom: gradebook",
         include_str!("gradebook.css"),
@@ -113,6 +118,88 @@ fn by_columns(
         table(2, &heads, &rows.collect::<Vec<_>>())
     });
     html! { h2 { (title) } @for table in tables { (table) } }
+}
+
+/// What the class has learnt, by the forms before and after a unit.
+fn learnt(forms: &[Learning<'_>]) -> Markup {
+    html! {
+        @for of in forms {
+            @let [before, after] = &of.codes;
+            @let pupils = of.matched.len();
+            h2 { (before) " and " (after) }
+            p {
+                (counted(of.count, "question")) " before and as many parallel ones after. "
+                (counted(pupils, "pupil")) " answered all of them"
+                @if of.others > 0 { "; " (counted(of.others, "pupil")) " answered only some and " (if of.others == 1 { "is" } else { "are" }) " left out" }
+                "."
+            }
+            p { strong { (of_the_class(of)) } }
+            @if pupils > 0 {
+                h3 { "By pupil" }
+                (table(2, &["pupil", "class", "right before", "right after", "change"].map(Into::into), &by_pupil(of)))
+            }
+            @if of.gain.is_ok() || pupils >= FEWEST {
+                h3 { "By misconception" }
+                @let rows = by_misconception(of);
+                @if rows.is_empty() { p { "No answer fits a misconception that both forms can show." } }
+                @else {
+                    (table(1, &["misconception", "fits before", "fits after"].map(Into::into), &rows))
+                    p.dim { "How many answers fit it, of those that could have shown it." }
+                }
+            }
+        }
+        p.dim {
+            "The normalized gain is (post − pre) / (100 % − pre) of the mean scores: the share of what "
+            "was missing that the class has learnt. carrom guide judging gives the exact definition. The "
+            "forms are no standardized test: do not compare the gain with published ones."
+        }
+    }
+}
+
+/// The statement about the class, or why there is none.
+fn of_the_class(of: &Learning<'_>) -> String {
+    let pupils = of.matched.len();
+    match &of.gain {
+        Ok(it) => {
+            let [before, after] = it.means.map(|mean| percent(Some(mean)));
+            let [low, high] = it.interval.map(|end| fixed(end, 2));
+            format!(
+                "Normalized gain {}, 95 % confidence interval {low} to {high}, from {pupils} pupils: \
+                 {before} right before, {after} after.",
+                fixed(it.gain, 2)
+            )
+        }
+        Err(NoGain::TooFew) => {
+            format!("Too few pupils for a statement: {pupils} of at least {FEWEST}.")
+        }
+        Err(NoGain::NothingToLearn) => format!(
+            "No statement from {pupils} pupils: there were too few mistakes before to measure a gain."
+        ),
+    }
+}
+
+fn by_pupil(of: &Learning<'_>) -> Vec<Vec<String>> {
+    let row = |it: &crate::gradebook::Matched<'_>| {
+        let [before, after] = it.right;
+        let change = after as f64 - before as f64;
+        let mut row = vec![clean(&it.pupil.name, NAME), clean(&it.pupil.class, 16)];
+        row.extend(it.right.map(|right| format!("{right} of {}", of.count)));
+        row.push(match change > 0.0 {
+            true => format!("+{}", fixed(change, 0)),
+            false => fixed(change, 0),
+        });
+        row
+    };
+    of.matched.iter().map(row).collect()
+}
+
+fn by_misconception(of: &Learning<'_>) -> Vec<Vec<String>> {
+    let row = |it: &crate::gradebook::BeliefChange| {
+        let mut row = vec![it.misconception.name().to_owned()];
+        row.extend([0, 1].map(|form| format!("{} of {}", it.fits[form], it.could[form])));
+        row
+    };
+    of.beliefs.iter().map(row).collect()
 }
 
 fn questions(results: &ClassResults<'_>) -> Markup {

@@ -159,7 +159,7 @@ impl Attempt {
     /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If it
     /// was not stored which misconceptions an answer could have shown, only the misconception that
     /// it did show is included.
-    pub(super) fn clue(&self) -> Clue {
+    pub(crate) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
         let ids = noted.iter().filter_map(Value::as_str);

@@ -161,8 +161,10 @@ fn is_table(text: &str, class: &str) -> bool {
     };
     // A name that begins like a formula has an apostrophe before it.
     let is_named = |cell: &str| {
-        let plain = cell.strip_prefix('\'');
-        is_same_class(cell, class) || plain.is_some_and(|cell| is_same_class(cell, class))
+        let classes = cell
+            .split("; ")
+            .chain([cell, cell.strip_prefix('\'').unwrap_or(cell)]);
+        classes.into_iter().any(|it| is_same_class(it, class))
     };
     let mut rows = table.records().map_while(Result::ok);
     rows.any(|row| row.get(column).is_some_and(is_named))
@@ -204,6 +206,7 @@ mod tests {
             r#"{"format": 1, "carrom": "hand-in", "name": "Ada", "class": "10b ", "answers": []}"#,
             r#"{"format": 1, "carrom": "hand-in", "name": "Ada", "class" : "10b", "answ"#,
             "code,team,class\nmixed-7,Ants,10c\nmixed-7,Bees,10b\n",
+            "round,class\nmixed-7,10a; 10b\n",
             "name,class,points\n\"Ada\",10b,3\n\"Bo",
             "<!DOCTYPE html><div data-class=\"10c\"></div><div data-class=\"10b\">",
         ] {

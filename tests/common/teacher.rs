@@ -42,6 +42,11 @@ impl Teacher {
 
     /// Starts the round with this code and waits in the lobby.
     pub(crate) fn with_round(folder: &Folder, page: &str, round: &str) -> Self {
+        Self::hosting(folder, page, round, false)
+    }
+
+    /// Starts the round with this code, with names or nicknames, and waits in the lobby.
+    pub(crate) fn hosting(folder: &Folder, page: &str, round: &str, nicknames: bool) -> Self {
         let code = carrom::quiz::Code::parse(round);
         let page = Arc::new(ServedPage::new(page).unwrap());
         let (keys, pressed) = mpsc::channel();
@@ -54,7 +59,7 @@ impl Teacher {
                 Route::Host {
                     code,
                     name,
-                    nicknames: false,
+                    nicknames,
                 },
                 Settings::default(),
                 7,

@@ -554,3 +554,32 @@ fn an_invalid_hand_in_is_not_stored() {
     assert_eq!(files[0].file_name().unwrap(), "hand-in-bo-1.json");
     assert_eq!(files.len(), 1);
 }
+
+#[test]
+fn with_nicknames_no_typed_name_is_kept_and_a_device_returns_to_its_nickname() {
+    let folder = Folder::new("hosted-nicknames");
+    let teacher = Teacher::hosting(&folder, STUB, "from-angle2-7", true);
+    teacher.wait_for("carrom gives everyone a nickname");
+    let names = ["Ada", "Ada", "", "\u{200b}"];
+    let pupils: Vec<_> = names.iter().map(|name| teacher.join(name)).collect();
+    let nicknames: Vec<_> = pupils.iter().map(|it| it.text("name")).collect();
+    for (i, name) in nicknames.iter().enumerate() {
+        assert_eq!(name.split(' ').count(), 2, "{name}");
+        assert!(!nicknames[..i].contains(name), "{nicknames:?}");
+    }
+    // A device returns by its seat, whatever its name is now.
+    let seat = pupils[0].text("seat");
+    let again = Pupil::join(teacher.port, &teacher.code, "Eve", Some(&seat)).unwrap();
+    assert_eq!(again.text("name"), nicknames[0]);
+    drop((pupils, again, teacher));
+    let path = folder.path().join("classes/class-1.toml");
+    let text = fs::read_to_string(path).unwrap();
+    assert!(!text.contains("Ada") && !text.contains("Eve"), "{text}");
+    assert!(kept(&folder).gives_nicknames());
+
+    // In the next round it asks for the nickname that it remembers.
+    let next = Folder::new("hosted-nicknames-next");
+    let teacher = Teacher::hosting(&next, STUB, "from-angle2-8", true);
+    assert_eq!(teacher.join(&nicknames[1]).text("name"), nicknames[1]);
+    assert_ne!(teacher.join(&nicknames[1]).text("name"), nicknames[1]);
+}

@@ -13,6 +13,7 @@ mod cli;
 mod crowd;
 mod damaged_files;
 #[cfg(unix)]
+mod forget;
 mod freeze;
 #[cfg(target_os = "linux")]
 mod full_disk;

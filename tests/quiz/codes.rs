@@ -43,6 +43,17 @@ fn a_code_always_gives_the_same_round() {
     insta::assert_snapshot!("codes", rounds.join("\n"));
 }
 
+/// The forms before and after a unit are fixed in the same way.
+#[test]
+fn the_forms_before_and_after_a_unit_never_change() {
+    let forms = ["before-1", "after-1"].map(|code| {
+        let round = Round::of(Code::parse(code).unwrap());
+        let text: Vec<String> = round.questions().iter().map(written).collect();
+        format!("== {code} ==\n{}\n", text.join("\n"))
+    });
+    insta::assert_snapshot!("forms", forms.join("\n"));
+}
+
 #[test]
 fn a_code_determines_the_whole_round() {
     for code in [

@@ -11,6 +11,7 @@ mod families;
 mod find_out;
 mod forms;
 mod frozen;
+mod parallel;
 mod path;
 mod readability;
 mod rounds;

@@ -48,6 +48,11 @@ pub enum CourseKind {
     Check(Misconception),
     /// All kinds of questions, with no feedback until the end.
     Exam,
+    /// Questions before a unit.
+    Before,
+    /// The parallel questions after the unit: the same seed gives other questions that test the
+    /// same.
+    After,
     /// Questions of one family.
     Topic(Family),
     /// Questions about the topics that these chapters teach.
@@ -102,6 +107,8 @@ impl CourseKind {
             Self::FindOutFromAny => ("find-out", "older find out", 12),
             Self::Check(misconception) => (misconception.id(), misconception.name(), 2),
             Self::Exam => ("exam", "exam", 15),
+            Self::Before => ("before", "before the unit", 10),
+            Self::After => ("after", "after the unit", 10),
             Self::Topic(family) => (family.id(), family.name(), 6),
             Self::Read(_) => (READ, "what you have read", 10),
             Self::Met(_) => ("met", "topics you have met", 10),
@@ -130,7 +137,7 @@ impl CourseKind {
         Self::ALWAYS
             .into_iter()
             .chain([Self::Mixed, Self::FindOutFromAny, Self::Own(Arc::default())])
-            .chain([Self::Set(Arc::default())])
+            .chain([Self::Set(Arc::default()), Self::Before, Self::After])
             .chain(topics)
             .chain(checks)
             .find(|kind| kind.id() == id)
@@ -171,7 +178,8 @@ impl Course {
 
     /// Whether feedback is given only at the end.
     pub(crate) fn feedback_at_end(&self) -> bool {
-        self.kind == CourseKind::Exam || self.follows_answers()
+        use CourseKind::{After, Before, Exam};
+        matches!(self.kind, Exam | Before | After) || self.follows_answers()
     }
 
     /// Whether questions depend on earlier answers, so that the round can neither be printed nor

@@ -4,6 +4,7 @@ mod chapters_read;
 mod course;
 mod even;
 mod find_out;
+mod forms;
 mod review;
 mod round;
 mod set;

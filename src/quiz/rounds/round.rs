@@ -2,7 +2,7 @@
 
 use std::mem::discriminant;
 
-use super::{Code, Course, CourseKind, even, find_out, review};
+use super::{Code, Course, CourseKind, even, find_out, forms, review};
 use crate::numbers::{FNV_START, fnv1a};
 use crate::quiz::concepts::{self, Concept};
 use crate::quiz::families::{concept, where_to};
@@ -60,6 +60,11 @@ impl Round {
             CourseKind::Even => {
                 let mut dice = Dice::new(salted(course.kind.id(), seed));
                 even::questions(MIXED, course.count, &mut dice)
+            }
+            CourseKind::Before => before(course.count, seed),
+            CourseKind::After => {
+                let mut dice = Dice::new(salted(course.kind.id(), seed));
+                forms::after(&before(course.count, seed), &mut dice)
             }
             CourseKind::FindOut | CourseKind::FindOutFromAny => Vec::new(),
             CourseKind::Check(misconception) => showing(*misconception, &course, seed),
@@ -267,6 +272,12 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
         }));
     }
     questions
+}
+
+/// The questions of the form before a unit with this seed.
+fn before(count: usize, seed: u64) -> Vec<Question> {
+    let salt = salted(CourseKind::Before.id(), seed);
+    forms::before(MIXED, count, &mut Dice::new(salt))
 }
 
 /// Questions in words, each of them once, in random order but with easy questions first.

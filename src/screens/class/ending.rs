@@ -71,7 +71,7 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
     };
     let mut foot = Panel::new("");
     foot.prompt(
-        "write the answers as tables for a spreadsheet",
+        "write a report, and the answers as tables",
         ClassAction::Round(RoundAction::Tables),
     );
     View {

@@ -89,7 +89,7 @@ pub(crate) enum RoundAction {
     WordsAlone,
     /// show pupils' names on the scoreboard, or the results of each question
     BoardNames,
-    /// write two tables for a spreadsheet: answers and questions
+    /// write a report to print, and two tables for a spreadsheet: answers and questions
     Tables,
     /// go back, or leave the round
     Leave,

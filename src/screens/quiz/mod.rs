@@ -389,6 +389,9 @@ impl Quiz {
                 };
                 let (what, yes) = match self.round.course().kind {
                     CourseKind::Exam => ("End the exam and see your answers?", "end the exam"),
+                    CourseKind::Before | CourseKind::After => {
+                        ("End the round and see your answers?", "end the round")
+                    }
                     CourseKind::FindOut | CourseKind::FindOutFromAny => {
                         ("Stop here and see what your answers show?", "stop here")
                     }
