@@ -165,7 +165,7 @@ fn of_the_class(of: &Learning<'_>) -> String {
             let [low, high] = it.interval.map(|end| fixed(end, 2));
             format!(
                 "Normalized gain {}, 95 % confidence interval {low} to {high}, from {pupils} pupils: \
-                 {before} right before, {after} after.",
+                 {before} right before, {after} right after.",
                 fixed(it.gain, 2)
             )
         }

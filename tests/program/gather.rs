@@ -533,3 +533,82 @@ fn a_pipe_among_the_hand_ins_is_skipped() {
     assert!(done.status.success() && said.contains(notice), "{said}");
     assert!(fs::read_to_string(out).unwrap().contains("Ada"));
 }
+
+/// A pupil's answers to a form: right, or as the first misconception would answer.
+fn form(name: &str, code: &str, time_s: i64, answered: usize, right: usize) -> Vec<Attempt> {
+    let round = Round::of(Code::parse(code).unwrap());
+    let asked = (1..).zip(round.questions()).take(answered);
+    let answer = |(number, question): (u32, &carrom::quiz::Question)| {
+        let said = match number as usize <= right {
+            true => question.form.truth(),
+            false => question.beliefs[0].said,
+        };
+        let answer = Answer::new(said, Confidence::ThinkSo);
+        Attempt {
+            time_s: Some(time_s + i64::from(number)),
+            ..Attempt::of_quiz(name, round.code(), number, question, &answer)
+        }
+    };
+    asked.map(answer).collect()
+}
+
+/// The page about learning, and the table, of a class with this many matched pupils and two others.
+fn learnt(matched: usize) -> (String, Vec<String>) {
+    let folder = Folder::new("gather-learning");
+    for index in 0..matched + 2 {
+        let name = format!("Pupil {index:02}");
+        let (before, after) = (2 + index % 3, 6 + index % 4);
+        let answered = if index < matched { 10 } else { 9 };
+        let time_s = 1_770_000_000 + 100_000 * index as i64;
+        let mut answers = form(&name, "before-1", time_s, 10, before);
+        answers.extend(form(&name, "after-1", time_s + 50_000, answered, after));
+        let text = HandIn::new(&name, "10b", answers).text().unwrap();
+        fs::write(folder.path().join(format!("{index}.json")), text).unwrap();
+    }
+    let from = folder.path().to_str().unwrap().to_owned();
+    let out = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let done = carrom(&["gather", &from, "--out", &out("class.html")]);
+    assert!(done.status.success(), "{}", stderr(&done));
+    let page = Html::parse_document(&fs::read_to_string(out("class.html")).unwrap());
+    let sheets = Selector::parse(".gradebook").unwrap();
+    let text = { page.select(&sheets) }.map(|it| it.text().collect::<String>());
+    let learnt = text
+        .into_iter()
+        .find(|it| it.contains("Did the class learn it?"));
+    let done = carrom(&["gather", &from, "--out", &out("class.csv")]);
+    assert!(done.status.success(), "{}", stderr(&done));
+    let table = fs::read_to_string(out("class-learning.csv")).unwrap();
+    (learnt.unwrap(), table.lines().map(str::to_owned).collect())
+}
+
+#[test]
+fn the_gradebook_reports_the_gain_between_both_forms() {
+    let (page, table) = learnt(12);
+    assert!(
+        page.contains("12 pupils answered all of them; 2 pupils answered only some"),
+        "{page}"
+    );
+    // 2, 3, 4 and 6, 7, 8, 9 in turn: 30 % and 75 % on average.
+    assert!(
+        page.contains("Normalized gain 0.64, 95 % confidence interval 0.5")
+            && page.contains("from 12 pupils: 30 % right before, 75 % right after."),
+        "{page}"
+    );
+    assert!(
+        page.contains("By misconception") && page.contains("2 of 10"),
+        "{page}"
+    );
+    assert_eq!(table.len(), 13);
+    assert_eq!(table[1], "Pupil 00,10b,before-1,after-1,10,2,6");
+}
+
+#[test]
+fn nothing_is_claimed_about_fewer_than_ten_pupils() {
+    let (page, table) = learnt(7);
+    assert!(
+        page.contains("Too few pupils for a statement: 7 of at least 10."),
+        "{page}"
+    );
+    assert!(!page.contains("Normalized gain 0") && !page.contains("By misconception"));
+    assert_eq!(table.len(), 8);
+}

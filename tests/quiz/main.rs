@@ -5,6 +5,7 @@
 
 mod asked;
 mod attributed;
+mod class_report;
 mod class_round;
 mod codes;
 mod families;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::mem::discriminant;
 
-use carrom::quiz::{Code, Misconception, Question, Round};
+use carrom::quiz::{Code, Form, Question, Round};
 
 use crate::students::{Belief, Student};
 
@@ -15,8 +15,12 @@ fn forms(seed: u64) -> [Round; 2] {
     ["before", "after"].map(|name| Round::of(Code::parse(&format!("{name}-{seed}")).unwrap()))
 }
 
-fn held(question: &Question) -> BTreeSet<Misconception> {
-    question.beliefs.iter().map(|it| it.misconception).collect()
+fn held(question: &Question) -> BTreeSet<&'static str> {
+    question
+        .beliefs
+        .iter()
+        .map(|it| it.misconception.id())
+        .collect()
 }
 
 #[test]
@@ -38,6 +42,14 @@ fn each_question_after_is_parallel_to_the_one_before() {
                 "{seed}"
             );
             assert_eq!(held(one), held(other), "{seed}: {}", one.text);
+            // The answer differs, too, except among choices.
+            if let Form::Number { .. } = one.form {
+                assert!(
+                    !one.form.is_right(&other.form.truth()),
+                    "{seed}: {}",
+                    one.text
+                );
+            }
         }
         let all = before.questions().iter().chain(after.questions());
         let different: BTreeSet<_> = all.map(|it| &it.text).collect();

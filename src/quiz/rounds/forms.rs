@@ -3,54 +3,110 @@
 use std::mem::discriminant;
 
 use super::even;
-use crate::quiz::question::{Dice, Family, Misconception, Question};
+use crate::quiz::question::{
+    Dice, Difficulty, Family, Form, Misconception, Question, Rays, Response,
+};
 
 /// How many questions are drawn in search of one that is parallel to another.
-const DRAWS: usize = 4000;
+const DRAWS: usize = 1500;
+/// How many questions are tried until one has a parallel question.
+const TRIES: usize = 30;
 
-/// The questions of the form before: mixed, so that every common misconception is tested. Only
-/// families whose questions have numbers are included, because each of their questions has many
+/// The questions of both forms. They are mixed, so that every common misconception is tested. Only
+/// families whose questions have numbers are included, because most of their questions have many
 /// parallel ones.
-pub(super) fn before(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
+pub(super) fn pairs(families: &[Family], count: usize, dice: &mut Dice) -> [Vec<Question>; 2] {
     let mut families = families.to_vec();
     families.retain(|family| *family != Family::Concept);
-    even::questions(&families, count, dice)
-}
-
-/// For each question of the form before a parallel one: of the same family, topic, difficulty and
-/// form, asking for the same, and able to show the same misconceptions, but with other numbers.
-pub(super) fn after(before: &[Question], dice: &mut Dice) -> Vec<Question> {
-    let mut questions: Vec<Question> = Vec::with_capacity(before.len());
-    for asked in before {
-        let mut closest = None;
-        for _ in 0..DRAWS {
-            let Some((drawn, _)) = asked.family.ask(asked.difficulty, dice) else {
-                continue;
-            };
-            let is_old = |it: &Question| (&it.text, &it.form) == (&drawn.text, &drawn.form);
-            let is_like = drawn.topic == asked.topic
-                && discriminant(&drawn.form) == discriminant(&asked.form)
-                && drawn.figures.get("asked") == asked.figures.get("asked")
-                && !before.iter().chain(&questions).any(is_old);
-            if !is_like {
-                continue;
-            }
-            if held(&drawn) == held(asked) {
-                closest = Some(drawn);
+    let drawn = even::questions(&families, count, dice);
+    let mut forms: [Vec<Question>; 2] = Default::default();
+    for asked in &drawn {
+        let mut asked = asked.clone();
+        let mut other = None;
+        for _ in 0..TRIES {
+            other = parallel(&asked, &forms, dice);
+            if other.is_some() {
                 break;
             }
-            closest = closest.or(Some(drawn));
+            // A question that is the only one of its kind is replaced.
+            let next = replacement(&families, asked.difficulty, dice);
+            let is_new = |it: &Question| {
+                let mut all = forms.iter().flatten().chain(&drawn);
+                !all.any(|old| is_alike(old, it))
+            };
+            asked = next.filter(is_new).unwrap_or(asked);
         }
-        questions.push(closest.unwrap_or_else(|| asked.clone()));
+        let other = other.unwrap_or_else(|| asked.clone());
+        for (form, question) in forms.iter_mut().zip([asked, other]) {
+            form.push(question);
+        }
     }
-    questions
+    forms
+}
+
+fn replacement(families: &[Family], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let family = dice.pick(families)?;
+    Some(family.ask(difficulty, dice)?.0)
+}
+
+/// A question of the same family, topic, difficulty and form that asks for the same and can show
+/// the same misconceptions, but with other numbers.
+fn parallel(asked: &Question, forms: &[Vec<Question>; 2], dice: &mut Dice) -> Option<Question> {
+    (0..DRAWS).find_map(|_| {
+        let (drawn, _) = asked.family.ask(asked.difficulty, dice)?;
+        let is_parallel = drawn.topic == asked.topic
+            && discriminant(&drawn.form) == discriminant(&asked.form)
+            && drawn.figures.get("asked") == asked.figures.get("asked")
+            && held(&drawn) == held(asked)
+            && !forms
+                .iter()
+                .flatten()
+                .chain([asked])
+                .any(|it| is_alike(it, &drawn));
+        is_parallel.then_some(drawn)
+    })
+}
+
+/// Whether two questions have the same text, or have the same answer but for the side.
+fn is_alike(one: &Question, other: &Question) -> bool {
+    if one.text == other.text {
+        return true;
+    }
+    let [truth, answer] = [one, other].map(|it| on_one_side(it.form.truth()));
+    let is_of_one_kind = (one.family, &one.topic) == (other.family, &other.topic)
+        && one.figures.get("asked") == other.figures.get("asked");
+    match (&one.form, answer) {
+        (Form::Choice { .. }, _) => false,
+        (Form::Rays { .. }, Response::Rays(_)) => {
+            let Response::Rays(truth) = truth else {
+                return false;
+            };
+            let form = Form::Rays {
+                truth,
+                side: 1.0,
+                target: "",
+            };
+            is_of_one_kind && form.is_right(&answer)
+        }
+        (form, answer) => is_of_one_kind && form.accepts(&answer) && form.is_right(&answer),
+    }
+}
+
+/// An answer without its side.
+fn on_one_side(answer: Response) -> Response {
+    match answer {
+        Response::Rays(Rays { striker, target }) => Response::Rays(Rays {
+            striker: striker.map(f64::abs),
+            target: target.map(f64::abs),
+        }),
+        answer => answer,
+    }
 }
 
 /// The misconceptions that a question can show, as codes count them.
-fn held(question: &Question) -> Vec<Misconception> {
-    let mut held: Vec<_> = { question.beliefs.iter() }
-        .filter_map(|it| it.in_codes())
-        .collect();
+fn held(question: &Question) -> Vec<&'static str> {
+    let held = question.beliefs.iter().filter_map(|it| it.in_codes());
+    let mut held: Vec<_> = held.map(Misconception::id).collect();
     held.sort_unstable();
     held.dedup();
     held

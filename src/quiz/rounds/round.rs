@@ -61,10 +61,13 @@ impl Round {
                 let mut dice = Dice::new(salted(course.kind.id(), seed));
                 even::questions(MIXED, course.count, &mut dice)
             }
-            CourseKind::Before => before(course.count, seed),
-            CourseKind::After => {
-                let mut dice = Dice::new(salted(course.kind.id(), seed));
-                forms::after(&before(course.count, seed), &mut dice)
+            CourseKind::Before | CourseKind::After => {
+                let mut dice = Dice::new(salted(CourseKind::Before.id(), seed));
+                let [before, after] = forms::pairs(MIXED, course.count, &mut dice);
+                match course.kind {
+                    CourseKind::Before => before,
+                    _ => after,
+                }
             }
             CourseKind::FindOut | CourseKind::FindOutFromAny => Vec::new(),
             CourseKind::Check(misconception) => showing(*misconception, &course, seed),
@@ -272,12 +275,6 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
         }));
     }
     questions
-}
-
-/// The questions of the form before a unit with this seed.
-fn before(count: usize, seed: u64) -> Vec<Question> {
-    let salt = salted(CourseKind::Before.id(), seed);
-    forms::before(MIXED, count, &mut Dice::new(salt))
 }
 
 /// Questions in words, each of them once, in random order but with easy questions first.
