@@ -95,11 +95,12 @@ fn facts(round: &ClassRound, about: &About, voted: usize) -> String {
 
 /// The results of all questions in one table.
 fn glance(round: &ClassRound, voted: &[&ItemAnalysis]) -> Markup {
-    let advice = |item: &ItemAnalysis| match Advice::of(round, item.question) {
+    let note = |item: &ItemAnalysis| match Advice::of(round, item.question) {
         _ if needs_more(item) => "come back to it",
         Some(Advice::GoOn) => "known before",
         _ => "",
     };
+    let has_notes = voted.iter().any(|it| !note(it).is_empty());
     html! {
         h2 { "At a glance" }
         @if voted.is_empty() { p { "Nobody has voted yet." } }
@@ -112,7 +113,7 @@ fn glance(round: &ClassRound, voted: &[&ItemAnalysis]) -> Markup {
                         th.n scope="col" { "right before" }
                         th.n scope="col" { "right after" }
                         th scope="col" { "most common mistake" }
-                        th scope="col" { "note" }
+                        @if has_notes { th scope="col" { "note" } }
                     }
                 }
                 tbody {
@@ -125,7 +126,7 @@ fn glance(round: &ClassRound, voted: &[&ItemAnalysis]) -> Markup {
                             td.n { (item.votes[0].attempts) }
                             @for tally in item.votes { td.n { (percent(tally.share_right())) } }
                             td { @if let Some((it, count)) = item.commonest { (it.name()) ": " (count) } }
-                            td { (advice(item)) }
+                            @if has_notes { td { (note(item)) } }
                         }
                     }
                 }
@@ -168,10 +169,8 @@ fn next(round: &ClassRound, held: &[ClassBelief], book: &Book) -> Markup {
                 h3 { (at + 1) ". " (it.misconception.name()) }
                 p { (counts(it)) }
                 p { (it.misconception.advice()) }
-                p {
-                    @if let Some(page) = book.named(it.page(round)) { "Read with the class: " (page) ". " }
-                    "Ask again: " code { "carrom class --code " (it.misconception.id()) "-1" } "."
-                }
+                @if let Some(page) = book.named(it.page(round)) { p { "Read with the class: " (page) } }
+                p { "Ask again: " code { "carrom class --code " (it.misconception.id()) "-1" } }
             }
         }
         @if held.len() > NEXT {
@@ -313,7 +312,7 @@ fn question(round: &ClassRound, item: &ItemAnalysis, book: &Book) -> Markup {
                         th scope="col" { "answer" }
                         th scope="col" { "before (" (counted(all[0], "vote")) ")" }
                         th scope="col" { "after (" (counted(all[1], "vote")) ")" }
-                        th scope="col" { "what it suggests" }
+                        th scope="col" { "what it suggests, and a reply" }
                     }
                 }
                 tbody {

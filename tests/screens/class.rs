@@ -699,9 +699,13 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
         screen.contains("The number of votes") && screen.contains("votes: "),
         "{screen}"
     );
-    // Only the teacher can read the tables, because they contain each pupil's results.
+    // Only the teacher can read the tables and the report, because they contain each pupil's results.
     #[cfg(unix)]
-    for table in ["class-items-1.csv", "class-answers-1.csv"] {
+    for table in [
+        "class-items-1.csv",
+        "class-answers-1.csv",
+        "class-report-1.html",
+    ] {
         use std::os::unix::fs::PermissionsExt;
         let about = fs::metadata(folder.path().join("exports").join(table)).unwrap();
         assert_eq!(about.permissions().mode() & 0o777, 0o600, "{table}");

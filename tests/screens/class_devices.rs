@@ -185,6 +185,64 @@ fn a_class_continues_while_the_glossary_is_open() {
     assert!(!class.game(ada).screen().contains("You are in, Ada."));
 }
 
+/// A pupil leaves the name empty, or types one; both get a nickname, and the device keeps it when it
+/// returns.
+#[test]
+fn with_nicknames_a_device_does_not_choose_its_name() {
+    let place = Route::Host {
+        code: Code::parse("from-angle2-7"),
+        name: "10b".into(),
+        nicknames: true,
+    };
+    let app = App::new(place, Settings::default(), 7);
+    let mut class = Classroom::new(app.into());
+    press(
+        &mut class,
+        Who::Host,
+        "",
+        "carrom gives everyone a nickname",
+    );
+    let mut names = Vec::new();
+    for player in [Settings::default().player.as_str(), "Zwetschga"] {
+        let app = pupil(player, &class);
+        let device = class.add("device", app, 80, 24);
+        press(&mut class, device, "<Enter><Enter>", "You are in, ");
+        let name = |class: &mut Classroom| {
+            let screen = class.game(device).screen();
+            let after = screen.split_once("You are in, ").unwrap().1;
+            after.split_once('.').unwrap().0.to_owned()
+        };
+        let given = name(&mut class);
+        press(&mut class, device, "<Escape>y", "Back to your class");
+        press(&mut class, device, "b<Enter>", "You are in, ");
+        assert_eq!(name(&mut class), given);
+        names.push(given);
+    }
+    assert!(names[0] != names[1] && !names.contains(&"Zwetschga".to_owned()));
+    press(&mut class, Who::Host, "w", &names[1]);
+    assert!(!class.game(Who::Host).screen().contains("Zwetschga"));
+}
+
+/// The set-up has a row for nicknames, which the round then shows.
+#[test]
+fn nicknames_are_chosen_in_the_set_up() {
+    let place = Route::Class {
+        code: Code::parse("from-angle2-7"),
+        teams: Vec::new(),
+        name: "10b".into(),
+    };
+    let mut game = Headless::new(App::new(place, Settings::default(), 7), 80, 24);
+    game.press("<End><Up>");
+    let row = |game: &Headless| {
+        let screen = game.screen();
+        let line = screen.lines().find(|it| it.contains("nicknames given"));
+        line.unwrap().to_owned()
+    };
+    assert!(row(&game).contains("off"), "{}", game.screen());
+    game.press("<Enter>");
+    assert!(row(&game).contains("on"), "{}", game.screen());
+}
+
 /// The cell in the middle of this text on a screen.
 fn place(screen: &str, text: &str) -> (u16, u16) {
     let rows = screen.lines().enumerate();
