@@ -24,7 +24,8 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   screens/       one folder per screen: its state and actions, its view beside it
 //!                  home · learn · glossary · lab · foil · quiz · class · join · table ·
-//!                  rules · measured · levels · progress · settings
+//!                  rules · measured · levels · progress · teacher · settings
+//!   ─────────────────────────────────────────────────────────────
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   ─────────────────────────────────────────────────────────────
 //!   widgets/       drawing: pictures as lists of marks (picture) with two

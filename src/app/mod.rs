@@ -39,6 +39,7 @@ use crate::screens::{
     rules::RulesScreen,
     settings::SettingsScreen,
     table::Table,
+    teacher::Teacher,
 };
 use crate::widgets::input::KeyTable;
 use crate::widgets::{Outcome, Palette, PictureSizes};
@@ -628,6 +629,7 @@ impl App {
             Route::Rules { rules } => hosted(RulesScreen { rules }),
             Route::Measured { measurement } => hosted(MeasuredScreen { measurement }),
             Route::Progress => hosted(Progress::ask(cx)),
+            Route::Teacher => hosted(Teacher::ask(cx)),
             Route::Settings => hosted(SettingsScreen::ask(cx)),
         });
     }

@@ -85,6 +85,7 @@ impl Data {
                 }
             }
             "progress" => Route::Progress,
+            "teacher" => Route::Teacher,
             "settings" => Route::Settings,
             _ => return Err("a screen, such as quiz".into()),
         })
@@ -176,6 +177,7 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         Route::Measured { .. } => String::new(),
         Route::Rules { rules } => named("rules", (*rules).into()),
         Route::Progress => "progress".into(),
+        Route::Teacher => "teacher".into(),
         Route::Settings => "settings".into(),
         Route::Levels => "levels".into(),
         Route::Level { number } => {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::{Failure, GlobalOptions, print_text, written};
 use crate::files::Document;
 use crate::numbers::capital;
-use crate::paper::guide_page;
+use crate::paper::guide::{GUIDES, Guide, guide_page};
 
 /// Read the guides: how to run a class, how to write levels and chapters, and what is simulated
 #[derive(Debug, clap::Args)]
@@ -20,93 +20,6 @@ pub(super) struct Args {
     #[arg(long, requires = "out")]
     force: bool,
 }
-
-/// A guide, with its name on the command line.
-#[derive(Debug)]
-struct Guide {
-    name: &'static str,
-    about: &'static str,
-    markdown: &'static str,
-}
-
-/// All guides, in the order in which a teacher needs them.
-static GUIDES: [Guide; 15] = [
-    Guide {
-        name: "start",
-        about: "the first ten minutes",
-        markdown: include_str!("../../docs/start.md"),
-    },
-    Guide {
-        name: "class",
-        about: "a round with a class",
-        markdown: include_str!("../../docs/class.md"),
-    },
-    Guide {
-        name: "privacy",
-        about: "what is kept, who sees it, how to delete it",
-        markdown: include_str!("../../docs/privacy.md"),
-    },
-    Guide {
-        name: "worksheets",
-        about: "a round on paper",
-        markdown: include_str!("../../docs/worksheets.md"),
-    },
-    Guide {
-        name: "sets",
-        about: "choosing the questions",
-        markdown: include_str!("../../docs/sets.md"),
-    },
-    Guide {
-        name: "judging",
-        about: "how answers are judged",
-        markdown: include_str!("../../docs/judging.md"),
-    },
-    Guide {
-        name: "model",
-        about: "what is simulated, and what is left out",
-        markdown: include_str!("../../docs/model.md"),
-    },
-    Guide {
-        name: "measuring",
-        about: "a filmed collision, measured",
-        markdown: include_str!("../../docs/measuring.md"),
-    },
-    Guide {
-        name: "glossary",
-        about: "the terms of mechanics",
-        markdown: include_str!("../../docs/glossary.md"),
-    },
-    Guide {
-        name: "rules",
-        about: "the rules of carrom, with the numbers of the laws",
-        markdown: include_str!("../../docs/rules.md"),
-    },
-    Guide {
-        name: "levels",
-        about: "how to write a level",
-        markdown: include_str!("../../levels/README.md"),
-    },
-    Guide {
-        name: "lessons",
-        about: "how to write a chapter",
-        markdown: include_str!("../../docs/lessons.md"),
-    },
-    Guide {
-        name: "concepts",
-        about: "how to write questions in words",
-        markdown: include_str!("../../docs/concepts.md"),
-    },
-    Guide {
-        name: "solve",
-        about: "the JSON of carrom solve",
-        markdown: include_str!("../../docs/solve.md"),
-    },
-    Guide {
-        name: "accessibility",
-        about: "what is accessible, and what is not yet",
-        markdown: include_str!("../../docs/accessibility.md"),
-    },
-];
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     if let Some(folder) = &args.out {

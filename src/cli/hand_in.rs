@@ -1,6 +1,5 @@
 //! `carrom hand-in` and `carrom gather`: the answers of a class.
 
-use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
@@ -12,9 +11,6 @@ use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, learning_csv, 
 use crate::numbers::counted;
 use crate::paper;
 use crate::quiz::Code;
-
-/// The extension of files that are handed in.
-const ENDING: &str = "json";
 
 /// Write your answers to one small file for your teacher
 #[derive(Debug, clap::Args)]
@@ -115,32 +111,9 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
 
 pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), Failure> {
     let shown = args.folder.display();
-    let entries = fs::read_dir(&args.folder).with_context(|| format!("cannot read {shown}"));
-    let entries = entries.map_err(Failure::Input)?;
-    let paths = entries.flatten().map(|entry| entry.path());
-    let mut paths: Vec<PathBuf> = paths
-        .filter(|path| written::lower_ending(path).as_deref() == Some(ENDING))
-        .collect();
-    paths.sort();
-    let mut book = Gradebook::default();
-    for path in &paths {
-        // Reading a pipe or a device may never end.
-        let bytes = match path.is_file() {
-            true => files::read(path, HandIn::LARGEST_FILE),
-            false => Err(files::not_a_file(path)),
-        };
-        let read = bytes
-            .map_err(|error| error.message)
-            .and_then(|bytes| HandIn::read(&bytes));
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let is_of_class = |it: &HandIn| {
-            let wanted = args.class.as_ref().map(|name| name.to_lowercase());
-            wanted.is_none_or(|wanted| it.class.to_lowercase() == wanted)
-        };
-        if read.as_ref().is_ok_and(is_of_class) || read.is_err() {
-            book.add(&name, read);
-        }
-    }
+    let book = Gradebook::of_folder(&args.folder, args.class.as_deref());
+    let book = book.with_context(|| format!("cannot read {shown}"));
+    let mut book = book.map_err(Failure::Input)?;
     if let Some(path) = &args.class_list {
         let list = files::read(path, files::LARGEST).map_err(Failure::input)?;
         let list = String::from_utf8_lossy(&list);

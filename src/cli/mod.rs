@@ -202,6 +202,8 @@ enum OpenCommand {
     Board(board::Args),
     Measure(measure::Args),
     Progress(progress::Args),
+    /// Open the screen for teachers: worksheets, cards, Moodle, reports, the gradebook, the guides
+    Teacher,
     /// Open the settings: appearance, motion, the player
     Settings,
     /// Open the levels: small puzzles on the board, solved by aiming
@@ -289,6 +291,7 @@ impl OpenCommand {
             Self::Measure(args) => Route::Measured {
                 measurement: Arc::new(args.measurement().map_err(|it| it.error().to_string())?),
             },
+            Self::Teacher => Route::Teacher,
             Self::Settings => Route::Settings,
             Self::Levels { name } => named(data, "levels", name.as_deref())?,
         })

@@ -3,7 +3,11 @@
 use std::collections::HashSet;
 
 use super::{ClassResults, HandIn};
-use crate::files::tidy_name;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::files::{self, tidy_name};
 use crate::numbers::counted;
 use crate::progress::Attempt;
 use crate::quiz::Figures;
@@ -61,7 +65,53 @@ pub struct Gradebook {
     pub notes: Vec<String>,
 }
 
+/// The extension of files that are handed in.
+const ENDING: &str = "json";
+
 impl Gradebook {
+    /// The hand-ins in a folder, only those of one class if it is given.
+    ///
+    /// # Errors
+    /// If the folder cannot be read. Files that cannot be read are noted instead.
+    pub fn of_folder(folder: &Path, class: Option<&str>) -> io::Result<Self> {
+        let paths = fs::read_dir(folder)?.flatten().map(|entry| entry.path());
+        let is_handed_in = |path: &PathBuf| {
+            let ending = path.extension().and_then(|it| it.to_str());
+            ending.is_some_and(|it| it.eq_ignore_ascii_case(ENDING))
+        };
+        let mut paths: Vec<PathBuf> = paths.filter(is_handed_in).collect();
+        paths.sort();
+        let mut book = Self::default();
+        for path in &paths {
+            // Reading a pipe or a device may never end.
+            let bytes = match path.is_file() {
+                true => files::read(path, HandIn::LARGEST_FILE),
+                false => Err(files::not_a_file(path)),
+            };
+            let read = bytes
+                .map_err(|error| error.message)
+                .and_then(|bytes| HandIn::read(&bytes));
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            book.add_of_class(&name, read, class);
+        }
+        Ok(book)
+    }
+
+    /// Adds the contents of a file, unless it is of another class than the given one.
+    pub(crate) fn add_of_class(
+        &mut self,
+        file: &str,
+        read: Result<HandIn, String>,
+        class: Option<&str>,
+    ) {
+        let is_of_class = |it: &HandIn| {
+            class.is_none_or(|wanted| it.class.to_lowercase() == wanted.to_lowercase())
+        };
+        if read.as_ref().is_ok_and(is_of_class) || read.is_err() {
+            self.add(file, read);
+        }
+    }
+
     /// Adds the contents of a file, or the reason why it could not be read. A pupil or an answer
     /// that occurs again is counted once.
     pub fn add(&mut self, file: &str, read: Result<HandIn, String>) {

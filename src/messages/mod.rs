@@ -16,5 +16,6 @@ pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
 pub use key::Key;
 pub use store::{
-    History, Kept, KeptGame, KnownPlayer, StoreAnswer, StoreCall, StoreReply, StoreRequest,
+    GatheredBook, HandInFolder, History, Kept, KeptGame, KnownPlayer, StoreAnswer, StoreCall,
+    StoreReply, StoreRequest,
 };

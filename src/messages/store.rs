@@ -57,6 +57,8 @@ pub enum StoreRequest {
     ExportClass(Arc<ClassRound>),
     /// Save a hand-in, unless an identical hand-in has already been saved.
     KeepHandIn(Box<HandIn>),
+    /// Make a gradebook from the hand-ins in a folder.
+    Gather(HandInFolder),
     /// Save an answer with the current time. The answer should be saved before the explanation is
     /// shown, so nothing is drawn until then, unless saving takes a long time.
     Record(Box<Attempt>),
@@ -126,6 +128,8 @@ pub enum StoreReply {
     Exported(Result<String, String>),
     /// The hand-in has been saved in this folder.
     HandedIn(Result<String, String>),
+    /// The gradebook.
+    Gathered(Result<Box<GatheredBook>, String>),
     /// The saved class rounds, with the newest first.
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The class round that was loaded.
@@ -146,6 +150,41 @@ pub enum StoreReply {
     /// The players, those who answered last first.
     /// The players, starting with those who answered most recently.
     Players(Result<Vec<KnownPlayer>, String>),
+}
+
+/// A folder with hand-ins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HandInFolder {
+    /// What pupils' devices have handed in to a class here.
+    Devices,
+    /// The folder in which carrom was started.
+    Here,
+    /// The folder of downloads in the home folder.
+    Downloads,
+    /// The folder of documents in the home folder.
+    Documents,
+    /// The folder of the desktop in the home folder.
+    Desktop,
+}
+
+impl HandInFolder {
+    /// All folders.
+    pub const ALL: [Self; 5] = [
+        Self::Devices,
+        Self::Here,
+        Self::Downloads,
+        Self::Documents,
+        Self::Desktop,
+    ];
+}
+
+/// A gradebook for the teacher.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GatheredBook {
+    /// The gradebook as an HTML page.
+    pub html: String,
+    /// Notes on the files, one sentence each.
+    pub notes: Vec<String>,
 }
 
 /// A person who has answered, read or won something on this device.

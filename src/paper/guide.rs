@@ -1,4 +1,4 @@
-//! Converts a guide from Markdown into a page for a browser.
+//! The built-in guides for teachers, and their conversion from Markdown into pages for a browser.
 
 use maud::{PreEscaped, html};
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
@@ -6,6 +6,94 @@ use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use super::{Paper, html_page};
 
 const STYLE: &str = include_str!("guide.css");
+
+/// A guide, with its name on the command line.
+#[derive(Debug)]
+pub(crate) struct Guide {
+    pub(crate) name: &'static str,
+    /// What it is about, as in a list.
+    pub(crate) about: &'static str,
+    pub(crate) markdown: &'static str,
+}
+
+/// All guides, in the order in which a teacher needs them.
+pub(crate) static GUIDES: [Guide; 15] = [
+    Guide {
+        name: "start",
+        about: "the first ten minutes",
+        markdown: include_str!("../../docs/start.md"),
+    },
+    Guide {
+        name: "class",
+        about: "a round with a class",
+        markdown: include_str!("../../docs/class.md"),
+    },
+    Guide {
+        name: "privacy",
+        about: "what is kept, who sees it, how to delete it",
+        markdown: include_str!("../../docs/privacy.md"),
+    },
+    Guide {
+        name: "worksheets",
+        about: "a round on paper",
+        markdown: include_str!("../../docs/worksheets.md"),
+    },
+    Guide {
+        name: "sets",
+        about: "choosing the questions",
+        markdown: include_str!("../../docs/sets.md"),
+    },
+    Guide {
+        name: "judging",
+        about: "how answers are judged",
+        markdown: include_str!("../../docs/judging.md"),
+    },
+    Guide {
+        name: "model",
+        about: "what is simulated, and what is left out",
+        markdown: include_str!("../../docs/model.md"),
+    },
+    Guide {
+        name: "measuring",
+        about: "a filmed collision, measured",
+        markdown: include_str!("../../docs/measuring.md"),
+    },
+    Guide {
+        name: "glossary",
+        about: "the terms of mechanics",
+        markdown: include_str!("../../docs/glossary.md"),
+    },
+    Guide {
+        name: "rules",
+        about: "the rules of carrom, with the numbers of the laws",
+        markdown: include_str!("../../docs/rules.md"),
+    },
+    Guide {
+        name: "levels",
+        about: "how to write a level",
+        markdown: include_str!("../../levels/README.md"),
+    },
+    Guide {
+        name: "lessons",
+        about: "how to write a chapter",
+        markdown: include_str!("../../docs/lessons.md"),
+    },
+    Guide {
+        name: "concepts",
+        about: "how to write questions in words",
+        markdown: include_str!("../../docs/concepts.md"),
+    },
+    Guide {
+        name: "solve",
+        about: "the JSON of carrom solve",
+        markdown: include_str!("../../docs/solve.md"),
+    },
+    Guide {
+        name: "accessibility",
+        about: "what is accessible, and what is not yet",
+        markdown: include_str!("../../docs/accessibility.md"),
+    },
+];
 
 /// A built-in guide as an HTML document. A link to another guide (`class.md`) leads to that guide's
 /// page in the same folder (`class.html`); any other link becomes plain text.

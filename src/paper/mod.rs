@@ -25,7 +25,7 @@
 pub mod class_report;
 mod clean;
 pub mod gradebook;
-mod guide;
+pub(crate) mod guide;
 mod markdown;
 mod measured;
 mod page;
@@ -33,7 +33,6 @@ pub mod report;
 pub mod worksheet;
 
 pub use clean::clean;
-pub(crate) use guide::guide_page;
 pub use markdown::Markdown;
 pub use measured::measured_html;
 pub use page::{Paper, html_page};

@@ -24,6 +24,7 @@ pub(crate) mod quiz;
 pub(crate) mod rules;
 pub(crate) mod settings;
 pub mod table;
+pub(crate) mod teacher;
 
 use std::time::Duration;
 

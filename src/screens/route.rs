@@ -70,6 +70,8 @@ pub enum Route {
         /// Whether carrom gives nicknames to the devices instead of asking for names.
         nicknames: bool,
     },
+    /// What a teacher prepares and evaluates.
+    Teacher,
     /// A pupil's device in a class.
     Join {
         /// The address of the class, if it is known; `None` if its host has served the page.

@@ -29,10 +29,13 @@ use jiff::tz::{Offset, TimeZone};
 use crate::class::{ClassChange, ClassRound, answers_csv, appended, items_csv};
 use crate::files::{self, Existing};
 use crate::game::{Game, SavedGame};
-use crate::gradebook::HandIn;
-use crate::messages::{History, KnownPlayer, StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use crate::gradebook::{Gradebook, HandIn};
+use crate::messages::{
+    GatheredBook, HandInFolder, History, KnownPlayer, StoreAnswer, StoreCall, StoreReply,
+    StoreRequest,
+};
 use crate::numbers::counted;
-use crate::paper::class_report;
+use crate::paper::{self, class_report};
 use crate::progress::{Calendar, NotedHit};
 use crate::quiz::concepts::Library;
 use crate::screens::KeptSettings;
@@ -312,6 +315,34 @@ impl Store {
         Ok(format!("{} and {last}", places.join(", ")))
     }
 
+    /// Makes a gradebook from the hand-ins in a folder.
+    fn gather(&self, from: HandInFolder) -> Result<Box<GatheredBook>, String> {
+        let (book, place) = match common_folder(from) {
+            Some(folder) => {
+                let place = folder.display().to_string();
+                let book = Gradebook::of_folder(&folder, None);
+                (book.map_err(|error| format!("{place}: {error}"))?, place)
+            }
+            None => {
+                let mut book = Gradebook::default();
+                let mut names = self.handed_in.names()?;
+                names.reverse();
+                for name in names {
+                    let bytes = self.handed_in.read(&name).map_err(|error| error.message);
+                    book.add(&name, bytes.and_then(|bytes| HandIn::read(&bytes)));
+                }
+                (book, "what pupils have handed in here".to_owned())
+            }
+        };
+        if book.pupils.is_empty() {
+            return Err(format!("No hand-in was found: {place}."));
+        }
+        Ok(Box::new(GatheredBook {
+            html: paper::gradebook::html(&book.results()),
+            notes: book.notes,
+        }))
+    }
+
     /// Stores a hand-in beside earlier ones, unless an identical one is already there. Returns the
     /// folder.
     fn keep_hand_in(&mut self, hand_in: &HandIn) -> Result<String, String> {
@@ -442,6 +473,25 @@ impl Store {
     }
 }
 
+/// A folder outside the store; `None` for the store's own hand-ins, or if there is no home folder.
+#[cfg(not(target_family = "wasm"))]
+fn common_folder(folder: HandInFolder) -> Option<PathBuf> {
+    let within_home = |name: &str| Some(etcetera::home_dir().ok()?.join(name));
+    match folder {
+        HandInFolder::Devices => None,
+        HandInFolder::Here => Some(PathBuf::from(".")),
+        HandInFolder::Downloads => within_home("Downloads"),
+        HandInFolder::Documents => within_home("Documents"),
+        HandInFolder::Desktop => within_home("Desktop"),
+    }
+}
+
+/// A browser has no folders.
+#[cfg(target_family = "wasm")]
+fn common_folder(_: HandInFolder) -> Option<PathBuf> {
+    None
+}
+
 /// The reply of a store to a request, or the reason why there is no store.
 fn reply(call: &StoreCall, store: Result<&mut Store, String>) -> StoreReply {
     use StoreReply as Reply;
@@ -468,6 +518,7 @@ fn reply(call: &StoreCall, store: Result<&mut Store, String>) -> StoreReply {
         Request::LoadClass(name) => Reply::Class(store.and_then(|it| it.load_class(ticket, name))),
         Request::RemoveClass(name) => Reply::Removed(store.and_then(|it| it.classes.remove(name))),
         Request::ExportClass(round) => Reply::Exported(store.and_then(|it| it.export_class(round))),
+        Request::Gather(folder) => Reply::Gathered(store.and_then(|it| it.gather(*folder))),
         Request::KeepHandIn(file) => Reply::HandedIn(store.and_then(|it| it.keep_hand_in(file))),
         Request::Recall(player) => {
             Reply::Recalled(store.and_then(|it| it.recall(player.as_deref())))

@@ -38,6 +38,7 @@ fn places() -> Vec<Route> {
         crate::tour::measured(),
         Route::Levels,
         Route::Progress,
+        Route::Teacher,
         Route::Settings,
         Route::Page { number: 6, page: 4 },
         Route::Level { number: 4 },

@@ -26,6 +26,7 @@ mod table;
 mod tape;
 mod tapes;
 mod targets;
+mod teacher;
 
 #[path = "../common/folder.rs"]
 mod folder;

@@ -313,6 +313,7 @@ fn changes(request: &StoreRequest) -> bool {
         | R::LoadClass(_)
         | R::ExportClass(_)
         | R::KeepHandIn(_)
+        | R::Gather(_)
         | R::Recall(_)
         | R::Notebook(_)
         | R::Stars(_)

@@ -101,7 +101,7 @@ pub enum HomeAction {
 const CLASS: usize = 3;
 
 /// The menu: the letter, the name, the description and the screen of each entry.
-static ENTRIES: [(char, &str, &str, Route); 9] = [
+static ENTRIES: [(char, &str, &str, Route); 10] = [
     ('e', "Learn", "interactive chapters", Route::Learn),
     ('l', "Lab", "set up, predict, watch", Route::Lab),
     (
@@ -124,6 +124,12 @@ static ENTRIES: [(char, &str, &str, Route); 9] = [
     ('v', "Levels", "puzzles, solved by aiming", Route::Levels),
     ('f', "Foil", "beams: from board to atom", Route::Foil),
     ('p', "Progress", "how far you have come", Route::Progress),
+    (
+        'h',
+        "Teacher",
+        "worksheets, reports, guides",
+        Route::Teacher,
+    ),
     ('s', "Settings", "colours, motion, player", Route::Settings),
 ];
 

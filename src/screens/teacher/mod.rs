@@ -1,0 +1,300 @@
+//! What a teacher prepares and evaluates, without the command line.
+
+mod view;
+
+use std::sync::Arc;
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{Context, Next, Route, Screen, View};
+use crate::class::ClassRound;
+use crate::messages::{HandInFolder, Input, Kept, Key, StoreReply, StoreRequest};
+use crate::paper::Paper;
+use crate::paper::guide::{GUIDES, guide_page};
+use crate::paper::worksheet::{Worksheet, cards};
+use crate::quiz::{Code, Round};
+use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
+
+/// The largest number of characters in a code that is typed.
+const LONGEST: usize = 40;
+/// The numbers of sheets of cards to choose from.
+const SHEETS: [u16; 8] = [1, 8, 16, 20, 24, 28, 32, 40];
+
+/// Actions of the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum TeacherAction {
+    /// choose what to make, and make it
+    List(ListAction),
+    /// change the number of sheets, the folder, the round or the guide
+    Change(isize),
+    /// go back
+    Back,
+}
+
+/// What can be made, in the order of a lesson.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum TeacherTask {
+    Class,
+    Worksheet,
+    Cards,
+    Moodle,
+    Report,
+    Gradebook,
+    Guide,
+}
+
+impl TeacherTask {
+    const ALL: [Self; 7] = [
+        Self::Class,
+        Self::Worksheet,
+        Self::Cards,
+        Self::Moodle,
+        Self::Report,
+        Self::Gradebook,
+        Self::Guide,
+    ];
+}
+
+/// The screen for teachers.
+#[derive(Debug, Clone)]
+pub(crate) struct Teacher {
+    tasks: ListView,
+    /// The code of the round for a worksheet or for Moodle.
+    code: TextField,
+    /// The reason why the code is refused.
+    refused: Option<String>,
+    /// The index in [`SHEETS`].
+    sheets: usize,
+    /// The index in [`HandInFolder::ALL`].
+    folder: usize,
+    /// The saved class rounds, with the newest first.
+    rounds: Vec<Kept<ClassRound>>,
+    round: usize,
+    /// The index in [`GUIDES`].
+    guide: usize,
+    /// What was written since the task was chosen, or why it was not.
+    written: Vec<String>,
+}
+
+impl Teacher {
+    /// Requests the saved class rounds.
+    pub(crate) fn ask(cx: &mut Context) -> Self {
+        cx.ask(StoreRequest::ListClasses);
+        Self {
+            tasks: ListView::default(),
+            code: TextField::new("even12-7", LONGEST),
+            refused: None,
+            sheets: SHEETS.len() - 2,
+            folder: 0,
+            rounds: Vec::new(),
+            round: 0,
+            guide: 0,
+            written: Vec::new(),
+        }
+    }
+
+    fn task(&self) -> TeacherTask {
+        TeacherTask::ALL[self.tasks.chosen(TeacherTask::ALL.len())]
+    }
+
+    /// Whether the chosen task needs the code of a round.
+    fn needs_code(&self) -> bool {
+        matches!(self.task(), TeacherTask::Worksheet | TeacherTask::Moodle)
+    }
+
+    /// The chosen round of a class, if it can be read.
+    fn chosen_round(&self) -> Option<&Kept<ClassRound>> {
+        self.rounds.get(self.round)
+    }
+
+    /// The number of values of what the chosen task lets the teacher choose, and the chosen one.
+    fn choice(&mut self) -> (usize, &mut usize) {
+        match self.task() {
+            TeacherTask::Cards => (SHEETS.len(), &mut self.sheets),
+            TeacherTask::Gradebook => (HandInFolder::ALL.len(), &mut self.folder),
+            TeacherTask::Report => (self.rounds.len(), &mut self.round),
+            _ => (GUIDES.len(), &mut self.guide),
+        }
+    }
+
+    fn can_change(&self) -> bool {
+        use TeacherTask::{Cards, Gradebook, Guide, Report};
+        match self.task() {
+            Cards | Gradebook | Guide => true,
+            Report => self.rounds.len() > 1,
+            _ => false,
+        }
+    }
+
+    fn change(&mut self, by: isize) {
+        let (count, at) = self.choice();
+        if count > 0 {
+            *at = (*at + count).saturating_add_signed(by) % count;
+        }
+        self.written.clear();
+    }
+
+    /// The round of the typed code; `None` if there is none, which is then shown.
+    fn quiz_round(&mut self, cx: &Context) -> Option<Round> {
+        let code = Code::read(self.code.text()).map_err(|error| error.to_string());
+        let code = code.and_then(|code| code.with_own(&cx.own)?.same_for_all());
+        match code {
+            Ok(code) => Some(Round::of(code)),
+            Err(reason) => {
+                self.refused = Some(reason);
+                None
+            }
+        }
+    }
+
+    fn make(&mut self, cx: &mut Context) -> Next {
+        self.written.clear();
+        match self.task() {
+            TeacherTask::Class => {
+                return Next::Open(Route::Class {
+                    code: None,
+                    teams: Vec::new(),
+                    name: String::new(),
+                });
+            }
+            TeacherTask::Worksheet => {
+                if let Some(round) = self.quiz_round(cx) {
+                    let (code, sheet) = (round.code(), Worksheet::new(&round, None));
+                    cx.export(format!("worksheet-{code}.html"), sheet.sheet_html());
+                    cx.export(format!("key-{code}.html"), sheet.key_html());
+                }
+            }
+            TeacherTask::Moodle => {
+                if let Some(round) = self.quiz_round(cx) {
+                    let name = format!("moodle-{}.xml", round.code());
+                    let sheet = Worksheet::new(&round, None);
+                    cx.export(name, Worksheet::moodle_xml(&[sheet]));
+                }
+            }
+            TeacherTask::Cards => {
+                let sheets = SHEETS[self.sheets];
+                cx.export("cards.html".into(), cards(sheets.into(), Paper::default()));
+            }
+            TeacherTask::Report => {
+                let round = self.chosen_round().and_then(|it| it.content.clone().ok());
+                if let Some(round) = round {
+                    cx.ask(StoreRequest::ExportClass(Arc::from(round)));
+                }
+            }
+            TeacherTask::Gradebook => {
+                cx.ask(StoreRequest::Gather(HandInFolder::ALL[self.folder]));
+            }
+            TeacherTask::Guide => {
+                let guide = &GUIDES[self.guide];
+                let name = format!("carrom-{}.html", guide.name);
+                cx.export(name, guide_page(guide.markdown));
+            }
+        }
+        Next::Stay
+    }
+}
+
+impl Screen for Teacher {
+    type Action = TeacherAction;
+
+    const HELP: &'static str = include_str!("help.txt");
+
+    fn title(&self) -> String {
+        "teacher".into()
+    }
+
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Teacher
+    }
+
+    fn keys(&self, _cx: &Context) -> KeyTable<TeacherAction> {
+        use TeacherAction::{Back, Change, List};
+        let made = match self.task() {
+            TeacherTask::Class => "open",
+            _ => "write it",
+        };
+        let keys = KeyTable::new("teacher").with(ListView::keys(made), List);
+        let keys = match self.can_change() {
+            true => keys.by([Key::Left, Key::Right], Change, [-1, 1], "change"),
+            false => keys,
+        };
+        keys.on(Key::Escape, Back, "back")
+    }
+
+    fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
+        let of_code = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        let is_of_field = match key {
+            Key::Char(c) => of_code(c),
+            Key::Left | Key::Right | Key::Backspace | Key::Delete => true,
+            _ => false,
+        };
+        let used = self.needs_code() && is_of_field && self.code.update(key);
+        if used {
+            self.refused = None;
+            self.written.clear();
+        }
+        used
+    }
+
+    fn act(&mut self, action: TeacherAction, cx: &mut Context) -> Next {
+        match action {
+            TeacherAction::List(action) => {
+                let before = self.task();
+                let outcome = self.tasks.act(action, TeacherTask::ALL.len());
+                if self.task() != before {
+                    self.written.clear();
+                    self.refused = None;
+                }
+                return Next::of(outcome, |_| self.make(cx));
+            }
+            TeacherAction::Change(by) => self.change(by),
+            TeacherAction::Back => return Next::Back,
+        }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match input {
+            Input::Paste(text) if self.needs_code() => {
+                self.code.paste(text.trim());
+                self.refused = None;
+            }
+            Input::Exported(Ok(place)) => self.written.push(format!("Written: {place}")),
+            Input::Exported(Err(reason)) => {
+                self.written
+                    .push(format!("Nothing could be written: {reason}."));
+            }
+            Input::Kept(answer) => match &answer.done {
+                StoreReply::Classes(Ok(rounds)) => {
+                    self.rounds.clone_from(rounds);
+                    self.rounds.retain(|it| it.content.is_ok());
+                    self.round = 0;
+                }
+                StoreReply::Exported(Ok(places)) => self.written.push(format!("Written: {places}")),
+                StoreReply::Gathered(Ok(book)) => {
+                    self.written.clone_from(&book.notes);
+                    cx.export("gradebook.html".into(), book.html.clone());
+                }
+                StoreReply::Exported(Err(reason)) | StoreReply::Gathered(Err(reason)) => {
+                    self.written.push(reason.clone());
+                }
+                _ => return Next::Ignored,
+            },
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn resumed(&mut self, cx: &mut Context) {
+        cx.ask(StoreRequest::ListClasses);
+    }
+
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.act(TeacherAction::List(ListAction::Choose(by.into())), cx)
+    }
+
+    fn view<'s>(&'s self, _cx: &'s Context) -> View<'s, TeacherAction> {
+        view::view(self)
+    }
+}

@@ -1,0 +1,157 @@
+//! The view of the screen for teachers.
+
+use super::{SHEETS, Teacher, TeacherAction, TeacherTask};
+use crate::messages::HandInFolder;
+use crate::numbers::{capital, counted};
+use crate::paper::guide::GUIDES;
+use crate::progress::long_day;
+use crate::screens::View;
+use crate::widgets::Role;
+use crate::widgets::input::ListAction;
+use crate::widgets::panel::Panel;
+
+impl TeacherTask {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Class => "A round with a class",
+            Self::Worksheet => "A worksheet with its key",
+            Self::Cards => "Voting cards",
+            Self::Moodle => "Questions for Moodle",
+            Self::Report => "The report of a class round",
+            Self::Gradebook => "The gradebook",
+            Self::Guide => "The guides",
+        }
+    }
+
+    const fn about(self) -> &'static str {
+        match self {
+            Self::Class => {
+                "Teams at one keyboard, raised hands, paper cards, or each pupil on a device of \
+                 their own. Without internet."
+            }
+            Self::Worksheet => {
+                "Two HTML files to print: the questions with space for answers, and the worked \
+                 solutions with the wrong answers to listen for. The code fixes the questions; the \
+                 same code opens them on a screen."
+            }
+            Self::Cards => {
+                "Cards A to D for pupils to vote with, one sheet for each pupil, folded twice. An \
+                 HTML file to print."
+            }
+            Self::Moodle => {
+                "The questions of a round for Moodle's question bank, with pictures, and feedback \
+                 for each misconception. In Moodle: Question bank, Import, Moodle XML format."
+            }
+            Self::Report => {
+                "An HTML page and two tables for a spreadsheet: the votes on every question, what \
+                 wrong answers suggest, and what to teach next."
+            }
+            Self::Gradebook => {
+                "An HTML page with the results of all pupils from the files they have handed in: \
+                 each pupil, each round, each question, and what they believe."
+            }
+            Self::Guide => {
+                "How to run a class, how to write questions, what is simulated, and more. HTML files to read or print."
+            }
+        }
+    }
+}
+
+impl HandInFolder {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Devices => "handed in to this computer",
+            Self::Here => "the folder of the program",
+            Self::Downloads => "Downloads",
+            Self::Documents => "Documents",
+            Self::Desktop => "Desktop",
+        }
+    }
+}
+
+pub(super) fn view(teacher: &Teacher) -> View<'_, TeacherAction> {
+    let mut list = Panel::new("for teachers");
+    for (at, task) in TeacherTask::ALL.into_iter().enumerate() {
+        let action = TeacherAction::List(ListAction::Point(at));
+        let is_chosen = task == teacher.task();
+        list.row(
+            (task.name(), Role::Text),
+            ("", Role::Dim),
+            is_chosen,
+            action,
+        );
+    }
+    let mut panel = Panel::new("what it is");
+    let task = teacher.task();
+    panel.heading(task.name());
+    panel.paragraph(task.about(), Role::Text);
+    panel.gap();
+    write_choice(teacher, &mut panel);
+    if teacher.can_change() {
+        panel.prompt("another", TeacherAction::Change(1));
+    }
+    let is_possible = task != TeacherTask::Report || teacher.chosen_round().is_some();
+    if is_possible {
+        let words = match task {
+            TeacherTask::Class => "set it up",
+            _ => "write it",
+        };
+        panel.prompt(words, TeacherAction::List(ListAction::Open));
+    }
+    if !teacher.written.is_empty() {
+        panel.gap();
+    }
+    for words in &teacher.written {
+        panel.paragraph(words, Role::Good);
+    }
+    View::panels(list, panel)
+}
+
+/// What the teacher sets for the chosen task.
+fn write_choice(teacher: &Teacher, panel: &mut Panel<TeacherAction>) {
+    match teacher.task() {
+        TeacherTask::Class => {}
+        TeacherTask::Worksheet | TeacherTask::Moodle => {
+            panel.text_field("code", teacher.code.around_cursor(), true, None);
+            match &teacher.refused {
+                Some(reason) => panel.paragraph(format!("The code: {reason}."), Role::Warn),
+                None => panel.paragraph(
+                    "even12-7: 12 questions about everything. speeds-7: one topic. The help \
+                     explains codes.",
+                    Role::Dim,
+                ),
+            }
+        }
+        TeacherTask::Cards => {
+            let sheets = counted(SHEETS[teacher.sheets].into(), "sheet");
+            panel.fact("for the class", sheets);
+        }
+        TeacherTask::Gradebook => {
+            panel.fact("the files", HandInFolder::ALL[teacher.folder].name());
+        }
+        TeacherTask::Guide => {
+            let guide = &GUIDES[teacher.guide];
+            panel.fact(guide.name, "");
+            panel.paragraph(capital(guide.about), Role::Dim);
+        }
+        TeacherTask::Report => match teacher.chosen_round() {
+            None => panel.paragraph(
+                "There is no saved round yet: first play one with your class.",
+                Role::Dim,
+            ),
+            Some(kept) => {
+                if let Ok(round) = &kept.content {
+                    let class = match round.class() {
+                        "" => "without a name".to_owned(),
+                        class => class.to_owned(),
+                    };
+                    panel.fact("class", class);
+                    panel.fact("round", round.code().to_string());
+                    if let Some(day) = kept.day {
+                        panel.fact("day", long_day(day));
+                    }
+                }
+            }
+        },
+    }
+}
