@@ -58,10 +58,10 @@ impl Data {
                 },
             },
             "rules" => {
-                let is_meant = |rules: &Rules| <&str>::from(*rules) == value || value.is_empty();
+                let is_meant = |rules: &Rules| rules_in_link(*rules) == value || value.is_empty();
                 let rules = Rules::ALL.into_iter().find(is_meant);
                 Route::Rules {
-                    rules: rules.ok_or("tournament, friendly, points, practice or solo")?,
+                    rules: rules.ok_or("tournament, friendly, points, practice or board")?,
                 }
             }
             "quiz" => Route::Quiz {
@@ -104,6 +104,12 @@ impl Data {
 
 /// The last part of a link to the lab in which the outcome is hidden.
 const HIDE: &str = "hide";
+
+/// The rules in a link: the first word of their name.
+fn rules_in_link(rules: Rules) -> &'static str {
+    let name: &str = rules.into();
+    name.split(' ').next().unwrap_or(name)
+}
 
 /// The code of a board for one player.
 const BOARD: &str = "the code of a board: a day such as 2026-11-26, or a number up to 999999";
@@ -175,7 +181,7 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         Route::Board { code: Some(code) } => named("board", &code.to_string()),
         // Its file is not part of a link.
         Route::Measured { .. } => String::new(),
-        Route::Rules { rules } => named("rules", (*rules).into()),
+        Route::Rules { rules } => named("rules", rules_in_link(*rules)),
         Route::Progress => "progress".into(),
         Route::Teacher => "teacher".into(),
         Route::Settings => "settings".into(),

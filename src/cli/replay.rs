@@ -8,8 +8,8 @@ use serde::Serialize;
 use super::{Failure, given, print_report};
 use crate::game::pieces::piece_of;
 use crate::game::{
-    Coin, Fingerprint, Game, GameSetup, Move, Piece, RecordError, Ruling, SavedGame, Seat, Strike,
-    Team,
+    Coin, Fingerprint, Game, GameSetup, Move, Piece, RecordError, Ruling, SavedGame, Seat,
+    SeatNames, Strike, Team,
 };
 use crate::physics::Shot;
 use crate::physics::units::mm_from_m;
@@ -59,6 +59,8 @@ struct Announced {
 #[derive(Debug, Serialize)]
 struct ReplayReport {
     player: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    names: Option<SeatNames>,
     setup: GameSetup,
     moves: Vec<ReplayedMove>,
     r#final: ReplayEnd,
@@ -125,6 +127,9 @@ impl ReplayReport {
         };
         Self {
             player: saved.player.clone(),
+            names: Some(&saved.company.names)
+                .filter(|names| **names != SeatNames::default())
+                .cloned(),
             setup: *saved.record.setup(),
             moves,
             r#final: ReplayEnd {
@@ -142,16 +147,20 @@ impl ReplayReport {
     /// The report as text, for a game with this many strokes.
     fn text(&self, strokes: usize) -> String {
         let mut text = String::new();
+        let name = |seat| match self.names.as_ref().map_or("", |names| names.of(seat)) {
+            "" => format!("{seat:?}"),
+            name => name.to_owned(),
+        };
         for made in &self.moves {
-            let seat = made.seat;
+            let who = name(made.seat);
             let what = match (&made.strike, made.kind) {
                 (Some(strike), _) => {
                     let speed = strike.velocity.length();
-                    format!("{seat:?} strikes at {speed:.2} m/s")
+                    format!("{who} strikes at {speed:.2} m/s")
                 }
-                (None, "no_place") => format!("{seat:?} has no position for the striker"),
+                (None, "no_place") => format!("{who} has no position for the striker"),
                 (None, "next_board") => "the next board".into(),
-                (None, _) => format!("{seat:?} lays the coins out"),
+                (None, _) => format!("{who} lays the coins out"),
             };
             text += &format!("{:4}  {what}\n", made.r#move);
             for ruling in &made.rulings {
@@ -163,8 +172,9 @@ impl ReplayReport {
         let end = &self.r#final;
         let [points, games] = [end.points, end.games].map(|[a, b]| format!("{a} : {b}"));
         text += &format!(
-            "\nafter {strokes} strokes: board {}, points {points}, games {games}, turn {:?}\n",
-            end.board, end.turn,
+            "\nafter {strokes} strokes: board {}, points {points}, games {games}, turn {}\n",
+            end.board,
+            name(end.turn),
         );
         for Lying { piece, at_mm } in &end.coins {
             let [x, y] = at_mm;

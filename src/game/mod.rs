@@ -50,7 +50,7 @@ pub(crate) use placing::{BaseLines, Stand};
 pub use record::{Call, Move, Record, Strike};
 pub(crate) use record::{MoveError, RecordError};
 pub(crate) use results::Results;
-pub use saved::{Aids, Company, Fingerprint, Player, SavedGame, is_player_name};
+pub use saved::{Aids, Company, Fingerprint, Player, SavedGame, SeatNames, is_player_name};
 pub use score::Length;
 pub(crate) use seat::ByTeam;
 pub use seat::{Hands, Seat, Team};

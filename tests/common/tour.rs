@@ -48,6 +48,8 @@ const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens
 const DEVICES: &str = "host";
 /// The round on devices, unless another code follows a colon.
 const ON_DEVICES: &str = "from-angle2-7";
+/// The row of South's name on the page of a new game between two people.
+const TO_A_NAME: &str = "<Down><Down><Down><Right><Right><Right><Right><Down>";
 /// Two strokes of practice.
 const TWO_STROKES: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>";
 const STROKE_BEFORE: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>p";
@@ -260,6 +262,7 @@ pub(crate) const TOUR: &[TourStop] = &[
         "p<Enter><End>i<End>",
     ),
     moment("table, a new game", "table", ""),
+    moment("table, a name typed", "table", TO_A_NAME).taking_any(),
     moment("table, aiming", "table", "<Enter>"),
     moment("table, a number typed", "table", "<Enter>9"),
     moment("table, calling", "table", "<Enter>c<Space>"),

@@ -321,8 +321,20 @@ fn an_exported_game_is_replayed_bit_for_bit() {
     let strokes = strokes.filter(|made| made["kind"] == "strike");
     assert_eq!(strokes.count(), 30);
     let end = report["final"]["fingerprint"].as_str().unwrap();
-    assert!(fs::read_to_string(GAME).unwrap().contains(end));
+    let game = fs::read_to_string(GAME).unwrap();
+    assert!(game.contains(end));
     assert!(out(&text).contains(end));
+    assert!(report.get("names").is_none());
+    // Two people with names are called by them.
+    let names = "names = { south = \"Ada\", north = \"\" }\ncall = ";
+    let named = game.replacen("call = ", names, 1);
+    let folder = Folder::new("replay-names");
+    let file = folder.file("game.toml", named.as_bytes());
+    let text = out(&carrom(&["replay", &file]));
+    assert!(text.contains("   1  Ada strikes at ") && text.contains("North strikes at "));
+    let json = out(&carrom(&["replay", &file, "--json"]));
+    let report: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(report["names"]["south"], "Ada");
 }
 
 #[test]

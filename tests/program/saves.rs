@@ -8,7 +8,7 @@ use carrom::app::App;
 use carrom::game::opponent::{PlayerHand, Strength, clearing};
 use carrom::game::{
     Aids, BoardCode, Company, Fingerprint, Game, GameSetup, Hands, Length, Move, Player, Record,
-    Rules, SavedGame,
+    Rules, SavedGame, Seat, SeatNames,
 };
 use carrom::messages::{KeptGame, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Route, Settings};
@@ -23,6 +23,9 @@ use crate::play::random_move;
 
 /// A game with this many moves.
 fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
+    let mut names = SeatNames::default();
+    names.set(Seat::South, "Ada \"L\"");
+    names.set(Seat::North, "B\u{f3}");
     let mut chance = Pcg64::seed_from_u64(seed);
     let mut record = Record::new(setup);
     let mut game = Game::new(setup);
@@ -44,6 +47,7 @@ fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
                 Strength::Champion,
                 Strength::Club,
             ],
+            names,
             hand: PlayerHand::Club,
             call: true,
             aids: Aids {
@@ -203,6 +207,34 @@ fn a_game_of_the_third_format_still_opens_with_its_length_and_hand() {
         assert!(text.contains(from), "{from}");
         let text = text.replacen(from, to, 1);
         assert!(SavedGame::read("game", text.as_bytes()).is_err(), "{to}");
+    }
+}
+
+#[test]
+fn games_without_names_still_open_and_odd_names_are_refused() {
+    let text = include_str!("../saves/format-3.toml");
+    let (saved, _) = SavedGame::read("format-3.toml", text.as_bytes()).unwrap();
+    assert_eq!(saved.company.names, SeatNames::default());
+    let long = "x".repeat(SeatNames::LONGEST + 1);
+    for (names, expected) in [
+        ("{ south = \"Ada\", north = \"\" }", None),
+        ("{ north = \"\u{87fb}\" }", None),
+        ("{ south = \" Ada\" }", Some("visible letters")),
+        ("{ south = \"A\\u001b[31m\" }", Some("visible letters")),
+        ("{ south = \"A\\u202eda\" }", Some("visible letters")),
+        ("{ east = \"Ada\" }", Some("names")),
+        ("[\"Ada\", \"Bo\"]", Some("names")),
+        (&format!("{{ south = \"{long}\" }}"), Some("12 visible letters")),
+    ] {
+        let text = text.replacen("hand = ", &format!("names = {names}\nhand = "), 1);
+        match (SavedGame::read("game", text.as_bytes()), expected) {
+            (Ok((saved, _)), None) => assert_ne!(saved.company.names, SeatNames::default()),
+            (Err(fault), Some(expected)) => {
+                let fault = fault.to_string();
+                assert!(fault.contains(expected), "{names}: {fault}");
+            }
+            (read, _) => panic!("{names}: {read:?}"),
+        }
     }
 }
 

@@ -168,8 +168,8 @@ fn panel(game: &mut Headless) -> String {
 #[test]
 fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
     let options = Options::two_people();
-    let mut screen = at_the_table(options, still());
     let mut game = Game::new(options.setup(SEED));
+    let mut screen = at_the_table(options, still());
     let mut chance = Pcg64::seed_from_u64(3);
     let mut tenths = 40;
     let mut due_made = false;
@@ -420,19 +420,19 @@ fn the_paths_stay_hidden_while_the_player_calls() {
             rays: false,
             ..Aids::default()
         },
-        ..all
+        ..all.clone()
     };
-    let board = |options| {
-        let screen = at_the_table(options, still()).screen();
+    let board = |options: &Options| {
+        let screen = at_the_table(options.clone(), still()).screen();
         let rows: Vec<String> = screen
             .lines()
             .map(|row| row.chars().take(72).collect())
             .collect();
         rows
     };
-    assert_ne!(board(all), board(without));
+    assert_ne!(board(&all), board(&without));
     let calling = Options { call: true, ..all };
-    assert_eq!(board(calling), board(without));
+    assert_eq!(board(&calling), board(&without));
 }
 
 #[test]
@@ -524,7 +524,7 @@ fn the_rules_of_the_game_are_read_from_its_set_up_and_its_help() {
         ("<Right>r", "the rules: friendly"),
         ("<Right><Enter>?r", "the rules: friendly"),
         ("<Right><Right>r", "the rules: points"),
-        ("<Enter>?r<Left>", "the rules: solo"),
+        ("<Enter>?r<Left>", "the rules: board of the day"),
         ("<Enter>?r<Left><Left>", "the rules: practice"),
     ] {
         let mut game = opened(keys);
@@ -976,7 +976,7 @@ fn the_length_and_the_hand_are_chosen_on_the_page_of_a_new_game() {
         row.unwrap_or_else(|| panic!("{name}: {page}")).to_owned()
     };
     assert!(row(&mut game, "  your hand").contains("exact"));
-    assert!(row(&mut game, "  length").contains("match, about"));
+    assert!(row(&mut game, "  length").contains("one board, about"));
     game.press(&"<Down>".repeat(4));
     game.press("<Left>");
     assert!(row(&mut game, "> your hand").contains("club"));
@@ -995,14 +995,14 @@ fn the_length_and_the_hand_are_chosen_on_the_page_of_a_new_game() {
             .parse::<u32>()
             .unwrap()
     };
-    let longest = minutes(&row(&mut game, "> length"));
-    game.press("<Left>");
+    let board = minutes(&row(&mut game, "> length"));
+    game.press("<Right>");
     let one_game = row(&mut game, "> length");
     assert!(one_game.contains("one game"), "{one_game}");
-    game.press("<Left>");
-    let board = row(&mut game, "> length");
-    assert!(board.contains("one board"), "{board}");
-    assert!(minutes(&board) < minutes(&one_game) && minutes(&one_game) < longest);
+    game.press("<Right>");
+    let whole = row(&mut game, "> length");
+    assert!(whole.contains("match"), "{whole}");
+    assert!(board < minutes(&one_game) && minutes(&one_game) < minutes(&whole));
     game.press("<Enter>");
     assert!(
         panel(&mut game).contains("+- 1.0 deg, +- 10 %"),
@@ -1014,6 +1014,113 @@ fn the_length_and_the_hand_are_chosen_on_the_page_of_a_new_game() {
         "{}",
         game.screen()
     );
+}
+
+/// The page of a new game between two people, with the row of South's name chosen.
+fn two_people(folder: &Folder) -> Headless {
+    let app = App::new(Route::Table, still(), 1);
+    let mut game = Headless::keeping(app, 120, 40, Store::in_folder(folder.path()));
+    game.press("<Down><Down><Down><Right><Right><Right><Right><Right>");
+    assert!(
+        game.screen().contains("computer, champion"),
+        "{}",
+        game.screen()
+    );
+    game.press("<Right><Down>");
+    game
+}
+
+#[test]
+fn two_people_at_one_keyboard_have_names_which_are_kept() {
+    let folder = Folder::new("table-names");
+    let mut game = two_people(&folder);
+    // Letters that are keys elsewhere on the page, and a space, belong to the name.
+    game.press("Bos  Ra<Enter>Mia<Enter>");
+    let page = game.screen();
+    assert!(page.contains("South's name Bos  Ra"), "{page}");
+    assert!(page.contains("> your hands"), "{page}");
+    game.press("<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("Bos Ra 0 : 0 Mia"), "{screen}");
+    assert!(screen.contains("Bos Ra's stroke"), "{screen}");
+    assert!(panel(&mut game).contains("Bos Ra breaks, white"));
+    rested(game).press("- ");
+    // The next game of two people has the names, even after one against the computer.
+    let mut next = two_people(&folder);
+    assert!(
+        next.screen().contains("South's name Bos Ra_"),
+        "{}",
+        next.screen()
+    );
+    next.press("<Up><Left><Enter>");
+    rested(next).press("- ");
+    let mut next = two_people(&folder);
+    next.press("<Down>");
+    assert!(
+        next.screen().contains("North's name Mia_"),
+        "{}",
+        next.screen()
+    );
+    // The page of saved games names both.
+    next.press("<Up><Up>s<Down>");
+    let saved = next.screen();
+    assert!(saved.contains("Bos Ra 0 : 0 Mia"), "{saved}");
+    assert!(saved.contains("It is the turn of"), "{saved}");
+}
+
+#[test]
+fn names_are_short_visible_and_differ() {
+    let folder = Folder::new("table-odd-names");
+    let mut game = two_people(&folder);
+    let pasted = "\u{1b}[31mAnna\nMaria\u{202e}Josefina";
+    game.input(&Input::Paste(pasted.into()));
+    game.press("<Enter> anna<Enter><Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("[31mAnnaMari"), "{screen}");
+    assert!(!screen.contains(['\u{1b}', '\u{202e}']), "{screen}");
+    // Names that differ only in case are refused, also if one is the usual name of the other seat.
+    for names in ["Ada<Enter>ADA", "north<Enter>"] {
+        let mut game = two_people(&folder);
+        game.press(names);
+        game.press("<Down><Enter>");
+        let screen = game.screen();
+        assert!(screen.contains("Both players are called"), "{screen}");
+        game.press("<Up><Up>");
+        game.press("x<Down><Down><Enter>");
+        assert!(game.screen().contains("'s stroke"), "{}", game.screen());
+    }
+}
+
+#[test]
+fn a_board_between_two_named_people_is_reported_with_their_names() {
+    let bytes = include_bytes!("../saves/board-over-1.toml");
+    let (mut saved, game) = SavedGame::read("board-over-1.toml", bytes).unwrap();
+    saved.company.players = [Player::Person; 4];
+    saved.company.names.set(Seat::South, "Ada");
+    saved.company.names.set(Seat::North, "Bo");
+    let folder = Folder::new("table-named-end");
+    let mut store = Store::in_folder(folder.path());
+    let request = StoreRequest::Save(Box::new(saved));
+    store.answer(&StoreCall { ticket: 1, request });
+    let app = App::new(Route::Table, still(), 1);
+    let mut screen = Headless::keeping(app, 120, 40, store);
+    screen.press("s<Enter>");
+    let shown = panel(&mut screen);
+    let winner = match game.play().won.unwrap().winner {
+        Team::First => "Ada",
+        Team::Second => "Bo",
+    };
+    assert!(
+        shown.contains(&format!("The board goes to {winner}.")),
+        "{shown}"
+    );
+    assert!(shown.contains("Ada : Bo"), "{shown}");
+    assert!(
+        shown.contains("Ada breaks next") || shown.contains("Bo breaks next"),
+        "{shown}"
+    );
+    let screen = screen.screen();
+    assert!(!screen.contains("South") && !screen.contains("North"), "{screen}");
 }
 
 #[test]
@@ -1081,7 +1188,7 @@ fn a_call_with_an_unsteady_hand_is_about_the_actual_stroke_and_cannot_be_aimed_a
         call: true,
         ..club_hand()
     };
-    let mut game = at_the_table(options, still());
+    let mut game = at_the_table(options.clone(), still());
     game.press("]] ");
     assert!(
         game.screen().contains("Where will they go?"),

@@ -48,7 +48,7 @@ pub use ruling::{BoardWon, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
 
-/// The rules of a game; as text, one word such as "friendly".
+/// The rules of a game; as text, its name for players, such as "friendly".
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::IntoStaticStr,
 )]
@@ -66,6 +66,7 @@ pub enum Rules {
     /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
     Practice,
     /// A board for one player, from a code: six coins to clear in the fewest strokes.
+    #[strum(serialize = "board of the day")]
     Solo,
 }
 

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::files::{is_invisible, tidy_name};
+use crate::files::{is_invisible, short_name, tidy_name};
+use crate::game::Seat;
 use crate::game::opponent::{PlayerHand, Strength};
 
 /// The kind of player at a seat.
@@ -38,18 +39,60 @@ impl Default for Aids {
 }
 
 /// The players and their aids: a game needs these, together with its setup, to continue as before.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Company {
     /// The player at each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
     pub players: [Player; 4],
     /// The computer's strength at each seat, in the same order.
     pub strengths: [Strength; 4],
+    /// The names of two people who share the keyboard.
+    pub names: SeatNames,
     /// The hand of the people: its errors are part of the strokes in the record.
     pub hand: PlayerHand,
     /// Whether the players predict the first impact before each stroke.
     pub call: bool,
     /// Aids while aiming.
     pub aids: Aids,
+}
+
+/// The names of two people who share the keyboard; either may be empty.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SeatNames {
+    south: String,
+    north: String,
+}
+
+impl SeatNames {
+    /// The largest number of letters in a name: two names and a score fit above the board in a
+    /// window of 80×24.
+    pub const LONGEST: usize = 12;
+
+    /// The name of the person at a seat; empty if there is none.
+    pub fn of(&self, seat: Seat) -> &str {
+        match seat {
+            Seat::South => &self.south,
+            Seat::North => &self.north,
+            Seat::East | Seat::West => "",
+        }
+    }
+
+    /// Sets the name of the person at South or North.
+    pub fn set(&mut self, seat: Seat, name: &str) {
+        match seat {
+            Seat::South => name.clone_into(&mut self.south),
+            Seat::North => name.clone_into(&mut self.north),
+            Seat::East | Seat::West => {}
+        }
+    }
+
+    /// The names as they are shown and saved: only visible letters, no blanks at the ends.
+    pub fn tidied(&self) -> Self {
+        Self {
+            south: short_name(&self.south, Self::LONGEST),
+            north: short_name(&self.north, Self::LONGEST),
+        }
+    }
 }
 
 /// A value for each seat by name, as in a file.

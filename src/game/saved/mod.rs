@@ -8,13 +8,14 @@ mod fingerprint;
 mod read;
 mod text;
 
-pub use company::{Aids, Company, Player, is_player_name};
+pub use company::{Aids, Company, Player, SeatNames, is_player_name};
 pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 
 /// The format of new files. In format 1, `setup` had no `restitution`; before format 3 it had no
-/// `length`, there was no `hand`, and there were no boards for one player.
+/// `length`, there was no `hand`, there were no names of two people, and there were no boards for one
+/// player.
 const FORMAT: u32 = 3;
 
 /// A saved game.

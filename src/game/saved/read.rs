@@ -1,7 +1,7 @@
 //! Reads a game from an untrusted file.
 
 use super::company::BySeat;
-use super::{Company, FORMAT, Fingerprint, Player, SavedGame, is_player_name};
+use super::{Company, FORMAT, Fingerprint, Player, SavedGame, SeatNames, is_player_name};
 use crate::files::{Fields, FileErrors, NO_NAME, NumberSpec, Source, is_blank_name};
 use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::record::Record;
@@ -10,12 +10,13 @@ use crate::game::table::{Game, GameSetup};
 use crate::game::{BoardCode, Rules};
 
 /// The fields of a file.
-const FIELDS: [&str; 12] = [
+const FIELDS: [&str; 13] = [
     "format",
     "player",
     "players",
     "computer",
     "computers",
+    "names",
     "hand",
     "call",
     "aids",
@@ -67,6 +68,13 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         let all = fields.parsed::<Strength>("computer", "the computer's strength");
         all.map(|strength| [strength; 4])
     };
+    let names = fields.or("names", SeatNames::default(), |name| {
+        let names: SeatNames = fields.parsed(name, "the names of South and North")?;
+        match names.tidied() == names {
+            true => Some(names),
+            false => fields.refuse(name, "expected names of at most 12 visible letters"),
+        }
+    });
     let hand = fields.or("hand", PlayerHand::default(), |name| {
         fields.parsed(name, "exact, steady or club")
     });
@@ -96,6 +104,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         company: Company {
             players: players?.into(),
             strengths: strengths?,
+            names: names?,
             hand: hand?,
             call: call?,
             aids: aids?,

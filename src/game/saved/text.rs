@@ -6,7 +6,7 @@ use serde::Serialize;
 use toml::ser::ValueSerializer;
 
 use super::company::BySeat;
-use super::{FORMAT, SavedGame, TooLarge};
+use super::{FORMAT, SavedGame, SeatNames, TooLarge};
 
 const HEAD: &str = "\
 # A game of carrom. `carrom replay FILE` plays it again and checks every move.
@@ -28,6 +28,9 @@ impl SavedGame {
             line(&mut text, "computer", &first);
         } else {
             line(&mut text, "computers", &BySeat::from(company.strengths));
+        }
+        if company.names != SeatNames::default() {
+            line(&mut text, "names", &company.names);
         }
         line(&mut text, "hand", &company.hand);
         line(&mut text, "call", &company.call);

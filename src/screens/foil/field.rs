@@ -173,6 +173,7 @@ mod tests {
         match value {
             FieldValue::Choice { at, count } => at < count,
             FieldValue::Number { value, range, .. } => (range.0..=range.1).contains(&value),
+            FieldValue::Text(_) => true,
         }
     }
 

@@ -78,8 +78,11 @@ impl Screen for RulesScreen {
         }
         panel.gap();
         for rules in Rules::ALL.into_iter().filter(|rules| *rules != self.rules) {
-            let name = <&str>::from(rules);
-            panel.prompt(format!("the {name} rules"), RulesAction::Show(rules));
+            let prompt = match rules {
+                Rules::Solo => "the rules of the board of the day".into(),
+                rules => format!("the {} rules", <&str>::from(rules)),
+            };
+            panel.prompt(prompt, RulesAction::Show(rules));
         }
         View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
     }

@@ -22,7 +22,7 @@ use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, View};
 use crate::game::{BoardCode, Rules};
-use crate::messages::{Input, Mouse};
+use crate::messages::{Input, Key, Mouse};
 use crate::numbers::fixed;
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
 use active_game::{
@@ -110,7 +110,7 @@ fn agreeing(options: Options, cx: &mut Context) -> TablePage {
 fn after(game: &ActiveGame, cx: &mut Context) -> TablePage {
     match game.game().setup().board_code() {
         Some(code) => TablePage::Board(Box::new(BoardPage::ask(Some(code), cx))),
-        None => agreeing(game.options, cx),
+        None => agreeing(game.options.clone(), cx),
     }
 }
 
@@ -161,16 +161,24 @@ impl Screen for Table {
         }
     }
 
+    fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
+        match &mut self.page {
+            TablePage::NewGame(page) => page.typed(key),
+            _ => false,
+        }
+    }
+
     fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         match (&mut self.page, action) {
             (TablePage::NewGame(page), TableAction::NewGame(action)) => match action {
-                NewGameAction::Agree(action) => page.form.act(action, &mut page.options),
+                NewGameAction::Agree(action) => page.agree(action),
                 NewGameAction::Play => {
-                    page.form.commit(&mut page.options);
-                    *self = Self::playing(page.options, cx.next_seed());
+                    if let Some(options) = page.chosen() {
+                        *self = Self::playing(options, cx.next_seed());
+                    }
                 }
                 NewGameAction::SavedGames => {
-                    let saved = SavedGames::ask(page.options, cx);
+                    let saved = SavedGames::ask(page.options.clone(), cx);
                     self.page = TablePage::SavedGames(Box::new(saved));
                 }
                 NewGameAction::Board => return Next::Open(Route::Board { code: None }),
@@ -193,7 +201,7 @@ impl Screen for Table {
                 (action, _) => page.act(action),
             },
             (TablePage::SavedGames(page), TableAction::Saved(SavedGamesAction::Back)) => {
-                self.page = agreeing(page.options, cx);
+                self.page = agreeing(page.options.clone(), cx);
             }
             (TablePage::SavedGames(page), TableAction::Saved(action)) => {
                 return page.act(action, cx);
@@ -253,8 +261,12 @@ impl Screen for Table {
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let Input::Kept(answer) = input else {
-            return Next::Ignored;
+        let answer = match (input, &mut self.page) {
+            (Input::Kept(answer), _) => answer,
+            (Input::Paste(text), TablePage::NewGame(page)) => {
+                return Next::after(page.form.paste(text, &mut page.options));
+            }
+            _ => return Next::Ignored,
         };
         match &mut self.page {
             TablePage::NewGame(page) => page.take_answer(answer, cx),

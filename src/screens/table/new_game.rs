@@ -8,7 +8,7 @@ use super::options::{Options, Player};
 use super::{TableAction, picture, words};
 use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::pack::pack;
-use crate::game::{Hands, Length, PieceSet, Results, Rules, Seat};
+use crate::game::{Hands, Length, PieceSet, Results, Rules, Seat, SeatNames, Team};
 use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{counted, fixed};
 use crate::screens::{Context, View};
@@ -26,11 +26,20 @@ pub(super) struct NewGame {
     /// Whether the options of the player's last game are still to replace the usual ones.
     is_fresh: bool,
     results: Results,
+    /// Why the game cannot begin.
+    trouble: Option<String>,
 }
 
-/// One line of the page: its name and its choices. A choice consists of the resulting options, its
-/// text and its description.
-type Agreement = (&'static str, Vec<Choice>);
+/// One line of the page.
+enum OptionRow {
+    /// Its name and its choices.
+    Choice(&'static str, Vec<Choice>),
+    /// The name of the person at a seat.
+    Name(Seat),
+    Restitution,
+}
+
+/// The resulting options, their text and their description.
 type Choice = (Options, String, Cow<'static, str>);
 
 /// The key actions on the page.
@@ -61,6 +70,7 @@ impl NewGame {
             form: SettingsForm::default(),
             asked: cx.ask(StoreRequest::List),
             results: Results::default(),
+            trouble: None,
         }
     }
 
@@ -75,6 +85,9 @@ impl NewGame {
         let player = &cx.settings.player;
         let games = || games.iter().filter_map(|kept| kept.content.as_deref().ok());
         self.results = Results::of(player, games());
+        let names = games().find(|(saved, _)| {
+            saved.player == *player && saved.company.names != SeatNames::default()
+        });
         // Options that the player has already changed are kept.
         if self.is_fresh
             && self.options == Options::default()
@@ -83,6 +96,11 @@ impl NewGame {
             })
         {
             self.options = Options::of(last);
+        }
+        if let Some((saved, _)) = names
+            && self.options.names == SeatNames::default()
+        {
+            self.options.names = saved.company.names.clone();
         }
         self.is_fresh = false;
     }
@@ -122,13 +140,42 @@ impl NewGame {
         panel.fact("longest turn", longest);
     }
 
+    /// Carries out an action on the form.
+    pub(super) fn agree(&mut self, action: FormAction) {
+        self.trouble = None;
+        self.form.act(action, &mut self.options);
+    }
+
+    /// Handles a key that edits a name; returns whether the key was used.
+    pub(super) fn typed(&mut self, key: Key) -> bool {
+        let typed = self.form.typed(key, &mut self.options);
+        self.trouble = self.trouble.take().filter(|_| !typed);
+        typed
+    }
+
+    /// The chosen options, if a game can begin with them.
+    pub(super) fn chosen(&mut self) -> Option<Options> {
+        self.form.commit(&mut self.options);
+        self.options.names = self.options.names.tidied();
+        let [first, second] = Team::BOTH.map(|team| self.options.team_name(team));
+        if self.options.has_names() && first.to_lowercase() == second.to_lowercase() {
+            self.trouble = Some(format!("Both players are called {first}."));
+            return None;
+        }
+        Some(self.options.clone())
+    }
+
     pub(super) fn keys(&self) -> KeyTable<NewGameAction> {
+        let named = self.form.is_at_text(&self.options);
         KeyTable::new("table")
             .on(Key::Enter, NewGameAction::Play, "play")
-            .when(!self.form.is_typing())
+            .when(!self.form.is_typing() && !named)
             .on('b', NewGameAction::Board, "board of the day")
+            .when(!named)
             .on('r', NewGameAction::Rules, "rules")
+            .when(!named)
             .on('s', NewGameAction::SavedGames, "saved games")
+            .when(!named)
             .with(self.form.keys(&self.options), NewGameAction::Agree)
             .on(Key::Escape, NewGameAction::Back, "back")
             .when(!self.form.is_typing())
@@ -143,16 +190,27 @@ impl NewGame {
                 panel.gap();
                 self.form.write_about(&self.options, panel);
             });
-            panel.gap();
-            match self.form.is_typing() {
-                true => panel.prompt("set it", NewGameAction::Agree(SettingsForm::SET)),
-                false => panel.prompt("play!", NewGameAction::Play),
-            }
-            panel.prompt("the board of the day", NewGameAction::Board);
-            panel.prompt("the rules", NewGameAction::Rules);
-            panel.prompt("saved games", NewGameAction::SavedGames);
         });
         self.write_results(&mut panel);
+        panel.pin_below();
+        if let Some(trouble) = &self.trouble {
+            panel.paragraph(trouble, Role::Warn);
+        }
+        let enter = if self.form.is_typing() {
+            ("set it", NewGameAction::Agree(SettingsForm::SET))
+        } else if self.form.is_at_text(&self.options) {
+            ("next", NewGameAction::Agree(FormAction::Next))
+        } else {
+            ("play!", NewGameAction::Play)
+        };
+        panel.part(TableAction::NewGame, |panel| {
+            panel.prompts([
+                enter,
+                ("board of the day", NewGameAction::Board),
+                ("rules", NewGameAction::Rules),
+                ("saved games", NewGameAction::SavedGames),
+            ]);
+        });
         let set = self.options.set;
         let board = move |area| picture::of_pack(&pack(set, Seat::South), set, area);
         View::drawn("the pack", board, panel).square()
@@ -160,7 +218,8 @@ impl NewGame {
 }
 
 /// The lines of the page, in order.
-fn agreements(now: Options) -> Vec<Agreement> {
+fn rows(now: &Options) -> Vec<OptionRow> {
+    use OptionRow::{Choice, Name, Restitution};
     let rules = [
         (
             Rules::Tournament,
@@ -182,9 +241,9 @@ fn agreements(now: Options) -> Vec<Agreement> {
     ];
     let rules = rules.map(|(rules, about)| {
         let shown = <&str>::from(rules).to_owned();
-        (Options { rules, ..now }, shown, about.into())
+        (Options { rules, ..now.clone() }, shown, about.into())
     });
-    let mut rows: Vec<Agreement> = vec![("rules", rules.into())];
+    let mut rows = vec![Choice("rules", rules.into())];
     if now.rules != Rules::Practice {
         let hands = [
             (Hands::Two, "two", "South against North."),
@@ -194,17 +253,20 @@ fn agreements(now: Options) -> Vec<Agreement> {
                 "Partners sit opposite each other: South and North against East and West.",
             ),
         ];
-        let hands = hands
-            .map(|(hands, shown, about)| (Options { hands, ..now }, shown.into(), about.into()));
-        rows.push(("hands", hands.into()));
-        rows.extend(now.seats().map(|seat| (seat.into(), players(seat, now))));
-        if now.count(Player::Person) > 0 {
-            rows.push((
-                "your hand",
-                PlayerHand::ALL.map(|hand| of_hand(hand, now)).into(),
-            ));
+        let hands = hands.map(|(hands, shown, about)| {
+            let options = Options { hands, ..now.clone() };
+            (options, shown.into(), about.into())
+        });
+        rows.push(Choice("hands", hands.into()));
+        rows.extend({ now.seats() }.map(|seat| Choice(seat.into(), players(seat, now))));
+        rows.extend(now.seats().filter(|_| now.has_names()).map(Name));
+        let hands = PlayerHand::ALL.map(|hand| of_hand(hand, now));
+        match now.count(Player::Person) {
+            0 => {}
+            1 => rows.push(Choice("your hand", hands.into())),
+            _ => rows.push(Choice("your hands", hands.into())),
         }
-        rows.push(("length", lengths(now)));
+        rows.push(Choice("length", lengths(now)));
     }
     let sets = [
         (
@@ -218,27 +280,25 @@ fn agreements(now: Options) -> Vec<Agreement> {
         ),
     ];
     let sets = sets.map(|(set, about)| {
-        (
-            Options { set, ..now },
-            words::masses(set).into(),
-            about.into(),
-        )
+        let options = Options { set, ..now.clone() };
+        (options, words::masses(set).into(), about.into())
     });
-    rows.push(("pieces", sets.into()));
+    rows.push(Choice("pieces", sets.into()));
+    rows.push(Restitution);
     rows.extend(SWITCHES.map(|(name, switch, about)| {
         let choice = |(on, shown): (bool, &str)| {
-            let mut options = now;
+            let mut options = now.clone();
             *switch(&mut options) = on;
             (options, shown.to_owned(), about.into())
         };
-        (name, [(false, "off"), (true, "on")].map(choice).into())
+        Choice(name, [(false, "off"), (true, "on")].map(choice).into())
     }));
     rows
 }
 
 /// The possible players at a seat.
-fn players(seat: Seat, now: Options) -> Vec<Choice> {
-    let mut person = now;
+fn players(seat: Seat, now: &Options) -> Vec<Choice> {
+    let mut person = now.clone();
     person.set_player(seat, Player::Person);
     let shown = match person.count(Player::Person) {
         1 => "you",
@@ -247,7 +307,7 @@ fn players(seat: Seat, now: Options) -> Vec<Choice> {
     let about = "A person at this keyboard, or the computer at one of five strengths.";
     let mut choices = vec![(person, shown.to_owned(), about.into())];
     choices.extend(Strength::ALL.map(|strength| {
-        let mut options = now;
+        let mut options = now.clone();
         options.set_player(seat, Player::Computer);
         options.strengths[seat as usize] = strength;
         let about = "The stronger the computer, the farther it looks ahead and the steadier its \
@@ -258,7 +318,7 @@ fn players(seat: Seat, now: Options) -> Vec<Choice> {
 }
 
 /// A hand of the people, with the size of its errors.
-fn of_hand(hand: PlayerHand, now: Options) -> Choice {
+fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
     let about = match hand.errors() {
         None => "Every stroke is played exactly as you aim it.".into(),
         Some(errors) => {
@@ -273,15 +333,15 @@ fn of_hand(hand: PlayerHand, now: Options) -> Choice {
         }
     };
     let shown = <&str>::from(hand).to_owned();
-    (Options { hand, ..now }, shown, about)
+    (Options { hand, ..now.clone() }, shown, about)
 }
 
 /// The lengths of a game, with an estimate. A friendly game and points carrom consist of boards.
-fn lengths(now: Options) -> Vec<Choice> {
+fn lengths(now: &Options) -> Vec<Choice> {
     let lengths = [Length::Board, Length::Game, Length::Match].into_iter();
     let offered = lengths.filter(|it| now.rules == Rules::Tournament || *it != Length::Game);
     let choice = |length| {
-        let options = Options { length, ..now };
+        let options = Options { length, ..now.clone() };
         let (name, last) = match (length, now.rules) {
             (Length::Board, _) => ("one board", "One board."),
             (Length::Game, _) => ("one game", "A game to 25 points or eight boards."),
@@ -330,45 +390,48 @@ const SWITCHES: [Switch; 4] = [
     ),
 ];
 
-/// The row of the coefficient of restitution: after the pieces, before the switches.
-fn restitution_row(others: usize) -> usize {
-    others - SWITCHES.len()
-}
-
 impl FormFields for Options {
     fn fields(&self) -> Vec<Field> {
-        let field = |(name, choices): Agreement| {
-            let at = choices.iter().position(|(options, ..)| options == self);
-            let (at, count) = (at.unwrap_or(0), choices.len());
-            let chosen = choices.into_iter().nth(at);
-            let (shown, about) = chosen.map_or_else(Default::default, |it| (it.1, it.2));
-            Field::new(name, shown, FieldValue::Choice { at, count }, about)
+        let field = |row| match row {
+            OptionRow::Choice(name, choices) => {
+                let at = choices.iter().position(|(options, ..)| options == self);
+                let (at, count) = (at.unwrap_or(0), choices.len());
+                let chosen = choices.into_iter().nth(at);
+                let (shown, about) = chosen.map_or_else(Default::default, |it| (it.1, it.2));
+                Field::new(name, shown, FieldValue::Choice { at, count }, about)
+            }
+            OptionRow::Name(seat) => Field::new(
+                format!("{}'s name", <&str>::from(seat)),
+                self.names.of(seat).to_owned(),
+                FieldValue::Text(SeatNames::LONGEST),
+                "Type a name, or leave it empty. The score and the saved game show it.",
+            ),
+            OptionRow::Restitution => Field::new(
+                "restitution e",
+                fixed(self.restitution, 2),
+                FieldValue::number(self.restitution, (0.0, 1.0), 0.05, ""),
+                "At e = 1 two discs lose no kinetic energy; real discs lose some. At a cushion e is \
+                 always 0.8.",
+            ),
         };
-        let mut fields: Vec<Field> = agreements(*self).into_iter().map(field).collect();
-        let restitution = Field::new(
-            "restitution e",
-            fixed(self.restitution, 2),
-            FieldValue::number(self.restitution, (0.0, 1.0), 0.05, ""),
-            "At e = 1 two discs lose no kinetic energy; real discs lose some. At a cushion e is \
-             always 0.8.",
-        );
-        fields.insert(restitution_row(fields.len()), restitution);
-        fields
+        rows(self).into_iter().map(field).collect()
     }
 
     fn set(&mut self, at: usize, value: f64) {
-        let agreements = agreements(*self);
-        let restitution = restitution_row(agreements.len());
-        if at == restitution {
-            self.restitution = value.clamp(0.0, 1.0) + 0.0;
-            return;
+        match rows(self).into_iter().nth(at) {
+            Some(OptionRow::Restitution) => self.restitution = value.clamp(0.0, 1.0) + 0.0,
+            Some(OptionRow::Choice(_, choices)) => {
+                if let Some((options, ..)) = choices.into_iter().nth(value as usize) {
+                    *self = options;
+                }
+            }
+            Some(OptionRow::Name(_)) | None => {}
         }
-        let row = agreements
-            .into_iter()
-            .nth(at - usize::from(at > restitution));
-        let chosen = row.and_then(|(_, choices)| choices.into_iter().nth(value as usize));
-        if let Some((options, ..)) = chosen {
-            *self = options;
+    }
+
+    fn set_text(&mut self, at: usize, text: &str) {
+        if let Some(OptionRow::Name(seat)) = rows(self).into_iter().nth(at) {
+            self.names.set(seat, text);
         }
     }
 }

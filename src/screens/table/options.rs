@@ -4,12 +4,12 @@ use super::words;
 use crate::game::opponent::{PlayerHand, Strength};
 pub use crate::game::{Aids, Player};
 use crate::game::{
-    Company, Game, GameSetup, Hands, Length, PieceSet, Rules, SavedGame, Seat, Team,
+    Company, Game, GameSetup, Hands, Length, PieceSet, Rules, SavedGame, Seat, SeatNames, Team,
 };
 use crate::numbers::capital;
 
 /// Everything that can be chosen for a game.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The rules.
     pub rules: Rules,
@@ -22,6 +22,8 @@ pub struct Options {
     pub players: [Player; 4],
     /// The strength of the computer at each seat, in the same order.
     pub strengths: [Strength; 4],
+    /// The names of two people who share the keyboard.
+    pub names: SeatNames,
     /// The pieces.
     pub set: PieceSet,
     /// Coefficient of restitution of two discs.
@@ -35,15 +37,16 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// One person against the computer.
+    /// One person against the computer, for one board.
     fn default() -> Self {
         use Player::{Computer, Person};
         Self {
             rules: Rules::default(),
-            length: Length::default(),
+            length: Length::Board,
             hands: Hands::default(),
             players: [Person, Computer, Computer, Computer],
             strengths: [Strength::default(); 4],
+            names: SeatNames::default(),
             set: PieceSet::default(),
             restitution: GameSetup::default().restitution,
             hand: PlayerHand::default(),
@@ -58,7 +61,6 @@ impl Options {
     pub(super) fn solo() -> Self {
         Self {
             rules: Rules::Solo,
-            length: Length::Board,
             ..Self::default()
         }
     }
@@ -96,6 +98,7 @@ impl Options {
             hands: setup.hands,
             players: company.players,
             strengths: company.strengths,
+            names: company.names.clone(),
             set: setup.set,
             restitution: setup.restitution,
             hand: company.hand,
@@ -109,6 +112,10 @@ impl Options {
         Company {
             players: self.players,
             strengths: self.strengths,
+            names: match self.has_names() {
+                true => self.names.clone(),
+                false => SeatNames::default(),
+            },
             hand: self.hand,
             call: self.call,
             aids: self.aids,
@@ -164,10 +171,16 @@ impl Options {
         !self.rules.is_alone() && self.count(Player::Person) > 1
     }
 
+    /// Whether the two sides are people, who may have names.
+    pub(super) fn has_names(&self) -> bool {
+        self.hands == Hands::Two && self.is_shared()
+    }
+
     /// The name of the player at a seat, which is "you" if nobody else is at the keyboard.
-    pub fn seat_name(&self, seat: Seat) -> &'static str {
+    pub fn seat_name(&self, seat: Seat) -> &str {
         match self.player(seat) {
             Player::Person if !self.is_shared() => "you",
+            _ if self.has_names() && !self.names.of(seat).is_empty() => self.names.of(seat),
             Player::Computer if self.count(Player::Computer) == 1 => "computer",
             _ => seat.into(),
         }
@@ -201,7 +214,7 @@ impl Options {
     }
 
     /// The name of a team.
-    pub fn team_name(&self, team: Team) -> &'static str {
+    pub fn team_name(&self, team: Team) -> &str {
         match (self.hands, team) {
             _ if self.rules.is_alone() => "you",
             (Hands::Two, Team::First) => self.seat_name(Seat::South),
@@ -223,6 +236,15 @@ mod tests {
         assert_eq!(alone.team_name(Team::Second), "computer");
         let two = Options::two_people();
         assert_eq!(two.seat_name(Seat::South), "South");
+        let mut named = two.clone();
+        named.names.set(Seat::South, "Ada");
+        assert_eq!(named.team_name(Team::First), "Ada");
+        assert_eq!(named.team_name(Team::Second), "North");
+        named.hands = Hands::Four;
+        assert_eq!(named.seat_name(Seat::South), "South");
+        named.set_player(Seat::North, Player::Computer);
+        named.hands = Hands::Two;
+        assert_eq!(named.seat_name(Seat::South), "you");
         let doubles = Options {
             hands: Hands::Four,
             ..alone

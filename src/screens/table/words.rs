@@ -39,7 +39,7 @@ pub(super) fn exported(result: &Result<String, String>) -> String {
 }
 
 /// The name of a player within a sentence, as in "goes to the computer".
-pub(super) fn player(name: &'static str) -> &'static str {
+pub(super) fn player(name: &str) -> &str {
     match name {
         "computer" => "the computer",
         name => name,

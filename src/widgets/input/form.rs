@@ -1,10 +1,10 @@
-//! Forms with one setting per row, which is either a number with a range and a step, or a choice.
+//! Forms with one setting per row: a number with a range and a step, a choice, or a text.
 
 use std::borrow::Cow;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{EntryAction, KeyTable, NumberEntry, Outcome};
+use super::{EntryAction, KeyTable, NumberEntry, Outcome, TextField};
 use crate::messages::Key;
 use crate::widgets::{Role, panel::Panel};
 
@@ -69,6 +69,8 @@ pub(crate) enum FieldValue {
         /// The number of options.
         count: usize,
     },
+    /// A text of at most this many letters, which is typed.
+    Text(usize),
 }
 
 impl FieldValue {
@@ -90,6 +92,7 @@ impl FieldValue {
     /// The value after this many steps, rounded to a whole number of steps.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
+            Self::Text(_) => 0.0,
             Self::Choice { at, count } => {
                 let by = steps.signum() as i64;
                 (at as i64 + by).rem_euclid(count.max(1) as i64) as f64
@@ -136,6 +139,7 @@ impl<S> FieldRow<S> {
         let (least, most) = match (self.value)(of) {
             FieldValue::Number { range, .. } => range,
             FieldValue::Choice { count, .. } => (0.0, count.saturating_sub(1) as f64),
+            FieldValue::Text(_) => return,
         };
         // Adding 0 turns −0 into 0.
         (self.put)(of, value.clamp(least, most) + 0.0);
@@ -155,6 +159,9 @@ pub(crate) trait FormFields {
     /// Sets the field at an index: a number, which is clamped to its range, or the index of a
     /// choice.
     fn set(&mut self, at: usize, value: f64);
+
+    /// Sets the text at an index.
+    fn set_text(&mut self, _at: usize, _text: &str) {}
 }
 
 /// The key actions on a form.
@@ -163,6 +170,8 @@ pub(crate) trait FormFields {
 pub enum FormAction {
     /// choose a setting
     Choose(isize),
+    /// finish the text and go to the next setting
+    Next,
     /// go to the first or the last setting
     End(isize),
     /// change the setting by one step
@@ -177,11 +186,13 @@ pub enum FormAction {
     Point(usize),
 }
 
-/// The selected field of a form, and the number being typed into it.
+/// The selected field of a form, and the number or the text being typed into it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct SettingsForm {
     at: usize,
     entry: NumberEntry,
+    /// The text that was typed last, with its cursor.
+    line: Option<TextField>,
     /// Whether the number typed last was out of range and was clamped.
     held: bool,
 }
@@ -216,6 +227,42 @@ impl SettingsForm {
         self.at = at;
     }
 
+    /// The selected text with its cursor; `None` if another kind of field is selected.
+    fn line(&self, form: &impl FormFields) -> Option<TextField> {
+        let field = self.chosen(form)?;
+        let FieldValue::Text(most) = field.value else {
+            return None;
+        };
+        let same = self.line.clone().filter(|it| it.text() == field.shown);
+        Some(same.unwrap_or_else(|| TextField::new(&field.shown, most)))
+    }
+
+    /// Whether the selected field is a text, into which letters are typed.
+    pub(crate) fn is_at_text(&self, form: &impl FormFields) -> bool {
+        self.line(form).is_some()
+    }
+
+    /// Handles a key that edits the selected text; returns whether the key was used. A question
+    /// mark opens the help.
+    pub(crate) fn typed(&mut self, key: Key, form: &mut impl FormFields) -> bool {
+        let line = self.line(form).filter(|_| key != Key::Char('?'));
+        line.is_some_and(|mut line| line.update(key) && self.put(line, form))
+    }
+
+    /// Adds pasted text to the selected text; returns whether a text is selected.
+    pub(crate) fn paste(&mut self, pasted: &str, form: &mut impl FormFields) -> bool {
+        self.line(form).is_some_and(|mut line| {
+            line.paste(pasted.trim());
+            self.put(line, form)
+        })
+    }
+
+    fn put(&mut self, line: TextField, form: &mut impl FormFields) -> bool {
+        form.set_text(self.selected(form.fields().len()), line.text());
+        self.line = Some(line);
+        true
+    }
+
     /// Whether a number is being typed.
     pub(crate) fn is_typing(&self) -> bool {
         self.entry.is_open()
@@ -228,8 +275,9 @@ impl SettingsForm {
 
     /// The keys of the form.
     pub(crate) fn keys(&self, form: &impl FormFields) -> KeyTable<FormAction> {
-        use FormAction::{Big, Choose, End, Fine, Step};
+        use FormAction::{Big, Choose, End, Fine, Next, Step};
         let many = form.fields().len() > 1;
+        let text = self.is_at_text(form);
         let free = self.chosen(form).filter(|field| field.locked.is_none());
         let number = free.is_some_and(|it| matches!(it.value, FieldValue::Number { .. }));
         let entry = match number {
@@ -237,11 +285,14 @@ impl SettingsForm {
             false => KeyTable::new("form"),
         };
         KeyTable::new("form")
+            .on(Key::Enter, Next, "next")
+            .when(text)
             .by([Key::Up, Key::Down], Choose, [-1, 1], "choose")
             .or([(Key::BackTab, Choose(-1)), (Key::Tab, Choose(1))])
             .when(many)
             .by([Key::Left, Key::Right], Step, [-1, 1], "change")
             .or((!number).then_some((' ', Step(1))))
+            .when(!text)
             .by([',', '.'], Fine, [-1, 1], "")
             .when(number && !self.is_typing())
             .with(entry, FormAction::Number)
@@ -249,7 +300,7 @@ impl SettingsForm {
             .or([(Key::PageDown, Big(-1)), (Key::PageUp, Big(1))])
             .when(number)
             .by([Key::Home, Key::End], End, [-1, 1], "")
-            .when(many)
+            .when(many && !text)
     }
 
     /// Carries out an action.
@@ -257,6 +308,7 @@ impl SettingsForm {
         self.held = false;
         match action {
             FormAction::Choose(by) => self.go(by, form),
+            FormAction::Next => self.go(1, form),
             FormAction::End(by) => self.go(by.saturating_mul(isize::MAX), form),
             FormAction::Step(by) => self.step(f64::from(by), form),
             FormAction::Fine(by) => self.step(FINE * f64::from(by), form),
@@ -326,6 +378,13 @@ impl SettingsForm {
             let typed = self.entry.shown().filter(|_| i == selected);
             let marked = (Role::Dim, i == selected);
             let action = Some(FormAction::Point(i));
+            if let FieldValue::Text(_) = field.value {
+                let label = format!("{} ", field.name);
+                let line = self.line(form).filter(|_| i == selected);
+                let typed = line.as_ref().map(TextField::around_cursor);
+                panel.text_field(label, typed.unwrap_or((&field.shown, "")), i == selected, action);
+                continue;
+            }
             match field.locked {
                 Some(_) => panel.locked_field(field.name, field.shown, marked, action),
                 None => panel.field(field.name, typed.unwrap_or(field.shown), marked, action),

@@ -172,7 +172,7 @@ impl NotebookColumn {
             Setting(CollisionField::ImpactAngle) => Some(collision.alpha()?.to_degrees()),
             Setting(field) => match field.field(setup).value {
                 FieldValue::Number { value, .. } => Some(value),
-                FieldValue::Choice { .. } => None,
+                FieldValue::Choice { .. } | FieldValue::Text(_) => None,
             },
             Said(ray) | True(ray) => {
                 let outcome = collision.outcome();

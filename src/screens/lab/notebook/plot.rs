@@ -100,7 +100,7 @@ fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f6
 fn number(field: CollisionField, setup: &CollisionSpec) -> f64 {
     match field.field(setup).value {
         FieldValue::Number { value, .. } => value,
-        FieldValue::Choice { .. } => 0.0,
+        FieldValue::Choice { .. } | FieldValue::Text(_) => 0.0,
     }
 }
 

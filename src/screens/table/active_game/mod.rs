@@ -131,7 +131,8 @@ pub(super) struct Hinted {
 impl ActiveGame {
     /// Begins a new game.
     pub(super) fn new(options: Options, seed: u64) -> Self {
-        Self::with(options, GameHistory::new(options.setup(seed)))
+        let history = GameHistory::new(options.setup(seed));
+        Self::with(options, history)
     }
 
     /// Begins a game on a board for one player with this par.
