@@ -49,7 +49,7 @@ const DEVICES: &str = "host";
 /// The round on devices, unless another code follows a colon.
 const ON_DEVICES: &str = "from-angle2-7";
 /// The row of South's name on the page of a new game between two people.
-const TO_A_NAME: &str = "<Down><Down><Down><Right><Right><Right><Right><Down>";
+const TO_A_NAME: &str = "<Down><Down><Down><Left><Left><Down>";
 /// Two strokes of practice.
 const TWO_STROKES: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>";
 const STROKE_BEFORE: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>p";

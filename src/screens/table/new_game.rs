@@ -196,16 +196,15 @@ impl NewGame {
         if let Some(trouble) = &self.trouble {
             panel.paragraph(trouble, Role::Warn);
         }
-        let enter = if self.form.is_typing() {
-            ("set it", NewGameAction::Agree(SettingsForm::SET))
-        } else if self.form.is_at_text(&self.options) {
-            ("next", NewGameAction::Agree(FormAction::Next))
-        } else {
-            ("play!", NewGameAction::Play)
-        };
         panel.part(TableAction::NewGame, |panel| {
+            if self.form.is_at_text(&self.options) {
+                return panel.prompt("next", NewGameAction::Agree(FormAction::Next));
+            }
             panel.prompts([
-                enter,
+                match self.form.is_typing() {
+                    true => ("set it", NewGameAction::Agree(SettingsForm::SET)),
+                    false => ("play!", NewGameAction::Play),
+                },
                 ("board of the day", NewGameAction::Board),
                 ("rules", NewGameAction::Rules),
                 ("saved games", NewGameAction::SavedGames),

@@ -141,7 +141,7 @@ impl ActiveGame {
             .in_brief("n", |it| matches!(it, NextShot(_)))
             .in_brief("+ -", |it| it == Strength(1) && !typing)
             .in_brief("[ ]", |it| matches!(it, Place(_)))
-            .in_brief("arrows, 68.2 Enter", |it| {
+            .in_brief("arrows, 68.2", |it| {
                 // In a practice game the line has no room for the example.
                 matches!(it, Turn(_)) && !typing && !practice
             });
