@@ -224,7 +224,10 @@ fn games_without_names_still_open_and_odd_names_are_refused() {
         ("{ south = \"A\\u202eda\" }", Some("visible letters")),
         ("{ east = \"Ada\" }", Some("names")),
         ("[\"Ada\", \"Bo\"]", Some("names")),
-        (&format!("{{ south = \"{long}\" }}"), Some("12 visible letters")),
+        (
+            &format!("{{ south = \"{long}\" }}"),
+            Some("12 visible letters"),
+        ),
     ] {
         let text = text.replacen("hand = ", &format!("names = {names}\nhand = "), 1);
         match (SavedGame::read("game", text.as_bytes()), expected) {

@@ -43,7 +43,7 @@ pub struct Table {
 #[derive(Debug, Clone)]
 enum TablePage {
     /// Choosing the options of a new game.
-    NewGame(NewGame),
+    NewGame(Box<NewGame>),
     /// A board for one player, before it is played.
     Board(Box<BoardPage>),
     /// Choosing a saved game.
@@ -80,7 +80,7 @@ impl Table {
     /// The page of a new game, after a request for the player's last game.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         Self {
-            page: TablePage::NewGame(NewGame::ask(None, cx)),
+            page: TablePage::NewGame(Box::new(NewGame::ask(None, cx))),
         }
     }
 
@@ -103,7 +103,7 @@ impl Table {
 
 /// The page of a new game, with the options of the last one.
 fn agreeing(options: Options, cx: &mut Context) -> TablePage {
-    TablePage::NewGame(NewGame::ask(Some(options), cx))
+    TablePage::NewGame(Box::new(NewGame::ask(Some(options), cx)))
 }
 
 /// The page on which another game like this one can be started.

@@ -206,7 +206,7 @@ impl NewGame {
                     false => ("play!", NewGameAction::Play),
                 },
                 ("board of the day", NewGameAction::Board),
-                ("rules", NewGameAction::Rules),
+                ("the rules", NewGameAction::Rules),
                 ("saved games", NewGameAction::SavedGames),
             ]);
         });
@@ -240,7 +240,14 @@ fn rows(now: &Options) -> Vec<OptionRow> {
     ];
     let rules = rules.map(|(rules, about)| {
         let shown = <&str>::from(rules).to_owned();
-        (Options { rules, ..now.clone() }, shown, about.into())
+        (
+            Options {
+                rules,
+                ..now.clone()
+            },
+            shown,
+            about.into(),
+        )
     });
     let mut rows = vec![Choice("rules", rules.into())];
     if now.rules != Rules::Practice {
@@ -253,7 +260,10 @@ fn rows(now: &Options) -> Vec<OptionRow> {
             ),
         ];
         let hands = hands.map(|(hands, shown, about)| {
-            let options = Options { hands, ..now.clone() };
+            let options = Options {
+                hands,
+                ..now.clone()
+            };
             (options, shown.into(), about.into())
         });
         rows.push(Choice("hands", hands.into()));
@@ -332,7 +342,14 @@ fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
         }
     };
     let shown = <&str>::from(hand).to_owned();
-    (Options { hand, ..now.clone() }, shown, about)
+    (
+        Options {
+            hand,
+            ..now.clone()
+        },
+        shown,
+        about,
+    )
 }
 
 /// The lengths of a game, with an estimate. A friendly game and points carrom consist of boards.
@@ -340,7 +357,10 @@ fn lengths(now: &Options) -> Vec<Choice> {
     let lengths = [Length::Board, Length::Game, Length::Match].into_iter();
     let offered = lengths.filter(|it| now.rules == Rules::Tournament || *it != Length::Game);
     let choice = |length| {
-        let options = Options { length, ..now.clone() };
+        let options = Options {
+            length,
+            ..now.clone()
+        };
         let (name, last) = match (length, now.rules) {
             (Length::Board, _) => ("one board", "One board."),
             (Length::Game, _) => ("one game", "A game to 25 points or eight boards."),

@@ -236,7 +236,7 @@ mod tests {
         assert_eq!(alone.team_name(Team::Second), "computer");
         let two = Options::two_people();
         assert_eq!(two.seat_name(Seat::South), "South");
-        let mut named = two.clone();
+        let mut named = two;
         named.names.set(Seat::South, "Ada");
         assert_eq!(named.team_name(Team::First), "Ada");
         assert_eq!(named.team_name(Team::Second), "North");

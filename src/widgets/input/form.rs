@@ -382,7 +382,12 @@ impl SettingsForm {
                 let label = format!("{} ", field.name);
                 let line = self.line(form).filter(|_| i == selected);
                 let typed = line.as_ref().map(TextField::around_cursor);
-                panel.text_field(label, typed.unwrap_or((&field.shown, "")), i == selected, action);
+                panel.text_field(
+                    label,
+                    typed.unwrap_or((&field.shown, "")),
+                    i == selected,
+                    action,
+                );
                 continue;
             }
             match field.locked {

@@ -117,7 +117,7 @@ impl ActiveGame {
             .by(['n', 'N'], NextShot, [1, -1], coin)
             .called(&["next", "previous"])
             .or([(Key::Tab, NextShot(1)), (Key::BackTab, NextShot(-1))])
-            .on('h', Hint, "hint")
+            .on('h', Hint, if typing { "" } else { "hint" })
             .when(self.board_code().is_none())
             .by(Key::ARROWS, Turn, [-1, 1, -10, 10], turn)
             .by(['+', '-', '>', '<'], Strength, [1, -1, 10, -10], "strength")
@@ -327,6 +327,15 @@ impl ActiveGame {
         }
         panel.gap();
         score::write(self, charset, panel);
+        if self.is_practice() {
+            // In a small window these keys are not in the bottom line.
+            panel.part(TableAction::Aim, |panel| {
+                panel.prompts([
+                    ("lay out the coins", AimAction::LayOut),
+                    ("take back", AimAction::Undo),
+                ]);
+            });
+        }
     }
 
     pub(super) fn direction(&self, aim: &Aim) -> String {

@@ -4,7 +4,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{ActiveGame, After, GameAction, score};
 use crate::game::opponent::PlayerHand;
-use crate::game::{Game, GameStage, Move, Rules, Seat, Team};
+use crate::game::{Game, GameStage, Length, Move, Rules, Seat, Team};
 use crate::messages::Key;
 use crate::numbers::{capital, counted};
 use crate::screens::table::board_report::{BoardReport, TeamReport, run_words};
@@ -87,16 +87,18 @@ impl ActiveGame {
             last.write_rulings(panel);
         }
         if game.setup().rules == Rules::Tournament {
-            let score = game.score();
+            let (score, length) = (game.score(), game.setup().length);
             if let Some(won) = game.play().won {
                 panel.fact("this board", format!("+{}", won.points));
             }
-            for team in Team::BOTH {
+            for team in Team::BOTH.into_iter().filter(|_| length != Length::Board) {
                 let name = self.options.team_name(team);
                 panel.fact(name, format!("{} points", score.points[team]));
             }
-            let games = words::versus(|team| score.games[team]);
-            panel.fact("games before this", games);
+            if length == Length::Match {
+                let games = words::versus(|team| score.games[team]);
+                panel.fact("games before this", games);
+            }
         }
         if !game.setup().rules.is_alone() {
             self.write_teams(&report, panel);
@@ -106,7 +108,7 @@ impl ActiveGame {
         if let Some(notice) = &self.notice {
             panel.paragraph(notice, Role::Warn);
         }
-        panel.gap();
+        panel.pin_below();
         if let Some(breaker) = next_breaker(game) {
             let breaks = words::does(self.options.seat_name(breaker), "breaks");
             panel.line(format!("{} next.", capital(&breaks)), Role::Text);

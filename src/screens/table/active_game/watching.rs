@@ -265,7 +265,8 @@ impl StrokeReplay {
         let so_far = player.impacts().iter().filter(|it| it.time <= now);
         panel.fact("impacts", so_far.count().to_string());
         panel.gap();
-        for piece in [Piece::White, Piece::Black, Piece::Queen] {
+        let pieces = [Piece::White, Piece::Black, Piece::Queen].into_iter();
+        for piece in pieces.filter(|piece| self.pieces.contains(piece)) {
             let sign = token(words::role(piece), charset);
             let name = format!("{} {sign}", <&str>::from(piece));
             let there = self.discs().filter(|(other, _)| *other == piece);
