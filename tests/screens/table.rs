@@ -5,8 +5,8 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::game::opponent::{PlayerHand, Strength};
 use carrom::game::{
-    Colour, Game, GameStage, Length, Move, Piece, Player, Rules, Ruling, SavedGame, Seat, Strike,
-    Team,
+    BoardCode, Colour, Game, GameStage, Length, Move, Piece, Player, Rules, Ruling, SavedGame,
+    Seat, Strike, Team,
 };
 use carrom::messages::{Input, Key, Mouse, MouseKind, StoreCall, StoreRequest};
 use carrom::physics::angle::unit_vector;
@@ -1040,6 +1040,44 @@ fn two_people(folder: &Folder) -> Headless {
         game.press("<Right>");
     }
     panic!("{}", game.screen());
+}
+
+#[test]
+fn a_moving_board_for_one_player_counts_only_its_own_coins() {
+    let code = BoardCode::parse("2026-11-26").ok();
+    let settings = Settings {
+        reduced_motion: false,
+        ..still()
+    };
+    let mut game = Headless::new(App::new(Route::Board { code }, settings, 1), 120, 40);
+    game.press("<Enter>");
+    let mut game = rested(game);
+    game.press(" ");
+    game.pass(Duration::from_millis(200));
+    let shown = panel(&mut game);
+    assert!(
+        shown.contains("struck by") && shown.contains("white o 6"),
+        "{shown}"
+    );
+    assert!(!shown.contains("queen"), "{shown}");
+}
+
+#[test]
+fn the_page_of_a_new_game_fits_into_80_by_24() {
+    for charset in [Charset::Ascii, Charset::Unicode] {
+        let settings = Settings { charset, ..still() };
+        let mut game = Headless::new(App::new(Route::Table, settings, 1), 80, 24);
+        for (keys, prompt) in [
+            ("", "s: saved games"),
+            ("<Down><Down><Down><Left><Left>", "s: saved games"),
+            ("<Down>", "Enter: next"),
+        ] {
+            game.press(keys);
+            let page = game.screen();
+            assert!(page.contains(prompt), "{page}");
+            assert!(!page.contains("PageDown"), "{page}");
+        }
+    }
 }
 
 #[test]

@@ -206,6 +206,8 @@ impl NewGame {
                     false => ("play!", NewGameAction::Play),
                 },
                 ("board of the day", NewGameAction::Board),
+            ]);
+            panel.prompts([
                 ("the rules", NewGameAction::Rules),
                 ("saved games", NewGameAction::SavedGames),
             ]);

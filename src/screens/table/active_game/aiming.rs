@@ -108,6 +108,8 @@ impl ActiveGame {
         };
         let (coin, turn, place) = match typing {
             true => ("", "", "mm left or right"),
+            // In a practice game these names leave no room for the others.
+            false if practice => ("", "aim", "place"),
             false => ("coin", "aim", "place"),
         };
         let aim = KeyTable::new("table")
@@ -119,6 +121,10 @@ impl ActiveGame {
             .or([(Key::Tab, NextShot(1)), (Key::BackTab, NextShot(-1))])
             .on('h', Hint, if typing { "" } else { "hint" })
             .when(self.board_code().is_none())
+            .on('p', LayOut, "lay out")
+            .when(practice)
+            .on('z', Undo, "undo")
+            .when(practice)
             .by(Key::ARROWS, Turn, [-1, 1, -10, 10], turn)
             .by(['+', '-', '>', '<'], Strength, [1, -1, 10, -10], "strength")
             .called(&["harder", "softer", "much harder", "much softer"])
@@ -130,10 +136,6 @@ impl ActiveGame {
             .by(['[', ']', '{', '}'], Place, [-1, 1, -10, 10], place)
             .called(&["left", "right", "far left", "far right"])
             .or([('a', Place(-1)), ('d', Place(1))])
-            .on('p', LayOut, "lay out")
-            .when(practice)
-            .on('z', Undo, "undo")
-            .when(practice)
             .with(last, Number)
             .on('c', Call, "call")
             .by(['l', 'g', 'r'], Aid, AimAid::ALL, "aids")
@@ -327,15 +329,6 @@ impl ActiveGame {
         }
         panel.gap();
         score::write(self, charset, panel);
-        if self.is_practice() {
-            // In a small window these keys are not in the bottom line.
-            panel.part(TableAction::Aim, |panel| {
-                panel.prompts([
-                    ("lay out the coins", AimAction::LayOut),
-                    ("take back", AimAction::Undo),
-                ]);
-            });
-        }
     }
 
     pub(super) fn direction(&self, aim: &Aim) -> String {
