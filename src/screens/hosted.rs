@@ -123,6 +123,8 @@ struct Scrolled {
     /// The row of the item that was chosen when the player scrolled: once another item is chosen,
     /// the panel follows it.
     chosen: Option<u16>,
+    /// Whether it is remembered while the panel is not shown.
+    stays: bool,
 }
 
 /// A view after layout, with its panels scrolled.
@@ -243,8 +245,8 @@ impl<S: Screen> Hosted<S> {
                 Some(cell) => shown.area.contains(cell.into()),
                 None => shown.placed.overflow() > 0,
             };
-            let mut shown = view.panels.iter().rev().map(|(_, shown)| shown);
-            let shown = shown.find(is_meant)?;
+            let mut panels = view.panels.iter().rev();
+            let (panel, shown) = panels.find(|(_, shown)| is_meant(&shown))?;
             let by = match shown.placed.pages() {
                 Some(_) => by.signum(),
                 None => by,
@@ -255,6 +257,7 @@ impl<S: Screen> Hosted<S> {
                 of: (shown.of.0.to_owned(), shown.of.1),
                 rows,
                 chosen: shown.placed.chosen(),
+                stays: panel.stays,
             })
         });
         drop(view);
@@ -266,7 +269,7 @@ impl<S: Screen> Hosted<S> {
         Next::Stay
     }
 
-    /// Forgets the scroll positions of panels that are no longer shown.
+    /// Forgets the scroll positions of panels that are no longer shown, unless they stay.
     fn settle(&mut self, cx: &Context) {
         if self.scrolled.is_empty() {
             return;
@@ -277,7 +280,8 @@ impl<S: Screen> Hosted<S> {
             Part::Panel(panel) => vec![of(panel), of(view.second)],
             Part::Picture(..) | Part::Nothing => vec![of(view.second)],
         };
-        self.scrolled.retain(|it| shown.contains(&it.of));
+        self.scrolled
+            .retain(|it| it.stays || shown.contains(&it.of));
     }
 
     /// The rows that the panel beside the picture needs, and the rows available.

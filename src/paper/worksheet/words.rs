@@ -2,7 +2,7 @@
 
 use crate::numbers;
 use crate::quiz::{
-    Code, Confidence, CourseKind, Difficulty, Form, Illustration, Measure, Question, RIGHT_DEG,
+    Code, Confidence, CourseKind, Difficulty, Form, Grade, Illustration, Measure, Question, RIGHT_DEG,
     letter,
 };
 
@@ -59,14 +59,17 @@ pub(super) fn tolerance() -> String {
     )
 }
 
-/// The points for each confidence level.
+/// The part of a question's points for each confidence level.
 pub(super) fn points() -> String {
     let each = Confidence::ALL.map(|sure| {
-        let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit));
-        format!("{} {right} or {wrong}", sure.name())
+        let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit) / Grade::MOST);
+        format!("\"{}\" {right} if it is right or {wrong} if it is wrong", sure.name())
     });
     let each = each.join(", ").replace('-', "\u{2212}");
-    format!("Optional points (right or wrong): {each}.")
+    format!(
+        "Points: a right answer earns the points printed beside its question. If you also mark how \
+         sure a student was, multiply them: {each}."
+    )
 }
 
 /// The column headings of the table of wrong answers.

@@ -9,7 +9,7 @@ use crate::screens::View;
 use crate::widgets::hit::{HitPace, Reveal, Watch};
 use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::panels::Heading;
-use crate::widgets::{Role, draw_question, lettered};
+use crate::widgets::{Role, draw_question, lettered, text};
 
 /// The real outcome of a question, and its explanation.
 #[derive(Debug, Clone)]
@@ -106,14 +106,7 @@ fn write(play: &Stage, question: &Question, shown: &ClassReveal, panel: &mut Pan
 
 /// The first sentence of a text, and what comes after it.
 fn first_sentence(text: &str) -> (&str, &str) {
-    let ends = text
-        .char_indices()
-        .filter(|(_, c)| ['.', '!', '?'].contains(c));
-    let mut ends = ends.map(|(at, _)| at + 1);
-    let end = ends.find(|at| {
-        let mut next = text[*at..].chars();
-        next.next().is_some_and(char::is_whitespace) && next.next().is_some_and(char::is_uppercase)
-    });
+    let end = text::sentence_ends(text).next();
     let (first, rest) = text.split_at(end.unwrap_or(text.len()));
     (first, rest.trim_start())
 }

@@ -45,11 +45,14 @@ impl Stage {
         self.session.round().place().step
     }
 
-    /// A panel for the text of the current step, shown from its beginning.
+    /// A panel for the text of the current step. While the class votes and talks, its first page
+    /// shows all choices; a page that was turned stays turned.
     pub(super) fn words(&self) -> Panel<ClassAction> {
         let mut panel = Panel::new("");
         panel.open = true;
-        panel.subject = 8 * self.number() + self.step() as usize;
+        panel.subject = 1 + 8 * self.number() + self.step() as usize;
+        panel.together = !matches!(self.step(), ClassStep::Describe | ClassStep::Predict);
+        panel.stays = true;
         panel
     }
 

@@ -16,6 +16,9 @@ use crate::widgets::{Role, draw_question};
 /// The largest number of characters that can be typed.
 const LONGEST: usize = 40;
 
+/// Counts for as many choices as a question has.
+const EXAMPLE: [&str; 6] = ["4", "17", "9", "2", "5", "3"];
+
 /// Counts that are being typed: "4 17 9 2".
 #[derive(Debug, Clone)]
 pub(super) struct Tally {
@@ -131,10 +134,11 @@ impl Tally {
         let take = ClassAction::Count(CountAction::Count);
         match (self.counts(play.round()), self.vote) {
             (Err(reason), _) => foot.line(reason, Role::Warn),
-            (Ok(None), Vote::First) => foot.line(
-                "Count hands or cards, and type the numbers: 4 17 9 2",
-                Role::Key,
-            ),
+            (Ok(None), Vote::First) => {
+                let example = EXAMPLE.get(..choices).unwrap_or(&EXAMPLE).join(" ");
+                let words = format!("Count hands or cards, and type the numbers: {example}");
+                foot.line(words, Role::Key);
+            }
             (Ok(None), Vote::Second) => foot.prompt("all keep their vote", take),
             (Ok(Some(counts)), _) => {
                 let all: u32 = counts.iter().sum();

@@ -1,13 +1,15 @@
 //! Tests that the back row can read everything.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
 use super::{Class, ClassScene, question};
-use crate::class::{ClassPlace, ClassRound, ClassStep, Vote};
+use crate::class::{ClassPlace, ClassRound, ClassStep, Vote, WayOfVoting};
 use crate::messages::Key;
-use crate::quiz::Code;
+use crate::quiz::{Code, CourseKind, Family, Form, concepts};
 use crate::screens::{AnyScreen, Context, Hosted, Settings};
 use crate::widgets::panel::{Beside, Writing};
 use crate::widgets::{Charset, cells};
@@ -80,12 +82,18 @@ fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
         fault("plain type");
         return faults;
     };
-    for (size, letters, pages, picture) in pages.parts() {
-        if !size.is_legible(rows) {
+    let together = !matches!(play.stage.step(), ClassStep::Describe | ClassStep::Predict);
+    let mut parts = pages.parts().map(|(.., picture)| picture);
+    if question::beside(question) != Beside::Nothing && parts.all(|it| it.is_empty()) {
+        fault("no picture");
+    }
+    for (number, (size, letters, pages, _)) in pages.parts().enumerate() {
+        let is_first = together && number == 0;
+        if !size.is_legible(rows) && !(is_first && size.is_large_enough(rows)) {
             fault("too small");
         }
-        if question::beside(question) != Beside::Nothing && picture.is_empty() {
-            fault("no picture");
+        if is_first && pages > 1 && rows == 24 {
+            fault("on several pages");
         }
         if rows == 24 && letters < 200 && pages > 2 {
             fault(&format!("{letters} letters on {pages} pages"));
@@ -126,4 +134,144 @@ fn a_long_scoreboard_can_be_scrolled_to_its_end() {
     for pupil in 0..32 {
         assert!(seen.contains(&format!("Pupil {pupil:02}")), "{pupil}");
     }
+}
+
+/// The screens on which it is measured how many questions show all choices at once.
+const SCREENS: [(u16, u16); 3] = [(80, 24), (100, 30), (120, 40)];
+
+/// How many pages were laid out, and on how many of them the first page shows all choices with
+/// their bars, at both votes and at the discussion.
+#[derive(Debug, Clone, Copy, Default)]
+struct OnePage {
+    asked: usize,
+    vote: usize,
+    talk: usize,
+}
+
+/// The measured questions, by the number of rows and the charset.
+#[derive(Default)]
+struct OnePages {
+    seen: BTreeSet<String>,
+    pages: BTreeMap<(u16, &'static str), OnePage>,
+    faults: Vec<String>,
+}
+
+impl OnePages {
+    /// Lays out the questions of a code on these screens, for every way of voting on choices.
+    fn lay_out(&mut self, code: &str, screens: &[(u16, u16)]) {
+        let code = Code::parse(code).unwrap();
+        let teams: Vec<String> = (1..=8).map(|team| format!("Team {team}")).collect();
+        let rounds = [
+            ClassRound::with_tally(code.clone()),
+            ClassRound::new(code.clone(), teams),
+            ClassRound::with_devices(code),
+        ];
+        for number in 0..rounds[0].questions().len() {
+            let question = &rounds[0].questions()[number];
+            let choices = rounds[0].choices(number);
+            if !self.seen.insert(format!("{} {choices:?}", question.text)) {
+                continue;
+            }
+            let has_any = matches!(question.form, Form::Choice { .. });
+            for round in rounds.iter().filter(|it| has_any || it.way() == WayOfVoting::Tally) {
+                let mut round = round.clone();
+                for vote in Vote::BOTH {
+                    let counts: Vec<u32> = (0..choices.len() as u32).map(|it| 3 + 4 * it).collect();
+                    round.count(number, vote, Some(&counts));
+                    for (team, said) in (0..round.teams().len()).zip(choices.iter().cycle()) {
+                        round.vote(number, team, vote, Some(*said));
+                    }
+                }
+                for screen in screens {
+                    self.lay_out_on(*screen, number, &mut round);
+                }
+            }
+        }
+    }
+
+    fn lay_out_on(&mut self, (columns, rows): (u16, u16), number: usize, round: &mut ClassRound) {
+        for (charset, name) in [(Charset::Ascii, "ASCII"), (Charset::Unicode, "Unicode")] {
+            let settings = Settings {
+                charset,
+                ..Settings::default()
+            };
+            let mut cx = Context::new(settings, 1);
+            cx.body = Rect::new(0, 1, columns, rows - 2);
+            let steps = [ClassStep::FirstVote, ClassStep::Talk, ClassStep::SecondVote];
+            let [first, talk, second] = steps.map(|step| {
+                round.go(ClassPlace {
+                    question: number,
+                    step,
+                });
+                let mut play = ClassPlay::new(round.clone(), &mut cx);
+                play.host_page = None;
+                let writing = Writing {
+                    look: cx.settings.look(),
+                    pages: None,
+                };
+                let view = play.view(&cx);
+                let placed = view.placed(cx.room(), &writing, &|_| None);
+                let fits = placed.pages().is_some_and(|it| it.begins_with_all_choices());
+                if !fits {
+                    let (way, text) = (round.way(), &round.questions()[number].text);
+                    self.faults.push(format!("{rows} {name} {step:?} {way:?}: {text}"));
+                }
+                fits
+            });
+            let page = self.pages.entry((rows, name)).or_default();
+            page.asked += 1;
+            page.vote += usize::from(first && second);
+            page.talk += usize::from(talk);
+        }
+    }
+
+    fn table(&self) -> String {
+        let mut table = format!("{:<16}{:>8}{:>9}{:>9}\n", "screen", "pages", "vote", "talk");
+        for ((rows, charset), it) in &self.pages {
+            let percent = |part: usize| 100.0 * part as f64 / it.asked as f64;
+            let (vote, talk) = (percent(it.vote), percent(it.talk));
+            let screen = format!("{rows} {charset}");
+            table += &format!("{screen:<16}{:>8}{vote:>8.1}%{talk:>8.1}%\n", it.asked);
+        }
+        table
+    }
+}
+
+/// A class can compare all choices with their bars at a glance: on the recommended screen, two
+/// questions of each family show them on the first page.
+#[test]
+fn votes_are_shown_with_all_choices_on_one_page() {
+    let mut pages = OnePages::default();
+    for family in CourseKind::topics() {
+        pages.lay_out(&format!("{}2-1", family.id()), &SCREENS[..1]);
+    }
+    assert!(pages.seen.len() > 25, "{}", pages.seen.len());
+    assert!(pages.faults.is_empty(), "{}", pages.faults.join("\n"));
+}
+
+/// Every question in words and at least twenty of every other family. On larger screens letters
+/// have to be larger, and some choices are too long for one page.
+#[test]
+#[ignore = "twenty thousand layouts take minutes"]
+fn all_questions_show_all_choices_on_one_page() {
+    let mut pages = OnePages::default();
+    for family in Family::ALL {
+        let written = concepts::of(*family).len();
+        let before = pages.seen.len();
+        for seed in 1..200 {
+            if pages.seen.len() - before >= written.max(20) {
+                break;
+            }
+            let code = match family {
+                Family::WhereTo => seed.to_string(),
+                _ => format!("{}20-{seed}", family.id()),
+            };
+            pages.lay_out(&code, &SCREENS);
+        }
+    }
+    println!("{}", pages.table());
+    let recommended = { pages.faults.iter() }.filter(|it| it.starts_with("24 "));
+    assert_eq!(recommended.collect::<Vec<_>>(), Vec::<&String>::new());
+    let enough = |it: &OnePage| 100 * it.vote.min(it.talk) >= 90 * it.asked;
+    assert!(pages.pages.values().all(enough), "{}", pages.faults.join("\n"));
 }

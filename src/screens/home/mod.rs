@@ -113,7 +113,7 @@ static ENTRIES: [(char, &str, &str, Route); 10] = [
     (
         'c',
         "Class",
-        "teams, one shared screen",
+        "phones, cards or teams",
         Route::Class {
             code: None,
             teams: Vec::new(),

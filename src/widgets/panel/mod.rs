@@ -26,6 +26,11 @@ pub(crate) struct Panel<A> {
     pub subject: usize,
     /// Whether the panel starts at the top instead of following the selected item.
     pub(crate) from_top: bool,
+    /// Whether the first page of large text shows everything, or at least all choices, in smaller
+    /// letters if necessary.
+    pub(crate) together: bool,
+    /// Whether the panel stays scrolled when it is shown again.
+    pub(crate) stays: bool,
     /// Whether the panel has no frame.
     pub(crate) open: bool,
     blocks: Vec<Block<A>>,
@@ -276,6 +281,8 @@ impl<A> Panel<A> {
             title: title.into(),
             subject: 0,
             from_top: false,
+            together: false,
+            stays: false,
             open: false,
             blocks: Vec::new(),
             pinned: 0,

@@ -2,8 +2,10 @@
 //!
 //! The text must be legible from the back row, so it takes precedence: a picture shrinks before
 //! letters do, and long text continues on further pages instead of being set in letters that are
-//! too small.
+//! too small. The exception is a panel whose first page has to show everything at once
+//! ([`Panel::together`]).
 
+use std::ops::RangeInclusive;
 use std::rc::Rc;
 
 use ratatui::buffer::Buffer;
@@ -12,7 +14,7 @@ use ratatui::layout::{Margin, Rect};
 use super::cells::Writing;
 use super::{ActionAt, Content, LargeText, Panel};
 use crate::widgets::bar::bar;
-use crate::widgets::big::{BigPages, BigText, LetterSize};
+use crate::widgets::big::{BigPages, BigParagraph, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
@@ -20,6 +22,9 @@ use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text}
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and on the right of the text.
 const APART: u16 = 1;
+/// How much smaller a picture may be on a page that has to show everything, in tenths of its full
+/// size, in the order in which it is tried.
+const SMALLER: [u16; 2] = [0, 2];
 /// The minimum width of text beside a picture, in columns.
 const LEAST: u16 = 24;
 /// The number of rows of the screen that are not part of its body.
@@ -38,7 +43,7 @@ pub(crate) enum Beside {
 
 impl Beside {
     /// The allowed sizes of the picture, in tenths of the full size.
-    fn tenths(self) -> std::ops::RangeInclusive<u16> {
+    fn tenths(self) -> RangeInclusive<u16> {
         match self {
             Self::Nothing => 0..=0,
             Self::Helps => 5..=10,
@@ -53,15 +58,28 @@ pub(crate) struct PlacedPages<'p> {
     parts: Vec<PagedText<'p>>,
 }
 
-/// Consecutive paragraphs, with the indices of their blocks.
+/// Consecutive paragraphs.
 struct PagedText<'p> {
-    texts: Vec<(usize, &'p LargeText, bool)>,
+    texts: Vec<PagedParagraph<'p>>,
     set: SetPages,
 }
 
-/// Paragraphs set in letters of one size.
+/// A paragraph of a panel.
+#[derive(Clone, Copy)]
+struct PagedParagraph<'p> {
+    /// The index of its block.
+    block: usize,
+    text: &'p LargeText,
+    /// The text that is shown: all of it or, if there is no room, its last sentence.
+    shown: &'p str,
+    /// Whether it can be clicked.
+    acts: bool,
+}
+
+/// Paragraphs divided into pages.
 struct SetPages {
     pages: BigPages,
+    /// The size of the smallest letters.
     size: LetterSize,
     /// The layout of the first page, and that of all other pages.
     layouts: [PageLayout; 2],
@@ -90,22 +108,44 @@ impl<'p> PlacedPages<'p> {
             None => body_rows + CHROME,
         };
         let blocks: Vec<_> = panel.blocks.iter().enumerate().collect();
-        let parts: Vec<_> = blocks
+        let many = { blocks.iter() }.any(|(_, it)| matches!(it.content, Content::PageBreak));
+        let mut parts = Vec::new();
+        for (number, blocks) in blocks
             .split(|(_, block)| matches!(block.content, Content::PageBreak))
-            .collect();
-        let many = parts.len() > 1;
-        let part = |blocks: &[(usize, &'p super::Block<A>)]| {
+            .enumerate()
+        {
             let texts = blocks
                 .iter()
                 .filter_map(|(at, block)| match &block.content {
-                    Content::LargeText(text) => Some((*at, text, !block.actions.is_empty())),
+                    Content::LargeText(text) => Some(PagedParagraph {
+                        block: *at,
+                        text,
+                        shown: &text.text,
+                        acts: !block.actions.is_empty(),
+                    }),
                     _ => None,
                 });
             let texts: Vec<_> = texts.collect();
-            let set = SetPages::new(&texts, beside, many, room, screen_rows, look)?;
-            Some(PagedText { texts, set })
-        };
-        let parts = parts.into_iter().map(part).collect::<Option<_>>()?;
+            let setting = Setting {
+                beside,
+                more: many,
+                room,
+                screen_rows,
+                look,
+            };
+            if panel.together && number == 0 && room.pictures.is_none() {
+                let one = SetPages::new(&texts, setting, 1).map(|set| {
+                    let texts = texts.clone();
+                    vec![PagedText { texts, set }]
+                });
+                if let Some(of_part) = one.or_else(|| on_one_page(&texts, setting)) {
+                    parts.extend(of_part);
+                    continue;
+                }
+            }
+            let set = SetPages::new(&texts, setting, usize::MAX)?;
+            parts.push(PagedText { texts, set });
+        }
         Some(Self { parts })
     }
 
@@ -154,8 +194,26 @@ impl<'p> PlacedPages<'p> {
     #[cfg(test)]
     pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
         self.parts.iter().map(|PagedText { texts, set }| {
-            let letters = { texts.iter() }.map(|(_, it, _)| it.text.chars().count());
+            let letters = { texts.iter() }.map(|it| it.shown.chars().count());
             (set.size, letters.sum(), set.pages(), set.layouts[0].picture)
+        })
+    }
+
+    /// Whether the first page shows all choices with their bars.
+    #[cfg(test)]
+    pub(crate) fn begins_with_all_choices(&self) -> bool {
+        let Some(PagedText { texts, set }) = self.parts.first() else {
+            return false;
+        };
+        let area = Rect::new(0, 0, 1, set.layout(0).words.height);
+        let look = Look::default();
+        let page = set.pages.page(0);
+        let ends = page.map(|page| {
+            page.draw(area, &mut Buffer::empty(area), &look, |_| Role::Text)
+        });
+        texts.iter().enumerate().all(|(number, PagedParagraph { text, .. })| {
+            let end = ends.iter().flatten().find(|(at, _)| *at == number);
+            !text.whole || end.is_some_and(|(_, row)| text.share.is_none() || *row < area.height)
         })
     }
 
@@ -199,21 +257,21 @@ impl PagedText<'_> {
         shown
             .flat_map(|page| page.places())
             .filter_map(move |(number, rows)| {
-                let (block, _, acts) = self.texts.get(number)?;
+                let it = self.texts.get(number)?;
                 let cells = Rect {
                     y: words.y + rows.start,
                     height: rows.end - rows.start,
                     ..words
                 };
                 let cells = cells.intersection(words);
-                (*acts && !cells.is_empty()).then_some((*block, cells))
+                (it.acts && !cells.is_empty()).then_some((it.block, cells))
             })
     }
 
     fn draw(&self, page: usize, buf: &mut Buffer, look: &Look) {
         let place = self.set.layout(page).words;
         self.record(page, place, look.charset);
-        let text = |number: usize| self.texts.get(number).map(|(_, text, _)| *text);
+        let text = |number: usize| self.texts.get(number).map(|it| it.text);
         let role = |number| text(number).map_or(Role::Text, |it| it.role);
         let Some(shown) = self.set.pages.page(page) else {
             return;
@@ -230,7 +288,10 @@ impl PagedText<'_> {
 
     /// Records all paragraphs for shells that show them without pages.
     fn record(&self, page: usize, place: Rect, charset: Charset) {
-        for (block, text, acts) in &self.texts {
+        for PagedParagraph {
+            block, text, acts, ..
+        } in &self.texts
+        {
             sheet::note(place, || {
                 let cells = self.places(page).find(|(number, _)| number == block);
                 Item {
@@ -256,36 +317,93 @@ impl LargeText {
     }
 }
 
+/// The room for paragraphs.
+#[derive(Clone, Copy)]
+struct Setting<'l> {
+    beside: Beside,
+    /// Whether there are also other pages.
+    more: bool,
+    room: Room,
+    screen_rows: u16,
+    look: &'l Look,
+}
+
+/// Sets a question with its choices so that the first page shows all choices, in letters that are
+/// just large enough if necessary: with the picture if possible, otherwise with the question or
+/// only its last sentence. What is left out follows on further pages. Other text is set on one page
+/// with its picture. `None` if that is not possible.
+fn on_one_page<'p>(
+    texts: &[PagedParagraph<'p>],
+    setting: Setting,
+) -> Option<Vec<PagedText<'p>>> {
+    let with_picture = { SMALLER.into_iter() }.find_map(|smaller| {
+        let tenths = setting.beside.tenths();
+        let tenths = tenths.start().saturating_sub(smaller)..=*tenths.end();
+        SetPages::on_one_page(texts, tenths, setting)
+    });
+    if let Some(set) = with_picture {
+        let texts = texts.to_vec();
+        return Some(vec![PagedText { texts, set }]);
+    }
+    let choices = texts.iter().position(|it| it.text.whole)?;
+    let (stem, choices) = texts.split_at(choices);
+    let sentence = stem.last().map(|it| PagedParagraph {
+        shown: last_sentence(it.shown),
+        ..*it
+    });
+    let short: Vec<_> = sentence.iter().chain(choices).copied().collect();
+    let setting = Setting {
+        more: true,
+        ..setting
+    };
+    let alone = Setting {
+        beside: Beside::Nothing,
+        ..setting
+    };
+    let first = [texts, &short, choices].into_iter().find_map(|texts| {
+        let set = SetPages::on_one_page(texts, 0..=0, alone)?;
+        let texts = texts.to_vec();
+        Some(PagedText { texts, set })
+    })?;
+    let texts = stem.to_vec();
+    let set = SetPages::new(&texts, setting, usize::MAX)?;
+    Some(vec![first, PagedText { texts, set }])
+}
+
+/// The last sentence of a text.
+fn last_sentence(text: &str) -> &str {
+    let start = text::sentence_ends(text).last().unwrap_or(0);
+    text[start..].trim_start()
+}
+
 impl SetPages {
-    /// Sets paragraphs on as few pages as possible, preferring larger letters and then a larger
-    /// picture; `more` means that there are also other pages. Characters without a large form are
-    /// spelt out; `None` if that is not possible.
-    fn new(
-        large: &[(usize, &LargeText, bool)],
-        beside: Beside,
-        more: bool,
-        room: Room,
-        screen_rows: u16,
-        look: &Look,
-    ) -> Option<Self> {
-        let has_bar = |(_, it, _): &(usize, &LargeText, bool)| it.share.is_some();
-        // A bar below the last paragraph also requires a row.
-        let last = u16::from(large.last().is_some_and(has_bar));
+    /// Sets paragraphs in letters of one size on as few pages as possible, preferring larger
+    /// letters and then a larger picture. Characters without a large form are spelt out; `None` if
+    /// that is not possible, or if there would be more than `most` pages.
+    fn new(paragraphs: &[PagedParagraph], setting: Setting, most: usize) -> Option<Self> {
+        let Setting {
+            beside,
+            more,
+            room,
+            screen_rows,
+            look,
+        } = setting;
+        let last = bar_below(paragraphs);
         let alone = PageLayout::new(room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }
             .map(|tenths| PageLayout::new(room, beside, tenths))
             .flat_map(|with| [[with, with], [with, alone]])
             .collect();
-        let has_bars = large.iter().any(has_bar);
-        let placed = |texts: &[_], gap, size, layouts: [PageLayout; 2]| {
+        let has_bars = paragraphs.iter().any(|it| it.text.share.is_some());
+        let placed = |texts: &[_], size, layouts: [PageLayout; 2]| {
             let set = |foot: u16| {
                 let rows = |it: PageLayout| it.words.height.saturating_sub(last + foot);
                 let rooms = layouts.map(|it| (it.words.width, rows(it)));
-                BigPages::set(texts, gap, size, rooms)
+                BigPages::set(texts, rooms, most)
             };
             // If there are several pages, the last row shows the page number.
             let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
-            let pages = one.or_else(|| set(1))?;
+            let pages = one.or_else(|| set(1).filter(|_| most > 1))?;
             Some(Self {
                 pages,
                 size,
@@ -293,12 +411,8 @@ impl SetPages {
             })
         };
         let best = |spelling: Charset| {
-            let texts = { large.iter() }.map(|(_, it, _)| {
-                let text: Rc<_> = BigText::new(&it.text, spelling).into();
-                (text, it.whole)
-            });
-            let texts: Vec<_> = texts.collect();
-            let texts = &texts;
+            let words = spelt(paragraphs, spelling);
+            let words = &words;
             // Layouts with larger letters and pictures are tried first.
             let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
             let sizes = gaps.flat_map(|gap| {
@@ -306,11 +420,58 @@ impl SetPages {
                 sizes.map(move |size| (gap, size))
             });
             fewest_pages(sizes.flat_map(|(gap, size)| {
+                let texts = { paragraphs.iter().zip(words) }.map(|(it, text)| BigParagraph {
+                    text: Rc::clone(text),
+                    whole: it.text.whole,
+                    size,
+                    gap,
+                });
+                let texts: Vec<_> = texts.collect();
                 let layouts = all_layouts.iter();
-                layouts.filter_map(move |layouts| placed(texts, gap, size, *layouts))
+                layouts.filter_map(move |layouts| placed(&texts, size, *layouts))
             }))
         };
         [look.charset, Charset::Ascii].into_iter().find_map(best)
+    }
+
+    /// Sets paragraphs on one page beside a picture with one of these heights, in tenths of the
+    /// full height. Choices have the largest letters that leave enough room for the letters of the
+    /// question. `None` if that is not possible.
+    fn on_one_page(
+        paragraphs: &[PagedParagraph],
+        tenths: RangeInclusive<u16>,
+        setting: Setting,
+    ) -> Option<Self> {
+        let Setting { room, look, .. } = setting;
+        let layouts = { tenths.rev() }.map(|tenths| PageLayout::new(room, setting.beside, tenths));
+        let layouts: Vec<_> = layouts.collect();
+        let foot = bar_below(paragraphs) + u16::from(setting.more);
+        let sizes = LetterSize::for_one_page(look.charset, setting.screen_rows);
+        let pairs = { sizes.iter().enumerate() }
+            .flat_map(|(i, choice)| sizes[i..].iter().map(move |stem| [*choice, *stem]));
+        let pairs: Vec<_> = pairs.collect();
+        [look.charset, Charset::Ascii].into_iter().find_map(|spelling| {
+            let words = spelt(paragraphs, spelling);
+            let all = pairs.iter().flat_map(|pair| GAPS.map(|gap| (*pair, gap)));
+            { all }.find_map(|([choice, stem], gap)| {
+                let texts = { paragraphs.iter().zip(&words) }.map(|(it, text)| BigParagraph {
+                    text: Rc::clone(text),
+                    whole: it.text.whole,
+                    size: if it.text.whole { choice } else { stem },
+                    gap: gap + u16::from(it.text.share.is_some()),
+                });
+                let texts: Vec<_> = texts.collect();
+                layouts.iter().find_map(|layout| {
+                    let rows = layout.words.height.saturating_sub(foot);
+                    let pages = BigPages::set(&texts, [(layout.words.width, rows); 2], 1)?;
+                    Some(Self {
+                        pages,
+                        size: stem,
+                        layouts: [*layout; 2],
+                    })
+                })
+            })
+        })
     }
 
     fn pages(&self) -> usize {
@@ -352,6 +513,18 @@ impl PageLayout {
         let [picture, _] = areas::upper(picture, rows);
         Self { picture, words }
     }
+}
+
+/// The words of paragraphs in a spelling.
+fn spelt(paragraphs: &[PagedParagraph], spelling: Charset) -> Vec<Rc<BigText>> {
+    let words = { paragraphs.iter() }.map(|it| BigText::new(it.shown, spelling).into());
+    words.collect()
+}
+
+/// The rows of a bar below the last paragraph.
+fn bar_below(paragraphs: &[PagedParagraph]) -> u16 {
+    let last = paragraphs.last();
+    last.is_some_and(|it| it.text.share.is_some()).into()
 }
 
 /// The first layout with the fewest pages, where a page that ends early counts twice. The search

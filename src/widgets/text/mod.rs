@@ -28,5 +28,6 @@ pub(crate) use scroll::{PAGE_ROWS, hint_below, scroll_keys};
 pub use sheet::{Item, Section, Sheet, SheetKind, Words, recorded};
 pub use terms::held;
 pub(crate) use terms::unbroken;
+pub(crate) use wrap::sentence_ends;
 pub(crate) use wrap::{ago, clipped};
 pub use wrap::{equation, width, wrap};

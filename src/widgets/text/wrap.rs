@@ -181,6 +181,15 @@ pub(crate) fn clipped(text: &str, columns: usize) -> String {
     clipped + &".."[..columns.min(2)]
 }
 
+/// The positions at which one sentence ends and another begins.
+pub(crate) fn sentence_ends(text: &str) -> impl Iterator<Item = usize> + '_ {
+    let stops = { text.char_indices() }.filter(|(_, c)| ['.', '!', '?'].contains(c));
+    { stops.map(|(at, _)| at + 1) }.filter(|end| {
+        let mut next = text[*end..].chars();
+        next.next().is_some_and(char::is_whitespace) && next.next().is_some_and(char::is_uppercase)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,7 +7,7 @@ use std::ops::Range;
 use super::strokes::{self, LetterRows};
 use super::{BLANK, Ink, LetterSize, pixels_of};
 use crate::widgets::Charset;
-use crate::widgets::text::terms;
+use crate::widgets::text::{self, terms};
 
 /// The maximum number of letters for which a group of words is kept together on one line.
 const HELD: usize = 14;
@@ -74,6 +74,7 @@ impl BigText {
         }
         let blank = match size {
             LetterSize::Strokes => strokes::BLANK,
+            LetterSize::Plain => 1,
             _ => size.columns(BLANK),
         };
         let mut lines: Vec<(Range<usize>, usize)> = Vec::new();
@@ -94,6 +95,7 @@ impl BigText {
         let blanks = words.len().saturating_sub(1);
         let mut words = self.words[words].iter();
         match size {
+            LetterSize::Plain => Some(words.map(|it| text::width(&it.text)).sum::<usize>() + blanks),
             LetterSize::Strokes => {
                 let letters = words.try_fold(0, |sum, it| Some(sum + it.strokes()?[0].len()));
                 Some(letters? + blanks * strokes::BLANK)
@@ -110,6 +112,10 @@ impl BigText {
             return self.strokes(words).map(Ink::Strokes);
         }
         let words = self.words[words].iter();
+        if size == LetterSize::Plain {
+            let words: Vec<&str> = words.map(|it| it.text.as_str()).collect();
+            return Some(Ink::Plain(words.join(" ")));
+        }
         let words: Option<Vec<&[u8]>> = words.map(|it| it.pixels().map(Vec::as_slice)).collect();
         Some(Ink::Pixels(words?.join(&[0; BLANK][..])))
     }

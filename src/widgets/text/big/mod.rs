@@ -5,6 +5,7 @@
 //! mark or a full stop, and the smallest letters are those of `strokes`, because there are no
 //! smaller parts of a cell. In Unicode, the smallest letters have a braille dot for each pixel.
 
+mod letters;
 mod measured;
 mod pages;
 mod size;
@@ -13,13 +14,13 @@ mod strokes;
 use std::ops::Range;
 use std::rc::Rc;
 
-use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use crate::widgets::text::blocks::{BRAILLE, QUARTERS};
 use crate::widgets::{Charset, Look, Role};
+use letters::pixels_of;
 pub(crate) use measured::BigText;
-pub(crate) use pages::BigPages;
+pub(crate) use pages::{BigPages, BigParagraph};
 pub(crate) use size::LetterSize;
 use strokes::LetterRows;
 
@@ -28,6 +29,8 @@ const GAP: usize = 1;
 const BLANK: usize = 4;
 /// The height of a letter, in pixels.
 const HEIGHT: usize = 8;
+/// The height of a capital, in pixels.
+const CAPITAL: usize = 7;
 /// The height of a small letter such as x, in pixels.
 const SMALL_LETTER: usize = 5;
 
@@ -65,6 +68,7 @@ struct BigLine {
 enum Ink {
     Pixels(Vec<u8>),
     Strokes(LetterRows),
+    Plain(String),
 }
 
 impl Big {
@@ -191,6 +195,14 @@ impl Big {
                 Align::Centre => free / 2,
                 Align::Right => free,
             };
+            if let Ink::Plain(words) = &ink {
+                let y = area.y.saturating_add(line.rows.start as u16);
+                if y < area.bottom() && start < area.width.into() {
+                    let room = usize::from(area.width) - start;
+                    buf.set_stringn(area.x + start as u16, y, words, room, style);
+                }
+                continue;
+            }
             for (row, y) in (line.left_out..).zip(line.rows.clone()) {
                 for column in 0..width {
                     let symbol = match &ink {
@@ -199,6 +211,7 @@ impl Big {
                             symbol(pixels, column, row, above, self.size, look.charset)
                         }
                         Ink::Strokes(rows) => rows[row][column],
+                        Ink::Plain(_) => ' ',
                     };
                     let x = start + column;
                     if x >= area.width.into() || y >= area.height.into() {
@@ -243,7 +256,7 @@ fn symbol(
                 .filter(|_| bits > 0)
                 .unwrap_or(' ')
         }
-        (LetterSize::Small | LetterSize::Strokes, _) => {
+        (LetterSize::Small | LetterSize::Strokes | LetterSize::Plain, _) => {
             let (x, y) = (2 * column, 2 * row);
             let quarters = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
             let bits = quarters.into_iter().enumerate();
@@ -253,43 +266,6 @@ fn symbol(
             QUARTERS[index]
         }
     }
-}
-
-/// The columns of pixels in a word; `None` if the font lacks some letter.
-fn pixels_of(word: &str) -> Option<Vec<u8>> {
-    let letters: Option<Vec<_>> = word.chars().map(letter_columns).collect();
-    Some(letters?.join(&[0; GAP][..]))
-}
-
-/// The columns of pixels in a letter, without the empty columns at its sides; `None` if the font
-/// lacks the letter.
-fn letter_columns(letter: char) -> Option<Vec<u8>> {
-    if letter.is_control() {
-        return None;
-    }
-    let rows = BASIC_FONTS
-        .get(letter)
-        .or_else(|| LATIN_FONTS.get(letter))
-        .or_else(|| GREEK_FONTS.get(letter))
-        .or_else(|| {
-            // The ASCII spelling of the letter is used if it is a single unambiguous letter.
-            let text = letter.to_string();
-            let plain = Charset::Ascii.text(&text);
-            let mut plain = plain.chars();
-            match (plain.next(), plain.next()) {
-                (Some('?'), _) => None,
-                (Some(plain), None) => BASIC_FONTS.get(plain),
-                _ => None,
-            }
-        })?;
-    let column = |x: usize| {
-        let bits = rows.iter().enumerate();
-        bits.fold(0, |column, (y, row)| column | (row >> x & 1) << y)
-    };
-    let columns: Vec<u8> = (0..HEIGHT).map(column).collect();
-    let first = columns.iter().position(|it| *it != 0)?;
-    let last = columns.iter().rposition(|it| *it != 0)?;
-    Some(columns[first..=last].to_vec())
 }
 
 #[cfg(test)]
@@ -347,8 +323,13 @@ mod tests {
     fn lines_of_dots_have_space_between_them() {
         let pages = |rows| {
             let room = [(30, rows), (30, rows)];
-            let text = BigText::new("One coin and two", Charset::Unicode);
-            BigPages::set(&[(text.into(), true)], 0, LetterSize::Dots, room)
+            let paragraph = BigParagraph {
+                text: BigText::new("One coin and two", Charset::Unicode).into(),
+                whole: true,
+                size: LetterSize::Dots,
+                gap: 0,
+            };
+            BigPages::set(&[paragraph], room, usize::MAX)
         };
         let look = Look {
             charset: Charset::Unicode,

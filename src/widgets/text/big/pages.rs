@@ -8,12 +8,23 @@ use ratatui::{buffer::Buffer, layout::Rect};
 use super::{Align, Big, BigText, LetterSize};
 use crate::widgets::{Look, Role};
 
-/// Paragraphs in letters of the same size, divided into pages.
+/// Paragraphs in large letters, divided into pages.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct BigPages {
     pages: Vec<BigPage>,
     /// Whether a page ends early, because the next word is too long for its lines.
     pub(crate) ends_early: bool,
+}
+
+/// A paragraph to be set.
+#[derive(Debug, Clone)]
+pub(crate) struct BigParagraph {
+    pub(crate) text: Rc<BigText>,
+    /// Whether it is not split if it fits on one page.
+    pub(crate) whole: bool,
+    pub(crate) size: LetterSize,
+    /// The number of rows below it.
+    pub(crate) gap: u16,
 }
 
 /// The contents of a page.
@@ -35,22 +46,25 @@ struct BigPart {
 }
 
 impl BigPages {
-    /// Sets paragraphs with `gap` rows below each. The first page has the columns and rows of
-    /// `first`, and all other pages have those of `rest`. A paragraph marked as whole is not split
-    /// if it fits on one page; any other paragraph may continue on the next page. A word that is
-    /// too long for a line of the first page starts the next page. `None` if a word is too long for
-    /// any line, or some letter has no large form.
+    /// Sets paragraphs. The first page has the columns and rows of `first`, and all other pages
+    /// have those of `rest`. A paragraph that is not marked as whole may continue on the next page.
+    /// A word that is too long for a line of the first page starts the next page. `None` if there
+    /// are more than `most` pages, a word is too long for any line, or some letter has no large
+    /// form.
     pub(crate) fn set(
-        texts: &[(Rc<BigText>, bool)],
-        gap: u16,
-        size: LetterSize,
+        paragraphs: &[BigParagraph],
         [first, rest]: [(u16, u16); 2],
+        most: usize,
     ) -> Option<Self> {
         let mut pages = vec![BigPage::default()];
         let mut ends_early = false;
-        for (paragraph, (text, whole)) in texts.iter().enumerate() {
+        for (paragraph, it) in paragraphs.iter().enumerate() {
+            let (text, size) = (&it.text, it.size);
             let mut from = 0;
             while from < text.len() {
+                if pages.len() > most {
+                    return None;
+                }
                 let (columns, rows) = if pages.len() == 1 { first } else { rest };
                 let page = pages.last_mut()?;
                 let room = rows.saturating_sub(page.taken);
@@ -60,7 +74,7 @@ impl BigPages {
                 let too_long = fits == big.lines.len() && from + big.words() < text.len();
                 ends_early |= too_long;
                 let is_whole = fits == big.lines.len() && !too_long;
-                let most = match is_whole || is_fresh || !whole {
+                let most = match is_whole || is_fresh || !it.whole {
                     true => fits,
                     false => 0,
                 };
@@ -80,7 +94,7 @@ impl BigPages {
                     ends: from == text.len(),
                     big,
                 };
-                page.taken += part.big.rows() + gap;
+                page.taken += part.big.rows() + it.gap;
                 page.parts.push(part);
                 if from < text.len() {
                     pages.push(BigPage::default());

@@ -1,6 +1,6 @@
 //! The sizes of letters in large type.
 
-use super::{HEIGHT, SMALL_LETTER, strokes};
+use super::{CAPITAL, HEIGHT, SMALL_LETTER, strokes};
 use crate::widgets::Charset;
 
 /// A small letter such as x is legible from the back row if its height is at least the height of
@@ -8,9 +8,16 @@ use crate::widgets::Charset;
 /// from nine metres.
 const READ_FROM_THE_BACK: usize = 30;
 
+/// Letters are large enough for a page that has to show everything at once if the height of a
+/// capital, or of a row of plain text, is at least the height of the projected picture divided by
+/// this number.
+const READ_WITH_CARE: usize = 24;
+
 /// The size of letters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LetterSize {
+    /// Plain text, in pages that have to show everything at once.
+    Plain,
     /// Letters made of strokes, in ASCII and for long text only: names and headings are either
     /// larger or in plain type.
     Strokes,
@@ -55,6 +62,27 @@ impl LetterSize {
         legible.map(|(_, size)| *size)
     }
 
+    /// The sizes that are large enough for a page that has to show everything at once, on a screen
+    /// with this many rows, with the largest first.
+    pub(crate) fn for_one_page(charset: Charset, screen_rows: u16) -> Vec<Self> {
+        let sizes = Self::of_text(charset).iter().chain([&Self::Plain]);
+        let sizes = sizes.filter(|size| size.is_large_enough(screen_rows));
+        sizes.copied().collect()
+    }
+
+    /// Whether this size is large enough for a page that has to show everything at once.
+    pub(crate) fn is_large_enough(self, screen_rows: u16) -> bool {
+        let (parts, per_row) = match self {
+            Self::Plain => (1, 1),
+            // The first of the three rows of a capital holds only a stroke at its bottom.
+            Self::Strokes => (2, 1),
+            Self::Dots => (CAPITAL, 4),
+            Self::Small | Self::Middle => (CAPITAL, 2),
+            Self::Large => (CAPITAL, 1),
+        };
+        READ_WITH_CARE * parts >= per_row * usize::from(screen_rows)
+    }
+
     /// Whether this size is legible from the back row on a screen with this many rows.
     pub(crate) fn is_legible(self, screen_rows: u16) -> bool {
         let (parts, per_row) = self.small_letter();
@@ -65,6 +93,7 @@ impl LetterSize {
     /// row. There is space around dots, so half a space is lost at the top and at the bottom.
     const fn small_letter(self) -> (usize, usize) {
         match self {
+            Self::Plain => (1, 2),
             Self::Strokes => (1, 1),
             Self::Dots => (2 * SMALL_LETTER - 1, 8),
             Self::Small | Self::Middle => (SMALL_LETTER, 2),
@@ -76,6 +105,7 @@ impl LetterSize {
     /// empty dots apart, so that every second line begins in the middle of a row.
     pub(super) const fn rows(self, lines: usize) -> usize {
         match self {
+            Self::Plain => lines,
             Self::Dots => 5 * lines / 2,
             Self::Strokes => strokes::ROWS * lines,
             Self::Small | Self::Middle => HEIGHT / 2 * lines,
@@ -96,7 +126,7 @@ impl LetterSize {
     pub(super) const fn columns(self, pixels: usize) -> usize {
         match self {
             Self::Small | Self::Dots => pixels.div_ceil(2),
-            Self::Middle | Self::Strokes => pixels,
+            Self::Middle | Self::Strokes | Self::Plain => pixels,
             Self::Large => 2 * pixels,
         }
     }
