@@ -185,7 +185,7 @@ fn a_class_is_hosted_and_votes_in_plain_lines() {
     for next in ["talk", "second vote", "the shot"] {
         host.says(next);
     }
-    host.hears("right at first: 1 of 1");
+    host.hears("Right at first: 1 of 1");
     pupil.hears("10.0 of 10 points");
     pupil.leaves();
     host.leaves();

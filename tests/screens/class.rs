@@ -105,7 +105,7 @@ fn three_teams_play_a_round_and_get_its_tables() {
         }
         let screen = game.screen();
         assert!(
-            screen.contains("right at first") && screen.contains("1 of 3"),
+            screen.contains("Right at first") && screen.contains("1 of 3"),
             "{screen}"
         );
         assert!(screen.contains("2 of 3"), "{screen}");
@@ -220,6 +220,19 @@ fn going_back_corrects_a_vote_and_the_scores() {
     // The key never leads to a question that has not been reached.
     game.press("]]");
     assert!(game.screen().contains("question 2 of 2"));
+}
+
+/// Every step used to begin at its first page again.
+#[test]
+fn a_step_returns_to_the_page_where_it_was_left() {
+    let folder = Folder::new("class-pages");
+    let mut game = class(folder.path(), "concept-1", &["Ants", "Bees"]);
+    game.press("<Enter><PageDown>");
+    assert!(game.screen().contains("page 2 of"), "{}", game.screen());
+    game.press("<Enter>");
+    assert!(game.screen().contains("page 1 of"), "{}", game.screen());
+    game.press("<Backspace>");
+    assert!(game.screen().contains("page 2 of"), "{}", game.screen());
 }
 
 /// A tap on the text of a choice is a vote for it, on every page of the question.
@@ -649,7 +662,12 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
                 .join(" ")
         };
         game.press("<Enter><Enter>");
-        assert!(game.screen().contains("Count A B"), "{}", game.screen());
+        let screen = game.screen();
+        assert!(screen.contains("Count A B"), "{screen}");
+        // The example has as many numbers as the question has choices.
+        let line = { screen.lines() }.find_map(|line| line.split_once("type the numbers: "));
+        let example = line.map(|(_, example)| example.split_whitespace().count());
+        assert_eq!(example, Some(choices.len()), "{screen}");
         // Too few numbers are refused.
         game.press("32<Enter>");
         assert!(

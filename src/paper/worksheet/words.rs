@@ -63,7 +63,10 @@ pub(super) fn tolerance() -> String {
 pub(super) fn points() -> String {
     let each = Confidence::ALL.map(|sure| {
         let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit) / Grade::MOST);
-        format!("\"{}\" {right} if it is right or {wrong} if it is wrong", sure.name())
+        format!(
+            "\"{}\" {right} if it is right or {wrong} if it is wrong",
+            sure.name()
+        )
     });
     let each = each.join(", ").replace('-', "\u{2212}");
     format!(

@@ -67,13 +67,13 @@ pub(super) fn view<'s>(
     play.step_view(Some(heading), beside, draw, words)
 }
 
-/// "right at first: 1 of 3, after talking: 2 of 3"
+/// "Right at first: 1 of 3, after talking: 2 of 3"
 fn right_in_words(play: &Stage) -> String {
     let [first, second] = Vote::BOTH.map(|vote| {
         let results = play.round().results(play.number(), vote);
         format!("{} of {}", results.right, results.attempts)
     });
-    format!("right at first: {first}, after talking: {second}")
+    format!("Right at first: {first}, after talking: {second}")
 }
 
 /// Writes the text of the shot: the steps of the explanation; then the right answer with the most

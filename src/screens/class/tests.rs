@@ -173,7 +173,10 @@ impl OnePages {
                 continue;
             }
             let has_any = matches!(question.form, Form::Choice { .. });
-            for round in rounds.iter().filter(|it| has_any || it.way() == WayOfVoting::Tally) {
+            for round in rounds
+                .iter()
+                .filter(|it| has_any || it.way() == WayOfVoting::Tally)
+            {
                 let mut round = round.clone();
                 for vote in Vote::BOTH {
                     let counts: Vec<u32> = (0..choices.len() as u32).map(|it| 3 + 4 * it).collect();
@@ -211,10 +214,13 @@ impl OnePages {
                 };
                 let view = play.view(&cx);
                 let placed = view.placed(cx.room(), &writing, &|_| None);
-                let fits = placed.pages().is_some_and(|it| it.begins_with_all_choices());
+                let fits = placed
+                    .pages()
+                    .is_some_and(|it| it.begins_with_all_choices());
                 if !fits {
                     let (way, text) = (round.way(), &round.questions()[number].text);
-                    self.faults.push(format!("{rows} {name} {step:?} {way:?}: {text}"));
+                    self.faults
+                        .push(format!("{rows} {name} {step:?} {way:?}: {text}"));
                 }
                 fits
             });
@@ -273,5 +279,9 @@ fn all_questions_show_all_choices_on_one_page() {
     let recommended = { pages.faults.iter() }.filter(|it| it.starts_with("24 "));
     assert_eq!(recommended.collect::<Vec<_>>(), Vec::<&String>::new());
     let enough = |it: &OnePage| 100 * it.vote.min(it.talk) >= 90 * it.asked;
-    assert!(pages.pages.values().all(enough), "{}", pages.faults.join("\n"));
+    assert!(
+        pages.pages.values().all(enough),
+        "{}",
+        pages.faults.join("\n")
+    );
 }

@@ -208,13 +208,16 @@ impl<'p> PlacedPages<'p> {
         let area = Rect::new(0, 0, 1, set.layout(0).words.height);
         let look = Look::default();
         let page = set.pages.page(0);
-        let ends = page.map(|page| {
-            page.draw(area, &mut Buffer::empty(area), &look, |_| Role::Text)
-        });
-        texts.iter().enumerate().all(|(number, PagedParagraph { text, .. })| {
-            let end = ends.iter().flatten().find(|(at, _)| *at == number);
-            !text.whole || end.is_some_and(|(_, row)| text.share.is_none() || *row < area.height)
-        })
+        let ends =
+            page.map(|page| page.draw(area, &mut Buffer::empty(area), &look, |_| Role::Text));
+        texts
+            .iter()
+            .enumerate()
+            .all(|(number, PagedParagraph { text, .. })| {
+                let end = ends.iter().flatten().find(|(at, _)| *at == number);
+                !text.whole
+                    || end.is_some_and(|(_, row)| text.share.is_none() || *row < area.height)
+            })
     }
 
     /// The cells of a page that can be clicked.
@@ -332,10 +335,7 @@ struct Setting<'l> {
 /// just large enough if necessary: with the picture if possible, otherwise with the question or
 /// only its last sentence. What is left out follows on further pages. Other text is set on one page
 /// with its picture. `None` if that is not possible.
-fn on_one_page<'p>(
-    texts: &[PagedParagraph<'p>],
-    setting: Setting,
-) -> Option<Vec<PagedText<'p>>> {
+fn on_one_page<'p>(texts: &[PagedParagraph<'p>], setting: Setting) -> Option<Vec<PagedText<'p>>> {
     let with_picture = { SMALLER.into_iter() }.find_map(|smaller| {
         let tenths = setting.beside.tenths();
         let tenths = tenths.start().saturating_sub(smaller)..=*tenths.end();
@@ -450,28 +450,30 @@ impl SetPages {
         let pairs = { sizes.iter().enumerate() }
             .flat_map(|(i, choice)| sizes[i..].iter().map(move |stem| [*choice, *stem]));
         let pairs: Vec<_> = pairs.collect();
-        [look.charset, Charset::Ascii].into_iter().find_map(|spelling| {
-            let words = spelt(paragraphs, spelling);
-            let all = pairs.iter().flat_map(|pair| GAPS.map(|gap| (*pair, gap)));
-            { all }.find_map(|([choice, stem], gap)| {
-                let texts = { paragraphs.iter().zip(&words) }.map(|(it, text)| BigParagraph {
-                    text: Rc::clone(text),
-                    whole: it.text.whole,
-                    size: if it.text.whole { choice } else { stem },
-                    gap: gap + u16::from(it.text.share.is_some()),
-                });
-                let texts: Vec<_> = texts.collect();
-                layouts.iter().find_map(|layout| {
-                    let rows = layout.words.height.saturating_sub(foot);
-                    let pages = BigPages::set(&texts, [(layout.words.width, rows); 2], 1)?;
-                    Some(Self {
-                        pages,
-                        size: stem,
-                        layouts: [*layout; 2],
+        [look.charset, Charset::Ascii]
+            .into_iter()
+            .find_map(|spelling| {
+                let words = spelt(paragraphs, spelling);
+                let all = pairs.iter().flat_map(|pair| GAPS.map(|gap| (*pair, gap)));
+                { all }.find_map(|([choice, stem], gap)| {
+                    let texts = { paragraphs.iter().zip(&words) }.map(|(it, text)| BigParagraph {
+                        text: Rc::clone(text),
+                        whole: it.text.whole,
+                        size: if it.text.whole { choice } else { stem },
+                        gap: gap + u16::from(it.text.share.is_some()),
+                    });
+                    let texts: Vec<_> = texts.collect();
+                    layouts.iter().find_map(|layout| {
+                        let rows = layout.words.height.saturating_sub(foot);
+                        let pages = BigPages::set(&texts, [(layout.words.width, rows); 2], 1)?;
+                        Some(Self {
+                            pages,
+                            size: stem,
+                            layouts: [*layout; 2],
+                        })
                     })
                 })
             })
-        })
     }
 
     fn pages(&self) -> usize {

@@ -56,7 +56,10 @@ fn own(letter: char) -> Option<[u8; HEIGHT]> {
         _ => {}
     }
     let (small, from) = match letter {
-        '₀'..='₉' => (char::from_digit(letter as u32 - '₀' as u32, 10)?, HEIGHT - RAISED),
+        '₀'..='₉' => (
+            char::from_digit(letter as u32 - '₀' as u32, 10)?,
+            HEIGHT - RAISED,
+        ),
         'ₙ' => ('n', HEIGHT - RAISED),
         'ᵣ' => ('r', HEIGHT - RAISED),
         'ₛ' => ('s', HEIGHT - RAISED),
@@ -94,5 +97,28 @@ fn small_letter(letter: char) -> Option<[u8; RAISED]> {
         '-' => 0o00700,
         _ => return None,
     };
-    Some(std::array::from_fn(|row| (rows >> (3 * (RAISED - 1 - row)) & 7) as u8))
+    Some(std::array::from_fn(|row| {
+        (rows >> (3 * (RAISED - 1 - row)) & 7) as u8
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Large letters used to show "θ₁" like "e1", and to spell "uₙ" out as "u_n".
+    #[test]
+    fn symbols_of_physics_have_letters_of_their_own() {
+        for symbol in ["θ₁", "uₙ", "v₂ₜ", "√2", "1.14⁴", "Θ", "10⁻²⁷"] {
+            assert!(pixels_of(symbol).is_some(), "{symbol}");
+        }
+        for (symbol, like) in [("θ", "e"), ("θ", "Θ"), ("₁", "1"), ("⁴", "4"), ("ₙ", "n")]
+        {
+            assert_ne!(pixels_of(symbol), pixels_of(like), "{symbol}");
+        }
+        // An index is below the middle of the line, an exponent above.
+        let pixels = |letter| pixels_of(letter).unwrap();
+        assert!(pixels("₄").iter().all(|column| column & 0b111 == 0));
+        assert!(pixels("⁴").iter().all(|column| column >> RAISED == 0));
+    }
 }

@@ -95,7 +95,9 @@ impl BigText {
         let blanks = words.len().saturating_sub(1);
         let mut words = self.words[words].iter();
         match size {
-            LetterSize::Plain => Some(words.map(|it| text::width(&it.text)).sum::<usize>() + blanks),
+            LetterSize::Plain => {
+                Some(words.map(|it| text::width(&it.text)).sum::<usize>() + blanks)
+            }
             LetterSize::Strokes => {
                 let letters = words.try_fold(0, |sum, it| Some(sum + it.strokes()?[0].len()));
                 Some(letters? + blanks * strokes::BLANK)
