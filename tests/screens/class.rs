@@ -244,7 +244,7 @@ fn a_tap_on_a_choice_is_a_vote_for_it() {
         panic!("no choice");
     };
     let mut last_page = 0;
-    for size in [(80, 24), (120, 40), (60, 20), (61, 50)] {
+    for size in [(80, 24), (120, 40), (60, 20), (80, 60)] {
         let folder = Folder::new(&format!("class-taps-{}-{}", size.0, size.1));
         let mut game = class(folder.path(), code, &["Ants", "Bees"]);
         game.resize(size.0, size.1);
