@@ -2,8 +2,8 @@
 
 use crate::numbers;
 use crate::quiz::{
-    Code, Confidence, CourseKind, Difficulty, Form, Grade, Illustration, Measure, Question, RIGHT_DEG,
-    letter,
+    Code, Confidence, CourseKind, Difficulty, Form, Grade, Illustration, Measure, Question,
+    RIGHT_DEG, letter,
 };
 
 /// What a student should know before the first question.
