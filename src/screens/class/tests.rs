@@ -89,7 +89,7 @@ fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
     }
     for (number, (size, letters, pages, _)) in pages.parts().enumerate() {
         let is_first = together && number == 0;
-        if !size.is_legible(rows) && !(is_first && size.is_large_enough(rows)) {
+        if !(size.is_legible(rows) || is_first && size.is_large_enough(rows)) {
             fault("too small");
         }
         if is_first && pages > 1 && rows == 24 {
