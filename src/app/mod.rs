@@ -627,7 +627,7 @@ impl App {
             Route::Table => hosted(Table::ask(cx)),
             Route::Board { code } => hosted(Table::board(code, cx)),
             Route::Rules { rules } => hosted(RulesScreen { rules }),
-            Route::Measured { measurement } => hosted(MeasuredScreen { measurement }),
+            Route::Measured { measurement } => hosted(MeasuredScreen::new(measurement)),
             Route::Progress => hosted(Progress::ask(cx)),
             Route::Teacher => hosted(Teacher::ask(cx)),
             Route::Settings => hosted(SettingsScreen::ask(cx)),

@@ -119,6 +119,7 @@ impl Args {
         let reading = Reading {
             columns: self.columns.clone(),
             scale: self.scale,
+            takes_pixels: self.screen,
         };
         let tracks = read(&named, &reading).map_err(Failure::input)?;
         let both = |first: Option<f64>, second: Option<f64>, si: fn(f64) -> f64| {
@@ -127,6 +128,7 @@ impl Args {
         let given = Given {
             masses: both(self.m1_g, self.m2_g, kg_from_g),
             radii: both(self.r1_mm, self.r2_mm, m_from_mm),
+            scale: 1.0,
             restitution: self.restitution,
             slowing: self.slowing,
         };

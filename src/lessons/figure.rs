@@ -52,6 +52,11 @@ pub enum FigureKind {
     },
     /// The energy of the motion of the centre of mass and that of the relative motion, as bars.
     Parts,
+    /// A simulated film of the collision, measured as `carrom measure` does.
+    Film {
+        /// How it is filmed.
+        filming: Filming,
+    },
     /// Particles passing a centre of repulsion.
     Foil {
         /// The page about the foil: 1 for a single particle, 2 for a beam, 3 for the counts of
@@ -69,6 +74,88 @@ pub enum FigureKind {
         /// The angle, in degrees, beyond which shots are counted.
         beyond_deg: f64,
     },
+}
+
+/// How the collision in a figure is filmed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Filming {
+    /// Frames a second.
+    pub rate: f64,
+    /// The standard deviation of a point, in millimetres.
+    pub noise_mm: f64,
+    /// By how much all lengths come out too large, in percent.
+    pub scale_percent: f64,
+    /// By how much the camera is tilted, so that lengths along y seem shorter, in degrees.
+    pub tilt_deg: f64,
+    /// What the student sets.
+    pub sets: FilmSetting,
+}
+
+impl Default for Filming {
+    fn default() -> Self {
+        Self {
+            rate: 60.0,
+            noise_mm: 1.0,
+            scale_percent: 0.0,
+            tilt_deg: 0.0,
+            sets: FilmSetting::Noise,
+        }
+    }
+}
+
+/// What a student can set in a figure of a film.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "lowercase")]
+pub enum FilmSetting {
+    /// The frame rate.
+    Rate,
+    /// The noise of the points.
+    Noise,
+    /// The error of the scale.
+    Scale,
+    /// The tilt of the camera.
+    Tilt,
+}
+
+impl FilmSetting {
+    /// The smallest and the largest value, and the step.
+    pub(crate) fn range(self) -> (f64, f64, f64) {
+        match self {
+            Self::Rate => (30.0, 240.0, 30.0),
+            Self::Noise => (0.2, 6.0, 0.2),
+            Self::Scale => (-10.0, 10.0, 1.0),
+            Self::Tilt => (0.0, 40.0, 5.0),
+        }
+    }
+}
+
+impl Filming {
+    /// The value of a setting.
+    pub(crate) fn of(&mut self, setting: FilmSetting) -> &mut f64 {
+        match setting {
+            FilmSetting::Rate => &mut self.rate,
+            FilmSetting::Noise => &mut self.noise_mm,
+            FilmSetting::Scale => &mut self.scale_percent,
+            FilmSetting::Tilt => &mut self.tilt_deg,
+        }
+    }
+
+    fn read(words: &mut Words) -> Result<Self, String> {
+        let mut filming = Self::default();
+        for name in FilmSetting::VARIANTS {
+            let Ok(setting) = name.parse::<FilmSetting>() else {
+                continue;
+            };
+            let (least, most, _) = setting.range();
+            let given = words.number(name, least, most)?;
+            given.into_iter().for_each(|it| *filming.of(setting) = it);
+        }
+        if let Some(name) = words.field("sets") {
+            let expected = || format!("sets: expected {}", FilmSetting::VARIANTS.join(", "));
+            filming.sets = name.parse().map_err(|_| expected())?;
+        }
+        Ok(filming)
+    }
 }
 
 /// The figure of a page.
@@ -127,6 +214,7 @@ impl Figure {
             FigureKind::Explosion { third_g } => {
                 *third_g = words.number("third_g", 0.1, 1000.0)?;
             }
+            FigureKind::Film { filming } => *filming = Filming::read(&mut words)?,
             FigureKind::Foil {
                 page,
                 levelled,

@@ -36,7 +36,7 @@ pub use bookmark::{Bookmark, GivenAnswer};
 pub use chapter::Chapter;
 pub(crate) use checkpoint::Expected;
 pub use checkpoint::{Checkpoint, CheckpointKind};
-pub use figure::{Figure, FigureKind};
+pub use figure::{Figure, FigureKind, FilmSetting, Filming};
 pub use formula::{Formula, Node};
 pub use glossary::GlossaryEntry;
 pub use library::ChapterLibrary;

@@ -113,6 +113,10 @@ const OF_MISCONCEPTIONS: &str = "
     never between the two | reduced-as-mean
     at right angles to n | friction-only-slows
     neither disc spins | no-spin-from-rest
+    in another direction | careful-is-exact
+    how many uncertainties | any-difference-disproves
+    more frames do not help | frames-cure-scale
+    keeps its shape | scale-turns-angles
 ";
 
 /// A page about the subject of the questions on a topic must contain one of these phrases, in the
@@ -151,6 +155,7 @@ const OF_TOPICS: &str = "
     momentum, momenta, energy | elastic-and-inelastic
     energy, mj | energy-and-the-centre-of-mass
     friction, rims, spin | rough-rims
+    scale, marks, noise, uncertainty | uncertainty
 ";
 
 /// A kind of wrong answer: the misconception, if a known misconception leads to the answer, the

@@ -5,9 +5,10 @@ use glam::{DVec2, dvec2};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use super::film::normal;
 use super::fit::{Fit, ONE_SIGMA};
 use super::quantities::{Known, QUANTITIES, measured};
-use super::simulated::{Film, normal};
+use super::simulated::Film;
 use super::{Given, SlowingDown, Unit};
 
 /// How often an interval contained the truth.

@@ -364,20 +364,23 @@ impl Fit {
         let gradient = self.gradient(&of, &difference)?;
         let reach: Vector = self.covariance.map(|row| dot(&row, &gradient));
         let variance = dot(&gradient, &reach).max(0.0);
-        // Welch and Satterthwaite: each channel's share of the variance has its own freedom.
-        let mut spread = 0.0;
-        let shares: [f64; CHANNELS] = std::array::from_fn(|channel| {
-            self.weights[channel] * self.normal.form(channel, &reach)
-        });
-        for (channel, share) in shares.iter().enumerate() {
-            spread += match (self.is_pooled, channel) {
-                (false, _) => share * share / self.freedom[channel],
-                (true, 0 | 1) => {
-                    let share = share + shares[channel + 2];
-                    share * share / (self.freedom[channel] + self.freedom[channel + 2])
+        let (mut spread, mut extra) = (0.0, 0.0);
+        for group in self.groups() {
+            let freedom: f64 = group.iter().map(|it| self.freedom[*it]).sum();
+            let mut pull = [0.0; PARAMETERS];
+            for channel in *group {
+                let part = self.normal.times(*channel, &reach);
+                for (sum, part) in pull.iter_mut().zip(part) {
+                    *sum += self.weights[*channel] * part;
                 }
-                (true, _) => 0.0,
-            };
+            }
+            // Welch and Satterthwaite: each share of the variance has its own freedom.
+            let share = dot(&reach, &pull);
+            spread += share * share / freedom;
+            // Kenward and Roger (Biometrics 53, 983, 1997): weights that are themselves estimated
+            // combine the channels less well than the true ones.
+            let back = self.covariance.map(|row| dot(&row, &pull));
+            extra += 4.0 * (share - dot(&pull, &back)).max(0.0) / freedom;
         }
         let most = self.freedom();
         let freedom = if spread > 0.0 {
@@ -387,9 +390,17 @@ impl Fit {
         };
         Some(Estimate {
             value,
-            deviation: variance.sqrt(),
+            deviation: (variance + extra).sqrt(),
             freedom,
         })
+    }
+
+    /// The channels that share an estimate of the noise.
+    fn groups(&self) -> &'static [&'static [usize]] {
+        match self.is_pooled {
+            true => &[&[0, 2], &[1, 3]],
+            false => &[&[0], &[1], &[2], &[3]],
+        }
     }
 
     /// The probability that two quantities which are truly zero are at least this far from it.

@@ -6,6 +6,7 @@
 //! the stated intervals contain the truth as often as they say.
 
 mod contact;
+mod film;
 mod fit;
 mod json;
 mod model;
@@ -22,13 +23,15 @@ mod simulated;
 
 use crate::files::FileError;
 
+pub(crate) use film::Camera;
 pub use fit::{Apart, Estimate, Fit, LEVEL, SlowingTest};
-pub(crate) use model::State;
+pub(crate) use model::{Model, State};
 pub use quantities::LineFrom;
 pub(crate) use quantities::{Known, QUANTITIES, Quantity, Unit, line};
 pub use read::{LARGEST, Reading, read};
 pub(crate) use student::t_beyond;
 pub use track::{Leg, Point, Track};
+pub(crate) use words::printed;
 pub use words::{Row, Section};
 
 /// Whether legs may slow down.
@@ -51,6 +54,8 @@ pub struct Given {
     pub masses: Option<[f64; 2]>,
     /// Both radii in metres.
     pub radii: Option<[f64; 2]>,
+    /// The factor by which all lengths of the tracks are multiplied.
+    pub scale: f64,
     /// The coefficient of restitution of the prediction.
     pub restitution: f64,
     /// Whether legs may slow down.
@@ -62,6 +67,7 @@ impl Default for Given {
         Self {
             masses: None,
             radii: None,
+            scale: 1.0,
             restitution: 1.0,
             slowing: SlowingDown::Auto,
         }
@@ -116,7 +122,10 @@ impl Measurement {
     ///
     /// # Errors
     /// If they contain no measurable collision.
-    pub fn new(tracks: [Track; 2], given: Given) -> Result<Self, Fault> {
+    pub fn new(mut tracks: [Track; 2], given: Given) -> Result<Self, Fault> {
+        for point in tracks.iter_mut().flat_map(|track| &mut track.points) {
+            point.at *= given.scale;
+        }
         let radii = given.radii.map(|radii| radii.iter().sum());
         let fit = Fit::new(&tracks, radii, given.slowing)?;
         let known = Known::new(&given, &fit);
@@ -126,6 +135,18 @@ impl Measurement {
             fit,
             known,
         })
+    }
+
+    /// The same tracks with other things given.
+    ///
+    /// # Errors
+    /// If they contain no measurable collision.
+    pub(crate) fn again(&self, given: Given) -> Result<Self, Fault> {
+        let mut tracks = self.tracks.clone();
+        for point in tracks.iter_mut().flat_map(|track| &mut track.points) {
+            point.at /= self.given.scale;
+        }
+        Self::new(tracks, given)
     }
 
     /// The names of the bodies.
@@ -139,7 +160,10 @@ impl Measurement {
     }
 
     /// A quantity by its name.
-    fn quantity(&self, id: &str) -> Option<(&'static Quantity, Result<Estimate, String>)> {
+    pub(crate) fn quantity(
+        &self,
+        id: &str,
+    ) -> Option<(&'static Quantity, Result<Estimate, String>)> {
         let quantity = QUANTITIES.iter().find(|quantity| quantity.id == id)?;
         Some((quantity, self.estimate(quantity)))
     }

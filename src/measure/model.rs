@@ -44,7 +44,7 @@ pub(crate) struct State(pub(super) Vector);
 impl State {
     /// A collision at `time` with these centres and velocities (of each body, before and after),
     /// and these decelerations.
-    pub(super) fn new(
+    pub(crate) fn new(
         time: f64,
         centres: [DVec2; 2],
         velocities: [[DVec2; 2]; 2],
@@ -314,10 +314,9 @@ impl Normal {
         used
     }
 
-    /// xᵀ A x for the matrix of a channel.
-    pub(super) fn form(&self, channel: usize, x: &Vector) -> f64 {
-        let rows = self.matrix[channel].iter().zip(x);
-        rows.map(|(row, a)| a * dot(row, x)).sum()
+    /// A x for the matrix of a channel.
+    pub(super) fn times(&self, channel: usize, x: &Vector) -> Vector {
+        self.matrix[channel].map(|row| dot(&row, x))
     }
 }
 

@@ -29,6 +29,8 @@ pub struct Reading {
     pub columns: Vec<String>,
     /// The metres per unit of x and of y where the heads give no unit, or pixels.
     pub scale: Option<[f64; 2]>,
+    /// Whether a pixel counts as 1 mm if there is no scale, so that the scale can be set later.
+    pub takes_pixels: bool,
 }
 
 /// Reads the two tracks in one file, or one track in each of two: each file by its name and bytes.
@@ -307,6 +309,7 @@ fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, File
                     (Some(unit), scale) => match (length_unit(unit), scale) {
                         (Some(factor), _) if factor > 0.0 => factor,
                         (Some(_), Some(scale)) => scale,
+                        (Some(_), None) if reading.takes_pixels => 0.001,
                         (Some(_), None) => {
                             return Err(refuse(format!(
                                 "{place}: expected --scale with the millimetres of a pixel, \
@@ -549,6 +552,7 @@ mod tests {
                 .map(str::to_owned)
                 .collect(),
             scale,
+            takes_pixels: false,
         }
     }
 

@@ -1,11 +1,12 @@
 //! Simulated measurements.
 
 use glam::{DVec2, dvec2};
-use rand::{Rng, RngExt, SeedableRng};
+use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use super::Track;
+use super::film::Camera;
 use super::model::{Model, State};
-use super::{Point, Track};
 
 /// A collision and how it is filmed. Lengths are in metres.
 #[derive(Debug, Clone, Copy)]
@@ -62,32 +63,14 @@ impl Film {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let within: f64 = random.random();
         let truth = self.truth((self.frames[0] as f64 - 1.0 + within) / self.rate);
-        let model = self.model();
-        let tracks = [0, 1].map(|body| {
-            let count = self.frames[0] + self.frames[1];
-            let points = (0..count).map(|frame| {
-                let t = frame as f64 / self.rate;
-                let missed = dvec2(normal(&mut random), normal(&mut random)) * self.noise;
-                Point {
-                    t,
-                    at: truth.at(body, t, &model) + missed * self.pixel,
-                    weight: 1.0,
-                    line: frame as u32 + 4,
-                }
-            });
-            Track {
-                name: format!("mass {}", ["A", "B"][body]),
-                points: points.collect(),
-            }
-        });
+        let camera = Camera {
+            rate: self.rate,
+            frames: self.frames[0] + self.frames[1],
+            noise: self.noise * self.pixel,
+        };
+        let tracks = camera.tracks(&truth, &self.model(), ["mass A", "mass B"], &mut random);
         (truth, tracks)
     }
-}
-
-/// A standard normal variable (Box and Muller).
-pub(super) fn normal(random: &mut impl Rng) -> f64 {
-    let (a, b): (f64, f64) = (random.random(), random.random());
-    (-2.0 * (1.0 - a).ln()).sqrt() * (std::f64::consts::TAU * b).cos()
 }
 
 /// A puck of 30 g that hits another at rest, filmed at 60 frames a second.

@@ -162,6 +162,7 @@ impl Measurement {
             )
         };
         let mut data: Vec<_> = (0..2).map(|body| row(names[body], counts(body))).collect();
+        data.push(row("given", self.what_is_given()));
         data.push(row(
             "contact",
             format!("at {}", self.text_of("contact_time")),
@@ -271,6 +272,27 @@ impl Measurement {
                 rows: predicted.to_vec(),
             },
         ]
+    }
+
+    /// The masses, the radii, the scale and e, as they were given.
+    fn what_is_given(&self) -> String {
+        let pair = |name: &str, values: Option<[f64; 2]>, unit: &str| match values {
+            Some(values) => {
+                let [one, other] = values.map(|it| four_figures(1000.0 * it));
+                format!("{name}₁ = {one} {unit}, {name}₂ = {other} {unit}")
+            }
+            None => format!("no {name}₁ and {name}₂"),
+        };
+        let scale = match self.given.scale {
+            1.0 => String::new(),
+            scale => format!("; scale × {}", four_figures(scale)),
+        };
+        format!(
+            "{}; {}{scale}; e = {} for the prediction",
+            pair("m", self.given.masses, "g"),
+            pair("r", self.given.radii, "mm"),
+            four_figures(self.given.restitution)
+        )
     }
 
     /// Which motion was fitted, and why.
@@ -478,7 +500,9 @@ impl Measurement {
         let other_e = match e_found.filter(|it| it.chance(self.given.restitution) < IMPOSSIBLE) {
             Some(found) => {
                 let [value, _] = bare(&found, Unit::Number);
-                format!(" With --restitution {value} the prediction uses the e found here.")
+                format!(
+                    " Set e = {value} (--restitution {value}) to predict with the e found here."
+                )
             }
             None => String::new(),
         };
@@ -503,7 +527,7 @@ impl Measurement {
         let fit = &self.fit;
         if self.given.masses.is_none() {
             warnings.push(
-                "The masses are assumed to be equal; give them with --m1-g and --m2-g.".to_owned(),
+                "The masses are assumed to be equal: set them (--m1-g and --m2-g).".to_owned(),
             );
         }
         if fit.alike > ALIKE {

@@ -4,7 +4,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{LabelSide, Pen, Picture, View};
+use super::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::measure::{Known, Leg, LineFrom, Measurement, line};
 
 /// The maximum number of points of a leg that are drawn.
@@ -43,6 +43,21 @@ fn corners(measurement: &Measurement) -> [DVec2; 2] {
     [low - margin, high + margin]
 }
 
+/// The measured points alone, in an area.
+pub(crate) fn points_picture(area: Rect, measurement: &Measurement) -> Picture {
+    let [low, high] = corners(measurement);
+    let mut picture = Picture::new(View::fit(area, low, high));
+    for (track, roles) in measurement.tracks.iter().zip(ROLES) {
+        let step = track.points.len().div_ceil(2 * MOST_POINTS).max(1);
+        for point in track.points.iter().step_by(step) {
+            let is_before = point.t < measurement.fit.state.time();
+            let role = if is_before { roles[0] } else { roles[1] };
+            picture.dot(point.at, Pen::new(role).bold().on(DrawLayer::Point));
+        }
+    }
+    picture
+}
+
 /// The picture of a measurement in an area.
 pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture {
     let fit = &measurement.fit;
@@ -50,8 +65,7 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
     let radii = measurement.given.radii.unwrap_or([0.0; 2]);
     let [low, high] = corners(measurement);
     let margin = MARGIN * low.distance(high);
-    let view = View::fit(area, low, high);
-    let mut picture = Picture::new(view);
+    let mut picture = points_picture(area, measurement);
     for (body, track) in measurement.tracks.iter().enumerate() {
         let [before, after, disc] = ROLES[body];
         let centre = state.centre(body);
@@ -66,15 +80,6 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
         if let Some(predicted) = measurement.predicted() {
             let end = predicted.at(body, last.t, model);
             picture.line(centre, end, Pen::new(Role::Predicted).dashed());
-        }
-        let step = track.points.len().div_ceil(2 * MOST_POINTS).max(1);
-        for point in track.points.iter().step_by(step) {
-            let role = if point.t < state.time() {
-                before
-            } else {
-                after
-            };
-            picture.dot(point.at, Pen::new(role).bold());
         }
         if radii[body] > 0.0 {
             picture.ring(centre, radii[body], disc, (['1', '2'][body], centre));

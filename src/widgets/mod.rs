@@ -53,7 +53,7 @@ pub(crate) use answer::{Asking, AskingAction, lettered};
 pub use ink::gallery::gather;
 pub(crate) use input::{NumberEntry, NumberInput, RayInput, brief};
 pub use input::{Outcome, shown};
-pub(crate) use measured::{measured_picture, measured_rows, measured_words};
+pub(crate) use measured::{measured_picture, measured_rows, measured_words, points_picture};
 pub use panels::SplitLayout;
 pub use svg::painted::{PaintedCell, PaintedPicture, glyph_shape, inks, painted};
 pub use text::bar;

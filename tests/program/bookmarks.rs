@@ -411,7 +411,7 @@ fn the_real_game_in_a_terminal_reopens_where_it_was_left() {
         Pty::start(carrom_in_terminal(&all))
     };
     let mut pty = start(&["learn"]);
-    pty.wait_for("0 of 16 chapters done");
+    pty.wait_for("0 of 17 chapters done");
     pty.press("\x1b[B\r");
     pty.wait_for("page 1 of 5");
     pty.press("2\r");

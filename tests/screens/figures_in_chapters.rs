@@ -521,6 +521,44 @@ fn claims() -> Vec<Claim> {
     claim(16, "so α = [16.7]°", edge);
     let apart = |alpha_deg: f64| alpha_deg - degrees(rough(0.05, alpha_deg).outcome().theta2);
     assert!(apart(edge - 1.0) < apart(edge) - 0.1 && (apart(60.0) - apart(edge)).abs() < 1e-9);
+
+    // 17: measuring a real collision.
+    let [one, two] = [0.682_689_492, 0.954_499_736];
+    claim(17, "the true value in [68] % of all", 100.0 * one);
+    claim(17, "\"[87]° ± 3°\"", 90.0 - 3.0);
+    claim(17, "means from [84]° to", 87.0 - 3.0);
+    claim(17, "You find [84]° ± 3°", 84.0);
+    claim(17, "How many uncertainties is [84]° ± 3°", 84.0);
+    claim(17, "[6]°/3°", 90.0 - 84.0);
+    claim(17, "= [2.0] σ", 6.0 / 3.0);
+    claim(
+        17,
+        "goes further once in [22] measurements",
+        1.0 / (1.0 - two),
+    );
+    claim(17, "A result of [84]° ± 1°", 84.0);
+    claim(17, "disagrees: [6] σ", (90.0 - 84.0) / 1.0);
+    claim(17, "large is it at [120] frames", 4.0 * 30.0);
+    claim(17, "[2]°/2 = 1°", 2.0);
+    claim(17, "2°/2 = [1]°", 2.0 / f64::sqrt(120.0 / 30.0));
+    claim(17, "you need [480] frames", 4.0 * 120.0);
+    claim(17, "marks are [20] mm above", 1000.0 * 0.02);
+    claim(17, "Divide 1.00 by [0.98]", 1.00 - 0.02);
+    claim(17, "1.00/[0.98]", 1.00 - 0.02);
+    claim(17, "= [1.02], so they are", 1.00 / (1.00 - 0.02));
+    claim(17, "the error is only [1] %", 100.0 * 0.02 / (2.0 - 0.02));
+    claim(17, "It is tilted by [20]°", 20.0);
+    let shrunk = rad_from_deg(20.0).cos();
+    claim(17, "too short: [94] % of the truth", 100.0 * shrunk);
+    claim(17, "because cos 20° = [0.94]", shrunk);
+    claim(17, "cos [20]°", 20.0);
+    claim(17, "is known to 3 %, the other to [4] %", 4.0);
+    claim(17, "√([9] + 16)", 9.0);
+    claim(17, "√(9 + [16])", 16.0);
+    claim(17, "= 5, so [5] %", f64::hypot(3.0, 4.0));
+    claim(17, "less than [7] %", 3.0 + 4.0);
+    claim(17, "this is ±[0.04]", 0.05 * 0.8);
+    claim(17, "Film at [60] frames", 60.0);
     claims
 }
 

@@ -15,6 +15,7 @@ mod key_tables;
 mod lab;
 mod learn;
 mod levels;
+mod measured;
 mod notebook;
 mod path;
 mod quiz;

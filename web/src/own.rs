@@ -83,7 +83,11 @@ pub(crate) fn measured(name: &str, bytes: &[u8]) -> Option<Result<Measurement, S
         .iter()
         .any(|ending| name.ends_with(ending));
     is_table.then(|| {
-        let tracks = measure::read(&[(name, bytes)], &Reading::default());
+        let reading = Reading {
+            takes_pixels: true,
+            ..Reading::default()
+        };
+        let tracks = measure::read(&[(name, bytes)], &reading);
         let tracks = tracks.map_err(|errors| errors.to_string())?;
         let measured = Measurement::new(tracks, Given::default());
         measured.map_err(|fault| fault.of_file(name).to_string())

@@ -131,6 +131,15 @@ pub enum Misconception {
     FrictionOnlySlows,
     /// Discs without spin are taken to leave without spin.
     NoSpinFromRest,
+    /// A careful measurement is taken to give the true value.
+    CarefulIsExact,
+    /// A measured value that differs from the expected one is taken to disprove it, whatever the
+    /// uncertainty.
+    AnyDifferenceDisproves,
+    /// More points are expected to remove an error that all points share.
+    FramesCureScale,
+    /// A wrong scale is expected to change angles and ratios, too.
+    ScaleTurnsAngles,
 }
 
 impl Misconception {
@@ -174,7 +183,11 @@ impl Misconception {
             | Self::LossByFrame
             | Self::ReducedAsMean
             | Self::FrictionOnlySlows
-            | Self::NoSpinFromRest => None,
+            | Self::NoSpinFromRest
+            | Self::CarefulIsExact
+            | Self::AnyDifferenceDisproves
+            | Self::FramesCureScale
+            | Self::ScaleTurnsAngles => None,
             _ => Some(self),
         }
     }

@@ -8,7 +8,7 @@ use crate::quiz::question::{Dice, Question, Topic};
 
 /// The ids of the built-in chapters, each with its letter in codes. The letters never change: a new
 /// chapter gets the next letter.
-const LETTERS: [(char, &str); 16] = [
+const LETTERS: [(char, &str); 17] = [
     ('a', "momentum-is-a-vector"),
     ('b', "the-line-of-impact"),
     ('c', "the-right-angle"),
@@ -25,6 +25,7 @@ const LETTERS: [(char, &str); 16] = [
     ('n', "elastic-and-inelastic"),
     ('o', "energy-and-the-centre-of-mass"),
     ('p', "rough-rims"),
+    ('q', "measuring-a-collision"),
 ];
 
 /// A set of chapters, at least one of which teaches a topic that has questions. In codes the
@@ -96,7 +97,7 @@ mod tests {
         for (code, chapters) in [
             ("read-b-7", &["the-line-of-impact"][..]),
             ("read-bf-7", &["the-line-of-impact", "marbles"]),
-            ("read-abcdefghijklmnop-42", &LETTERS.map(|(_, id)| id)),
+            ("read-abcdefghijklmnopq-42", &LETTERS.map(|(_, id)| id)),
         ] {
             let round = Round::of(Code::parse(code).unwrap());
             assert_eq!(round, Round::of(Code::parse(code).unwrap()));

@@ -1,17 +1,22 @@
 //! A measured collision: its picture, and everything that follows from it.
 
+mod settings;
+mod view;
+
 use std::sync::Arc;
 
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Context, Next, Route, Screen, SharedAction, View};
 use crate::measure::Measurement;
-use crate::messages::Key;
-use crate::numbers::capital;
-use crate::widgets::input::KeyTable;
-use crate::widgets::panel::Panel;
-use crate::widgets::text::sheet;
-use crate::widgets::{Role, measured_picture, measured_words};
+use crate::messages::{Input, Key};
+use crate::paper::measured_html;
+use crate::widgets::input::{FormAction, KeyTable, SettingsForm};
+
+use settings::MeasuredSettings;
+
+/// The name of the exported report.
+const FILE: &str = "measured-collision.html";
 
 /// The key actions on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -19,14 +24,68 @@ use crate::widgets::{Role, measured_picture, measured_words};
 pub(crate) enum MeasuredAction {
     /// scroll the results
     Scroll(i16),
+    /// show every result with its uncertainty
+    Everything,
+    /// set the masses, the radii, the scale and the predicted e
+    Settings,
+    /// change the settings
+    Set(FormAction),
+    /// write a report with the picture and all results, to print or to hand in
+    Export,
+    /// go back to the conclusion
+    Back,
     /// go back
     Leave,
+}
+
+/// What the panel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    /// The conclusion and the main numbers.
+    Summary,
+    /// Every result.
+    Everything,
+    /// The settings and the conclusion.
+    Settings,
 }
 
 /// The screen of a measured collision.
 #[derive(Debug, Clone)]
 pub(crate) struct MeasuredScreen {
-    pub(crate) measurement: Arc<Measurement>,
+    measurement: Arc<Measurement>,
+    shown: Shown,
+    form: SettingsForm,
+    settings: MeasuredSettings,
+    /// Why the tracks cannot be measured with the current settings; the results are those before.
+    fault: Option<String>,
+}
+
+impl MeasuredScreen {
+    pub(crate) fn new(measurement: Arc<Measurement>) -> Self {
+        Self {
+            settings: MeasuredSettings::new(&measurement.given),
+            measurement,
+            shown: Shown::Summary,
+            form: SettingsForm::default(),
+            fault: None,
+        }
+    }
+
+    /// Changes the settings, and measures again if they have changed.
+    fn edit(&mut self, change: impl FnOnce(&mut SettingsForm, &mut MeasuredSettings)) {
+        change(&mut self.form, &mut self.settings);
+        let given = self.settings.given(&self.measurement.given);
+        if given == self.measurement.given {
+            return;
+        }
+        match self.measurement.again(given) {
+            Ok(measurement) => {
+                self.measurement = Arc::new(measurement);
+                self.fault = None;
+            }
+            Err(fault) => self.fault = Some(fault.to_string()),
+        }
+    }
 }
 
 impl Screen for MeasuredScreen {
@@ -45,39 +104,55 @@ impl Screen for MeasuredScreen {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<MeasuredAction> {
-        use MeasuredAction::{Leave, Scroll};
-        KeyTable::new("measured")
+        use MeasuredAction::{Back, Everything, Export, Leave, Scroll, Set, Settings};
+        let table = KeyTable::new("measured");
+        if self.shown == Shown::Settings {
+            let typing = self.form.is_typing();
+            return table
+                .with(self.form.keys(&self.settings), Set)
+                .or((!typing).then_some((Key::Enter, Back)))
+                .on(Key::Escape, Back, "done");
+        }
+        let is_summary = self.shown == Shown::Summary;
+        table
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
+            .on('a', Everything, "all results")
+            .when(is_summary)
+            .on('m', Settings, "masses, radii, scale")
+            .on('e', Export, "report")
+            .on(Key::Escape, Back, "conclusion")
+            .when(!is_summary)
             .on(Key::Escape, Leave, "back")
+            .when(is_summary)
     }
 
-    fn act(&mut self, action: MeasuredAction, _cx: &mut Context) -> Next {
+    fn act(&mut self, action: MeasuredAction, cx: &mut Context) -> Next {
         match action {
-            MeasuredAction::Scroll(rows) => Next::Shared(SharedAction::Scroll(rows)),
-            MeasuredAction::Leave => Next::Back,
+            MeasuredAction::Scroll(rows) => return Next::Shared(SharedAction::Scroll(rows)),
+            MeasuredAction::Everything => self.shown = Shown::Everything,
+            MeasuredAction::Settings => self.shown = Shown::Settings,
+            MeasuredAction::Set(action) => self.edit(|form, settings| form.act(action, settings)),
+            MeasuredAction::Export => {
+                let bodies = self.measurement.names().map(str::to_owned);
+                cx.export(FILE.into(), measured_html(&self.measurement, &bodies));
+            }
+            MeasuredAction::Back => {
+                self.edit(|form, settings| form.commit(settings));
+                self.shown = Shown::Summary;
+            }
+            MeasuredAction::Leave => return Next::Back,
         }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        if let Input::Exported(exported) = input {
+            cx.notify_of_export("report", exported);
+        }
+        Next::Stay
     }
 
     fn view<'s>(&'s self, _cx: &'s Context) -> View<'s, MeasuredAction> {
-        let mut panel = Panel::new("what it shows");
-        panel.from_top = true;
-        for sentence in self.measurement.sentences() {
-            panel.item(sentence, Role::Text);
-        }
-        for warning in self.measurement.warnings() {
-            panel.item(warning, Role::Warn);
-        }
-        for section in self.measurement.sections() {
-            panel.gap();
-            panel.heading(section.title);
-            for row in section.rows {
-                panel.item(format!("{}: {}", capital(&row.name), row.text), Role::Text);
-            }
-        }
-        let picture = |area| {
-            sheet::next_picture_shows(|| vec![measured_words(&self.measurement)]);
-            measured_picture(area, &self.measurement)
-        };
-        View::drawn("points, fit and prediction", picture, panel)
+        view::view(self)
     }
 }

@@ -131,8 +131,12 @@ impl Cell {
         if pen.layer < DrawLayer::Disc && self.cover() != 0 && !self.is_faint() {
             samples &= !under(self.cover(), charset);
         }
-        if samples == 0 {
+        let [is_point, on_point] = [pen.layer, self.pen.layer].map(|it| it == DrawLayer::Point);
+        if samples == 0 || on_point && !is_point {
             return;
+        }
+        if is_point && !on_point {
+            self.ink = 0;
         }
         // A stroke that barely touches a cell with another stroke does not change the cell's style.
         let takes = self.ink == 0 || (pen.layer >= self.pen.layer && samples.count_ones() > 1);

@@ -8,7 +8,7 @@ use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, layout::Rect, style::Color};
 
 use super::Canvas;
-use crate::widgets::picture::{Body, LabelSide, Pen, Picture, View};
+use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::text::blocks::{LEFT, LOWER, QUARTERS, octants, sextants};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Blocks, Charset, Depth, Look, Palette, Role, Theme};
@@ -237,6 +237,30 @@ fn a_label_without_room_is_left_out() {
     assert!(!canvas.label("nowhere", DVec2::NAN, &LabelSide::ALL, Role::Text, false));
     assert!(!canvas.label("", DVec2::ZERO, &LabelSide::ALL, Role::Text, false));
     assert!(inked(&drawn(&canvas)).is_empty());
+}
+
+#[test]
+fn a_measured_point_hides_the_lines_in_its_cell_in_any_order() {
+    let point = Pen::new(Role::CoinOut).on(DrawLayer::Point);
+    for charset in CHARSETS {
+        let at = canvas(charset).view().cell_at(DVec2::ZERO).unwrap();
+        let drawn = |marks: &[bool]| {
+            let mut canvas = canvas(charset);
+            for is_point in marks {
+                match is_point {
+                    true => canvas.dot(DVec2::ZERO, point),
+                    false => canvas.line(dvec2(-9.0, 0.1), dvec2(9.0, 0.1), Role::Predicted),
+                }
+            }
+            drawn(&canvas)[at].clone()
+        };
+        let alone = drawn(&[true]);
+        assert_ne!(alone, drawn(&[false]));
+        assert_eq!(
+            [drawn(&[true, false]), drawn(&[false, true])],
+            [alone.clone(), alone]
+        );
+    }
 }
 
 #[test]

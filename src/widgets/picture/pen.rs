@@ -18,6 +18,8 @@ pub enum DrawLayer {
     Prediction,
     /// Velocities.
     Vector,
+    /// Measured points, which hide the lines in their cells.
+    Point,
     /// Marks that must never be hidden.
     Mark,
 }

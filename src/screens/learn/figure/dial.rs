@@ -1,6 +1,6 @@
 //! What a student sets in a figure, other than α.
 
-use super::momenta;
+use super::{film, momenta};
 use crate::lessons::FigureKind;
 use crate::numbers::tidy;
 use crate::physics::Collision;
@@ -19,6 +19,11 @@ impl Dial {
     pub(super) fn of(kind: FigureKind, collision: &Collision) -> Option<Self> {
         let (name, value, ends, step) = match kind {
             FigureKind::Force { time_ms } => ("time", time_ms, FigureKind::CONTACT_MS, 0.1),
+            FigureKind::Film { mut filming } => {
+                let (least, most, step) = filming.sets.range();
+                let name = film::name(filming.sets);
+                (name, *filming.of(filming.sets), (least, most), step)
+            }
             FigureKind::Parts => ("e", collision.restitution, (0.0, 1.0), 0.05),
             FigureKind::Coalesce | FigureKind::Explosion { .. } => (
                 "angle",

@@ -2,6 +2,7 @@
 
 mod contact;
 mod dial;
+mod film;
 mod foil;
 mod frames;
 mod momenta;
@@ -35,6 +36,7 @@ use crate::widgets::{Look, RayInput, curves, svg};
 
 use contact::ContactForce;
 use dial::Dial;
+use film::FilmFigure;
 use worked::WorkedFigure;
 
 /// The number of steps, or of degrees, by which `<` and `>` change a setting.
@@ -48,7 +50,7 @@ pub(crate) enum FigureAction {
     Alpha(i8),
     /// set α for a head-on or a grazing collision
     AlphaEnd(i8),
-    /// change what the figure shows: e, an angle or the time of the contact
+    /// change what the figure shows: e, an angle, the time of the contact or how it is filmed
     Dial(i8),
     /// set it to its smallest or its largest value
     DialEnd(u8),
@@ -82,6 +84,8 @@ enum FigureState {
     Worked(WorkedFigure),
     /// A page of the foil.
     Foil(Box<FoilFigure>),
+    /// A measured film.
+    Film(FilmFigure),
 }
 
 impl LiveFigure {
@@ -122,6 +126,9 @@ impl LiveFigure {
             FigureKind::Frames => FigureState::Hits(frames::watches(&self.collision).into()),
             FigureKind::Worked { blank } => {
                 FigureState::Worked(WorkedFigure::given(blank, self.hidden))
+            }
+            FigureKind::Film { filming } => {
+                FigureState::Film(FilmFigure::new(&self.collision, filming))
             }
             FigureKind::Solve => FigureState::Worked(WorkedFigure::of_own()),
             FigureKind::Foil {
@@ -248,6 +255,10 @@ impl LiveFigure {
         match &mut self.figure.kind {
             FigureKind::Force { time_ms } => *time_ms = value,
             FigureKind::Parts => collision.restitution = value,
+            FigureKind::Film { filming } => {
+                *filming.of(filming.sets) = value;
+                self.set_up(None, HitPace::Still);
+            }
             FigureKind::Explosion { third_g: None } => momenta::turn_pieces(collision, value),
             _ => momenta::turn_second(collision, value),
         }
@@ -285,6 +296,7 @@ impl LiveFigure {
                 "the momenta, tip to tail".into()
             }
             FigureKind::Parts => "the energy in two parts".into(),
+            FigureKind::Film { .. } => "a simulated film, measured".into(),
         }
     }
 
@@ -336,7 +348,7 @@ impl LiveFigure {
             FigureState::Worked(worked) => worked.keys(&self.collision),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
             FigureState::Plain if self.has_alpha() => alpha,
-            FigureState::Plain => self.dial().map_or(keys.clone(), dial),
+            FigureState::Plain | FigureState::Film(_) => self.dial().map_or(keys.clone(), dial),
         }
     }
 
@@ -409,7 +421,7 @@ impl LiveFigure {
                 return alpha.is_some();
             }
             // The dial runs from the left edge of the picture to the right one.
-            FigureState::Plain if held => {
+            FigureState::Plain | FigureState::Film(_) if held => {
                 let dial = self.dial();
                 let share = f64::from(cell.0 - area.x) / f64::from(area.width.max(2) - 1);
                 dial.iter().for_each(|it| self.set_dial(it.at(share)));
@@ -487,6 +499,7 @@ impl LiveFigure {
                 vec![triangle::lay_out(&self.collision, step, area, buf, look)]
             }
             (FigureState::Foil(plot), _) => vec![plot.picture(area, look)],
+            (FigureState::Film(film), _) => vec![film.lay_out(self.hidden, area, buf, look)],
             (_, FigureKind::Foil { .. }) => vec![foil::picture(area)],
             (_, FigureKind::Shots { space, beyond_deg }) => {
                 let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));

@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::contact::ContactForce;
-use super::momenta;
 use super::parts::Parts;
+use super::{film, momenta};
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
 use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
@@ -43,6 +43,7 @@ pub(in crate::screens::learn) fn describe(
         FigureKind::Coalesce | FigureKind::Explosion { .. } => {
             momenta_in_words(figure.kind, &collision, revealed)
         }
+        FigureKind::Film { filming } => film::in_words(&collision, filming, revealed),
         FigureKind::Parts => parts_in_words(&collision, revealed),
         // These figures are text already.
         FigureKind::Worked { .. } | FigureKind::Solve => Vec::new(),

@@ -1,0 +1,216 @@
+//! A simulated film of the collision, measured: the student sets how well it is filmed.
+
+use std::sync::Arc;
+
+use glam::{DVec2, dvec2};
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::lessons::{FilmSetting, Filming};
+use crate::measure::{Camera, Given, Measurement, Model, SlowingDown, State, printed};
+use crate::numbers::short;
+use crate::physics::Collision;
+use crate::physics::units::{m_from_mm, rad_from_deg};
+use crate::widgets::picture::{Picture, View};
+use crate::widgets::{Lines, Look, Role, areas, measured_picture, points_picture};
+
+/// The path of the striker before the contact, in metres; the film lasts as long after it.
+const REACH: f64 = 0.35;
+/// The part of a frame between the last frame before the contact and the contact.
+const WITHIN: f64 = 0.37;
+/// The rows below the picture.
+const ROWS: u16 = 6;
+
+/// The name of a setting in the line of keys.
+pub(super) fn name(setting: FilmSetting) -> &'static str {
+    match setting {
+        FilmSetting::Rate => "frame rate",
+        FilmSetting::Noise => "noise",
+        FilmSetting::Scale => "scale",
+        FilmSetting::Tilt => "tilt",
+    }
+}
+
+/// A film and its measurement.
+#[derive(Debug, Clone)]
+pub(super) struct FilmFigure {
+    filming: Filming,
+    /// The measurement, or why there is none.
+    measured: Result<Arc<Measurement>, String>,
+}
+
+impl FilmFigure {
+    /// The same hand marks every film: the noise has one seed.
+    pub(super) fn new(collision: &Collision, filming: Filming) -> Self {
+        let outcome = collision.outcome();
+        let seconds = REACH / collision.u1.length().max(0.01);
+        let before = (filming.rate * seconds).floor().max(1.0);
+        let (first, second) = collision.placed_at_contact();
+        let truth = State::new(
+            (before - 1.0 + WITHIN) / filming.rate,
+            [first, second],
+            [[collision.u1, outcome.v1], [collision.u2, outcome.v2]],
+            [0.0; 2],
+        );
+        let camera = Camera {
+            rate: filming.rate,
+            frames: 2 * before as usize,
+            noise: DVec2::splat(m_from_mm(filming.noise_mm)),
+        };
+        let mut random = Pcg64Mcg::seed_from_u64(17);
+        let names = ["striker", "coin"];
+        let mut tracks = camera.tracks(&truth, &Model::default(), names, &mut random);
+        let scale = 1.0 + 0.01 * filming.scale_percent;
+        let seen = scale * dvec2(1.0, rad_from_deg(filming.tilt_deg).cos());
+        for point in tracks.iter_mut().flat_map(|track| &mut track.points) {
+            point.at *= seen;
+        }
+        let given = Given {
+            masses: Some(collision.discs().map(|disc| disc.mass)),
+            restitution: collision.restitution,
+            slowing: SlowingDown::Never,
+            ..Given::default()
+        };
+        let measured = Measurement::new(tracks, given);
+        Self {
+            filming,
+            measured: measured.map(Arc::new).map_err(|it| it.to_string()),
+        }
+    }
+
+    /// How the collision was filmed.
+    fn film(&self) -> String {
+        let Filming {
+            rate,
+            noise_mm,
+            scale_percent,
+            tilt_deg,
+            ..
+        } = self.filming;
+        let [rate, noise, tilt] = [rate, noise_mm, tilt_deg].map(|it| short(it, 1));
+        let mut text = format!("{rate} frames/s, noise {noise} mm");
+        if scale_percent.abs() > 0.0 || self.filming.sets == FilmSetting::Scale {
+            let sign = if scale_percent > 0.0 { "+" } else { "" };
+            text += &format!(", scale {sign}{} %", short(scale_percent, 1));
+        }
+        if tilt_deg > 0.0 || self.filming.sets == FilmSetting::Tilt {
+            text += &format!(", tilted by {tilt}°");
+        }
+        text
+    }
+
+    /// The results.
+    fn results(&self) -> Vec<String> {
+        let measurement = match &self.measured {
+            Ok(measurement) => measurement,
+            Err(reason) => return vec![reason.clone()],
+        };
+        let text = |id: &str| match measurement.quantity(id) {
+            Some((quantity, Ok(estimate))) => printed(&estimate, quantity.unit),
+            _ => "not defined".into(),
+        };
+        let sentences = measurement.sentences();
+        let mut lines: Vec<_> = sentences.into_iter().take(1).collect();
+        lines.push(format!("e = {}, u₁ = {}", text("restitution"), text("u1")));
+        lines
+    }
+
+    /// The points, the fitted and the predicted paths and the results; the points alone while the
+    /// outcome is `hidden`.
+    pub(super) fn lay_out(
+        &self,
+        hidden: bool,
+        area: Rect,
+        buf: &mut Buffer,
+        look: &Look,
+    ) -> Picture {
+        let [area, below] = areas::upper(area, area.height.saturating_sub(ROWS));
+        let mut lines = Lines::new(below, buf, *look);
+        lines.paragraph(&self.film(), Role::Dim);
+        if !hidden {
+            let results = self.results();
+            results
+                .iter()
+                .for_each(|line| lines.paragraph(line, Role::Text));
+        }
+        match &self.measured {
+            Ok(measurement) if hidden => points_picture(area, measurement),
+            Ok(measurement) => measured_picture(area, measurement),
+            Err(_) => Picture::new(View::fit(area, DVec2::NEG_ONE, DVec2::ONE)),
+        }
+    }
+}
+
+/// The film in words, and what becomes of the results as the setting is changed.
+pub(super) fn in_words(collision: &Collision, filming: Filming, revealed: bool) -> Vec<String> {
+    let film = FilmFigure::new(collision, filming);
+    let mut lines = vec![format!(
+        "Figure: the points of a striker and a coin in a simulated film ({}).",
+        film.film()
+    )];
+    if revealed {
+        let (least, most, _) = filming.sets.range();
+        let middle = 0.5 * (least + most);
+        for value in [least, middle, most] {
+            let mut filming = filming;
+            *filming.of(filming.sets) = value;
+            let film = FilmFigure::new(collision, filming);
+            lines.push(format!("{}: {}.", film.film(), film.results().join(" ")));
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::CollisionSpec;
+
+    fn angle_e_u1(filming: Filming) -> [(f64, f64); 3] {
+        let shot = CollisionSpec {
+            speed: 1.0,
+            ..CollisionSpec::default()
+        };
+        let film = FilmFigure::new(&shot.collision(), filming);
+        let measurement = film.measured.unwrap();
+        ["between", "restitution", "u1"].map(|id| {
+            let estimate = measurement.quantity(id).unwrap().1.unwrap();
+            (estimate.value, estimate.uncertainty())
+        })
+    }
+
+    /// What the chapter says about each setting.
+    #[test]
+    fn noise_widens_more_frames_narrow_and_a_wrong_scale_changes_only_speeds() {
+        let plain = Filming::default();
+        let [first, ..] = angle_e_u1(plain);
+        let [noisy, ..] = angle_e_u1(Filming {
+            noise_mm: 2.0,
+            ..plain
+        });
+        assert!((noisy.1 / first.1 - 2.0).abs() < 0.05);
+        let [often, ..] = angle_e_u1(Filming {
+            rate: 240.0,
+            ..plain
+        });
+        assert!(
+            (0.35..0.65).contains(&(often.1 / first.1)),
+            "{often:?} {first:?}"
+        );
+        let scaled = angle_e_u1(Filming {
+            scale_percent: 2.0,
+            ..plain
+        });
+        let right = angle_e_u1(plain);
+        assert!((scaled[0].0 - right[0].0).abs() < 1e-6);
+        assert!((scaled[1].0 - right[1].0).abs() < 1e-6);
+        assert!((scaled[2].0 / right[2].0 - 1.02).abs() < 1e-6);
+        let [tilted, ..] = angle_e_u1(Filming {
+            tilt_deg: 20.0,
+            ..plain
+        });
+        assert!((tilted.0 - first.0).abs() > 5.0 * first.1);
+    }
+}

@@ -1,0 +1,100 @@
+//! The view of a measured collision: the conclusion and the main numbers, every result, or the
+//! settings.
+
+use super::{MeasuredAction, MeasuredScreen, Shown};
+use crate::measure::printed;
+use crate::screens::View;
+use crate::widgets::input::SettingsForm;
+use crate::widgets::panel::Panel;
+use crate::widgets::text::sheet;
+use crate::widgets::{Role, measured_picture, measured_words};
+
+/// The main numbers, with their names in a narrow panel.
+const MAIN: [(&str, &str); 6] = [
+    ("u₁", "u1"),
+    ("v₁", "v1"),
+    ("v₂", "v2"),
+    ("e", "restitution"),
+    ("angle", "between"),
+    ("energy kept", "energy_kept"),
+];
+
+pub(super) fn view(screen: &MeasuredScreen) -> View<'_, MeasuredAction> {
+    let panel = match screen.shown {
+        Shown::Summary => summary(screen),
+        Shown::Everything => everything(screen),
+        Shown::Settings => settings(screen),
+    };
+    let picture = |area| {
+        sheet::next_picture_shows(|| vec![measured_words(&screen.measurement)]);
+        measured_picture(area, &screen.measurement)
+    };
+    View::drawn("points, fit and prediction", picture, panel)
+}
+
+/// The first sentence and the main numbers.
+fn conclusion(screen: &MeasuredScreen, panel: &mut Panel<MeasuredAction>) {
+    let sentence = screen.measurement.sentences().into_iter().next();
+    panel.paragraph(sentence.unwrap_or_default(), Role::Text);
+    panel.gap();
+    for (name, id) in MAIN {
+        if let Some((quantity, Ok(found))) = screen.measurement.quantity(id) {
+            panel.fact(name, printed(&found, quantity.unit));
+        }
+    }
+}
+
+fn summary(screen: &MeasuredScreen) -> Panel<MeasuredAction> {
+    let mut panel = Panel::new("what it shows");
+    panel.from_top = true;
+    conclusion(screen, &mut panel);
+    panel.gap();
+    panel.prompts([
+        ("all results", MeasuredAction::Everything),
+        ("masses, radii, scale", MeasuredAction::Settings),
+    ]);
+    let warnings = screen.measurement.warnings();
+    if !warnings.is_empty() {
+        panel.gap();
+    }
+    for warning in warnings {
+        panel.item(warning, Role::Warn);
+    }
+    panel
+}
+
+fn everything(screen: &MeasuredScreen) -> Panel<MeasuredAction> {
+    let mut panel = Panel::new("all results");
+    panel.from_top = true;
+    for sentence in screen.measurement.sentences() {
+        panel.item(sentence, Role::Text);
+    }
+    for section in screen.measurement.sections() {
+        panel.gap();
+        panel.heading(section.title);
+        for row in section.rows {
+            panel.item(format!("{}: {}", row.name, row.text), Role::Text);
+        }
+    }
+    panel
+}
+
+fn settings(screen: &MeasuredScreen) -> Panel<MeasuredAction> {
+    let mut panel = Panel::new("masses, radii, scale");
+    panel.part(MeasuredAction::Set, |panel| {
+        screen.form.write(&screen.settings, panel);
+    });
+    panel.gap();
+    screen.form.write_about(&screen.settings, &mut panel);
+    if let Some(fault) = &screen.fault {
+        panel.paragraph(fault.clone(), Role::Warn);
+    }
+    panel.gap();
+    match screen.form.is_typing() {
+        true => panel.prompt("set it", MeasuredAction::Set(SettingsForm::SET)),
+        false => panel.prompt("done", MeasuredAction::Back),
+    }
+    panel.gap();
+    panel.worth(1, |panel| conclusion(screen, panel));
+    panel
+}

@@ -1,0 +1,153 @@
+//! A measured collision: its conclusion, its settings and its report.
+
+use carrom::app::App;
+use carrom::measure::{Given, Measurement, Reading, read};
+use carrom::screens::{Route, Settings};
+use carrom::shells::Headless;
+use carrom::store::Store;
+use carrom::widgets::Charset;
+
+use crate::folder::Folder;
+
+const FILMS: [(&str, &str); 3] = [
+    (
+        "pucks.txt",
+        include_str!("../../assets/examples/measured/pucks.txt"),
+    ),
+    (
+        "coins.csv",
+        include_str!("../../assets/examples/measured/coins.csv"),
+    ),
+    (
+        "careless.csv",
+        include_str!("../../assets/examples/measured/careless.csv"),
+    ),
+];
+
+/// The screen after opening a file as the page does: without masses, radii and scale.
+fn opened(folder: &Folder, film: usize, size: (u16, u16), charset: Charset) -> Headless {
+    let (name, text) = FILMS[film];
+    let reading = Reading {
+        takes_pixels: true,
+        ..Reading::default()
+    };
+    let tracks = read(&[(name, text.as_bytes())], &reading).unwrap();
+    let measurement = Measurement::new(tracks, Given::default()).unwrap();
+    let route = Route::Measured {
+        measurement: measurement.into(),
+    };
+    let settings = Settings {
+        charset,
+        ..Settings::default()
+    };
+    let store = Store::in_folder(folder.path()).at(1_800_000_000);
+    Headless::keeping(App::new(route, settings, 1), size.0, size.1, store)
+}
+
+fn assert_shows(game: &Headless, parts: &[&str]) {
+    let screen = game.screen();
+    for part in parts {
+        assert!(screen.contains(part), "{part}\n{screen}");
+    }
+}
+
+#[test]
+fn the_first_screen_has_the_conclusion_and_the_main_numbers() {
+    let folder = Folder::new("measured");
+    for film in 0..FILMS.len() {
+        for size in [(80, 24), (120, 40)] {
+            for charset in [Charset::Unicode, Charset::Ascii] {
+                let game = opened(&folder, film, size, charset);
+                let numbers = ["u", "v", "e", "angle", "energy kept"];
+                assert_shows(&game, &["Angle between the paths", "all results"]);
+                assert_shows(&game, &numbers);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_result_is_one_key_away() {
+    let folder = Folder::new("measured");
+    let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
+    assert!(!game.screen().contains("Coefficient of restitution"));
+    game.press("a");
+    assert_shows(
+        &game,
+        &[
+            "all results",
+            "Coefficient of restitution",
+            "Momentum agrees",
+        ],
+    );
+    game.press("<Escape>");
+    assert_shows(&game, &["what it shows"]);
+}
+
+/// The radii make the line of impact that of the centres; twice the scale doubles the speeds.
+#[test]
+fn masses_radii_and_scale_can_be_set_after_opening() {
+    let folder = Folder::new("measured");
+    let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
+    assert_shows(&game, &["The masses are assumed to be equal", "0.806"]);
+    game.press("m");
+    assert_shows(&game, &["mass m₁", "not set", "predict with e"]);
+    game.press("30<Enter><Down>30<Enter><Down>25<Enter><Down>25<Enter>");
+    assert_shows(&game, &["30 g", "25 mm"]);
+    game.press("<Escape>a");
+    let screen = game.screen();
+    assert!(!screen.contains("assumed to be equal"), "{screen}");
+    assert_shows(&game, &["m₁ = 30 g, m₂ = 30 g; r₁ = 25 mm, r₂ = 25 mm"]);
+    game.press("<Escape>m<End><Up>2<Enter><Escape>");
+    assert_shows(&game, &["1.61"]);
+    // Scaled tracks contradict the radii, and the screen says so.
+    assert_shows(&game, &["The tracks contradict the radii"]);
+}
+
+/// A number of grams that is typed but not confirmed counts when the settings are left.
+#[test]
+fn an_open_number_is_kept_and_one_mass_alone_is_not_used() {
+    let folder = Folder::new("measured");
+    let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
+    game.press("m30<Down>");
+    assert_shows(&game, &["30 g"]);
+    game.press("<Escape>");
+    assert_shows(&game, &["The masses are assumed to be equal"]);
+    game.press("m<Down>60<Enter><Escape>a");
+    assert_shows(&game, &["m₁ = 30 g, m₂ = 60 g"]);
+}
+
+#[test]
+fn a_film_in_pixels_opens_and_gets_its_scale_on_the_screen() {
+    let folder = Folder::new("measured");
+    let mut game = opened(&folder, 2, (120, 40), Charset::Unicode);
+    game.press("m<End><Up>0.5<Enter><Escape>a");
+    assert_shows(&game, &["scale × 0.5"]);
+}
+
+#[test]
+fn the_report_has_what_was_set() {
+    let folder = Folder::new("measured");
+    let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
+    game.press("m30<Enter><Down>30<Enter><Escape>e");
+    assert_shows(&game, &["The report is in"]);
+    let written = std::fs::read_dir(folder.path()).unwrap();
+    let html = written
+        .map(|file| file.unwrap().path())
+        .find(|path| path.extension().is_some_and(|it| it == "html"));
+    let html = std::fs::read_to_string(html.unwrap()).unwrap();
+    assert!(html.contains("m₁ = 30 g, m₂ = 30 g"), "{html}");
+}
+
+/// In plain lines a symbol keeps its own letter: "v 1", not "V 1".
+#[test]
+fn plain_lines_name_symbols_as_everywhere_else() {
+    let folder = Folder::new("measured");
+    let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
+    game.press("a");
+    let screen = game.screen();
+    assert!(
+        screen.contains("v₁ along x: ") && !screen.contains("V₁"),
+        "{screen}"
+    );
+}
