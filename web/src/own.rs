@@ -166,6 +166,9 @@ mod tests {
         assert!(own.problems.is_empty() && !own.concepts.is_empty());
         let tracks = include_bytes!("../../assets/examples/measured/pucks.txt");
         assert!(measured("pucks.txt", tracks).is_some_and(|it| it.is_ok()));
+        // A file in pixels gets its scale on the screen.
+        let pixels = include_bytes!("../../assets/examples/measured/careless.csv");
+        assert!(measured("careless.csv", pixels).is_some_and(|it| it.is_ok()));
         assert!(measured("notes.txt", b"hello").is_some_and(|it| it.is_err()));
         assert!(measured("a.toml", level).is_none());
         assert_eq!(path("saved.toml", b"format = 1\nmoves = []\n"), None);
