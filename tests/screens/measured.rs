@@ -73,7 +73,7 @@ fn every_result_is_one_key_away() {
     assert!(!game.screen().contains("Coefficient of restitution"));
     game.press("a");
     assert_shows(
-        &game,
+        &mut game,
         &[
             "all results",
             "Coefficient of restitution",

@@ -118,7 +118,7 @@ impl Screen for MeasuredScreen {
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
             .on('a', Everything, "all results")
             .when(is_summary)
-            .on('m', Settings, "masses, radii, scale")
+            .on('m', Settings, "settings")
             .on('e', Export, "report")
             .on(Key::Escape, Back, "conclusion")
             .when(!is_summary)

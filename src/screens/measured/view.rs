@@ -38,9 +38,13 @@ fn conclusion(screen: &MeasuredScreen, panel: &mut Panel<MeasuredAction>) {
     panel.paragraph(sentence.unwrap_or_default(), Role::Text);
     panel.gap();
     for (name, id) in MAIN {
-        if let Some((quantity, Ok(found))) = screen.measurement.quantity(id) {
-            panel.fact(name, printed(&found, quantity.unit));
-        }
+        panel.fact(
+            name,
+            match screen.measurement.quantity(id) {
+                Some((quantity, Ok(found))) => printed(&found, quantity.unit),
+                _ => "not defined".into(),
+            },
+        );
     }
 }
 
