@@ -71,7 +71,7 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
     };
     let mut foot = Panel::new("");
     foot.prompt(
-        "write a report, and the answers as tables",
+        "write a report, and tables for a spreadsheet",
         ClassAction::Round(RoundAction::Tables),
     );
     View {

@@ -48,6 +48,8 @@ pub(super) enum SetUpRow {
     Add,
     /// The name of the class.
     Class,
+    /// Whether carrom gives nicknames to pupils' devices.
+    Nicknames,
     Kind(RoundKind),
     /// Starts the round.
     Start,
@@ -55,8 +57,6 @@ pub(super) enum SetUpRow {
     Tally,
     /// Starts the round with everyone on their own device.
     Devices,
-    /// Whether carrom gives nicknames to their devices.
-    Nicknames,
     /// The list of earlier rounds.
     Earlier,
 }
@@ -163,13 +163,12 @@ impl SetUp {
         if self.teams.len() < MOST_TEAMS {
             rows.push(SetUpRow::Add);
         }
-        rows.push(SetUpRow::Class);
+        rows.extend([SetUpRow::Class, SetUpRow::Nicknames]);
         rows.extend(self.kinds().into_iter().map(SetUpRow::Kind));
         rows.extend([
             SetUpRow::Start,
             SetUpRow::Tally,
             SetUpRow::Devices,
-            SetUpRow::Nicknames,
             SetUpRow::Earlier,
         ]);
         rows

@@ -79,7 +79,7 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
         }
         SetUpRow::Nicknames => {
             let name = if set_up.nicknames { "on" } else { "off" };
-            let label = ("  nicknames given automatically", Role::Text);
+            let label = ("nicknames given automatically", Role::Text);
             panel.row(label, (name, Role::Dim), chosen, action);
         }
         SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices | SetUpRow::Earlier => {
