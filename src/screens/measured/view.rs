@@ -16,7 +16,7 @@ const MAIN: [(&str, &str); 6] = [
     ("v₂", "v2"),
     ("e", "restitution"),
     ("angle", "between"),
-    ("energy kept", "energy_kept"),
+    ("E kept", "energy_kept"),
 ];
 
 pub(super) fn view(screen: &MeasuredScreen) -> View<'_, MeasuredAction> {
