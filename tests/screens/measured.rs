@@ -51,6 +51,18 @@ fn assert_shows(game: &mut Headless, parts: &[&str]) {
     }
 }
 
+/// The pages of all results.
+fn all_results(game: &mut Headless) -> String {
+    game.press("a");
+    let mut text = String::new();
+    for _ in 0..4 {
+        text += &game.screen();
+        game.press("<PageDown>");
+    }
+    game.press("<Escape>");
+    text
+}
+
 #[test]
 fn the_first_screen_has_the_conclusion_and_the_main_numbers() {
     let folder = Folder::new("measured");
@@ -89,7 +101,7 @@ fn every_result_is_one_key_away() {
 fn masses_radii_and_scale_can_be_set_after_opening() {
     let folder = Folder::new("measured");
     let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
-    assert_shows(&mut game, &["The masses are assumed", "0.806"]);
+    assert_shows(&mut game, &["The masses are assumed", "0.8079"]);
     game.press("m");
     assert_shows(&mut game, &["mass m₁", "not set", "predict with e"]);
     game.press("30<Enter><Down>30<Enter><Down>25<Enter><Down>25<Enter>");
@@ -113,8 +125,9 @@ fn an_open_number_is_kept_and_one_mass_alone_is_not_used() {
     assert_shows(&mut game, &["30 g"]);
     game.press("<Escape>");
     assert_shows(&mut game, &["The masses are assumed"]);
-    game.press("m<Down>60<Enter><Escape>a");
-    assert_shows(&mut game, &["m₁ = 30 g, m₂ = 60 g"]);
+    game.press("m<Down>60<Enter><Escape>");
+    let text = all_results(&mut game);
+    assert!(text.contains("m₂ = 60 g"), "{text}");
 }
 
 #[test]
@@ -140,11 +153,10 @@ fn the_report_has_what_was_set() {
 #[test]
 fn plain_lines_name_symbols_as_everywhere_else() {
     let folder = Folder::new("measured");
-    let mut game = opened(&folder, 0, (120, 100), Charset::Unicode);
-    game.press("a");
-    let screen = game.screen();
+    let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
+    let text = all_results(&mut game);
     assert!(
-        screen.contains("v₁ along x: ") && !screen.contains("V₁"),
-        "{screen}"
+        text.contains("- v₁ along x: ") && !text.contains("V₁"),
+        "{text}"
     );
 }
