@@ -1,16 +1,22 @@
 //! Rebuilds the program when a level or a chapter is added, because `include_dir!` itself notices
-//! only changes to files that it already knows. Also embeds the page for browsers if `CARROM_PAGE`
-//! names one.
+//! only changes to files that it already knows. Also embeds the page for browsers: the one that
+//! `CARROM_PAGE` names, otherwise the one that the published package contains.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
+
+/// Where `.ci/crate` puts the page in the package; the repository has no such file.
+const PACKAGED: &str = "carrom.html";
 
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=levels");
     println!("cargo::rerun-if-changed=assets/lessons");
     println!("cargo::rerun-if-env-changed=CARROM_PAGE");
-    let page = env::var_os("CARROM_PAGE").map(PathBuf::from);
-    let text = match page {
+    let packaged = || Some(PathBuf::from(PACKAGED)).filter(|page| page.is_file());
+    let text = match env::var_os("CARROM_PAGE")
+        .map(PathBuf::from)
+        .or_else(packaged)
+    {
         Some(page) => {
             let page = fs::canonicalize(page)?;
             println!("cargo::rerun-if-changed={}", page.display());
