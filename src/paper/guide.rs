@@ -17,7 +17,7 @@ pub(crate) struct Guide {
 }
 
 /// All guides, in the order in which a teacher needs them.
-pub(crate) static GUIDES: [Guide; 15] = [
+pub(crate) static GUIDES: [Guide; 16] = [
     Guide {
         name: "start",
         about: "the first ten minutes",
@@ -32,6 +32,11 @@ pub(crate) static GUIDES: [Guide; 15] = [
         name: "privacy",
         about: "what is kept, who sees it, how to delete it",
         markdown: include_str!("../../docs/privacy.md"),
+    },
+    Guide {
+        name: "lesson-plans",
+        about: "three lessons of 45 minutes",
+        markdown: include_str!("../../docs/lesson-plans.md"),
     },
     Guide {
         name: "worksheets",

@@ -105,7 +105,7 @@ fn the_guides_link_to_one_another() {
     let folder = Folder::new("guides");
     let list = done(&folder, "guide");
     let pages = done(&folder, "guide --out guides");
-    assert_eq!(pages.lines().count(), 15);
+    assert_eq!(pages.lines().count(), 17);
     for line in list
         .lines()
         .filter_map(|line| line.strip_prefix("  carrom guide "))
