@@ -261,7 +261,7 @@ impl ClassPlay {
                 }
             }
             StoreReply::Exported(exported) => cx.notify(match exported {
-                Ok(place) => format!("Both tables are written: {place}"),
+                Ok(place) => format!("Tables and report are written: {place}"),
                 Err(reason) => format!("The tables cannot be written: {reason}."),
             }),
             _ => {}
