@@ -114,7 +114,7 @@ fn a_scorm_package_contains_a_manifest_and_the_page_with_its_round() {
         text
     };
     let manifest = text("imsmanifest.xml");
-    folder.file("index.html", &text("index.html"));
+    folder.file("index.html", text("index.html"));
     let own = own(&folder, "index.html");
     assert_eq!(own, [("scorm/round".to_owned(), "quick-7".to_owned())]);
     let manifest = roxmltree::Document::parse(&manifest).unwrap();

@@ -240,7 +240,11 @@ fn nicknames_are_chosen_in_the_set_up() {
     };
     assert!(row(&mut game).contains("off"), "{}", game.screen());
     game.press("<Enter>");
-    assert!(row(&mut game).ends_with("on│") || row(&mut game).contains(" on "), "{}", game.screen());
+    assert!(
+        row(&mut game).ends_with("on│") || row(&mut game).contains(" on "),
+        "{}",
+        game.screen()
+    );
 }
 
 /// The cell in the middle of this text on a screen.

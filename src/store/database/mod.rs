@@ -339,7 +339,7 @@ fn size(path: &Path) -> u64 {
 /// Whether a folder has room for the files that SQLite creates beside a database.
 fn has_room(folder: &Path) -> bool {
     // The index of the log alone takes up 32 KiB.
-    let tried = UnplacedFile::write(folder, &" ".repeat(1 << 16), false);
+    let tried = UnplacedFile::write(folder, " ".repeat(1 << 16), false);
     !tried.is_err_and(|error| error::is_full(&error))
 }
 
