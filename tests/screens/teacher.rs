@@ -95,7 +95,7 @@ fn a_gradebook_has_everyone_who_handed_in_something_here() {
         let hand_in = HandIn::new(name, "10b", vec![attempt]);
         folder.file(
             &format!("handed-in/{}", hand_in.file_name()),
-            &hand_in.text().unwrap(),
+            hand_in.text().unwrap(),
         );
     }
     game.press("<Enter>");

@@ -41,7 +41,8 @@ fn conclusion(screen: &MeasuredScreen, panel: &mut Panel<MeasuredAction>) {
         panel.fact(
             name,
             match screen.measurement.quantity(id) {
-                Some((quantity, Ok(found))) => printed(&found, quantity.unit),
+                // There is no room for the unit twice: "70.26 ± 0.12°".
+                Some((quantity, Ok(found))) => printed(&found, quantity.unit).replacen('°', "", 1),
                 _ => "not defined".into(),
             },
         );
