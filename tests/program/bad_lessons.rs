@@ -82,7 +82,7 @@ fn figures_are_drawn_without_a_terminal() {
         );
     }
     for (words, expected) in [
-        (["figure", "film"], "expected a figure (lab, split,"),
+        (["figure", "movie"], "expected a figure (lab, split,"),
         (["figure", "lab"], ""),
     ] {
         assert!(message(&BAD.carrom(&words)).starts_with(expected));

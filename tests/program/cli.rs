@@ -414,7 +414,7 @@ fn a_teachers_own_questions_are_checked() {
     // The built-in questions are valid too.
     let output = carrom(&["concept", "check"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-    assert_eq!(out(&output).lines().count(), 151);
+    assert_eq!(out(&output).lines().count(), 162);
 }
 
 #[test]

@@ -22,8 +22,9 @@ use crate::child::{self, Player};
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
-/// The keys from the page of a new game to a game for two people.
-const TWO_PEOPLE: &str = "<Down><Down><Down><Left><Left><Enter>";
+/// The keys from the page of a new game to a match for two people.
+const TWO_PEOPLE: &str =
+    "<Down><Down><Down><Left><Left><Down><Down><Down><Down><Right><Right><Enter>";
 /// The keys that open the game that was played last.
 const RESUME: &str = "s<Enter>";
 

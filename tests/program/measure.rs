@@ -58,7 +58,7 @@ fn sentences_are_as_strong_as_the_data() {
     let options = "--charset unicode --m1-g 30 --m2-g 30";
     let clean = done(&folder, &format!("measure {PUCKS} --charset unicode"));
     assert!(
-        clean.contains("Momentum agrees within 0.4 %: 0.6 σ."),
+        clean.contains("Momentum agrees within 0.4 %: 0.5 σ."),
         "{clean}"
     );
     let hopeless = done(

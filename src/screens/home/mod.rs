@@ -124,12 +124,7 @@ static ENTRIES: [(char, &str, &str, Route); 10] = [
     ('v', "Levels", "puzzles, solved by aiming", Route::Levels),
     ('f', "Foil", "beams: from board to atom", Route::Foil),
     ('p', "Progress", "how far you have come", Route::Progress),
-    (
-        'h',
-        "Teacher",
-        "worksheets, reports, guides",
-        Route::Teacher,
-    ),
+    ('h', "Teacher", "worksheets and reports", Route::Teacher),
     ('s', "Settings", "colours, motion, player", Route::Settings),
 ];
 
