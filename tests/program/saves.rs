@@ -394,16 +394,16 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
             with(player, "player = \"\""),
             "line 3: player: expected a name of 1 to 40 visible characters",
         ),
-        ("bad-move", with("strike", "stroke"), "line 12: moves: "),
+        ("bad-move", with("strike", "stroke"), "line 13: moves: "),
         (
             "no-number",
             with("velocity_m_s = [", "velocity_m_s = [nan, "),
-            "line 12: ",
+            "line 13: ",
         ),
         (
             "impossible",
             with("place_m = [", "place_m = [1.0, "),
-            "line 12: ",
+            "line 13: ",
         ),
         (
             "off-the-lines",
@@ -411,22 +411,22 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
                 "moves = [\n",
                 "moves = [\n  { strike = { place_m = [0.0, 0.0], velocity_m_s = [0.0, 1.0] } },\n",
             ),
-            "line 12: moves: move 1: ",
+            "line 13: moves: move 1: ",
         ),
         (
             "too-early",
             with("moves = [\n", "moves = [\n  \"next_board\",\n"),
-            "line 12: moves: move 1: ",
+            "line 13: moves: move 1: ",
         ),
         (
             "other-end",
             with(&end, "end = \"0123456789abcdef\""),
-            "line 16: end: expected the moves to lead to 0123456789abcdef, but they lead to ",
+            "line 17: end: expected the moves to lead to 0123456789abcdef, but they lead to ",
         ),
         (
             "no-end",
             with(&end, "end = \"soon\""),
-            "line 16: end: expected a fingerprint of 16 hexadecimal digits",
+            "line 17: end: expected a fingerprint of 16 hexadecimal digits",
         ),
     ]
 }
