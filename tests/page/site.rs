@@ -40,6 +40,7 @@ fn answer(mut stream: std::net::TcpStream, folder: &Path) {
         .nth(1)
         .unwrap_or("/")
         .trim_start_matches('/');
+    let path = path.split('?').next().unwrap_or(path);
     let path = if path.is_empty() { "index.html" } else { path };
     let kind = match path.rsplit('.').next() {
         Some("html") => "text/html; charset=utf-8",
