@@ -13,6 +13,7 @@ use crate::paper::Paper;
 use crate::paper::guide::{GUIDES, guide_page};
 use crate::paper::worksheet::{Worksheet, cards};
 use crate::quiz::{Code, Round};
+use crate::widgets::Role;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
 /// The largest number of characters in a code that is typed.
@@ -74,7 +75,7 @@ pub(crate) struct Teacher {
     /// The index in [`GUIDES`].
     guide: usize,
     /// What was written since the task was chosen, or why it was not.
-    written: Vec<String>,
+    written: Vec<(String, Role)>,
 }
 
 impl Teacher {
@@ -146,6 +147,14 @@ impl Teacher {
                 None
             }
         }
+    }
+
+    fn done(&mut self, place: &str) {
+        self.written.push((format!("Written: {place}"), Role::Good));
+    }
+
+    fn failed(&mut self, words: String) {
+        self.written.push((words, Role::Warn));
     }
 
     fn make(&mut self, cx: &mut Context) -> Next {
@@ -260,10 +269,9 @@ impl Screen for Teacher {
                 self.code.paste(text.trim());
                 self.refused = None;
             }
-            Input::Exported(Ok(place)) => self.written.push(format!("Written: {place}")),
+            Input::Exported(Ok(place)) => self.done(place),
             Input::Exported(Err(reason)) => {
-                self.written
-                    .push(format!("Nothing could be written: {reason}."));
+                self.failed(format!("Nothing could be written: {reason}."));
             }
             Input::Kept(answer) => match &answer.done {
                 StoreReply::Classes(Ok(rounds)) => {
@@ -271,13 +279,13 @@ impl Screen for Teacher {
                     self.rounds.retain(|it| it.content.is_ok());
                     self.round = 0;
                 }
-                StoreReply::Exported(Ok(places)) => self.written.push(format!("Written: {places}")),
+                StoreReply::Exported(Ok(places)) => self.done(places),
                 StoreReply::Gathered(Ok(book)) => {
-                    self.written.clone_from(&book.notes);
+                    book.notes.iter().for_each(|note| self.failed(note.clone()));
                     cx.export("gradebook.html".into(), book.html.clone());
                 }
                 StoreReply::Exported(Err(reason)) | StoreReply::Gathered(Err(reason)) => {
-                    self.written.push(reason.clone());
+                    self.failed(reason.clone());
                 }
                 _ => return Next::Ignored,
             },

@@ -6,9 +6,10 @@ use crate::numbers::{capital, counted};
 use crate::paper::guide::GUIDES;
 use crate::progress::long_day;
 use crate::screens::View;
-use crate::widgets::Role;
+use crate::screens::view::WIDEST;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
+use crate::widgets::{Role, Room, SplitLayout, areas};
 
 impl TeacherTask {
     const fn name(self) -> &'static str {
@@ -69,6 +70,15 @@ impl HandInFolder {
     }
 }
 
+/// The width of the list, in columns.
+const LIST: u16 = 36;
+
+/// The list, and a wider panel for what is written where.
+fn layout(room: Room) -> SplitLayout {
+    let area = areas::middle(room.area, WIDEST);
+    SplitLayout::with_panel(Room { area, ..room }, area.width.saturating_sub(LIST))
+}
+
 pub(super) fn view(teacher: &Teacher) -> View<'_, TeacherAction> {
     let mut list = Panel::new("for teachers");
     for (at, task) in TeacherTask::ALL.into_iter().enumerate() {
@@ -101,10 +111,10 @@ pub(super) fn view(teacher: &Teacher) -> View<'_, TeacherAction> {
     if !teacher.written.is_empty() {
         panel.gap();
     }
-    for words in &teacher.written {
-        panel.paragraph(words, Role::Good);
+    for (words, role) in &teacher.written {
+        panel.paragraph(words, *role);
     }
-    View::panels(list, panel)
+    View::panels(list, panel).laid_out(layout)
 }
 
 /// What the teacher sets for the chosen task.
@@ -127,7 +137,7 @@ fn write_choice(teacher: &Teacher, panel: &mut Panel<TeacherAction>) {
             panel.fact("for the class", sheets);
         }
         TeacherTask::Gradebook => {
-            panel.fact("the files", HandInFolder::ALL[teacher.folder].name());
+            panel.fact("files", HandInFolder::ALL[teacher.folder].name());
         }
         TeacherTask::Guide => {
             let guide = &GUIDES[teacher.guide];
