@@ -37,7 +37,7 @@ impl Angle {
 /// An error in a table of counts.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{line}: {what}")]
-pub struct Fault {
+pub struct CountsFault {
     /// The line number, from 1; one more than the last if something is missing.
     pub line: usize,
     /// The error.
@@ -48,7 +48,7 @@ pub struct Fault {
 ///
 /// # Errors
 /// Only if the built-in table is damaged.
-pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
+pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
     read(TABLE)
 }
 
@@ -58,14 +58,14 @@ pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
 ///
 /// # Errors
 /// The first line with an error.
-pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
+pub fn read(table: &str) -> Result<Vec<Angle>, CountsFault> {
     let mut lines = table
         .lines()
         .enumerate()
         .map(|(i, line)| (i + 1, line.trim()))
         .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let end = table.lines().count() + 1;
-    let fault = |line, what| Err(Fault { line, what });
+    let fault = |line, what| Err(CountsFault { line, what });
     match lines.next() {
         Some((_, HEADER)) => {}
         Some((line, other)) => {
@@ -83,7 +83,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
             let value = text.trim().parse().ok();
             value.filter(|value| spec.allows(*value)).ok_or_else(|| {
                 let what = format!("{name}: expected {spec}, found {}", quoted(text.trim()));
-                Fault { line, what }
+                CountsFault { line, what }
             })
         };
         let next = Angle {

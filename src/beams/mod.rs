@@ -17,5 +17,5 @@ pub use counts::{BIN_WIDTH, BINS, CountedFor, Counts};
 pub(crate) use foil::Metal;
 pub use foil::{Foil, METALS};
 pub use law::{BeamTarget, ScatteringLaw};
-pub use measured::{Angle, Fault, Series, geiger_marsden, read};
+pub use measured::{Angle, CountsFault, Series, geiger_marsden, read};
 pub use sampler::Sampler;

@@ -47,7 +47,7 @@ impl Args {
 
 /// What `--json` prints.
 #[derive(Debug, Serialize)]
-struct BoardReport {
+struct PrintedBoard {
     code: BoardCode,
     title: String,
     coins_mm: Vec<[f64; 2]>,
@@ -74,7 +74,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let mut game = Game::new(code.setup());
     let at_mm = |at: glam::DVec2| at.to_array().map(mm_from_m);
     let strikes = clearing(code);
-    let mut report = BoardReport {
+    let mut report = PrintedBoard {
         code,
         title: code.title(),
         coins_mm: game.coins().iter().map(|coin| at_mm(coin.at)).collect(),

@@ -143,9 +143,9 @@ fn reports(
 }
 
 /// A player's bookmarks and stars.
-type Kept = (BTreeMap<String, Bookmark>, Vec<Starred>);
+type MarksAndStars = (BTreeMap<String, Bookmark>, Vec<Starred>);
 
-fn kept(player: &str, store: &mut Store) -> anyhow::Result<Kept> {
+fn kept(player: &str, store: &mut Store) -> anyhow::Result<MarksAndStars> {
     let stars = match ask(store, StoreRequest::Stars(player.to_owned())) {
         StoreReply::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
         _ => return Err(anyhow!("the stars could not be read")),
@@ -168,7 +168,7 @@ fn games(player: &str, store: &mut Store) -> anyhow::Result<Value> {
 }
 
 /// What the player should do next, and why.
-fn next(history: &History, (marks, stars): &Kept, options: &GlobalOptions) -> String {
+fn next(history: &History, (marks, stars): &MarksAndStars, options: &GlobalOptions) -> String {
     let (mut shelf, mut book) = (options.shelf(), options.book());
     book.recall(marks.clone());
     for starred in stars {

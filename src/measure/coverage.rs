@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::film::normal;
-use super::fit::{Fit, ONE_SIGMA};
+use super::fit::{ONE_SIGMA, TracksFit};
 use super::quantities::{Known, QUANTITIES, measured};
 use super::simulated::Film;
 use super::{Given, SlowingDown, Unit};
@@ -83,7 +83,7 @@ fn coverage(
         };
         // The radii are measured with a calliper.
         let measured_radii = given.radii.map(|_| radii + 1e-4 * normal(&mut random));
-        let Ok(fit) = Fit::new(&tracks, measured_radii, slowing) else {
+        let Ok(fit) = TracksFit::new(&tracks, measured_radii, slowing) else {
             refused += 1;
             continue;
         };

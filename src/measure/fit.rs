@@ -94,7 +94,7 @@ pub struct Apart {
 
 /// The fit to both tracks.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fit {
+pub struct TracksFit {
     pub(crate) state: State,
     pub(crate) model: Model,
     /// The standard deviation of the noise in x and y of each body, in metres.
@@ -118,7 +118,7 @@ pub struct Fit {
     is_pooled: bool,
 }
 
-impl Fit {
+impl TracksFit {
     /// Fits two tracks with the sum of the radii, if it is known.
     ///
     /// # Errors
@@ -525,7 +525,7 @@ fn extent(points: [&[Point]; 2]) -> f64 {
 
 /// How far neighbouring residuals are alike (von Neumann's ratio, as a normal variable). Bent paths,
 /// a third body, a cushion and smoothed tracking make them alike.
-fn alike(fit: &Fit, points: [&[Point]; 2]) -> f64 {
+fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
     let (mut products, mut count) = (0.0, 0.0);
     for (body, points) in points.into_iter().enumerate() {
         for side in LEGS {

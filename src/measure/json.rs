@@ -7,7 +7,7 @@ use super::fit::LEVEL;
 use super::{LineFrom, Measurement, QUANTITIES, Unit};
 
 #[derive(Serialize)]
-struct Quantity {
+struct PrintedQuantity {
     value: f64,
     /// Half the width of the 68 % interval.
     uncertainty: f64,
@@ -24,7 +24,7 @@ impl Measurement {
             let value = match self.estimate(quantity) {
                 Ok(it) => {
                     let reach = it.uncertainty95();
-                    json!(Quantity {
+                    json!(PrintedQuantity {
                         value: unit.in_unit(it.value),
                         uncertainty: unit.in_unit(it.uncertainty()),
                         interval_95: [it.value - reach, it.value + reach].map(|x| unit.in_unit(x)),

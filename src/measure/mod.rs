@@ -24,7 +24,7 @@ mod simulated;
 use crate::files::FileError;
 
 pub(crate) use film::Camera;
-pub use fit::{Apart, Estimate, Fit, LEVEL, SlowingTest};
+pub use fit::{Apart, Estimate, LEVEL, SlowingTest, TracksFit};
 pub(crate) use model::{Model, State};
 pub use quantities::LineFrom;
 pub(crate) use quantities::{Known, QUANTITIES, Quantity, Unit, line};
@@ -32,7 +32,7 @@ pub use read::{LARGEST, Reading, read};
 pub(crate) use student::t_beyond;
 pub use track::{Leg, Point, Track};
 pub(crate) use words::printed;
-pub use words::{Row, Section};
+pub use words::{ReportRow, ReportSection};
 
 /// Whether legs may slow down.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::EnumString, strum::VariantNames)]
@@ -113,7 +113,7 @@ pub struct Measurement {
     pub tracks: [Track; 2],
     /// What is known besides the tracks.
     pub given: Given,
-    pub(crate) fit: Fit,
+    pub(crate) fit: TracksFit,
     pub(crate) known: Known,
 }
 
@@ -127,7 +127,7 @@ impl Measurement {
             point.at *= given.scale;
         }
         let radii = given.radii.map(|radii| radii.iter().sum());
-        let fit = Fit::new(&tracks, radii, given.slowing)?;
+        let fit = TracksFit::new(&tracks, radii, given.slowing)?;
         let known = Known::new(&given, &fit);
         Ok(Self {
             tracks,

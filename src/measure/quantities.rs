@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::Given;
-use super::fit::{Estimate, Fit};
+use super::fit::{Estimate, TracksFit};
 use super::model::State;
 use super::track::Leg::{self, After, Before};
 use crate::numbers::fixed;
@@ -88,7 +88,7 @@ pub(crate) struct Known {
 }
 
 impl Known {
-    pub(super) fn new(given: &Given, fit: &Fit) -> Self {
+    pub(super) fn new(given: &Given, fit: &TracksFit) -> Self {
         let centres = fit.apart.is_some_and(|apart| apart.agrees);
         Self {
             masses: given.masses.unwrap_or([1.0, 1.0]),
@@ -491,7 +491,7 @@ fn missed(state: &State, known: &Known, body: usize) -> Option<DVec2> {
 /// A quantity of a measurement: its estimate, or why there is none.
 pub(super) fn measured(
     quantity: &Quantity,
-    fit: &Fit,
+    fit: &TracksFit,
     known: &Known,
     names: [&str; 2],
 ) -> Result<Estimate, String> {
@@ -508,7 +508,7 @@ pub(super) fn measured(
 }
 
 /// Why something is not there; `None` if it is.
-fn missing(need: Need, fit: &Fit, known: &Known, names: [&str; 2]) -> Option<String> {
+fn missing(need: Need, fit: &TracksFit, known: &Known, names: [&str; 2]) -> Option<String> {
     let (clear, reason) = match need {
         Need::Moves(body, leg) => {
             let speed = fit.estimate(|state| Some(state.velocity(body, leg).length()));

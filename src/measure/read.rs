@@ -78,7 +78,7 @@ pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], Fi
 
 /// What a column holds.
 #[derive(Debug, Clone, PartialEq)]
-enum Role {
+enum ColumnRole {
     Time,
     /// A coordinate (0 for x, 1 for y) of a body.
     Coordinate(String, usize),
@@ -107,13 +107,13 @@ impl Column {
 }
 
 /// The columns of a file.
-struct Table {
+struct TrackTable {
     time: Column,
     bodies: Vec<(String, [Column; 2])>,
 }
 
 /// The lines before the first row of numbers, the separator, and where the rows begin.
-struct Opening<'a> {
+struct TableHead<'a> {
     names: Vec<&'a str>,
     heads: Vec<&'a str>,
     width: usize,
@@ -134,7 +134,7 @@ fn is_comment(line: &str) -> bool {
     line.starts_with(['#', '%']) || line.starts_with("//")
 }
 
-fn opening<'a>(source: &Source<'a>) -> Result<Opening<'a>, FileError> {
+fn opening<'a>(source: &Source<'a>) -> Result<TableHead<'a>, FileError> {
     let mut before: Vec<&str> = Vec::new();
     let mut first = None;
     for (skipped, (number, line)) in source.lines().take(MOST_HEADS).enumerate() {
@@ -147,7 +147,7 @@ fn opening<'a>(source: &Source<'a>) -> Result<Opening<'a>, FileError> {
             continue;
         };
         let fields = |line: &'a str| fields(line, separator);
-        return Ok(Opening {
+        return Ok(TableHead {
             heads: before.last().map_or(Vec::new(), |line| fields(line)),
             names: match before.as_slice() {
                 [.., names, _] => fields(names),
@@ -247,12 +247,12 @@ fn time_unit(unit: &str) -> Option<f64> {
 }
 
 /// What a head says that its column holds; `name` is that of the body in the line above.
-fn role(plain: &str, name: &str) -> Option<Role> {
+fn role(plain: &str, name: &str) -> Option<ColumnRole> {
     if matches!(
         plain,
         "t" | "time" | "zeit" | "temps" | "tiempo" | "tempo" | "tid"
     ) {
-        return Some(Role::Time);
+        return Some(ColumnRole::Time);
     }
     let of = |letter: char| {
         let numbered = |rest: &&str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
@@ -268,10 +268,10 @@ fn role(plain: &str, name: &str) -> Option<Role> {
         (true, false) => format!("body {}", key.to_uppercase()),
         (false, false) => format!("{name} {key}"),
     };
-    Some(Role::Coordinate(body, axis))
+    Some(ColumnRole::Coordinate(body, axis))
 }
 
-fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, FileError> {
+fn table(file: &str, opening: &TableHead, reading: &Reading) -> Result<TrackTable, FileError> {
     let refuse = |message: String| FileError::on_line(file, opening.line, message);
     let roles = match reading.columns.as_slice() {
         [] => found(opening),
@@ -289,7 +289,7 @@ fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, File
         };
         let place = column(1.0).place();
         match role {
-            Role::Time => {
+            ColumnRole::Time => {
                 let factor = match unit.as_deref() {
                     None => Some(1.0),
                     Some(unit) => time_unit(unit),
@@ -302,7 +302,7 @@ fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, File
                 };
                 time.get_or_insert(column(factor.ok_or_else(expected)?));
             }
-            Role::Coordinate(body, axis) => {
+            ColumnRole::Coordinate(body, axis) => {
                 let scale = reading.scale.map(|scale| scale[axis]);
                 let factor = match (unit.as_deref(), scale) {
                     (None, scale) => scale.unwrap_or(1.0),
@@ -369,14 +369,14 @@ fn table(file: &str, opening: &Opening, reading: &Reading) -> Result<Table, File
             "expected columns x and y (or choose them with --columns), found {found}"
         )));
     }
-    Ok(Table {
+    Ok(TrackTable {
         time,
         bodies: whole,
     })
 }
 
 /// The columns by their heads; five or three columns without heads are in the usual order.
-fn found(opening: &Opening) -> Vec<(usize, Role)> {
+fn found(opening: &TableHead) -> Vec<(usize, ColumnRole)> {
     if opening.heads.is_empty() {
         return match opening.width {
             3 | 5 => in_order(&(0..opening.width).collect::<Vec<_>>()),
@@ -395,22 +395,22 @@ fn found(opening: &Opening) -> Vec<(usize, Role)> {
     roles.collect()
 }
 
-fn in_order(columns: &[usize]) -> Vec<(usize, Role)> {
+fn in_order(columns: &[usize]) -> Vec<(usize, ColumnRole)> {
     let roles = columns
         .iter()
         .enumerate()
         .map(|(place, &index)| match place.checked_sub(1) {
-            None => (index, Role::Time),
+            None => (index, ColumnRole::Time),
             Some(place) => {
                 let body = format!("body {}", place / 2 + 1);
-                (index, Role::Coordinate(body, place % 2))
+                (index, ColumnRole::Coordinate(body, place % 2))
             }
         });
     roles.collect()
 }
 
 /// The columns as chosen by the user.
-fn chosen(opening: &Opening, chosen: &[String]) -> Result<Vec<(usize, Role)>, String> {
+fn chosen(opening: &TableHead, chosen: &[String]) -> Result<Vec<(usize, ColumnRole)>, String> {
     if !matches!(chosen.len(), 3 | 5) {
         return Err(format!(
             "expected five columns after --columns (t,x1,y1,x2,y2), or three for a file with one \
@@ -440,7 +440,7 @@ fn chosen(opening: &Opening, chosen: &[String]) -> Result<Vec<(usize, Role)>, St
     Ok(in_order(&columns))
 }
 
-fn rows(source: Source, opening: &Opening, table: &Table) -> Result<Vec<Track>, FileErrors> {
+fn rows(source: Source, opening: &TableHead, table: &TrackTable) -> Result<Vec<Track>, FileErrors> {
     let named = table.bodies.iter().map(|(name, _)| Track {
         name: name.clone(),
         points: Vec::new(),
@@ -479,7 +479,7 @@ fn rows(source: Source, opening: &Opening, table: &Table) -> Result<Vec<Track>, 
 
 /// Reads a row: each body that has a point there.
 fn row<'a>(
-    table: &Table,
+    table: &TrackTable,
     field: impl Fn(&Column) -> Option<&'a str>,
     last: &mut f64,
     mut add: impl FnMut(usize, f64, glam::DVec2),

@@ -18,7 +18,7 @@ const ALIKE: f64 = 4.0;
 
 /// A name and what was found.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Row {
+pub struct ReportRow {
     /// The name.
     pub name: String,
     /// The numbers with their units, or why there are none.
@@ -27,15 +27,15 @@ pub struct Row {
 
 /// Rows under a title.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Section {
+pub struct ReportSection {
     /// The title.
     pub title: &'static str,
     /// The rows.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ReportRow>,
 }
 
-fn row(name: impl Into<String>, text: impl Into<String>) -> Row {
-    Row {
+fn row(name: impl Into<String>, text: impl Into<String>) -> ReportRow {
+    ReportRow {
         name: name.into(),
         text: text.into(),
     }
@@ -143,7 +143,7 @@ impl Measurement {
     }
 
     /// All results, in the order of a lab report.
-    pub fn sections(&self) -> Vec<Section> {
+    pub fn sections(&self) -> Vec<ReportSection> {
         let names = self.names();
         let fit = &self.fit;
         let noise = |body: usize| {
@@ -196,7 +196,7 @@ impl Measurement {
                 velocities.push(row(format!("deceleration {name}"), self.text_of(id)));
             }
         }
-        let named = |ids: &[&str]| -> Vec<Row> {
+        let named = |ids: &[&str]| -> Vec<ReportRow> {
             let rows = ids.iter().filter_map(|id| {
                 let (quantity, _) = self.quantity(id)?;
                 Some(row(quantity.name, self.text_of(id)))
@@ -251,23 +251,23 @@ impl Measurement {
             row(name, text)
         });
         vec![
-            Section {
+            ReportSection {
                 title: "Tracks",
                 rows: data,
             },
-            Section {
+            ReportSection {
                 title: "Velocities at contact",
                 rows: velocities,
             },
-            Section {
+            ReportSection {
                 title: "Collision",
                 rows: geometry,
             },
-            Section {
+            ReportSection {
                 title: "Momentum and energy",
                 rows: kept,
             },
-            Section {
+            ReportSection {
                 title: "Prediction from the state before",
                 rows: predicted.to_vec(),
             },
@@ -590,7 +590,7 @@ impl Measurement {
         let mut text = String::new();
         for section in self.sections() {
             text += &format!("{}\n", section.title);
-            for Row { name, text: found } in section.rows {
+            for ReportRow { name, text: found } in section.rows {
                 text += &format!("  {name:30}{found}\n");
             }
             text.push('\n');

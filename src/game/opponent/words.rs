@@ -42,14 +42,14 @@ pub(super) const fn pocket(corner: usize) -> &'static str {
 
 /// A side of a path, as seen on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Side {
+enum SideOfPath {
     Left,
     Right,
     Above,
     Below,
 }
 
-impl Side {
+impl SideOfPath {
     /// The left or right side of a path along `heading`, as seen on the screen.
     fn of(heading: DVec2, left: bool) -> Self {
         let out = if left {
@@ -191,9 +191,9 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
             "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its \
              centre.",
             degrees(hit.alpha),
-            Side::of(hit.heading, !right).towards(),
+            SideOfPath::of(hit.heading, !right).towards(),
             mm_from_m(hit.offset.abs()),
-            Side::of(hit.heading, right).beside(),
+            SideOfPath::of(hit.heading, right).beside(),
         )
     };
     let striker = match hit.theta1.filter(|_| hit.kept > NEARLY_STOPPED) {
@@ -201,7 +201,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         Some(turn) if turn.abs() < FULL => format!("{goes} straight on"),
         Some(turn) if turn.abs() > PI - FULL => format!("{goes} straight back"),
         Some(turn) => {
-            let side = Side::of(hit.heading, turn > 0.0);
+            let side = SideOfPath::of(hit.heading, turn > 0.0);
             format!("{leaves} {} {}", degrees(turn), side.towards())
         }
     };
@@ -230,7 +230,7 @@ pub(super) fn slipped(whose: &str, slip: Slip, heading: DVec2) -> String {
     let turned = slip.turn.atan();
     let percent = (100.0 * slip.push).round();
     let direction = (turned.abs() >= SMALLEST_SLIP).then(|| {
-        let side = Side::of(heading, turned > 0.0);
+        let side = SideOfPath::of(heading, turned > 0.0);
         format!("{} off {}", degrees(turned), side.towards())
     });
     let strength = (percent != 0.0).then(|| {
@@ -401,13 +401,13 @@ mod tests {
     fn sides_are_those_of_the_screen_for_every_seat() {
         // The strokes go up the board from South, down it from North and across it from East.
         for (heading, left, right) in [
-            (DVec2::Y, Side::Left, Side::Right),
-            (DVec2::NEG_Y, Side::Right, Side::Left),
-            (DVec2::NEG_X, Side::Below, Side::Above),
+            (DVec2::Y, SideOfPath::Left, SideOfPath::Right),
+            (DVec2::NEG_Y, SideOfPath::Right, SideOfPath::Left),
+            (DVec2::NEG_X, SideOfPath::Below, SideOfPath::Above),
         ] {
             let turned = DVec2::from_angle(0.3).rotate(heading);
-            assert_eq!(Side::of(turned, true), left);
-            assert_eq!(Side::of(turned, false), right);
+            assert_eq!(SideOfPath::of(turned, true), left);
+            assert_eq!(SideOfPath::of(turned, false), right);
         }
         for (corner, at) in Board::default().pockets().enumerate() {
             let row = if at.y > 0.0 { "top" } else { "bottom" };

@@ -73,11 +73,11 @@ fn one(number: usize, question: &Question) -> Markup {
         Form::Number { .. } => "numerical",
         Form::Choice { .. } => "multichoice",
     };
-    let asked = Shown::new(
+    let asked = SentPicture::new(
         pictures::on_screen(question),
         &pictures::question_name(number),
     );
-    let solved = Shown::new(
+    let solved = SentPicture::new(
         pictures::of_answer(question),
         &pictures::answer_name(number),
     );
@@ -125,12 +125,12 @@ fn inner(html: Markup) -> Markup {
 }
 
 /// A picture in a text, and in the file of questions.
-struct Shown {
+struct SentPicture {
     svg: Svg,
     name: String,
 }
 
-impl Shown {
+impl SentPicture {
     fn new(svg: Option<Svg>, name: &str) -> Option<Self> {
         let name = format!("{name}.svg");
         svg.map(|svg| Self { svg, name })

@@ -5,7 +5,7 @@ use super::prelude::*;
 use crate::physics::Bond;
 
 #[derive(Clone, Copy, PartialEq)]
-enum Rims {
+enum RimKind {
     /// The rims are smooth, and no energy is lost.
     Lossless,
     /// The rims are smooth and do not rebound: e = 0.
@@ -14,7 +14,7 @@ enum Rims {
     Stick,
 }
 
-impl Rims {
+impl RimKind {
     fn restitution(self) -> f64 {
         if self == Self::Lossless { 1.0 } else { 0.0 }
     }
@@ -79,7 +79,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 /// Asks how the two discs move after the collision, with choices, for equal masses.
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
-    /// The choices, the first three in the order of [`Rims`].
+    /// The choices, the first three in the order of [`RimKind`].
     const WAYS: [&str; 4] = [
         "They move apart at exactly 90°",
         "They move apart at less than 90°",
@@ -87,18 +87,18 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
         "They stay together, at rest",
     ];
     let rims = *dice.pick(&[
-        Rims::Slip,
-        Rims::Slip,
-        Rims::Stick,
-        Rims::Stick,
-        Rims::Lossless,
+        RimKind::Slip,
+        RimKind::Slip,
+        RimKind::Stick,
+        RimKind::Stick,
+        RimKind::Lossless,
     ])?;
     let hit = &hit.with_restitution(rims.restitution());
     let outcome = rims.collision(hit).outcome();
     let across = significant(hit.speed * hit.alpha().abs().sin());
     // The feedback for "less than 90°" and for "stay together", and the explanation.
     let (narrow, together, why) = match rims {
-        Rims::Lossless => (
+        RimKind::Lossless => (
             "You assumed that some energy is lost. With e = 1 none is lost.",
             "You assumed that they stay together. But smooth rims cannot hold each other.",
             format!(
@@ -107,7 +107,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
                  the paths is 90°."
             ),
         ),
-        Rims::Slip => (
+        RimKind::Slip => (
             "",
             "You assumed that they stay together. But smooth rims do not grip: perpendicular to \
              the line of impact there is no force.",
@@ -117,7 +117,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
                 degrees(outcome.separation?)
             ),
         ),
-        Rims::Stick => (
+        RimKind::Stick => (
             "You assumed that the rims slip past each other. Smooth rims do that at e = 0; these \
              are held together.",
             "",
@@ -132,7 +132,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
         .options(WAYS, rims as usize)
         .chooses(Lossless, 0)
         .says("You assumed that no energy is lost. But these discs do not rebound.")
-        .chooses((rims == Rims::Stick).then_some(GripIgnored), 1)
+        .chooses((rims == RimKind::Stick).then_some(GripIgnored), 1)
         .says(narrow)
         .chooses(GripStopsAll, 2)
         .says(together)
@@ -163,20 +163,20 @@ fn shared(along: &Intermediate) -> String {
 fn parting(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (along, across) = parts(hit);
-    let separation = |rims: Rims| rims.collision(hit).outcome().separation.map(deg_from_rad);
+    let separation = |rims: RimKind| rims.collision(hit).outcome().separation.map(deg_from_rad);
     let between = |along: f64, across: f64| degrees(across.atan2(along));
     let along = share(hit) * along;
     let shown = Intermediate::new(along, |along| between(along, across));
     let across = Intermediate::new(across, |across| between(shown.value, across));
-    Rims::Slip
+    RimKind::Slip
         .ask(hit, "separation", "What is the angle between their paths?")
-        .number(Measure::Angle, separation(Rims::Slip)?)
+        .number(Measure::Angle, separation(RimKind::Slip)?)
         .wrong(GripStopsAll, 0.0)
         .says(
             "You assumed that they move on together. Smooth rims do not grip: the striker \
                slides off.",
         )
-        .wrong(Lossless, separation(Rims::Lossless))
+        .wrong(Lossless, separation(RimKind::Lossless))
         .says(
             "That is the angle if no energy is lost. With e = 0 the discs do not rebound along \
              the line of impact.",
@@ -194,21 +194,21 @@ fn parting(hit: &Hit) -> Option<Question> {
 /// Asks for the striker's final speed.
 fn striker_speed(hit: &Hit) -> Option<Question> {
     let (along, across) = parts(hit);
-    let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
+    let speed = |rims: RimKind| rims.collision(hit).outcome().v1.length();
     let both = |along: f64, across: f64| significant(along.hypot(across));
     let along = share(hit) * along;
     let along = Intermediate::new(along, |along| both(along, across));
     let kept = Intermediate::new(across, |across| both(along.value, across));
-    Rims::Slip
+    RimKind::Slip
         .ask(
             hit,
             "striker-speed",
             "What is the striker's speed after the collision?",
         )
-        .number(Measure::Speed, speed(Rims::Slip))
-        .wrong(GripStopsAll, speed(Rims::Stick))
+        .number(Measure::Speed, speed(RimKind::Slip))
+        .wrong(GripStopsAll, speed(RimKind::Stick))
         .says("You assumed that they move on together. But smooth rims do not grip.")
-        .wrong(Lossless, speed(Rims::Lossless))
+        .wrong(Lossless, speed(RimKind::Lossless))
         .says(
             "That is the speed if no energy is lost. With e = 0 both have the same velocity along \
              the line of impact.",
@@ -232,8 +232,8 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
 fn pair_speed(hit: &Hit) -> Option<Question> {
     let (u, share) = (hit.speed, share(hit));
     let shown = Intermediate::new(share, |share| significant(share * u));
-    let outcome = Rims::Stick.collision(hit).outcome();
-    Rims::Stick
+    let outcome = RimKind::Stick.collision(hit).outcome();
+    RimKind::Stick
         .ask(
             hit,
             "pair-speed",
@@ -266,11 +266,11 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
 fn loss(hit: &Hit) -> Option<Question> {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     let (share, at_stake) = (share(hit), cos.powi(2));
-    let outcome = Rims::Slip.collision(hit).outcome();
+    let outcome = RimKind::Slip.collision(hit).outcome();
     let percent = |of: f64, share: f64| Measure::Share.print(100.0 * of * share);
     let shown = Intermediate::new(at_stake, |of| percent(of, 1.0 - share));
     let lost = Intermediate::new(1.0 - share, |lost| percent(shown.value, lost));
-    Rims::Slip
+    RimKind::Slip
         .ask(
             hit,
             "energy-lost",

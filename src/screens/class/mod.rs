@@ -40,7 +40,7 @@ use earlier::EarlierRounds;
 use ending::EndAction;
 use hosting::HostingAction;
 use play::ClassPlay;
-use preview::Preview;
+use preview::RoundPreview;
 use set_up::{SetUp, SetUpAction, SetUpEnd, SetUpRow};
 use tally::CountAction;
 use unfinished::{Unfinished, UnfinishedEnd};
@@ -107,7 +107,7 @@ pub(crate) struct Class {
 #[derive(Debug, Clone)]
 enum ClassScene {
     SetUp(Box<SetUp>),
-    Preview(Box<Preview>),
+    Preview(Box<RoundPreview>),
     Earlier(Box<EarlierRounds>),
     Unfinished(Box<Unfinished>),
     Play(Box<ClassPlay>),
@@ -169,7 +169,7 @@ impl Class {
                 if let ClassScene::SetUp(set_up) = &self.scene {
                     let set_up = *set_up.clone();
                     let round = *round;
-                    self.scene = ClassScene::Preview(Box::new(Preview { set_up, round }));
+                    self.scene = ClassScene::Preview(Box::new(RoundPreview { set_up, round }));
                 }
             }
             Outcome::Done(SetUpEnd::Earlier) => {

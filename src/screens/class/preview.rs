@@ -10,13 +10,13 @@ use crate::widgets::{Role, SplitLayout};
 
 /// The list of a round's questions, without their answers.
 #[derive(Debug, Clone)]
-pub(super) struct Preview {
+pub(super) struct RoundPreview {
     /// The page to go back to.
     pub(super) set_up: SetUp,
     pub(super) round: Round,
 }
 
-impl Preview {
+impl RoundPreview {
     pub(super) fn view(&self) -> View<'_, ClassAction> {
         let mut panel = Panel::new(format!("the questions of {}", self.round.code()));
         for (number, question) in (1..).zip(self.round.questions()) {

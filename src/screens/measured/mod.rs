@@ -40,7 +40,7 @@ pub(crate) enum MeasuredAction {
 
 /// What the panel shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Shown {
+enum MeasuredPage {
     /// The conclusion and the main numbers.
     Summary,
     /// Every result.
@@ -53,7 +53,7 @@ enum Shown {
 #[derive(Debug, Clone)]
 pub(crate) struct MeasuredScreen {
     measurement: Arc<Measurement>,
-    shown: Shown,
+    shown: MeasuredPage,
     form: SettingsForm,
     settings: MeasuredSettings,
     /// Why the tracks cannot be measured with the current settings; the results are those before.
@@ -65,7 +65,7 @@ impl MeasuredScreen {
         Self {
             settings: MeasuredSettings::new(&measurement.given),
             measurement,
-            shown: Shown::Summary,
+            shown: MeasuredPage::Summary,
             form: SettingsForm::default(),
             fault: None,
         }
@@ -106,14 +106,14 @@ impl Screen for MeasuredScreen {
     fn keys(&self, _cx: &Context) -> KeyTable<MeasuredAction> {
         use MeasuredAction::{Back, Everything, Export, Leave, Scroll, Set, Settings};
         let table = KeyTable::new("measured");
-        if self.shown == Shown::Settings {
+        if self.shown == MeasuredPage::Settings {
             let typing = self.form.is_typing();
             return table
                 .with(self.form.keys(&self.settings), Set)
                 .or((!typing).then_some((Key::Enter, Back)))
                 .on(Key::Escape, Back, "done");
         }
-        let is_summary = self.shown == Shown::Summary;
+        let is_summary = self.shown == MeasuredPage::Summary;
         table
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
             .on('a', Everything, "all results")
@@ -129,8 +129,8 @@ impl Screen for MeasuredScreen {
     fn act(&mut self, action: MeasuredAction, cx: &mut Context) -> Next {
         match action {
             MeasuredAction::Scroll(rows) => return Next::Shared(SharedAction::Scroll(rows)),
-            MeasuredAction::Everything => self.shown = Shown::Everything,
-            MeasuredAction::Settings => self.shown = Shown::Settings,
+            MeasuredAction::Everything => self.shown = MeasuredPage::Everything,
+            MeasuredAction::Settings => self.shown = MeasuredPage::Settings,
             MeasuredAction::Set(action) => self.edit(|form, settings| form.act(action, settings)),
             MeasuredAction::Export => {
                 let bodies = self.measurement.names().map(str::to_owned);
@@ -138,7 +138,7 @@ impl Screen for MeasuredScreen {
             }
             MeasuredAction::Back => {
                 self.edit(|form, settings| form.commit(settings));
-                self.shown = Shown::Summary;
+                self.shown = MeasuredPage::Summary;
             }
             MeasuredAction::Leave => return Next::Back,
         }

@@ -1,7 +1,7 @@
 //! The view of a measured collision: the conclusion and the main numbers, every result, or the
 //! settings.
 
-use super::{MeasuredAction, MeasuredScreen, Shown};
+use super::{MeasuredAction, MeasuredPage, MeasuredScreen};
 use crate::measure::printed;
 use crate::screens::View;
 use crate::widgets::input::SettingsForm;
@@ -21,9 +21,9 @@ const MAIN: [(&str, &str); 6] = [
 
 pub(super) fn view(screen: &MeasuredScreen) -> View<'_, MeasuredAction> {
     let panel = match screen.shown {
-        Shown::Summary => summary(screen),
-        Shown::Everything => everything(screen),
-        Shown::Settings => settings(screen),
+        MeasuredPage::Summary => summary(screen),
+        MeasuredPage::Everything => everything(screen),
+        MeasuredPage::Settings => settings(screen),
     };
     let picture = |area| {
         sheet::next_picture_shows(|| vec![measured_words(&screen.measurement)]);

@@ -82,12 +82,12 @@ struct SetPages {
     /// The size of the smallest letters.
     size: LetterSize,
     /// The layout of the first page, and that of all other pages.
-    layouts: [PageLayout; 2],
+    layouts: [VotePageLayout; 2],
 }
 
 /// The area of the picture, which may be empty, and the area of the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct PageLayout {
+struct VotePageLayout {
     picture: Rect,
     words: Rect,
 }
@@ -126,7 +126,7 @@ impl<'p> PlacedPages<'p> {
                     _ => None,
                 });
             let texts: Vec<_> = texts.collect();
-            let setting = Setting {
+            let setting = PageSetting {
                 beside,
                 more: many,
                 room,
@@ -322,7 +322,7 @@ impl LargeText {
 
 /// The room for paragraphs.
 #[derive(Clone, Copy)]
-struct Setting<'l> {
+struct PageSetting<'l> {
     beside: Beside,
     /// Whether there are also other pages.
     more: bool,
@@ -335,7 +335,10 @@ struct Setting<'l> {
 /// just large enough if necessary: with the picture if possible, otherwise with the question or
 /// only its last sentence. What is left out follows on further pages. Other text is set on one page
 /// with its picture. `None` if that is not possible.
-fn on_one_page<'p>(texts: &[PagedParagraph<'p>], setting: Setting) -> Option<Vec<PagedText<'p>>> {
+fn on_one_page<'p>(
+    texts: &[PagedParagraph<'p>],
+    setting: PageSetting,
+) -> Option<Vec<PagedText<'p>>> {
     let with_picture = { SMALLER.into_iter() }.find_map(|smaller| {
         let tenths = setting.beside.tenths();
         let tenths = tenths.start().saturating_sub(smaller)..=*tenths.end();
@@ -352,11 +355,11 @@ fn on_one_page<'p>(texts: &[PagedParagraph<'p>], setting: Setting) -> Option<Vec
         ..*it
     });
     let short: Vec<_> = sentence.iter().chain(choices).copied().collect();
-    let setting = Setting {
+    let setting = PageSetting {
         more: true,
         ..setting
     };
-    let alone = Setting {
+    let alone = PageSetting {
         beside: Beside::Nothing,
         ..setting
     };
@@ -380,8 +383,8 @@ impl SetPages {
     /// Sets paragraphs in letters of one size on as few pages as possible, preferring larger
     /// letters and then a larger picture. Characters without a large form are spelt out; `None` if
     /// that is not possible, or if there would be more than `most` pages.
-    fn new(paragraphs: &[PagedParagraph], setting: Setting, most: usize) -> Option<Self> {
-        let Setting {
+    fn new(paragraphs: &[PagedParagraph], setting: PageSetting, most: usize) -> Option<Self> {
+        let PageSetting {
             beside,
             more,
             room,
@@ -389,15 +392,15 @@ impl SetPages {
             look,
         } = setting;
         let last = bar_below(paragraphs);
-        let alone = PageLayout::new(room, Beside::Nothing, 0);
+        let alone = VotePageLayout::new(room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }
-            .map(|tenths| PageLayout::new(room, beside, tenths))
+            .map(|tenths| VotePageLayout::new(room, beside, tenths))
             .flat_map(|with| [[with, with], [with, alone]])
             .collect();
         let has_bars = paragraphs.iter().any(|it| it.text.share.is_some());
-        let placed = |texts: &[_], size, layouts: [PageLayout; 2]| {
+        let placed = |texts: &[_], size, layouts: [VotePageLayout; 2]| {
             let set = |foot: u16| {
-                let rows = |it: PageLayout| it.words.height.saturating_sub(last + foot);
+                let rows = |it: VotePageLayout| it.words.height.saturating_sub(last + foot);
                 let rooms = layouts.map(|it| (it.words.width, rows(it)));
                 BigPages::set(texts, rooms, most)
             };
@@ -440,10 +443,11 @@ impl SetPages {
     fn on_one_page(
         paragraphs: &[PagedParagraph],
         tenths: RangeInclusive<u16>,
-        setting: Setting,
+        setting: PageSetting,
     ) -> Option<Self> {
-        let Setting { room, look, .. } = setting;
-        let layouts = { tenths.rev() }.map(|tenths| PageLayout::new(room, setting.beside, tenths));
+        let PageSetting { room, look, .. } = setting;
+        let layouts =
+            { tenths.rev() }.map(|tenths| VotePageLayout::new(room, setting.beside, tenths));
         let layouts: Vec<_> = layouts.collect();
         let foot = bar_below(paragraphs) + u16::from(setting.more);
         let sizes = LetterSize::for_one_page(look.charset, setting.screen_rows);
@@ -480,12 +484,12 @@ impl SetPages {
         self.pages.count()
     }
 
-    fn layout(&self, page: usize) -> PageLayout {
+    fn layout(&self, page: usize) -> VotePageLayout {
         self.layouts[page.min(1)]
     }
 }
 
-impl PageLayout {
+impl VotePageLayout {
     /// A picture whose height is this many tenths of the largest possible height, with the text
     /// beside the picture, or below it in an upright area.
     fn new(room: Room, beside: Beside, tenths: u16) -> Self {

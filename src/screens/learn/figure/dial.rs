@@ -6,7 +6,7 @@ use crate::numbers::tidy;
 use crate::physics::Collision;
 
 /// A value between two ends, set in steps.
-pub(super) struct Dial {
+pub(super) struct FigureDial {
     /// The name in the line of keys.
     pub(super) name: &'static str,
     value: f64,
@@ -14,7 +14,7 @@ pub(super) struct Dial {
     step: f64,
 }
 
-impl Dial {
+impl FigureDial {
     /// The dial of a kind of figure, if it has one.
     pub(super) fn of(kind: FigureKind, collision: &Collision) -> Option<Self> {
         let (name, value, ends, step) = match kind {

@@ -35,7 +35,7 @@ use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput, curves, svg};
 
 use contact::ContactForce;
-use dial::Dial;
+use dial::FigureDial;
 use film::FilmFigure;
 use worked::WorkedFigure;
 
@@ -242,8 +242,8 @@ impl LiveFigure {
     }
 
     /// What the student sets in this figure, if it is not α.
-    fn dial(&self) -> Option<Dial> {
-        Dial::of(self.figure.kind, &self.collision).filter(|_| !self.hidden)
+    fn dial(&self) -> Option<FigureDial> {
+        FigureDial::of(self.figure.kind, &self.collision).filter(|_| !self.hidden)
     }
 
     fn set_dial(&mut self, value: f64) {
@@ -310,7 +310,7 @@ impl LiveFigure {
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
         use FigureAction::{Alpha, AlphaEnd, DialEnd, Foil};
         let keys = KeyTable::new("figure");
-        let dial = |dial: Dial| {
+        let dial = |dial: FigureDial| {
             (keys.clone())
                 .by(
                     [Key::Left, Key::Right],

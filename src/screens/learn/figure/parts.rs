@@ -15,13 +15,13 @@ use crate::widgets::{Lines, Look, Role, areas};
 const BARS: [(f64, f64); 2] = [(0.8, 4.4), (5.6, 9.2)];
 
 /// The parts in millijoules.
-pub(super) struct Parts {
+pub(super) struct EnergyParts {
     pub(super) of_centre: f64,
     /// Before and after the collision.
     pub(super) relative: [f64; 2],
 }
 
-impl Parts {
+impl EnergyParts {
     pub(super) fn new(collision: &Collision) -> Self {
         let total = collision.striker.mass + collision.target.mass;
         let of_centre = kinetic_energy(total, collision.centre_of_mass_velocity());
@@ -61,7 +61,7 @@ pub(super) fn lay_out(
     buf: &mut Buffer,
     look: &Look,
 ) -> Picture {
-    let parts = Parts::new(collision);
+    let parts = EnergyParts::new(collision);
     let [area, below] = areas::upper(area, area.height.saturating_sub(3));
     let all = (parts.of_centre + parts.relative[0]).max(1e-9);
     let view = View::stretch(area, dvec2(0.0, -0.12 * all), dvec2(10.0, 1.05 * all));
@@ -122,7 +122,7 @@ mod tests {
                 target_deg: 180.0,
                 ..CollisionSpec::default()
             };
-            let parts = Parts::new(&shot.collision().with_alpha(0.0));
+            let parts = EnergyParts::new(&shot.collision().with_alpha(0.0));
             let [before, after] = parts.relative;
             assert!((after - restitution * restitution * before).abs() < 1e-9);
         }

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::contact::ContactForce;
-use super::parts::Parts;
+use super::parts::EnergyParts;
 use super::{film, momenta};
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
 use crate::numbers::{degrees, millimetres, significant, with_unit};
@@ -188,15 +188,16 @@ fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> 
 /// The two parts of the energy, and what is left of the second at several values of e.
 fn parts_in_words(collision: &Collision, revealed: bool) -> Vec<String> {
     let all = significant(1e3 * collision.outcome().energy_before);
-    let energies =
-        |parts: &Parts| [parts.of_centre, parts.relative[0], parts.relative[1]].map(significant);
+    let energies = |parts: &EnergyParts| {
+        [parts.of_centre, parts.relative[0], parts.relative[1]].map(significant)
+    };
     let mut lines = vec![format!(
         "Figure: the kinetic energy of two discs before the collision, {all} mJ, as a bar in two parts: \
          that of the motion of the centre of mass, and that of the relative motion."
     )];
     if revealed {
         lines.extend([1.0, 0.75, 0.5, 0.25, 0.0].map(|restitution| {
-            let [kept, before, after] = energies(&Parts::new(&Collision {
+            let [kept, before, after] = energies(&EnergyParts::new(&Collision {
                 restitution,
                 ..*collision
             }));
