@@ -489,6 +489,17 @@ impl<'a> Fields<'a> {
         self.parse(name, value)
     }
 
+    /// A table, read by serde, which would also read the fields of a struct from a list.
+    pub(crate) fn table_parsed<T: DeserializeOwned>(
+        &self,
+        name: &str,
+        expected: &str,
+    ) -> Option<T> {
+        let table = |value: Value<'a>| value.get_ref().as_table().map(|_| value);
+        let value = self.value(name, expected, table)?;
+        self.parse(name, value)
+    }
+
     /// The items of a list, read by serde.
     pub(crate) fn all_parsed<T: DeserializeOwned>(
         &self,

@@ -92,24 +92,14 @@ impl Gradebook {
                 .map_err(|error| error.message)
                 .and_then(|bytes| HandIn::read(&bytes));
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            book.add_of_class(&name, read, class);
+            let is_of_class = |it: &HandIn| {
+                class.is_none_or(|wanted| it.class.to_lowercase() == wanted.to_lowercase())
+            };
+            if read.as_ref().is_ok_and(is_of_class) || read.is_err() {
+                book.add(&name, read);
+            }
         }
         Ok(book)
-    }
-
-    /// Adds the contents of a file, unless it is of another class than the given one.
-    pub(crate) fn add_of_class(
-        &mut self,
-        file: &str,
-        read: Result<HandIn, String>,
-        class: Option<&str>,
-    ) {
-        let is_of_class = |it: &HandIn| {
-            class.is_none_or(|wanted| it.class.to_lowercase() == wanted.to_lowercase())
-        };
-        if read.as_ref().is_ok_and(is_of_class) || read.is_err() {
-            self.add(file, read);
-        }
     }
 
     /// Adds the contents of a file, or the reason why it could not be read. A pupil or an answer

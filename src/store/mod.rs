@@ -317,7 +317,7 @@ impl Store {
 
     /// Makes a gradebook from the hand-ins in a folder.
     fn gather(&self, from: HandInFolder) -> Result<Box<GatheredBook>, String> {
-        let (book, place) = match common_folder(from) {
+        let (book, place) = match common_folder(from)? {
             Some(folder) => {
                 let place = folder.display().to_string();
                 let book = Gradebook::of_folder(&folder, None);
@@ -473,23 +473,30 @@ impl Store {
     }
 }
 
-/// A folder outside the store; `None` for the store's own hand-ins, or if there is no home folder.
-#[cfg(not(target_family = "wasm"))]
-fn common_folder(folder: HandInFolder) -> Option<PathBuf> {
-    let within_home = |name: &str| Some(etcetera::home_dir().ok()?.join(name));
-    match folder {
-        HandInFolder::Devices => None,
-        HandInFolder::Here => Some(PathBuf::from(".")),
-        HandInFolder::Downloads => within_home("Downloads"),
-        HandInFolder::Documents => within_home("Documents"),
-        HandInFolder::Desktop => within_home("Desktop"),
+/// A folder outside the store; `None` for the store's own hand-ins.
+///
+/// # Errors
+/// If there is no such folder here.
+fn common_folder(folder: HandInFolder) -> Result<Option<PathBuf>, String> {
+    let name = match folder {
+        HandInFolder::Devices => return Ok(None),
+        HandInFolder::Here => return Ok(Some(PathBuf::from("."))),
+        HandInFolder::Downloads => "Downloads",
+        HandInFolder::Documents => "Documents",
+        HandInFolder::Desktop => "Desktop",
+    };
+    match home() {
+        Some(home) => Ok(Some(home.join(name))),
+        None => Err(format!("No folder {name} is known here.")),
     }
 }
 
-/// A browser has no folders.
-#[cfg(target_family = "wasm")]
-fn common_folder(_: HandInFolder) -> Option<PathBuf> {
-    None
+/// The home folder; a browser has none.
+fn home() -> Option<PathBuf> {
+    #[cfg(target_family = "wasm")]
+    return None;
+    #[cfg(not(target_family = "wasm"))]
+    etcetera::home_dir().ok()
 }
 
 /// The reply of a store to a request, or the reason why there is no store.

@@ -223,6 +223,7 @@ fn games_without_names_still_open_and_odd_names_are_refused() {
         ("{ south = \"A\\u001b[31m\" }", Some("visible letters")),
         ("{ south = \"A\\u202eda\" }", Some("visible letters")),
         ("{ east = \"Ada\" }", Some("names")),
+        ("[\"Ada\", \"Bo\"]", Some("names")),
         (
             &format!("{{ south = \"{long}\" }}"),
             Some("12 visible letters"),

@@ -12,8 +12,17 @@ const platform = (() => {
     const s = Math.floor(ms / 1000);
     return `${pad(Math.floor(s / 3600)).padStart(4, "0")}:${pad(Math.floor(s / 60) % 60)}:${pad(s % 60)}`;
   };
-  const get = (name) => String(api.LMSGetValue(`cmi.${name}`));
-  const set = (name, value) => api.LMSSetValue(`cmi.${name}`, String(value));
+  // A platform that fails must not stop the round.
+  const ask = (name, ...values) => {
+    try {
+      return String(api[name](...values));
+    } catch (error) {
+      console.error(error);
+      return "";
+    }
+  };
+  const get = (name) => ask("LMSGetValue", `cmi.${name}`);
+  const set = (name, value) => ask("LMSSetValue", `cmi.${name}`, String(value));
 
   function find() {
     const around = (first) => {
@@ -61,7 +70,7 @@ const platform = (() => {
   }
 
   function connect() {
-    api.LMSInitialize("");
+    ask("LMSInitialize", "");
     begun = since = Date.now();
     // A platform that does not state the mode or the status leaves them empty.
     if (/^(review|browse)$/.test(get("core.lesson_mode"))) return void (isRefused = true);
@@ -100,15 +109,15 @@ const platform = (() => {
     set("core.exit", round.done ? "" : "suspend");
     set("suspend_data", said);
     set("core.session_time", span(Date.now() - begun));
-    if (String(api.LMSCommit("")) === "true") {
-      reported = said;
-      answered = count(said);
-    }
+    // What the platform does not keep now, it gets again with the next answer and at the end.
+    ask("LMSCommit", "");
+    reported = said;
+    answered = round.answers.length;
   }
 
   function finish() {
     set("core.session_time", span(Date.now() - begun));
-    api.LMSFinish("");
+    ask("LMSFinish", "");
   }
 
   // What the pupil should know about the platform; empty if everything is in order.

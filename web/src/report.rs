@@ -5,6 +5,7 @@ use std::sync::Arc;
 use carrom::progress::Attempt;
 use carrom::quiz::concepts::Library;
 use carrom::quiz::{Answer, Code, Form, Grade, Question, Response, Round, letter};
+use carrom::screens::Route;
 use serde::Serialize;
 
 /// The longest text that SCORM allows as an answer, in characters.
@@ -42,10 +43,12 @@ pub(crate) fn of_round(code: &str, said: &str, own: &Arc<Library>) -> Option<Rou
     let code = Code::parse(code)?.with_own(own).ok()?;
     let round = Round::of(code.clone());
     let questions = round.questions();
-    let said = said.replace('+', " ");
-    let said = said.split(';').filter(|answer| !answer.is_empty());
-    let answers: Option<Vec<Answer>> = said.map(Answer::parse).collect();
-    let answers = answers?;
+    let route = Route::Quiz {
+        code: Some(code.clone()),
+    };
+    let Ok(Route::OpenRound { answers, .. }) = route.with_answers(&said.replace('+', " ")) else {
+        return None;
+    };
     let pairs: Vec<(&Question, &Answer)> = questions.iter().zip(&answers).collect();
     let fit = |(question, answer): &(&Question, &Answer)| question.form.accepts(&answer.said);
     if questions.is_empty() || answers.len() > questions.len() || !pairs.iter().all(fit) {

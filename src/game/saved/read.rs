@@ -69,7 +69,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         all.map(|strength| [strength; 4])
     };
     let names = fields.or("names", SeatNames::default(), |name| {
-        let names: SeatNames = fields.parsed(name, "the names of South and North")?;
+        let names: SeatNames = fields.table_parsed(name, "the names of South and North")?;
         match names.tidied() == names {
             true => Some(names),
             false => fields.refuse(name, "expected names of at most 12 visible letters"),
