@@ -5,7 +5,7 @@ const platform = (() => {
   const ROUND = "scorm/round";
   // Windows around this one are searched for the platform's functions, which SCORM calls its API.
   const MOST_WINDOWS = 30;
-  let api = null, place = "", code = "", reported = "", answered = 0, begun = 0, since = 0, isRefused = false;
+  let api = null, place = "", code = "", reported = "", answered = 0, begun = 0, since = 0, isForReview = false, isDone = false;
 
   const pad = (number) => String(number).padStart(2, "0");
   const span = (ms) => {
@@ -73,18 +73,19 @@ const platform = (() => {
     ask("LMSInitialize", "");
     begun = since = Date.now();
     // A platform that does not state the mode or the status leaves them empty.
-    if (/^(review|browse)$/.test(get("core.lesson_mode"))) return void (isRefused = true);
-    if (!/^(completed|passed|failed)$/.test(get("core.lesson_status"))) set("core.lesson_status", "incomplete");
+    if (/^(review|browse)$/.test(get("core.lesson_mode"))) return void (isForReview = true);
+    isDone = /^(completed|passed|failed)$/.test(get("core.lesson_status"));
+    if (!isDone) set("core.lesson_status", "incomplete");
     addEventListener("pagehide", finish, { once: true });
     addEventListener("pageshow", ({ persisted }) => persisted && connect(), { once: true });
   }
 
   const count = (said) => said.split(";").filter(Boolean).length;
 
-  // Reports the answers given since the last report. A round that is opened again changes nothing
-  // until it contains more answers than before.
+  // Reports the answers given since the last report. A round that is played again changes nothing
+  // once all its questions have been answered, and before that until it contains more answers.
   function show(address) {
-    if (!api || isRefused) return;
+    if (!api || isForReview || isDone) return;
     const [where, said = ""] = address.split("&said=");
     if (where !== place || said === reported || count(said) < answered) return;
     const { round } = program.call({ do: "round", code, said });
@@ -105,8 +106,9 @@ const platform = (() => {
     set("core.score.min", 0);
     set("core.score.max", 100);
     set("core.score.raw", round.score);
-    if (round.done) set("core.lesson_status", "completed");
-    set("core.exit", round.done ? "" : "suspend");
+    isDone = round.done;
+    if (isDone) set("core.lesson_status", "completed");
+    set("core.exit", isDone ? "" : "suspend");
     set("suspend_data", said);
     set("core.session_time", span(Date.now() - begun));
     // What the platform does not keep now, it gets again with the next answer and at the end.
@@ -122,7 +124,7 @@ const platform = (() => {
 
   // What the pupil should know about the platform; empty if everything is in order.
   const warning = () => {
-    if (!place || (api && !isRefused)) return "";
+    if (!place || (api && !isForReview)) return "";
     return api
       ? "Your learning platform shows this round for review only: answers are not reported."
       : "carrom found no learning platform around this page, so answers are not reported.";
