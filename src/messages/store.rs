@@ -168,14 +168,17 @@ pub enum HandInFolder {
 }
 
 impl HandInFolder {
-    /// All folders.
-    pub const ALL: [Self; 5] = [
-        Self::Devices,
-        Self::Here,
-        Self::Downloads,
-        Self::Documents,
-        Self::Desktop,
-    ];
+    /// The folders that there are here; a browser has only what it keeps itself.
+    pub const ALL: &[Self] = match cfg!(target_family = "wasm") {
+        true => &[Self::Devices],
+        false => &[
+            Self::Devices,
+            Self::Here,
+            Self::Downloads,
+            Self::Documents,
+            Self::Desktop,
+        ],
+    };
 }
 
 /// A gradebook for the teacher.

@@ -122,7 +122,8 @@ impl Teacher {
     fn can_change(&self) -> bool {
         use TeacherTask::{Cards, Gradebook, Guide, Report};
         match self.task() {
-            Cards | Gradebook | Guide => true,
+            Cards | Guide => true,
+            Gradebook => HandInFolder::ALL.len() > 1,
             Report => self.rounds.len() > 1,
             _ => false,
         }
