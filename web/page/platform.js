@@ -109,7 +109,9 @@ const platform = (() => {
     isDone = round.done;
     if (isDone) set("core.lesson_status", "completed");
     set("core.exit", isDone ? "" : "suspend");
-    set("suspend_data", said);
+    // The last semicolon stands for the explanation of the last answer; a finished round opens with
+    // its result.
+    set("suspend_data", isDone ? said.replace(/;$/, "") : said);
     set("core.session_time", span(Date.now() - begun));
     // What the platform does not keep now, it gets again with the next answer and at the end.
     ask("LMSCommit", "");

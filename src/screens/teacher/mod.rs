@@ -224,7 +224,13 @@ impl Screen for Teacher {
             TeacherTask::Class => "open",
             _ => "write it",
         };
-        let keys = KeyTable::new("teacher").with(ListView::keys(made), List);
+        // In a text field, these keys move the cursor to its ends.
+        let ends = match self.needs_code() {
+            true => [Key::Home, Key::End].as_slice(),
+            false => &[],
+        };
+        let list = ListView::keys(made).without_keys(ends);
+        let keys = KeyTable::new("teacher").with(list, List);
         let keys = match self.can_change() {
             true => keys.by([Key::Left, Key::Right], Change, [-1, 1], "change"),
             false => keys,
@@ -234,12 +240,8 @@ impl Screen for Teacher {
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
         let of_code = |c: char| c.is_ascii_alphanumeric() || c == '-';
-        let is_of_field = match key {
-            Key::Char(c) => of_code(c),
-            Key::Left | Key::Right | Key::Backspace | Key::Delete => true,
-            _ => false,
-        };
-        let used = self.needs_code() && is_of_field && self.code.update(key);
+        let is_of_code = !matches!(key, Key::Char(c) if !of_code(c));
+        let used = self.needs_code() && is_of_code && self.code.update(key);
         if used {
             self.refused = None;
             self.written.clear();
