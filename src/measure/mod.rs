@@ -31,7 +31,6 @@ pub(crate) use quantities::{Known, QUANTITIES, Quantity, Unit, line};
 pub use read::{LARGEST, Reading, read};
 pub(crate) use student::t_beyond;
 pub use track::{Leg, Point, Track};
-pub(crate) use words::printed;
 pub use words::{ReportRow, ReportSection};
 
 /// Whether legs may slow down.

@@ -64,7 +64,7 @@ fn bare(estimate: &Estimate, unit: Unit) -> [String; 2] {
 }
 
 /// A value with its uncertainty: "87° ± 3°", "1.02 ± 0.03 m/s".
-pub(crate) fn printed(estimate: &Estimate, unit: Unit) -> String {
+fn printed(estimate: &Estimate, unit: Unit) -> String {
     let [value, uncertainty] = bare(estimate, unit);
     match unit {
         Unit::Angle => format!("{value}° ± {uncertainty}°"),
@@ -117,6 +117,14 @@ fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) 
 }
 
 impl Measurement {
+    /// The quantity with this id and its uncertainty, as text.
+    pub(crate) fn printed(&self, id: &str) -> String {
+        match self.quantity(id) {
+            Some((quantity, Ok(estimate))) => printed(&estimate, quantity.unit),
+            _ => "not defined".into(),
+        }
+    }
+
     /// A quantity by its name, as text.
     fn text_of(&self, id: &str) -> String {
         match self.quantity(id) {

@@ -2,7 +2,6 @@
 //! settings.
 
 use super::{MeasuredAction, MeasuredPage, MeasuredScreen};
-use crate::measure::printed;
 use crate::screens::View;
 use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
@@ -38,14 +37,8 @@ fn conclusion(screen: &MeasuredScreen, panel: &mut Panel<MeasuredAction>) {
     panel.paragraph(sentence.unwrap_or_default(), Role::Text);
     panel.gap();
     for (name, id) in MAIN {
-        panel.fact(
-            name,
-            match screen.measurement.quantity(id) {
-                // There is no room for the unit twice: "70.26 ± 0.12°".
-                Some((quantity, Ok(found))) => printed(&found, quantity.unit).replacen('°', "", 1),
-                _ => "not defined".into(),
-            },
-        );
+        // There is no room for the unit twice: "70.26 ± 0.12°".
+        panel.fact(name, screen.measurement.printed(id).replacen('°', "", 1));
     }
 }
 

@@ -9,7 +9,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::lessons::{FilmSetting, Filming};
-use crate::measure::{Camera, Given, Measurement, Model, SlowingDown, State, printed};
+use crate::measure::{Camera, Given, Measurement, Model, SlowingDown, State};
 use crate::numbers::short;
 use crate::physics::Collision;
 use crate::physics::units::{m_from_mm, rad_from_deg};
@@ -107,13 +107,10 @@ impl FilmFigure {
             Ok(measurement) => measurement,
             Err(reason) => return vec![reason.clone()],
         };
-        let text = |id: &str| match measurement.quantity(id) {
-            Some((quantity, Ok(estimate))) => printed(&estimate, quantity.unit),
-            _ => "not defined".into(),
-        };
         let sentences = measurement.sentences();
         let mut lines: Vec<_> = sentences.into_iter().take(1).collect();
-        lines.push(format!("e = {}, u₁ = {}", text("restitution"), text("u1")));
+        let [e, u1] = ["restitution", "u1"].map(|id| measurement.printed(id));
+        lines.push(format!("e = {e}, u₁ = {u1}"));
         lines
     }
 
