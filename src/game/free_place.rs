@@ -1,7 +1,8 @@
-//! The position at which a coin is put back.
+//! Where a coin is put back.
 //!
-//! This is the free position nearest to the required point, found exactly: the point itself, the
-//! nearest point of a circle that blocks it, or an intersection of two such circles.
+//! The coin goes to the free position nearest to the required point, which is found exactly: it is
+//! the point itself, the nearest point of a circle that blocks it, or an intersection of two such
+//! circles.
 
 use glam::DVec2;
 
@@ -69,8 +70,8 @@ fn nearest(set: PieceSet, coins: &[Coin], wanted: DVec2, hole: f64, rim: f64) ->
     })
 }
 
-/// The point of a circle nearest to `to`; straight up from the centre if all points are equally
-/// near.
+/// The point of a circle nearest to `to`; if all points are equally near, the point straight up
+/// from the centre.
 fn closest_on(circle: &Circle, to: DVec2) -> DVec2 {
     let way = (to - circle.centre).try_normalize().unwrap_or(DVec2::Y);
     circle.centre + way * circle.radius

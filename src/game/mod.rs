@@ -1,7 +1,7 @@
 //! Carrom itself: pieces, the pack, placing the striker, the laws and the score.
 //!
 //! A pure module: no screen and no clock. A [`Stroke`] is data, [`Game::apply`] returns
-//! [`Ruling`]s, and a game is a plain value: to undo a stroke, keep a copy from before it. Two
+//! [`Ruling`]s, and a game is a plain value: to undo a stroke, keep a copy of the game. Two
 //! parts use the engine: a [`Record`], to replay its moves, and the opponent, to simulate shots.
 //!
 //! | file | contents |

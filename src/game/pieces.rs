@@ -27,7 +27,7 @@ pub(crate) const BASE_CIRCLE_RADIUS: f64 = 0.0159;
 pub(crate) const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
 /// Radius of the outer circle, 8.5 cm: it encloses the pack (14), and coins are put back inside it.
 pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
-/// The gap between coins in the opening pack, 0.1 mm. An impact of discs that touch exactly has no
+/// The gap between coins in the opening pack, 0.1 mm: an impact of discs that touch exactly has no
 /// unique result.
 pub(crate) const GAP: f64 = 0.0001;
 
@@ -57,7 +57,7 @@ impl fmt::Display for Piece {
     }
 }
 
-/// The colour a team plays in a board; it also names the players, as in "White wins".
+/// The colour that a team plays on a board; it also names the players, as in "White wins".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Display)]
 pub enum Colour {
     /// The side that breaks has the white coins (16).

@@ -132,7 +132,7 @@ impl<'a> BaseLines<'a> {
     /// Whether the striker may be placed at `at`.
     ///
     /// # Errors
-    /// The first reason why not.
+    /// The first rule that the position breaks.
     pub(crate) fn check(&self, at: DVec2) -> Result<(), Misplaced> {
         let here = self.seat.turn_back(at);
         let middle = self.middle();
@@ -154,8 +154,8 @@ impl<'a> BaseLines<'a> {
         clear_of_coins(self.set, self.coins, at)
     }
 
-    /// The legal position nearest to `at`, halfway between the base lines; distances are measured
-    /// along them.
+    /// The legal position nearest to `at`, halfway between the base lines. Distances are measured
+    /// along the lines.
     ///
     /// `None` if coins block the whole length, which requires at least seven coins on the base
     /// lines.
@@ -211,7 +211,7 @@ impl<'a> BaseLines<'a> {
 /// Whether the striker may be placed at `at` if it need not be on the base lines.
 ///
 /// # Errors
-/// The first reason why not.
+/// The first rule that the position breaks.
 pub(crate) fn check_anywhere(set: PieceSet, coins: &[Coin], at: DVec2) -> Result<(), Misplaced> {
     let board = Board::default();
     let room = board.side / 2.0 - set.striker_radius();

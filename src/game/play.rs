@@ -159,8 +159,7 @@ impl BoardInPlay {
         }
     }
 
-    /// Carries a verdict out: puts back what comes back, passes the turn or ends
-    /// the board.
+    /// Carries out a verdict: puts back what comes back, and passes the turn or ends the board.
     pub(super) fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
         let team = terms.hands.team(self.seat);
         let colour = terms.colour(team);
@@ -264,8 +263,8 @@ impl BoardInPlay {
         colour.is_some()
     }
 
-    /// The seat from which a coin of `team` is put back as far away as possible: that of the player
-    /// who struck, or for the other team the seat opposite or to the right.
+    /// The seat from which a returned coin of `team` is placed as far away as possible: the seat of
+    /// the player who struck or, for the other team, the seat that plays next.
     fn owner_seat(&self, terms: &Terms, team: Team) -> Seat {
         if terms.hands.team(self.seat) == team {
             self.seat

@@ -8,15 +8,15 @@ use super::{
 };
 use crate::game::score::Score;
 
-/// The results of one player against the computer. Games without a single person, or without the
-/// computer on the other side, are left out, and so is practice.
+/// The results of one player against the computer. Only games count in which this player is the
+/// only person and the computer plays on the other side; practice does not count.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(crate) struct Results {
-    /// One row for each set of rules, each strength of the computer and each hand of the player,
-    /// the latest first.
+    /// One row for each combination of rules, strength of the computer and hand of the player, the
+    /// latest first.
     #[serde(rename = "results")]
     pub(crate) rows: Vec<ResultsRow>,
-    /// The most coins that the player pocketed in one turn.
+    /// The most pieces that the player pocketed in one turn.
     pub(crate) longest_turn: usize,
     /// The best result on each cleared board for one player, the latest code first.
     pub(crate) boards: Vec<ClearedBoard>,
@@ -136,8 +136,8 @@ fn against_computer(saved: &SavedGame) -> Option<(Seat, Strength)> {
     (!setup.rules.is_alone()).then_some((seat, strength))
 }
 
-/// The most coins that count for the player at this seat, and the queen, pocketed in one turn of a
-/// game.
+/// The most pieces pocketed by the player at this seat in one turn of a game. The player's own
+/// coins and the queen count or, in points carrom, all pieces.
 fn longest_turn(saved: &SavedGame, seat: Seat) -> usize {
     let (mut longest, mut turn) = (0, 0);
     // A saved game was replayed when it was read, so it has no error.

@@ -21,7 +21,7 @@ pub enum Length {
     Board,
     /// One game of the tournament; with other rules, each board is a game.
     Game,
-    /// A match of the tournament; with other rules, one board after another, without an end.
+    /// A match of the tournament; with other rules, one board after another without end.
     #[default]
     Match,
 }

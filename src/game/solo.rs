@@ -1,5 +1,6 @@
-//! Boards for one player: six coins to clear in the fewest strokes. Each board follows from a code,
-//! on every machine. The code of a day is its date, so everyone plays the same board on that day.
+//! Boards for one player: six coins to clear in the fewest strokes. A code determines each board,
+//! which is the same on every machine. The code of a day is its date, so everyone plays the same
+//! board on that day.
 
 use std::fmt;
 
@@ -17,8 +18,8 @@ use crate::physics::Board;
 const COINS: usize = 6;
 /// How far from the centre a coin may lie to the right or left, in mm.
 const SIDE_MM: i32 = 300;
-/// How far below and above the centre a coin may lie, in mm: beyond the player's own base lines, and
-/// within reach of the opposite cushion.
+/// How far below and above the centre a coin may lie, in mm: beyond the player's own base lines,
+/// and within reach of the opposite cushion.
 const HEIGHT_MM: (i32, i32) = (-190, 300);
 /// The smallest number that is the code of a day; the codes below are those of other boards.
 const FIRST_DAY: u32 = 20_000_101;
@@ -46,7 +47,8 @@ impl BoardCode {
         Self::from_number((year * 100 + month) * 100 + day)
     }
 
-    /// The code with this number; that of a day has the digits of its date, as in 20261126.
+    /// The code with this number; the number of a day consists of the digits of its date, as in
+    /// 20261126.
     ///
     /// # Errors
     /// If there is no such code.
@@ -90,7 +92,7 @@ impl BoardCode {
         }
     }
 
-    /// A result to pass on: "carrom, board of 26 November 2026, 5 strokes, par 4".
+    /// A result to share: "carrom, board of 26 November 2026, 5 strokes, par 4".
     pub fn result(self, strokes: usize, par: Option<usize>) -> String {
         let strokes = crate::numbers::counted(strokes, "stroke");
         let par = par.map_or(String::new(), |par| format!(", par {par}"));
@@ -112,7 +114,7 @@ impl BoardCode {
         }
     }
 
-    /// The coins of the board, where they lie at its beginning.
+    /// The coins of the board in their initial positions.
     pub fn coins(self) -> Vec<Coin> {
         let apart = 2.0 * PieceSet::default().coin_radius() + GAP;
         let board = Board::default();

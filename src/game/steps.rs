@@ -19,8 +19,8 @@ pub(crate) const STEPS_PER_DEGREE: f64 = 10.0;
 /// Steps of speed per m/s.
 pub(crate) const STEPS_PER_SPEED: f64 = 10.0;
 
-/// The stroke with direction and speed rounded to the nearest steps, as seen from `seat`, with a
-/// speed of at least one step. `None` for a stroke without motion.
+/// The stroke with its direction and speed, as seen from `seat`, rounded to the nearest steps; the
+/// speed is at least one step. `None` for a stroke without motion.
 pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
     let way = seat.turn_back(stroke.velocity.try_normalize()?);
     let degrees = deg_from_rad(way.to_angle());

@@ -5,8 +5,8 @@ use thiserror::Error;
 use super::pieces::{Coin, Piece, count, piece_of};
 use crate::physics::{Board, DiscState, Shot};
 
-/// A stroke as the referee sees it: what was touched, what fell and the positions afterwards. The
-/// engine determines them.
+/// A stroke as the referee sees it: what was touched, what fell and where the other coins came to
+/// rest. The engine determines these facts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
     /// Whether the striker touched any piece.

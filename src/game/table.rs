@@ -22,7 +22,7 @@ pub struct GameSetup {
     pub rules: Rules,
     /// Singles or doubles.
     pub hands: Hands,
-    /// How long it lasts.
+    /// How long the game lasts.
     pub length: Length,
     /// The pieces.
     pub set: PieceSet,
@@ -80,8 +80,8 @@ pub struct Game {
 }
 
 impl Game {
-    /// A new game with the pack set up. In singles South breaks first unless North does: nobody
-    /// sits at the other sides.
+    /// A new game with the pack set up. In singles, South breaks first unless `setup` names North,
+    /// because nobody sits at the other sides.
     pub fn new(setup: GameSetup) -> Self {
         let first_breaker = match setup.hands {
             Hands::Two if !setup.hands.plays(setup.first_breaker) => Seat::South,
@@ -103,7 +103,7 @@ impl Game {
         &self.setup
     }
 
-    /// The surface that the discs slide on.
+    /// The board that the discs slide on, with the restitution of this game.
     pub(crate) fn board(&self) -> Board {
         Board {
             restitution: self.setup.restitution,
@@ -269,7 +269,7 @@ impl Game {
         Ok(())
     }
 
-    /// Carries a verdict out and announces the end of a game or match that it causes.
+    /// Carries out a verdict, and announces the end of a game or match that it causes.
     fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
         let mut rulings = self.play.carry_out(terms, verdict);
         if self.play.won.is_some() && self.setup.rules != Rules::Solo {
@@ -278,7 +278,7 @@ impl Game {
         rulings
     }
 
-    /// The rulings on game and match after a finished board.
+    /// The rulings on the game and the match after a finished board.
     fn announce_end(&self) -> Vec<Ruling> {
         let GameSetup { rules, length, .. } = self.setup;
         let score = self.score();

@@ -261,7 +261,7 @@ fn a_hint_sets_the_stroke_that_it_describes_and_is_legal() {
     let shown = panel(&mut game);
     let (_, hint) = shown.split_once("Place the striker ").unwrap();
     let (place, rest) = hint.split_once(", aim at ").unwrap();
-    let (angle, rest) = rest.split_once(" and strike with ").unwrap();
+    let (angle, rest) = rest.split_once(" and strike at ").unwrap();
     let (speed, _) = rest.split_once(" m/s.").unwrap();
     assert!(shown.contains(&format!("aim {angle}")), "{shown}");
     assert!(shown.contains(&format!("{speed} m/s place")), "{shown}");

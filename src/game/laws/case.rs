@@ -20,8 +20,8 @@ pub(crate) enum QueenBefore {
     Covered(Colour),
 }
 
-/// A stroke in numbers: the pieces on the board before the stroke, those that fell, the score and
-/// the dues.
+/// A stroke in numbers: the pieces on the board before the stroke, the pieces that fell, the score
+/// and the dues.
 ///
 /// "Own" is the colour of the player who struck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

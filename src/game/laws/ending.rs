@@ -8,15 +8,15 @@ pub(crate) const MOST_POINTS: u8 = 12;
 
 /// The verdict on a stroke that ends the board; `None` if the board continues.
 ///
-/// Cases that the Laws leave open follow the nearest law:
+/// Cases that the Laws do not cover follow the nearest law:
 ///
-/// - Both last coins fall properly, with the queen covered before: the player wins by the value of
+/// - If both last coins fall properly after the queen was covered, the player wins by the value of
 ///   the queen, or by 1 if she is worth nothing or was covered by the opponent (as in 75a).
-/// - The striker falls with both last coins while the queen is to be covered: the board is lost as
-///   in 82a; with the queen on the board, as in 78a but by one more point.
-/// - The striker falls with the opponent's last coin while the queen is to be covered: by one more
-///   point than in 76a, just as 84a adds one to 79a.
-/// - The queen falls with the opponent's last coin: nobody has covered her, so her points are
+/// - If the striker falls with both last coins while the queen is to be covered, the board is lost
+///   as in 82a; if the queen is on the board, it is lost as in 78a, but by one more point.
+/// - If the striker falls with the opponent's last coin while the queen is to be covered, the board
+///   is lost by one more point than in 76a, just as 84a adds one to 79a.
+/// - If the queen falls with the opponent's last coin, nobody has covered her, so her points are
 ///   awarded as in 79a.
 pub(super) fn judge(case: &Case) -> Option<Verdict> {
     match (case.own.left(), case.other.left()) {

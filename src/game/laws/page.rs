@@ -21,7 +21,7 @@ impl Rules {
         Self::Solo,
     ];
 
-    /// The rules, for players who read them for the first time.
+    /// The rules, written for players who read them for the first time.
     pub(crate) fn page(self) -> impl Iterator<Item = RuleLine> {
         let all = include_str!("../../../docs/rules.md")
             .split("\n## ")

@@ -1,10 +1,11 @@
-//! Points carrom, as children and odd numbers of players play it: both sides pocket every coin.
+//! Points carrom, as played by children and by odd numbers of players: either side may pocket any
+//! coin.
 //!
-//! - A black coin counts 1 point, a white one 2, and the queen 5 if she is covered: 32 points in all.
-//!   The first side with more than half of them, 17, wins.
+//! - A black coin counts 1 point, a white one 2, and the queen 5 if she is covered: 32 points in
+//!   all. The first side with more than half of them, 17, wins.
 //! - Pocket any piece, and you play on.
-//! - The queen may be taken at any time and must be covered: with any coin in the same stroke or the
-//!   next. Otherwise she goes back to the centre.
+//! - The queen may be taken at any time and must be covered: with any coin in the same stroke or
+//!   the next. Otherwise she goes back to the centre.
 //!
 //! These values and the total are those of "Point Carrom" as described at carrom.wordpress.com in
 //! 2007. House rules settle the rest:
@@ -23,7 +24,7 @@ pub(crate) const POINTS_TO_WIN: u8 = 17;
 /// The points for the queen, once she is covered.
 pub(super) const QUEEN: u8 = 5;
 
-/// The coins that a side has pocketed.
+/// The coins that a side has pocketed in points carrom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Taken {
     pub(crate) white: u8,

@@ -35,8 +35,8 @@ mod tests {
 
     use crate::game::{BoardCode, Coin, Game, GameStage, Piece, Stroke, Team};
 
-    /// A board after a stroke that pockets this many coins, and the striker if `fouls`; with what
-    /// the referee says.
+    /// A board after a stroke that pockets this many coins, and the striker if `fouls`; also
+    /// returns what the referee says.
     fn after(fell: usize, fouls: bool) -> (Game, String) {
         let mut game = Game::new(BoardCode::from_number(4711).unwrap().setup());
         let coins = game.coins().to_vec();

@@ -7,8 +7,8 @@ use crate::game::{BoardCode, Game, Move, Strike};
 /// The maximum number of strokes.
 const MOST_STROKES: usize = 40;
 
-/// Strokes that clear the board with this code: those that the champion chooses, played exactly and
-/// on the steps in which a player sets them. `None` if they do not clear it.
+/// Strokes that clear the board with this code. The champion chooses them; they are played exactly
+/// and on the steps in which a player sets them. `None` if they do not clear the board.
 pub fn clearing(code: BoardCode) -> Option<Vec<Strike>> {
     let skill = Skill {
         on_steps: true,
@@ -29,7 +29,7 @@ pub fn clearing(code: BoardCode) -> Option<Vec<Strike>> {
     game.coins().is_empty().then_some(strikes)
 }
 
-/// The number of strokes in which the search clears a board.
+/// The par of the board: the number of strokes in which the search clears it.
 pub fn par(code: BoardCode) -> Option<usize> {
     clearing(code).map(|strikes| strikes.len())
 }

@@ -35,8 +35,8 @@ impl Hand {
         Self { direction, speed }
     }
 
-    /// The error that follows from the seed of a stroke. The generator is not that of the search,
-    /// so no hint and no plan knows the error in advance.
+    /// The error that follows from the seed of a stroke. The search uses a different generator, so
+    /// no hint and no plan can know the error in advance.
     pub fn slip_of(self, seed: u64) -> Slip {
         self.slip(&mut Pcg64::seed_from_u64(!seed))
     }
@@ -51,8 +51,8 @@ impl Hand {
 }
 
 impl Slip {
-    /// The stroke that results from `meant`. The speed stays above a fifth of the intended one and
-    /// below [`FASTEST`].
+    /// The stroke that results from `meant`. The speed stays above a fifth of the intended speed
+    /// and below [`FASTEST`].
     pub fn applied_to(self, meant: Motion) -> Motion {
         let speed = meant.velocity.length();
         let pushed = (speed * (1.0 + self.push).max(0.2)).min(FASTEST.max(speed));
@@ -63,7 +63,7 @@ impl Slip {
         }
     }
 
-    /// The direction that was intended, as a unit vector, if the error led to this velocity.
+    /// The intended direction, as a unit vector, if the error led to the velocity `struck`.
     pub(crate) fn meant_direction(self, struck: DVec2) -> DVec2 {
         (struck - struck.perp() * self.turn).normalize_or_zero()
     }
@@ -74,8 +74,9 @@ impl Slip {
     }
 }
 
-/// A number with approximately the standard normal distribution, as a sum of twelve uniform numbers
-/// (Irwin and Hall): within ±6, without a logarithm, which different machines round differently.
+/// A number with approximately the standard normal distribution: the sum of twelve uniform numbers
+/// (Irwin and Hall). It is within ±6 and requires no logarithm, which different machines round
+/// differently.
 fn normal(chance: &mut Pcg64) -> f64 {
     (0..12).map(|_| chance.random::<f64>()).sum::<f64>() - 6.0
 }

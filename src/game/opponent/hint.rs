@@ -15,7 +15,7 @@ pub struct StrokeHint {
     pub stroke: Motion,
     /// The effect of the stroke.
     pub reason: Reason,
-    /// Whether the striker falls too, which happens only if every stroke that was found pockets it.
+    /// Whether the striker falls too; this is true only if every stroke that was found pockets it.
     pub fouls: bool,
 }
 
@@ -60,7 +60,7 @@ impl StrokeHint {
         let speed = self.stroke.velocity.length();
         let why = capital(&words::met(&self.reason.story, Teller::You));
         let mut described =
-            format!("Place the striker {place}, aim at {aim:.1}° and strike with {speed:.1} m/s.");
+            format!("Place the striker {place}, aim at {aim:.1}° and strike at {speed:.1} m/s.");
         if !why.is_empty() {
             described = format!("{described} {why}");
         }

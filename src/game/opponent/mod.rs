@@ -1,9 +1,10 @@
 //! The computer opponent: finds a stroke by simulation.
 //!
-//! Geometry proposes strokes in closed form; the engine plays those with the largest tolerance; the
-//! laws judge each result; the best strokes are played again with random errors of the hand. The
-//! choice depends only on the game, the strength and the seed: the search is limited by a number of
-//! shots, not by time, and uses only + − × ÷ √, so every machine finds the same stroke.
+//! The search has four steps: geometry proposes strokes in closed form; the engine plays those with
+//! the largest tolerance; the laws judge each result; and the best strokes are played again with
+//! random errors of the hand. The choice depends only on the game, the strength and the seed: the
+//! search is limited by a number of shots, not by time, and uses only + − × ÷ √, so every machine
+//! finds the same stroke.
 //!
 //! | file | contents |
 //! |---|---|
@@ -19,7 +20,7 @@
 //! | `words` | the purpose of a shot in words |
 //! | `hint` | a hint for the player |
 //! | `clearing` | the strokes that clear a board for one player, for its par |
-//! | `open_shots` | the directions that pocket a coin, for aiming by a key |
+//! | `open_shots` | the directions that pocket a coin, for aiming with one key |
 
 mod clearing;
 mod hand;
@@ -79,7 +80,7 @@ impl Decision {
     }
 }
 
-/// The stroke of an opponent of this strength for the player whose turn it is.
+/// The stroke that an opponent of this strength chooses for the player whose turn it is.
 ///
 /// The same game, strength and seed give the same decision; use another seed for each stroke.
 /// `None` if the board has ended, or if coins block every position of the striker; then call
@@ -94,9 +95,9 @@ pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
     })
 }
 
-/// The best stroke for the player whose turn it is: the search is the champion's, with the errors
-/// of the player's hand. A stroke for an exact hand is tried exactly once and otherwise with the
-/// errors of a club player. `None` as for [`think`].
+/// The best stroke for the player whose turn it is. The search is the champion's, but with the
+/// errors of the player's hand. For an exact hand, a stroke is tried exactly once and otherwise
+/// with the errors of a club player. `None` as for [`think`].
 ///
 /// A plain cut is preferred, because players can learn most from it; other shots are chosen only if
 /// no cut works in at least half of the tries.

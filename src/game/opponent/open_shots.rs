@@ -1,4 +1,4 @@
-//! The directions in which a player can pocket a coin, for aiming by a key.
+//! The directions in which a player can pocket a coin, for aiming with one key.
 
 use glam::DVec2;
 
@@ -7,11 +7,11 @@ use super::sight::{Sight, Way};
 use super::wants::wants;
 use crate::game::Game;
 
-/// The directions in which a striker at `from` sends a coin straight into a pocket, one for each
-/// coin that the player whose turn it is wants to pocket: into the nearest pocket that is
-/// open to both discs.
+/// The directions in which a striker at `from` sends a coin straight into a pocket. There is one
+/// for each coin that the player whose turn it is wants to pocket; it leads to the nearest pocket
+/// for which both discs have a clear path.
 ///
-/// If there is none, the directions of the full hits on those coins.
+/// If there is none, these are the directions of full hits on those coins.
 pub fn open_shots(game: &Game, from: DVec2) -> Vec<DVec2> {
     let sight = Sight::of(game);
     let coins = game.coins().iter().enumerate();

@@ -144,7 +144,8 @@ impl Search<'_> {
         courses
     }
 
-    /// The position from which a course is a full, straight hit, or the nearest legal one.
+    /// The position from which a course requires a full, straight hit, or the legal position
+    /// nearest to it.
     fn straight_place(&self, course: &PocketPath) -> Option<DVec2> {
         let lines = self.game.base_lines();
         let seat = self.game.seat();

@@ -1,6 +1,6 @@
 //! The purpose of a stroke, read from its record.
 //!
-//! Nothing is copied from the search: the story of a shot comes from its exact record, so that the
+//! Nothing is copied from the search: the story of a shot is read from its exact record, so the
 //! description is true.
 
 use glam::DVec2;
@@ -191,8 +191,8 @@ pub struct Reason {
 }
 
 impl Reason {
-    /// The intended shot and the reason, with its angles, in the words of the player who struck it;
-    /// `played` is the result.
+    /// The intended shot with its angles, and the reason for it, in the words of the player who
+    /// struck it; `played` is the result.
     pub fn described(&self, played: &Story) -> String {
         let plan = words::plan(&self.story, self.breaking, played);
         let odds = self.story.fall.and_then(|_| words::odds(self.chance));

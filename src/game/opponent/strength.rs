@@ -47,13 +47,13 @@ pub(super) struct Skill {
     pub(super) combinations: bool,
     /// Whether cushion shots are considered.
     pub(super) cushions: bool,
-    /// The number of aims that are tried, those most likely to succeed first.
+    /// The number of aims that are tried; those most likely to succeed are tried first.
     pub(super) aims: usize,
     /// Speeds at which each aim is tried, as multiples of the minimum speed.
     pub(super) speeds: &'static [f64],
     /// The number of strokes that are tried without aiming for a pocket.
     pub(super) knocks: usize,
-    /// The number of best strokes, which are tried with an unsteady hand.
+    /// How many of the best strokes are tried with an unsteady hand.
     pub(super) finalists: usize,
     /// The number of random errors with which each of these strokes is tried.
     pub(super) slips: usize,
@@ -160,7 +160,7 @@ impl Skill {
     }
 }
 
-/// The hand of the people at the keyboard; as text, one word such as "club".
+/// The hand of the players at the keyboard; as text, one word such as "club".
 #[derive(
     Debug,
     Clone,

@@ -149,7 +149,7 @@ fn in_points_carrom_a_coin_of_either_colour_is_seen_and_the_one_that_wins_is_cho
     }
 }
 
-/// For an unsteady hand a hint is one that forgives its errors.
+/// A hint for an unsteady hand is a stroke that tolerates the errors of this hand.
 #[test]
 fn a_hint_for_an_unsteady_hand_works_more_often_with_that_hand() {
     let mut fell = [0_u32; 2];
@@ -301,8 +301,8 @@ fn bits(stroke: Motion) -> u64 {
     })
 }
 
-/// The search may get faster, but its results never change: the stroke of each strength, and the
-/// hint, after this many strokes by club players.
+/// The search may get faster, but its results never change. The test pins the stroke of each
+/// strength, and the hint, after this many strokes by club players.
 #[test]
 fn decisions_do_not_change_by_a_single_bit() {
     use Hands::{Four, Two};

@@ -244,7 +244,7 @@ pub(super) fn slipped(whose: &str, slip: Slip, heading: DVec2) -> String {
     format!("{whose} stroke was {}.", slips.join(" and "))
 }
 
-/// The size of an angle, to a tenth of a degree below 10° and to a degree above.
+/// The size of an angle: in tenths of a degree below 10°, in whole degrees above.
 fn degrees(angle: f64) -> String {
     let size = deg_from_rad(angle.abs());
     if size < 9.95 {

@@ -72,8 +72,8 @@ impl Judge {
         sign(seat) * (TO_STRIKE * first + queen) + sign(next) * TO_WAIT * self.prospect(game, next)
     }
 
-    /// How likely the player at `seat` is to pocket something with the easiest straight shot, 0 to
-    /// 1.
+    /// The probability, from 0 to 1, that the player at `seat` pockets something with the easiest
+    /// straight shot.
     fn prospect(&self, game: &Game, seat: Seat) -> f64 {
         if !self.skill.looks_ahead {
             return 0.0;
@@ -101,8 +101,8 @@ impl Judge {
     }
 }
 
-/// The tolerance of the easiest stroke that gives a coin this course from `ghost`, if one is easier
-/// than `easiest`. Only then is its path checked.
+/// The tolerance of the easiest stroke that gives a coin this course from `ghost`, or `easiest` if
+/// no stroke is easier. A stroke's path is checked only if the stroke is easier.
 fn easiest_of(
     sight: &Sight,
     course: &Unchecked<PocketPath>,

@@ -38,7 +38,7 @@ impl Default for Aids {
     }
 }
 
-/// The players and their aids: a game needs these, together with its setup, to continue as before.
+/// The players and their aids. Together with its setup, a game needs these to continue as before.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Company {
     /// The player at each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
@@ -64,7 +64,7 @@ pub struct SeatNames {
 }
 
 impl SeatNames {
-    /// The largest number of letters in a name: two names and a score fit above the board in a
+    /// The maximum number of letters in a name: two names and a score fit above the board in a
     /// window of 80×24.
     pub const LONGEST: usize = 12;
 

@@ -7,11 +7,11 @@ use crate::game::seat::Team;
 use crate::game::table::Game;
 use crate::numbers::{FNV_START, fnv1a};
 
-/// A hash of a game's positions, turn, dues, queen and score: it differs even between games that
-/// differ in a single bit, except with a probability of 10⁻¹⁹.
+/// A hash of a game's positions, turn, dues, queen and score. Two games that differ in even a
+/// single bit have different hashes, except with a probability of 10⁻¹⁹.
 ///
-/// It is the 64-bit FNV-1a hash of these data. Their order is part of the file format, and so is
-/// the order in which pieces, seats and teams are declared. It detects damage and differences
+/// The algorithm is 64-bit FNV-1a. The order of these data is part of the file format, and so is
+/// the order in which pieces, seats and teams are declared. The hash detects damage and differences
 /// between machines, not forgery.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Fingerprint(u64);

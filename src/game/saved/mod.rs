@@ -13,9 +13,8 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 
-/// The format of new files. In format 1, `setup` had no `restitution`; before format 3 it had no
-/// `length`, there was no `hand`, there were no names of two people, and there were no boards for one
-/// player.
+/// The format of new files. In format 1, `setup` had no `restitution`. Before format 3, it had no
+/// `length`, and there was no `hand`, no names of two people and no boards for one player.
 const FORMAT: u32 = 3;
 
 /// A saved game.

@@ -143,7 +143,7 @@ fn setup(fields: &Fields) -> Option<GameSetup> {
         seed: seed?,
     };
     if setup.rules == Rules::Solo && setup.board_code().map(BoardCode::setup) != Some(setup) {
-        let expected = "expected the code of a board, and the setup that goes with it";
+        let expected = "expected the code of a board, and the setup that belongs to it";
         return fields.refuse("seed", expected);
     }
     Some(setup)

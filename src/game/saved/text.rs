@@ -56,7 +56,7 @@ fn line(text: &mut String, key: &str, of: &impl Serialize) {
     let _ = writeln!(text, "{key} = {}", value(of));
 }
 
-/// A value in one line. TOML can express everything in a game; if it could not, the file would be
+/// A value on one line. TOML can express everything in a game; if it could not, the file would be
 /// unreadable and a test would fail.
 fn value(of: &impl Serialize) -> String {
     let mut text = String::new();

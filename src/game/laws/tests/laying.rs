@@ -28,7 +28,8 @@ pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
     lay(Rules::Tournament, white, black, queen)
 }
 
-/// Sets up a board like [`table`], under other rules. In points carrom South has pocketed everything.
+/// Sets up a board like [`table`], under other rules. In points carrom, South has pocketed all the
+/// missing coins.
 pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     let mut game = Game::new(GameSetup {
         rules,
@@ -72,7 +73,7 @@ pub(super) fn spread(coins: &mut [Coin]) {
 }
 
 impl Table {
-    /// Lets South and North begin this board with these points.
+    /// Gives South and North these points before this board.
     pub(super) fn score(mut self, south: u8, north: u8) -> Self {
         // Four boards, so that the break is South's again.
         for (winner, points) in [(Team::First, south), (Team::Second, north)] {

@@ -1,4 +1,4 @@
-//! The page of rules names each law that the referee quotes.
+//! Checks that the page of rules names each law that the referee quotes.
 
 use std::collections::BTreeSet;
 
