@@ -4,8 +4,8 @@ use glam::DVec2;
 
 use super::direction::direction;
 
-/// The angle that turns `from` into `to`, in radians, positive anticlockwise,
-/// in (−π, π]; `None` where either is zero.
+/// The angle that turns `from` into `to`, in radians, positive anticlockwise, in (−π, π]; `None` if
+/// either vector is zero.
 ///
 /// A component perpendicular to `from` that is rounding noise counts as 0, so that straight on is 0
 /// and straight back is +π.
@@ -27,8 +27,8 @@ pub fn unit_vector(angle_deg: f64) -> DVec2 {
     along(angle_deg, DVec2::from_angle)
 }
 
-/// The unit vector of a stroke's direction, equal to the last bit on every machine: one different
-/// bit can change a whole board.
+/// The unit vector of a stroke's direction, identical to the last bit on every machine: a single
+/// different bit can change a whole board.
 pub fn heading(angle_deg: f64) -> DVec2 {
     along(angle_deg, direction)
 }
@@ -42,8 +42,7 @@ fn along(angle_deg: f64, of_radians: fn(f64) -> DVec2) -> DVec2 {
     }
 }
 
-/// The angle between two velocities in radians, in [0, π]; `None` where either is
-/// zero.
+/// The angle between two velocities in radians, in [0, π]; `None` if either is zero.
 pub(crate) fn angle_between(a: DVec2, b: DVec2) -> Option<f64> {
     signed_angle(a, b).map(f64::abs)
 }

@@ -1,4 +1,4 @@
-//! Many shots at once: the fraction of a uniform beam that is scattered by more than an angle.
+//! Many shots at once: the fraction of a uniform beam that is scattered by more than a given angle.
 //!
 //! Offsets spread evenly over a *line*, as on a board, and evenly over a *disc*, as in space, give
 //! different counts under the same scattering law.

@@ -38,7 +38,7 @@ impl Default for Board {
 }
 
 impl Board {
-    /// A frictionless sheet without frame or pockets: the board of the textbook.
+    /// A frictionless sheet without a frame or pockets: the board of the textbooks.
     pub const fn open(restitution: f64) -> Self {
         Self {
             side: f64::INFINITY,

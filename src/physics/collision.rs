@@ -41,15 +41,15 @@ pub struct Collision {
     /// which the striker moves relative to the target.
     pub offset: f64,
     /// The rounding error of [`offset`](Self::offset), in metres, if that offset comes from an
-    /// impact angle within a degree of a graze: b is the offset plus this error. There cos α
-    /// depends on digits of b that `offset` alone cannot represent. Otherwise 0.
+    /// impact angle within a degree of a graze: b is the offset plus this error. Near a graze, cos
+    /// α depends on digits of b that `offset` alone cannot represent. Otherwise 0.
     pub offset_rest: f64,
     /// Coefficient of restitution e, 0 to 1; it has no effect on discs that stick.
     pub restitution: f64,
     /// Whether the discs slip past each other or stick.
     pub bond: Bond,
-    /// Friction at the rims and the spins before the collision; not for discs that stick, which
-    /// are taken to arrive without spin.
+    /// Friction at the rims and the spins before the collision. They have no effect on discs that
+    /// stick, which are assumed to arrive without spin.
     pub rims: Rims,
 }
 
@@ -85,13 +85,13 @@ pub struct CollisionOutcome {
     /// Angular velocities of discs that slip, in rad/s, positive anticlockwise; 0 for a pair that
     /// sticks.
     pub spins: [f64; 2],
-    /// Scattering angle θ₁ from u₁ to v₁ in radians, positive anticlockwise, in
-    /// (−π, π]; `None` where either is zero.
+    /// Scattering angle θ₁ from u₁ to v₁ in radians, positive anticlockwise, in (−π, π]; `None` if
+    /// either is zero.
     pub theta1: Option<f64>,
-    /// Recoil angle θ₂ from u₁ to v₂ in radians, positive clockwise, in (−π, π];
-    /// `None` where either is zero.
+    /// Recoil angle θ₂ from u₁ to v₂ in radians, positive clockwise, in (−π, π]; `None` if either
+    /// is zero.
     pub theta2: Option<f64>,
-    /// Angle between v₁ and v₂ in radians, in [0, π]; `None` where either is zero.
+    /// Angle between v₁ and v₂ in radians, in [0, π]; `None` if either is zero.
     pub separation: Option<f64>,
     /// Magnitude of the impulse that each disc exerts on the other, in N·s; for discs that slip,
     /// its component along n.
@@ -177,7 +177,7 @@ impl Collision {
         }
     }
 
-    /// Distance of the centres at contact, r₁ + r₂, in metres.
+    /// Distance between the centres at contact, r₁ + r₂, in metres.
     pub fn contact_distance(&self) -> f64 {
         self.striker.radius + self.target.radius
     }
@@ -187,8 +187,8 @@ impl Collision {
         [self.striker, self.target]
     }
 
-    /// The slip speed uₛ = (u₁ − u₂)·t + ω₁r₁ + ω₂r₂ in m/s, with which the striker's rim arrives
-    /// at the contact relative to the target's, positive along t; `None` for a miss.
+    /// The slip speed uₛ = (u₁ − u₂)·t + ω₁r₁ + ω₂r₂ in m/s: the speed of the striker's rim
+    /// relative to the target's rim on arrival at the contact, positive along t. `None` for a miss.
     pub(crate) fn slip(&self) -> Option<f64> {
         let relative = self.relative_velocity();
         self.normal()
@@ -236,8 +236,8 @@ impl Collision {
     }
 
     /// The centres of striker and target at contact, with the point of contact at the origin. For a
-    /// miss: at the closest approach, with the origin between them; without relative motion: side
-    /// by side, the target to the right.
+    /// miss, these are the centres at the closest approach, with the origin between them; without
+    /// relative motion, the discs are side by side, with the target on the right.
     pub(crate) fn placed_at_contact(&self) -> (DVec2, DVec2) {
         let apart = match (self.normal(), self.relative_velocity().try_normalize()) {
             (Some(normal), _) => self.contact_distance() * normal,

@@ -58,8 +58,8 @@ impl Hyperbola {
     }
 
     /// The path from a distance of `reach` metres on the way in to the same distance on the way
-    /// out, as `pieces` (2 or more) straight pieces, shortest where it bends most; empty if it
-    /// never comes within `reach`.
+    /// out, as `pieces` (2 or more) straight pieces, which are shortest where the path bends most;
+    /// empty if the path never comes within `reach`.
     pub(crate) fn points(&self, reach: f64, pieces: u32) -> Vec<DVec2> {
         if !(reach > self.closest_approach && reach.is_finite()) {
             return Vec::new();

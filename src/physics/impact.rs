@@ -42,7 +42,7 @@ impl Contact {
         (self.u1 - self.u2).dot(self.normal)
     }
 
-    /// Resolves the contact; `None` unless the two are approaching.
+    /// Resolves the contact; `None` unless the bodies are approaching each other.
     ///
     /// v₁ = u₁ − (J/m₁) n and v₂ = u₂ + (J/m₂) n with J = (1+e) μ (u₁ₙ − u₂ₙ), which
     /// combines the components along n and t. A body that comes to rest gets a velocity of

@@ -84,8 +84,8 @@ impl RestingTarget {
         (1.0 + self.restitution) * (self.m2 / (self.m1 + self.m2))
     }
 
-    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 if m₁ = e m₂ except for rounding, so that 12 g
-    /// equals 0.8 × 15 g in kilograms too.
+    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 if m₁ = e m₂ except for rounding: 12 g must equal
+    /// 0.8 × 15 g in kilograms, too.
     fn normal_kept(&self) -> f64 {
         let kept = self.m1 - self.restitution * self.m2;
         if kept.abs() <= 4.0 * f64::EPSILON * self.m1 {
@@ -132,8 +132,7 @@ impl RestingTarget {
         moves(sin_cos(alpha).1).then_some(alpha)
     }
 
-    /// Angle between v₁ and v₂, atan2(sin|α|, (1−k) cos α); `None` where either is
-    /// at rest.
+    /// Angle between v₁ and v₂, atan2(sin|α|, (1−k) cos α); `None` if either disc is at rest.
     pub fn separation(&self, alpha: f64) -> Option<f64> {
         self.theta1(alpha)?;
         self.theta2(alpha)?;

@@ -109,8 +109,8 @@ impl Rutherford {
     }
 }
 
-/// Distance of the centres at which an α-particle and a nucleus of this mass number touch,
-/// r₀ (A_α^⅓ + A^⅓), in metres. Closer than this, and a little beyond, the nuclear force acts.
+/// Distance between the centres at which an α-particle and a nucleus of this mass number touch, r₀
+/// (A_α^⅓ + A^⅓), in metres. Closer than this, and slightly beyond, the nuclear force acts.
 pub(crate) fn touching_distance(mass_number: f64) -> f64 {
     NUCLEAR_RADIUS * (ALPHA_MASS_NUMBER.cbrt() + mass_number.cbrt())
 }
@@ -217,7 +217,7 @@ mod tests {
         }
     }
 
-    /// Geiger and Marsden's relative counts for gold, times sin⁴(φ/2), are in a band of −15 % to
+    /// Geiger and Marsden's relative counts for gold, times sin⁴(Θ/2), are in a band of −15 % to
     /// +23 % about their mean, and rise at small angles.
     #[test]
     fn the_measured_counts_follow_the_law_within_a_band() {

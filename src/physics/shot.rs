@@ -178,7 +178,7 @@ impl Shot {
         self.events.push(event);
     }
 
-    /// Changes the velocities after the contact of two discs that do not meet again.
+    /// Replaces the final velocities of two discs that collide once and do not meet again.
     pub(super) fn leave_with(&mut self, velocities: [DVec2; 2]) {
         for (legs, velocity) in self.legs.iter_mut().zip(velocities) {
             if let [_, .., last] = legs.as_mut_slice() {

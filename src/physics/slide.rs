@@ -39,10 +39,10 @@ pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// Time in seconds that a disc needs for a distance that it would cover in `time` seconds at its
-/// initial speed, if it loses the fraction `relative_deceleration` = a/v of that speed per second;
-/// `None` if the disc stops before. This form of the root of s = v t − ½ a t² loses no digits even
-/// for a short distance, and holds at a = 0.
+/// The time in seconds in which a disc covers a distance that it would cover in `time` seconds at
+/// its initial speed, if it loses the fraction `relative_deceleration` = a/v of that speed per
+/// second; `None` if the disc stops first. This form of the root of s = v t − ½ a t² loses no
+/// digits even for a short distance, and holds at a = 0.
 #[inline]
 pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
     let left = 1.0 - 2.0 * relative_deceleration * time;

@@ -128,7 +128,7 @@ impl CollisionSpec {
         FieldRange::new("speed", "a speed in m/s", 0.1, 20.0),
         FieldRange::new("alpha_deg", "an impact angle in degrees", -90.0, 90.0),
         FieldRange::new("offset_mm", "an offset in mm", -150.0, 150.0),
-        FieldRange::new("restitution", "a restitution", 0.0, 1.0),
+        FieldRange::new("restitution", "a coefficient of restitution", 0.0, 1.0),
         FieldRange::new("target_speed", "a speed in m/s", 0.0, 20.0),
         FieldRange::new("target_deg", "a direction in degrees", -180.0, 180.0),
         FieldRange::new("rim_friction", "a coefficient of friction", 0.0, 10.0),
@@ -222,7 +222,7 @@ impl CollisionSpec {
         matches!(self.point, ImpactPoint::Offset { .. })
     }
 
-    /// Distance of the centres at contact, r₁ + r₂, in mm.
+    /// Distance between the centres at contact, r₁ + r₂, in mm.
     pub(crate) fn contact_distance_mm(&self) -> f64 {
         self.r1_mm + self.r2_mm
     }

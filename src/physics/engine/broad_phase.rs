@@ -49,9 +49,9 @@ impl BroadPhase {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
     }
 
-    /// Finds the discs that the seeker could meet before the forecast of the seeker or of the other
-    /// disc. Returns the number of these discs (see [`Self::partner`]), which are in the order of
-    /// their indices or of the cells in the grid.
+    /// Finds the discs that the seeker could meet before its own forecast or the other disc's,
+    /// whichever is earlier. Returns the number of these discs (see [`Self::partner`]), which are
+    /// in the order of their indices or of the cells in the grid.
     #[inline]
     pub(super) fn find(&mut self, scan: &Scan, grid: &Grid, work: &mut Work) -> usize {
         let i = scan.disc;

@@ -118,7 +118,7 @@ impl Constant {
         Ok(())
     }
 
-    /// The value, in the unit that the name gives.
+    /// The value, in the unit that the constant's name contains.
     pub(crate) fn value(&self) -> Option<f64> {
         (self.of)(&self.fields).filter(|value| value.is_finite())
     }

@@ -181,7 +181,7 @@ impl Quantity {
         Self::ALL.into_iter().find(|quantity| quantity.name == name)
     }
 
-    /// Whether it is a part of a whole, from 0 to 1.
+    /// Whether the quantity is a fraction of a whole, from 0 to 1.
     pub(crate) fn is_part_of_whole(&self) -> bool {
         matches!(
             self.name,

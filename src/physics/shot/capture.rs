@@ -59,7 +59,7 @@ impl StuckPair {
     pub(super) fn chords(&self, disc: usize, end: f64) -> impl Iterator<Item = Leg> + use<> {
         let pair = *self;
         let turned = (pair.omega * (end - pair.time)).abs();
-        // A pair left spinning for hours still has a drawable trail.
+        // A pair that is left spinning for hours still has a trail that can be drawn.
         let count = (turned / 3_f64.to_radians()).ceil().clamp(1.0, 100_000.0);
         let step = (end - pair.time) / count;
         let place = move |i: f64| pair.at(disc, pair.time + i * step).position;

@@ -214,7 +214,9 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let lost = share > 1e-12;
     if lost {
         let (energy, percent) = (number(after.energy_lost), number(100.0 * share));
-        lines.push(format!("lost             {energy} J, {percent} % of it"));
+        lines.push(format!(
+            "lost             {energy} J, {percent} % of the energy"
+        ));
     }
     WorkedStep {
         title: "Check",

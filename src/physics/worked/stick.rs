@@ -69,7 +69,7 @@ fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     }
 }
 
-/// The direction of the pair, because the two stay together.
+/// The direction of the pair, which moves on as one body.
 fn direction(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     WorkedStep {
         title: "Read off the direction",

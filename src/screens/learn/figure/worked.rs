@@ -231,7 +231,7 @@ mod tests {
                 "energy after     ½ I ω² = 0.01 + 0.02 = 0.03 J",
                 "energy after     ½ I ω² = ____",
             ),
-            ("lost             0.09 J, 42 % of it", "____"),
+            ("lost             0.09 J, 42 % of the energy", "____"),
         ];
         for (line, expected) in blank {
             assert_eq!(without_result(line), expected);
