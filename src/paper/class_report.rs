@@ -23,7 +23,7 @@ const NAME: usize = 44;
 /// The number of misconceptions for which the report gives the next step in full.
 const NEXT: usize = 3;
 
-/// What a report shows besides the round.
+/// What a report contains in addition to the round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct About {
     /// The day of the lesson, if it is known.
@@ -59,7 +59,7 @@ pub fn html(round: &ClassRound, about: &About) -> String {
             h1 { "The questions" }
             p.dim {
                 "Each bar is a share of the votes. \"Before\" is the vote in silence, \"after\" the "
-                "vote after the discussion; whoever did not vote again keeps the first vote."
+                "vote after the discussion; if someone did not vote again, the first vote counts."
             }
             @for item in &voted { (question(round, item, &book)) }
         }
@@ -93,7 +93,7 @@ fn facts(round: &ClassRound, about: &About, voted: usize) -> String {
     facts.join(" · ")
 }
 
-/// The results of all questions in one table.
+/// A table with the results of all questions.
 fn glance(round: &ClassRound, voted: &[&ItemAnalysis]) -> Markup {
     let note = |item: &ItemAnalysis| match Advice::of(round, item.question) {
         _ if needs_more(item) => "come back to it",
@@ -135,7 +135,7 @@ fn glance(round: &ClassRound, voted: &[&ItemAnalysis]) -> Markup {
     }
 }
 
-/// Whether the discussion did not help, and fewer than four in five were right at the end.
+/// Whether the discussion did not help and, at the end, fewer than four in five answers were right.
 fn needs_more(item: &ItemAnalysis) -> bool {
     match item.votes.map(|it| it.share_right()) {
         [Some(first), Some(second)] => second <= first && second < 0.8,
@@ -146,16 +146,16 @@ fn needs_more(item: &ItemAnalysis) -> bool {
 /// What to teach next: the misconceptions that the class believes most, each with its remedy.
 fn next(round: &ClassRound, held: &[ClassBelief], book: &Book) -> Markup {
     let who = match round.way() {
-        WayOfVoting::Tally => "votes fit it",
-        WayOfVoting::Teams => "teams show it in two questions or more",
-        WayOfVoting::Devices => "pupils show it in two questions or more",
+        WayOfVoting::Teams => "Teams that show it in two questions or more",
+        WayOfVoting::Tally | WayOfVoting::Devices => "Pupils who show it in two questions or more",
     };
     let counts = |it: &ClassBelief| {
-        let votes = format!("{} votes before, {} after", it.votes[0], it.votes[1]);
+        let [before, after] = it.votes;
+        let votes = format!("Votes that fit it: {before} before, {after} after");
         match (round.way(), it.teams) {
-            (WayOfVoting::Tally, _) | (_, [0, 0]) => format!("Fits {votes} the discussion."),
+            (WayOfVoting::Tally, _) | (_, [0, 0]) => format!("{votes} the discussion."),
             (_, [first, second]) => {
-                format!("{first} before and {second} after the discussion {who}; fits {votes}.")
+                format!("{who}: {first} before, {second} after the discussion. {votes}.")
             }
         }
     };
@@ -344,7 +344,7 @@ fn figure(picture: &Svg) -> Markup {
     html! { figure { (picture) } }
 }
 
-/// A bar with the number of votes for an answer, of all votes.
+/// A bar that shows the share of `votes` in `all`, with both numbers.
 fn bar(votes: usize, all: usize) -> Markup {
     let share = 100.0 * votes as f64 / all.max(1) as f64;
     html! {
@@ -362,7 +362,7 @@ fn change(item: &ItemAnalysis) -> String {
     }
     if let Some(gain) = item.gain {
         let gain = fixed(gain, 2);
-        words += &format!(" Gain of the discussion: {gain} of what was possible.");
+        words += &format!(" Gain from the discussion: {gain} of the possible gain.");
     }
     if needs_more(item) {
         words += " The discussion did not help: come back to this question.";

@@ -10,7 +10,7 @@ use crate::numbers::{counted, fixed};
 use crate::progress::Mastery;
 use crate::progress::words::percent;
 
-/// The maximum number of letters in a name, and in the round or topic at the head of a column.
+/// The maximum number of letters in a name, and in the round or topic in the heading of a column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
 /// The maximum number of letters in a question in a table. Only damaged files contain longer ones.
@@ -144,14 +144,15 @@ fn learnt(forms: &[Learning<'_>]) -> Markup {
                 @if rows.is_empty() { p { "No answer fits a misconception that both forms can show." } }
                 @else {
                     (table(1, &["misconception", "fits before", "fits after"].map(Into::into), &rows))
-                    p.dim { "How many answers fit it, of those that could have shown it." }
+                    p.dim { "How many answers fit the misconception, out of those that could have shown it." }
                 }
             }
         }
         p.dim {
-            "The normalized gain is (post − pre) / (100 % − pre) of the mean scores: the share of what "
-            "was missing that the class has learnt. carrom guide judging gives the exact definition. The "
-            "forms are no standardized test: do not compare the gain with published ones."
+            "The normalized gain is (post − pre) / (100 % − pre) of the mean scores: the share of the "
+            "possible improvement that the class achieved. carrom guide judging gives the exact "
+            "definition. The forms are not a standardized test: do not compare the gain with "
+            "published ones."
         }
     }
 }

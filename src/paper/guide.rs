@@ -11,7 +11,7 @@ const STYLE: &str = include_str!("guide.css");
 #[derive(Debug)]
 pub(crate) struct Guide {
     pub(crate) name: &'static str,
-    /// What it is about, as in a list.
+    /// A few words about its contents, for a list of guides.
     pub(crate) about: &'static str,
     pub(crate) markdown: &'static str,
 }

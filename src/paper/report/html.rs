@@ -94,7 +94,7 @@ fn columns(report: &Report) -> Markup {
                 section { (listed("Topics", &report.topics, "No quiz questions yet.", topics)) }
                 section { (beliefs(report)) }
                 @if !report.seen.is_empty() {
-                    section { h2 { "What was seen" } p { (report.seen.join(" ")) } }
+                    section { h2 { "Observations" } p { (report.seen.join(" ")) } }
                 }
                 section { (listed("Levels", &report.packs, "No stars yet.", packs)) }
             }
@@ -186,8 +186,9 @@ fn beliefs(report: &Report) -> Markup {
             }
             p.dim {
                 @if let Some(more) = report.beliefs.and_more() { (more) ". " }
-                "Out of the questions that could have shown it: in the first half of the answers, "
-                "and since. A misconception is listed once it explains the answers " (NAMED_ODDS)
+                "How many answers fitted the misconception, out of the questions that could have "
+                "shown it: in the first half of the answers, and since. A misconception is listed "
+                "once it explains the answers " (NAMED_ODDS)
                 " times better than guessing does."
             }
         }

@@ -82,13 +82,13 @@ fn tables(report: &Report, document: &mut Markdown) {
         let heads = ["what wrong answers had in common", "before", "since", ""];
         table(document, "Misconceptions", &heads, beliefs, rows);
         document.paragraph(&format!(
-            "Out of the questions that could have shown it: in the first half of the answers, and \
-             since. A misconception is listed once it explains the answers {NAMED_ODDS} times \
-             better than guessing does."
+            "How many answers fitted the misconception, out of the questions that could have shown \
+             it: in the first half of the answers, and since. A misconception is listed once it \
+             explains the answers {NAMED_ODDS} times better than guessing does."
         ));
     }
     if !report.seen.is_empty() {
-        document.heading(2, "What was seen");
+        document.heading(2, "Observations");
         document.paragraph(&report.seen.join(" "));
     }
     let chapters = &report.chapters;

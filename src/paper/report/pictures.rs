@@ -14,7 +14,8 @@ use crate::widgets::svg::Svg;
 
 /// The minimum number of answers at one confidence level for which a share is calculated.
 const SHARED: usize = 10;
-/// If there are many answers, each share is calculated over their total number divided by this.
+/// If there are many answers, each share is calculated over the total number of answers divided by
+/// this number.
 const GROUPS: usize = 40;
 /// The size, in columns and rows, of a picture over the whole width, and of one in a column.
 const WIDE: Rect = Rect::new(0, 0, 60, 14);

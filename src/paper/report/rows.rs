@@ -37,7 +37,7 @@ pub(super) struct ChapterRow {
     pub(super) read: (usize, usize),
     /// The number of questions whose latest answer was right, and the number of all questions.
     pub(super) right: (usize, usize),
-    /// Whether it has been read and answered completely.
+    /// Whether the chapter has been read and answered completely.
     pub(super) done: bool,
 }
 

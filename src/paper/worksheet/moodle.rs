@@ -1,9 +1,10 @@
 //! The questions of a round in Moodle's XML format.
 //!
-//! Moodle compares an answer with a list of answers, and the first one that fits gives the points
-//! and the feedback. So every misconception's answer is in the list, with its feedback. Two
-//! directions, or an offset with its side, are a question with several fields (Cloze). Such fields
-//! are compared separately: a sentence that is true only of both directions begins with them.
+//! Moodle compares an answer with a list of answers; the first one that fits gives the points and
+//! the feedback. So the list contains every misconception's answer, with its feedback. Two
+//! directions, or an offset with its side, are a question with several fields (Cloze). Moodle
+//! judges such fields separately, so feedback that applies only to both directions together begins
+//! by naming them.
 
 use data_encoding::BASE64;
 use maud::{Markup, PreEscaped, Render, html};
@@ -28,7 +29,7 @@ struct KnownAnswer {
 #[derive(Default)]
 struct AnswerField(Vec<KnownAnswer>);
 
-/// The file with the questions of these worksheets, each in a category of its own.
+/// The file with the questions of these worksheets, each worksheet in a category of its own.
 pub(super) fn file(worksheets: &[Worksheet]) -> String {
     let quiz = html! {
         quiz {
@@ -124,7 +125,7 @@ fn inner(html: Markup) -> Markup {
     html! { text { (html.into_string()) } }
 }
 
-/// A picture in a text, and in the file of questions.
+/// A picture that is embedded in the file of questions, and shown in a text.
 struct SentPicture {
     svg: Svg,
     name: String,
@@ -339,7 +340,7 @@ impl KnownAnswer {
     }
 }
 
-/// A number with so many figures that rounding does not matter to any tolerance.
+/// A number with so many figures that rounding does not affect any tolerance.
 fn exact(x: f64) -> String {
     figures(x, 5)
 }

@@ -59,19 +59,17 @@ pub(super) fn tolerance() -> String {
     )
 }
 
-/// The part of a question's points for each confidence level.
+/// How each confidence level changes the points for a question.
 pub(super) fn points() -> String {
     let each = Confidence::ALL.map(|sure| {
         let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit) / Grade::MOST);
-        format!(
-            "\"{}\" {right} if it is right or {wrong} if it is wrong",
-            sure.name()
-        )
+        format!("\"{}\" {right} / {wrong}", sure.name())
     });
     let each = each.join(", ").replace('-', "\u{2212}");
     format!(
         "Points: a right answer earns the points printed beside its question. If you also mark how \
-         sure a student was, multiply them: {each}."
+         sure a student was, multiply the points by the first of these factors if the answer is \
+         right, and by the second if it is wrong: {each}."
     )
 }
 
