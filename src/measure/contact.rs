@@ -6,8 +6,8 @@ use super::model::State;
 use super::track::{Leg, Point, Track};
 use super::{Fault, plural};
 
-/// The minimum number of points of each body on each side of the contact: a straight line needs two,
-/// and the noise one more.
+/// The minimum number of points of each body on each side of the contact: a straight line requires
+/// two, and an estimate of the noise one more.
 pub(super) const FEWEST: usize = 3;
 
 /// Refuses tracks whose bodies change places from one row to the next.
@@ -29,7 +29,7 @@ pub(super) fn refuse_exchanged(tracks: &[Track; 2]) -> Result<(), Fault> {
         Some(line) => Err(Fault::on(
             line,
             format!(
-                "expected {} to continue its path, found it where {} was and the reverse: the \
+                "expected {} to continue its path, found it where {} was and vice versa: the \
                  tracks are exchanged from this row on",
                 tracks[0].name, tracks[1].name
             ),
@@ -37,7 +37,7 @@ pub(super) fn refuse_exchanged(tracks: &[Track; 2]) -> Result<(), Fault> {
     }
 }
 
-/// The points of both bodies in the rows that have both.
+/// The points of both bodies in the rows that contain both.
 fn together(tracks: &[Track; 2]) -> Vec<(Point, Point)> {
     let mut second = tracks[1].points.iter().peekable();
     let mut both = Vec::new();
@@ -51,7 +51,7 @@ fn together(tracks: &[Track; 2]) -> Vec<(Point, Point)> {
 }
 
 /// Two guesses at the collision: where two straight lines per body fit best, and where the bodies
-/// are nearest to each other (which also finds it if they slow down a lot).
+/// are nearest to each other (which finds the collision even if the bodies slow down a lot).
 ///
 /// # Errors
 /// If a body has too few points on one side of every possible contact.
@@ -122,14 +122,15 @@ fn refusal(tracks: &[Track; 2], nearest: Option<f64>) -> Fault {
     Fault::new(few.unwrap_or_else(|| "expected a contact with points on both sides".into()))
 }
 
-/// The number of points from which the contact is sought; more are passed over.
+/// The maximum number of points in which the contact is sought; in longer tracks, points between
+/// these are skipped.
 const SOUGHT: usize = 20_000;
 
 /// Sums over the first points of a track, from which any straight line follows at once.
 struct Sums {
     times: Vec<f64>,
     origin: (f64, DVec2),
-    /// Of 1, t, t², x, y, xt, yt, x² + y².
+    /// The sums of 1, t, t², x, y, xt, yt and x² + y².
     sums: Vec<[f64; 8]>,
 }
 

@@ -1,5 +1,5 @@
-//! Checks the stated intervals with simulated measurements: the truth has to lie in the 68 % and
-//! the 95 % interval of every quantity as often as they say.
+//! Checks the stated intervals with simulated measurements: the 68 % and 95 % intervals of every
+//! quantity must contain the true value in 68 % and 95 % of the measurements.
 
 use glam::{DVec2, dvec2};
 use rand::{RngExt, SeedableRng};
@@ -24,7 +24,7 @@ impl Covered {
     }
 }
 
-/// The conditions of a film: several frame rates, noise levels, friction and scales.
+/// A film with a random frame rate, noise level, rim friction and scale.
 fn film(random: &mut Pcg64Mcg) -> Film {
     let rate = [30.0, 60.0, 120.0, 240.0][random.random_range(0..4)];
     let seconds = 0.45;
@@ -93,7 +93,7 @@ fn coverage(
             let Ok(estimate) = measured(quantity, &fit, &known, names) else {
                 continue;
             };
-            // Where rims are rough, the impulse is not along the line of the centres.
+            // If the rims are rough, the impulse is not along the line between the centres.
             let Some(exact) = (quantity.of)(&truth, &known) else {
                 continue;
             };
@@ -149,9 +149,9 @@ fn intervals_contain_the_truth_as_often_as_they_say() {
     assert_eq!(wrong(&all, 8.2), Vec::<&str>::new(), "{}", table(&all));
 }
 
-/// `Auto` is tested where the surface slows the bodies clearly or not at all: a deceleration that
-/// the data hardly show distorts the velocities by more than their uncertainties, which the guide
-/// says, and which `Always` prevents.
+/// `Auto` is tested with surfaces that slow the bodies clearly or not at all. A deceleration that
+/// hardly shows in the data distorts the velocities by more than their uncertainties; the guide
+/// mentions this, and `Always` prevents it.
 #[test]
 #[ignore = "forty thousand measurements take minutes"]
 fn ten_thousand_measurements_are_within_two_points() {

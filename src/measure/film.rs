@@ -9,11 +9,11 @@ use super::{Point, Track};
 /// What a camera records.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Camera {
-    /// Frames a second.
+    /// Frames per second.
     pub(crate) rate: f64,
     /// The number of frames.
     pub(crate) frames: usize,
-    /// The standard deviation of a point along x and y, in metres.
+    /// The standard deviation of the noise of a point along x and y, in metres.
     pub(crate) noise: DVec2,
 }
 

@@ -1,5 +1,5 @@
-//! The fit to both tracks: which motion the data ask for, the noise, and what follows for any
-//! quantity.
+//! The fit to both tracks: the kind of motion that the data require, the noise, and the estimate of
+//! any quantity with its uncertainty.
 
 use std::f64::consts::PI;
 
@@ -9,18 +9,19 @@ use super::student::{beyond_f, beyond_t, t_beyond};
 use super::track::{LEGS, Leg, Point, Track, thinned};
 use super::{Fault, SlowingDown};
 
-/// A straight line is rejected in favour of slowing down if chance alone would improve the fit this
-/// much in less than one of a hundred measurements.
+/// Straight lines are rejected in favour of slowing down if chance alone would improve the fit this
+/// much in less than this fraction of measurements.
 pub const LEVEL: f64 = 0.01;
-/// With fewer degrees of freedom than this, the noise of one body alone would be too uncertain: both
-/// bodies then have the same noise in x, and the same in y.
+/// With fewer degrees of freedom than this, the noise of each body alone would be too uncertain.
+/// Both bodies then share one noise in x and one in y.
 const FEW: f64 = 25.0;
 /// The standard uncertainty of the sum of two radii, as measured with a calliper, in metres.
 const RADII_SIGMA: f64 = 1e-4;
-/// A quantity below this number of standard uncertainties has no direction, and nothing can be
-/// divided by it.
+/// A quantity smaller than this many times its uncertainty is not clearly different from zero: it
+/// has no direction, and nothing is divided by it.
 const CLEAR: f64 = 4.0;
-/// The distance of the centres at contact contradicts the radii beyond this number of uncertainties.
+/// Beyond this number of uncertainties, the distance between the centres at contact contradicts the
+/// radii.
 const CONTRADICTS: f64 = 3.0;
 /// The probability of a standard normal variable beyond ±1.
 pub(super) const ONE_SIGMA: f64 = 0.317_310_507_862_914;
@@ -51,12 +52,12 @@ impl Estimate {
         self.deviation * t_beyond(0.05, self.freedom)
     }
 
-    /// The distance from a value in uncertainties.
+    /// The distance from a value, as a number of standard uncertainties.
     pub fn sigmas(&self, from: f64) -> f64 {
         (self.value - from).abs() / self.uncertainty().max(f64::MIN_POSITIVE)
     }
 
-    /// The probability of a distance from a true value that is at least this large.
+    /// If `truth` is the true value, the probability of an estimate at least this far from it.
     pub fn chance(&self, truth: f64) -> f64 {
         beyond_t(
             (self.value - truth).abs() / self.deviation.max(f64::MIN_POSITIVE),
@@ -81,14 +82,14 @@ pub struct SlowingTest {
     pub is_slowing: bool,
 }
 
-/// What the radii say about the distance of the centres at contact.
+/// The distance between the centres at contact, compared with the radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Apart {
     /// The distance found from the tracks alone.
     pub found: Estimate,
     /// The sum of the radii, in metres.
     pub radii: f64,
-    /// Whether the two agree, and the sum has been used to find the contact.
+    /// Whether the two agree and the sum of the radii was used to find the contact.
     pub agrees: bool,
 }
 
@@ -101,9 +102,10 @@ pub struct TracksFit {
     pub noise: [f64; CHANNELS],
     /// The test, if one was made.
     pub test: Option<SlowingTest>,
-    /// The distance at contact, if the radii are known.
+    /// The distance between the centres at contact, if the radii are known.
     pub apart: Option<Apart>,
-    /// How far neighbouring residuals are alike, in standard deviations of chance.
+    /// How strongly neighbouring residuals are correlated, as a number of standard deviations of
+    /// the values expected by chance.
     pub alike: f64,
     /// The number of points of each body before and after the contact.
     pub counts: [[usize; 2]; 2],
@@ -119,7 +121,7 @@ pub struct TracksFit {
 }
 
 impl TracksFit {
-    /// Fits two tracks with the sum of the radii, if it is known.
+    /// Fits two tracks. `radii` is the sum of the radii, if it is known.
     ///
     /// # Errors
     /// If the tracks contain no measurable collision.
@@ -195,7 +197,7 @@ impl TracksFit {
         let mut model = straight.model;
         for body in 0..2 {
             let [before, after] = LEGS.map(|side| moves(&straight, body, side));
-            // A body that stops soon after the contact moves clearly only before it.
+            // A body that stops soon after the contact moves clearly only before the contact.
             model.slows[body] = [before, before || after];
         }
         let starts: Vec<_> = guesses.iter().chain([&straight.state]).collect();
@@ -207,7 +209,7 @@ impl TracksFit {
                 .collect();
             slow = Self::best(&starts, &model, points).filter(|it| it.freedom() >= 1.0);
             let mut slowing = (0..2).filter(|body| model.slows[*body][0]);
-            // Straight lines through a path that slows down make a body at rest seem to move.
+            // Straight lines that are fitted to slowing bodies make a body at rest seem to move.
             let at_rest = match &slow {
                 Some(fit) => slowing.find(|body| !moves(fit, *body, Leg::Before)),
                 None => slowing.min_by(|a, b| {
@@ -306,7 +308,7 @@ impl TracksFit {
         })
     }
 
-    /// Uses the sum of the radii to find the contact, unless the tracks contradict it.
+    /// Uses the sum of the radii to improve the contact, unless the tracks contradict it.
     fn use_radii(&mut self, radii: Option<f64>, points: [&[Point]; 2]) {
         let between = |state: &State| Some(state.centre(0).distance(state.centre(1)));
         let (Some(radii), Some(found)) = (radii, self.estimate(between)) else {
@@ -374,7 +376,7 @@ impl TracksFit {
                     *sum += self.weights[*channel] * part;
                 }
             }
-            // Welch and Satterthwaite: each share of the variance has its own freedom.
+            // Welch and Satterthwaite: each share of the variance has its own degrees of freedom.
             let share = dot(&reach, &pull);
             spread += share * share / freedom;
             // Kenward and Roger (Biometrics 53, 983, 1997): weights that are themselves estimated
@@ -403,7 +405,8 @@ impl TracksFit {
         }
     }
 
-    /// The probability that two quantities which are truly zero are at least this far from it.
+    /// The probability that two quantities whose true values are zero are at least this far from
+    /// zero.
     pub(super) fn chance_of_zero(&self, of: [&OfState; 2]) -> Option<f64> {
         let [a, b] = of.map(|of| self.estimate(of));
         let (a, b) = (a?, b?);
@@ -464,8 +467,8 @@ impl TracksFit {
     }
 }
 
-/// Starts a little earlier and later than a guess: the fit could otherwise end in a time at which
-/// a row changes sides.
+/// Starting states slightly earlier and later than a guess. Without them, the fit could get stuck
+/// at a time at which a row changes sides.
 fn around(guess: &State, points: [&[Point]; 2]) -> Vec<State> {
     let times: Vec<f64> = points
         .iter()
@@ -483,7 +486,8 @@ fn around(guess: &State, points: [&[Point]; 2]) -> Vec<State> {
     starts
 }
 
-/// Starts for legs that slow down: from little to a stop soon after the contact.
+/// Starting states for legs that slow down: from a small deceleration to a stop soon after the
+/// contact.
 fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> Vec<State> {
     let duration = |body: usize| {
         let last = points[body].last().map_or(0.0, |point| point.t);
@@ -523,8 +527,8 @@ fn extent(points: [&[Point]; 2]) -> f64 {
     low.distance(high)
 }
 
-/// How far neighbouring residuals are alike (von Neumann's ratio, as a normal variable). Bent paths,
-/// a third body, a cushion and smoothed tracking make them alike.
+/// How strongly neighbouring residuals are correlated (von Neumann's ratio, converted to a standard
+/// normal variable). Bent paths, a third body, a cushion and smoothed tracking correlate them.
 fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
     let (mut products, mut count) = (0.0, 0.0);
     for (body, points) in points.into_iter().enumerate() {
@@ -537,7 +541,8 @@ fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
             }
         }
     }
-    // Fitting a line makes neighbours slightly unlike, by about one pair per parameter.
+    // Fitting lines gives neighbours a slight negative correlation, of about one pair per
+    // parameter.
     (products + PARAMETERS as f64 * 0.5) / f64::max(count, 1.0).sqrt()
 }
 

@@ -16,7 +16,8 @@ struct PrintedQuantity {
 }
 
 impl Measurement {
-    /// Everything as JSON. A quantity that is not defined has only the reason, as `unknown`.
+    /// Everything as JSON. For a quantity that is not defined, there is only the reason, as
+    /// `unknown`.
     pub fn json(&self) -> Value {
         let mut quantities = Map::new();
         for quantity in &QUANTITIES {

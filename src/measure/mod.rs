@@ -1,5 +1,5 @@
-//! A measured collision: the tracks of two bodies from a film, fitted and compared with the exact
-//! prediction, everything with its uncertainty.
+//! A measured collision: the tracks of two bodies from a film are fitted and compared with the
+//! exact prediction, and every result has an uncertainty.
 //!
 //! [`read()`] reads the tracks, [`Measurement::new`] analyses them. Uncertainties follow from the
 //! scatter of the points about the fitted paths; `coverage` checks with simulated measurements that
@@ -37,7 +37,7 @@ pub use words::{ReportRow, ReportSection};
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::EnumString, strum::VariantNames)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SlowingDown {
-    /// If the data ask for it.
+    /// If the data require it.
     #[default]
     Auto,
     /// Always; the uncertainties are larger, but not even a small deceleration distorts anything.
@@ -136,7 +136,7 @@ impl Measurement {
         })
     }
 
-    /// The same tracks with other things given.
+    /// The same tracks, analysed with other given values.
     ///
     /// # Errors
     /// If they contain no measurable collision.

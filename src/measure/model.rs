@@ -17,7 +17,7 @@ use super::track::{Leg, Point};
 /// time of contact, and the deceleration of each body.
 pub(super) const PARAMETERS: usize = 15;
 const TIME: usize = 12;
-/// The x and the y of each body have a noise of their own.
+/// The number of coordinates that have separate noise: x and y of each body.
 pub(super) const CHANNELS: usize = 4;
 
 pub(super) type Vector = [f64; PARAMETERS];
@@ -119,7 +119,7 @@ impl State {
             };
         }
         let rate = self.slowing(body);
-        // It slows down to a stop, and stays there.
+        // The body slows down to a stop and stays there.
         let since = if rate > 0.0 {
             since.min(speed / rate)
         } else {
@@ -145,9 +145,10 @@ fn put(all: &mut Vector, at: usize, value: DVec2) {
 struct Moved {
     leg: Leg,
     by: DVec2,
-    /// The time since the contact, at most until it stops.
+    /// The time since the contact, but at most until the body stops.
     since: f64,
-    /// If it slows down: its direction, the distance divided by the speed at contact, and its speed.
+    /// If the body slows down: its direction, the distance divided by the speed at contact, and its
+    /// speed.
     along: Option<(DVec2, f64, f64)>,
 }
 
@@ -314,13 +315,14 @@ impl Normal {
         used
     }
 
-    /// A x for the matrix of a channel.
+    /// The product of a channel's matrix and the vector x.
     pub(super) fn times(&self, channel: usize, x: &Vector) -> Vector {
         self.matrix[channel].map(|row| dot(&row, x))
     }
 }
 
-/// What the distance of the centres misses of the sum of the radii, its direction and its σ.
+/// The difference between the sum of the radii and the distance between the centres, the direction
+/// from centre 1 to centre 2, and the σ of the sum.
 fn missed_apart(state: &State, model: &Model) -> Option<(f64, DVec2, f64)> {
     let (apart, sigma) = model.apart?;
     let between = state.centre(1) - state.centre(0);

@@ -103,14 +103,14 @@ impl Known {
     }
 }
 
-/// What has to be clearly different from zero for a quantity to be defined.
+/// A condition for a quantity to be defined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Need {
-    /// A body moves before or after.
+    /// A body clearly moves before or after the contact.
     Moves(usize, Leg),
-    /// The bodies approach along the line of impact.
+    /// The bodies clearly approach each other along the line of impact.
     Approach,
-    /// There is momentum.
+    /// The total momentum is clearly different from zero.
     Momentum,
     /// The line of impact comes from the centres.
     Radii,
@@ -457,7 +457,8 @@ pub(super) fn momentum(state: &State, known: &Known, leg: Leg) -> DVec2 {
     m1 * state.velocity(0, leg) + m2 * state.velocity(1, leg)
 }
 
-/// The change of the momentum along and across the momentum before, as a share of it.
+/// The change of the total momentum, parallel and perpendicular to the momentum before, as a
+/// fraction of the momentum before.
 pub(super) fn changed(state: &State, known: &Known) -> Option<DVec2> {
     let [before, after] = [Before, After].map(|leg| momentum(state, known, leg));
     let along = before.try_normalize()?;
@@ -507,7 +508,7 @@ pub(super) fn measured(
     estimate.ok_or_else(|| "not defined for this collision".into())
 }
 
-/// Why something is not there; `None` if it is.
+/// Why a condition is not met; `None` if it is met.
 fn missing(need: Need, fit: &TracksFit, known: &Known, names: [&str; 2]) -> Option<String> {
     let (clear, reason) = match need {
         Need::Moves(body, leg) => {

@@ -1,16 +1,16 @@
 //! Reads tracks: what Tracker exports or copies, and any other table of numbers.
 //!
-//! Tracker (physlets.org/tracker) writes one track as a line with its name, a line with the heads
-//! `t`, `x`, `y`, and rows separated by tabs. Several tracks begin with `#multi:`; then the names
-//! stand above the first column of each track. Tabs, semicolons, commas and spaces separate the
-//! columns, and a comma may be the decimal sign unless it separates them.
+//! Tracker (physlets.org/tracker) writes one track as a line with its name, a line with the
+//! headings `t`, `x`, `y`, and rows separated by tabs. A file with several tracks begins with
+//! `#multi:`, and the name of each track is above its first column. Tabs, semicolons, commas and
+//! spaces separate the columns, and a comma may be the decimal sign unless it separates them.
 
 use glam::dvec2;
 
 use super::track::{Point, Track};
 use crate::files::{FileError, FileErrors, Source, quoted, short_name};
 
-/// The largest file in bytes: a million rows with full precision have about 100 MB.
+/// The largest file in bytes: a million rows with full precision take up about 100 MB.
 pub const LARGEST: usize = 1 << 28;
 /// The lines at the start of a file that may come before the first row of numbers.
 const MOST_HEADS: usize = 100;
@@ -24,10 +24,10 @@ const LONGEST_NAME: usize = 24;
 /// How to read a file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Reading {
-    /// The columns of the time, and of x and y of each body, by their heads or numbers; empty to
-    /// find them by their heads.
+    /// The columns of the time, and of x and y of each body, by their headings or numbers; empty to
+    /// find them by their headings.
     pub columns: Vec<String>,
-    /// The metres per unit of x and of y where the heads give no unit, or pixels.
+    /// The metres per unit of x and of y if the headings give no unit, or pixels.
     pub scale: Option<[f64; 2]>,
     /// Whether a pixel counts as 1 mm if there is no scale, so that the scale can be set later.
     pub takes_pixels: bool,
@@ -76,7 +76,7 @@ pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], Fi
     Err(FileError::of_file(last, message).into())
 }
 
-/// What a column holds.
+/// What a column contains.
 #[derive(Debug, Clone, PartialEq)]
 enum ColumnRole {
     Time,
@@ -246,7 +246,8 @@ fn time_unit(unit: &str) -> Option<f64> {
     }
 }
 
-/// What a head says that its column holds; `name` is that of the body in the line above.
+/// What a column contains according to its heading; `name` is the name of the body in the line
+/// above.
 fn role(plain: &str, name: &str) -> Option<ColumnRole> {
     if matches!(
         plain,
@@ -338,7 +339,7 @@ fn table(file: &str, opening: &TableHead, reading: &Reading) -> Result<TrackTabl
         }
     }
     let heads = || match opening.heads.as_slice() {
-        [] => format!("no heads over {} columns", opening.width),
+        [] => format!("no headings above {} columns", opening.width),
         heads => quoted(&heads.join(" ")),
     };
     let time = time.ok_or_else(|| {
@@ -375,7 +376,8 @@ fn table(file: &str, opening: &TableHead, reading: &Reading) -> Result<TrackTabl
     })
 }
 
-/// The columns by their heads; five or three columns without heads are in the usual order.
+/// The columns found by their headings; five or three columns without headings are in the usual
+/// order.
 fn found(opening: &TableHead) -> Vec<(usize, ColumnRole)> {
     if opening.heads.is_empty() {
         return match opening.width {
@@ -383,7 +385,7 @@ fn found(opening: &TableHead) -> Vec<(usize, ColumnRole)> {
             _ => Vec::new(),
         };
     }
-    // Names stand above the first column of each track.
+    // Names are above the first column of each track.
     let mut name = "";
     let heads = opening.heads.iter().enumerate();
     let roles = heads.filter_map(|(index, text)| {
@@ -432,7 +434,7 @@ fn chosen(opening: &TableHead, chosen: &[String]) -> Result<Vec<(usize, ColumnRo
             None => {
                 let found = quoted(name);
                 return Err(format!(
-                    "expected the head of a column or a number from 1 to {width}, found {found}"
+                    "expected the heading of a column or a number from 1 to {width}, found {found}"
                 ));
             }
         }
@@ -477,7 +479,7 @@ fn rows(source: Source, opening: &TableHead, table: &TrackTable) -> Result<Vec<T
     source.finish(Some(tracks))
 }
 
-/// Reads a row: each body that has a point there.
+/// Reads a row, with a point of each body that has one in this row.
 fn row<'a>(
     table: &TrackTable,
     field: impl Fn(&Column) -> Option<&'a str>,
@@ -700,7 +702,7 @@ mod tests {
                 "t,a,b,c\n0,1,2,3\n".into(),
                 "a.txt:2: expected columns x and y",
             ),
-            ("0,1,2,3\n".into(), "found no heads over 4 columns"),
+            ("0,1,2,3\n".into(), "found no headings above 4 columns"),
             (
                 "t,x1 (in),y1,x2,y2\n0,1,2,3,4\n".into(),
                 "column 2 (x1 (in)): expected a length in",

@@ -21,7 +21,7 @@ pub(super) struct Film {
     pub(super) rim: f64,
     /// The deceleration of both bodies.
     pub(super) slowing: f64,
-    /// Frames a second.
+    /// Frames per second.
     pub(super) rate: f64,
     /// Frames before and after the contact.
     pub(super) frames: [usize; 2],
@@ -31,8 +31,8 @@ pub(super) struct Film {
 }
 
 impl Film {
-    /// The collision, with the contact at `time`. Solid discs with rough rims, without spin before:
-    /// friction stops the slip if it can.
+    /// The collision, with the contact at `time`. The discs are solid and do not spin before the
+    /// collision; friction at the rims stops the slip if it is strong enough.
     pub(super) fn truth(&self, time: f64) -> State {
         let [m1, m2] = self.masses;
         let w = self.u[0] - self.u[1];
@@ -50,7 +50,7 @@ impl Film {
         State::new(time, centres, velocities, [self.slowing; 2])
     }
 
-    /// A model of its motion.
+    /// The model of the motion in the film.
     pub(super) fn model(&self) -> Model {
         Model {
             slows: [[self.slowing > 0.0; 2]; 2],

@@ -9,13 +9,13 @@ pub struct Point {
     pub t: f64,
     /// The position in metres.
     pub at: DVec2,
-    /// The number of rows that the point is the mean of.
+    /// The number of rows of which the point is the mean.
     pub weight: f64,
     /// The line of the file.
     pub line: u32,
 }
 
-/// The points of a body, in the order of time.
+/// The points of a body, in order of time.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Track {
     /// The name of the body.
@@ -24,7 +24,7 @@ pub struct Track {
     pub points: Vec<Point>,
 }
 
-/// Which part of a track: before or after the contact.
+/// A part of a track: before or after the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Leg {
     /// Before the contact.
@@ -36,10 +36,10 @@ pub enum Leg {
 /// Both legs, in order.
 pub(super) const LEGS: [Leg; 2] = [Leg::Before, Leg::After];
 
-/// With more points than this, neighbours are averaged: a mean of points on a straight line is on
-/// the line, and the fit takes as long for a million rows as for this number.
+/// If there are more points than this, neighbours are averaged: the mean of points on a straight
+/// line is on the line, and the fit then takes no longer for a million rows than for this number.
 const MOST_POINTS: usize = 5_000;
-/// The number of means on each side of the contact that stay single points.
+/// How many groups on each side of the contact are not averaged.
 const SINGLE: usize = 3;
 
 /// The points with neighbours averaged, except near the contact.

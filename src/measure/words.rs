@@ -9,11 +9,12 @@ use super::student::t_beyond;
 use super::{LineFrom, Measurement, SlowingDown, Unit};
 use crate::numbers::{capital, fixed, four_figures};
 
-/// Below these probabilities a difference is called neither agreement nor disagreement, and
-/// disagreement: two and three standard deviations.
+/// If the probability of a difference is below `DOUBTFUL`, the values neither agree nor disagree;
+/// below `IMPOSSIBLE`, they disagree. The limits correspond to two and three standard deviations.
 const DOUBTFUL: f64 = 0.05;
 const IMPOSSIBLE: f64 = 0.003;
-/// Neighbouring residuals are alike beyond chance from this number of standard deviations.
+/// From this number of standard deviations, the correlation of neighbouring residuals counts as
+/// more than chance.
 const ALIKE: f64 = 4.0;
 
 /// A name and what was found.
@@ -82,8 +83,8 @@ pub(crate) fn sigmas(number: f64) -> String {
     }
 }
 
-/// Compares a measured value with an exact one. An agreement says little if the 95 % interval
-/// reaches further than `wide`.
+/// Compares a measured value with an exact one. Agreement is weak evidence if the 95 % interval
+/// extends further than `wide`.
 fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) -> String {
     let number = |x: f64| match unit {
         Unit::Angle => format!("{}°", fixed(unit.in_unit(x), 0)),
@@ -109,7 +110,7 @@ fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) 
                 Unit::Number => fixed(end, 1),
                 _ => number(end),
             });
-            format!(" It says little: anything from {low} to {high} would agree too.")
+            format!(" This test is weak: anything from {low} to {high} would agree too.")
         }
         false => String::new(),
     };
@@ -441,7 +442,7 @@ impl Measurement {
         } else if along.uncertainty95() > 0.25 {
             let reach = fixed(Unit::Percent.in_unit(along.uncertainty95()), 0);
             format!(
-                "Momentum agrees within {share} %: {far}. It says little: a change of {reach} % \
+                "Momentum agrees within {share} %: {far}. This test is weak: a change of {reach} % \
                  would hardly be noticed."
             )
         } else {
@@ -490,7 +491,7 @@ impl Measurement {
         let e = four_figures(self.given.restitution);
         let approach = relative(&self.fit.state, super::Leg::Before).length();
         let doubt = match largest.uncertainty95() > 0.25 * approach {
-            true => " It says little: the uncertainty is too large.",
+            true => " This test is weak: the uncertainty is too large.",
             false => "",
         };
         // With four differences, one of 2.5 σ is no surprise.
@@ -529,7 +530,7 @@ impl Measurement {
         ))
     }
 
-    /// What the reader has to know before believing the numbers.
+    /// What the reader should know before trusting the numbers.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
         let fit = &self.fit;
@@ -668,7 +669,7 @@ mod tests {
         let wide = estimate(1.6, 0.7);
         assert_eq!(
             compared("e", &wide, 1.0, Unit::Number, 0.3),
-            "e: 1.6 ± 0.7 agrees with 1 (0.9 σ). It says little: anything from 0.2 to 3.0 would \
+            "e: 1.6 ± 0.7 agrees with 1 (0.9 σ). This test is weak: anything from 0.2 to 3.0 would \
              agree too."
         );
     }

@@ -66,7 +66,7 @@ fn sentences_are_as_strong_as_the_data() {
         &format!("measure measured/careless.csv --scale 1 {options}"),
     );
     assert!(
-        hopeless.contains("It says little: a change of"),
+        hopeless.contains("This test is weak: a change of"),
         "{hopeless}"
     );
     assert!(hopeless.contains("unknown without the radii"), "{hopeless}");
