@@ -19,7 +19,7 @@ pub(crate) fn answer_json(said: &Response) -> Value {
     }
 }
 
-/// The stored form of an answer to a checkpoint, with the first try if there was one.
+/// The stored form of an answer to a checkpoint, including the first try if there was one.
 pub(crate) fn given_json(given: &GivenAnswer) -> Value {
     let mut value = answer_json(&given.answer);
     if let (Some(first), Some(object)) = (&given.first, value.as_object_mut()) {

@@ -79,15 +79,15 @@ pub enum FigureKind {
 /// How the collision in a figure is filmed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Filming {
-    /// Frames a second.
+    /// Frames per second.
     pub rate: f64,
     /// The standard deviation of a point, in millimetres.
     pub noise_mm: f64,
-    /// By how much all lengths come out too large, in percent.
+    /// The percentage by which all lengths are too large.
     pub scale_percent: f64,
-    /// By how much the camera is tilted, so that lengths along y seem shorter, in degrees.
+    /// The tilt of the camera in degrees, which makes lengths along y seem shorter.
     pub tilt_deg: f64,
-    /// What the student sets.
+    /// The setting that the student can change.
     pub sets: FilmSetting,
 }
 

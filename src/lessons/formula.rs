@@ -1,7 +1,7 @@
 //! Formulas: their notation in a chapter, and their structure.
 //!
-//! The grammar is specific to carrom; `docs/lessons.md` describes it. `widgets::formula` lays a
-//! formula out over several rows.
+//! The grammar is specific to carrom and described in `docs/lessons.md`. `widgets::formula` lays
+//! out a formula over several rows.
 
 mod inline;
 mod letters;

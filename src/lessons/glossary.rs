@@ -1,4 +1,4 @@
-//! The glossary, which contains the terms of mechanics listed in `assets/glossary.toml`.
+//! The glossary: the terms of mechanics listed in `assets/glossary.toml`.
 
 use std::sync::LazyLock;
 

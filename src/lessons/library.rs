@@ -1,4 +1,4 @@
-//! All available chapters, which are the built-in chapters and a teacher's own.
+//! All available chapters: the built-in chapters and a teacher's own.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -20,7 +20,7 @@ pub struct ChapterLibrary {
 }
 
 impl ChapterLibrary {
-    /// The built-in chapters, read only once per process because they never change.
+    /// The built-in chapters. They never change, so they are read only once per process.
     pub fn embedded_once() -> &'static Self {
         static READ: LazyLock<ChapterLibrary> = LazyLock::new(ChapterLibrary::embedded);
         &READ

@@ -1,10 +1,9 @@
-//! Lessons: chapters as Markdown files, with figures, checkpoints and numbers that
-//! are checked.
+//! Lessons: chapters as Markdown files, with figures, checkpoints and checked numbers.
 //!
 //! A [`Chapter`] consists of a header and pages; a [`ChapterPage`] has at most one [`Figure`], text
-//! in [`TextBlock`]s, and at most one [`Checkpoint`]. Everything is read and checked when a file is
-//! opened: each directive, each formula, and each number in the text, which the engine computes
-//! again. A file with any [`FileError`] is left out; each error gives file, line and what was
+//! in [`TextBlock`]s, and at most one [`Checkpoint`]. A file is read and checked when it is opened:
+//! each directive, each formula, and each number in the text, which the engine computes again. A
+//! file with any [`FileError`] is left out; each error states the file, the line and what was
 //! expected. `docs/lessons.md` describes the format.
 //!
 //! This module draws nothing.

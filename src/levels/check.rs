@@ -33,9 +33,9 @@ impl Trial {
     }
 }
 
-/// The fraction, from 0 to 1, of aims that win, among `tries` aims spread evenly over all possible
-/// settings. This fraction measures how easily the level can be won by chance. A shot that cannot
-/// be played does not win.
+/// The fraction, from 0 to 1, of winning aims among `tries` aims spread evenly over all possible
+/// settings. It measures how easily the level can be won by chance. A shot that cannot be played
+/// does not win.
 ///
 /// The aims are the points of an additive recurrence with powers of the root of x^(d+1) = x + 1 (M.
 /// Roberts' R sequence). This sequence fills d dimensions evenly and is always the same.

@@ -1,5 +1,5 @@
-//! Reports in words whether a shot meets the goals of a level, or what happened instead. The
-//! reports are based only on the record of the shot.
+//! Reports in words whether a shot meets the goals of a level or, if not, what happened instead.
+//! The reports are based only on the record of the shot.
 
 use glam::DVec2;
 

@@ -14,8 +14,8 @@ static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 /// Levels that belong together, sorted by the names of their files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// The name of the folder, without the number that may precede the name and only determines the
-    /// order.
+    /// The name of the folder, without the number that may precede the name and that only
+    /// determines the order.
     pub name: String,
     /// The levels; no two have the same id.
     pub levels: Vec<Level>,
@@ -38,8 +38,8 @@ pub struct LevelLibrary {
 }
 
 impl LevelLibrary {
-    /// The built-in packs, which are read only once per process, when they are first needed,
-    /// because they never change.
+    /// The built-in packs. They never change, so they are read only once per process, when they are
+    /// first needed.
     pub fn embedded_once() -> &'static Self {
         static READ: LazyLock<LevelLibrary> = LazyLock::new(LevelLibrary::embedded);
         &READ

@@ -3,8 +3,8 @@
 //! A **scene** is a board with discs on it, and a shot, in a TOML file. A **level** is a scene with
 //! goals, settings that the player may change, hints, an explanation and an aim that wins; the aim
 //! is stored so that the level can be checked by playing the shot. Every number in a file is
-//! checked against its bounds while it is read; a [`FileError`] gives file, line, field and what
-//! was expected.
+//! checked against its bounds while it is read; a [`FileError`] states the file, the line, the
+//! field and what was expected.
 
 mod aim;
 mod check;

@@ -24,7 +24,7 @@ pub(crate) fn figures_text(figures: &Figures) -> String {
 
 /// One answer, with everything known about it. An attempt is not specific to the quiz: anything
 /// that asks questions can record answers. The serialized form is used in a pupil's hand-in, a file
-/// that gives the player's name only once.
+/// that contains the player's name only once.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
     /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` until

@@ -92,8 +92,8 @@ impl UnsettledBelief<'_> {
     }
 }
 
-/// The page about the simplest case in which these answers showed a misconception: the first page
-/// in the order of the chapters.
+/// The page about the simplest case in which these answers showed a misconception: the first
+/// such page in the order of the chapters.
 pub(crate) fn page_about<'a>(
     misconception: Misconception,
     shown: impl IntoIterator<Item = &'a Attempt>,

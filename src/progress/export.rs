@@ -79,7 +79,7 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     csv_table(heads, &rows)
 }
 
-/// The answer, with its numbers as they were typed: an angle of 30° is stored in radians and would
+/// The answer, with its numbers as they were typed. An angle of 30° is stored in radians and would
 /// otherwise be printed as 29.999999999999996.
 fn tidied(said: &Figures) -> Figures {
     let mut said = said.clone();

@@ -9,10 +9,11 @@
 //! days after the day on which it reached its step. Days are those of the player's calendar: a
 //! topic answered last evening is due this morning.
 //!
-//! - Wrong, or right by a guess: off the ladder, and due at once.
-//! - Right while off the ladder: onto the first step.
-//! - Right when it is due: one step up, until the last; or more, if it has rested longer than
-//!   planned: after n days, the next interval is the largest power of two that is at most n.
+//! - Wrong, or right by a guess: the topic leaves the ladder and is due at once.
+//! - Right while off the ladder: the topic goes to the first step.
+//! - Right when due: the topic goes one step up, as far as the last step. After a rest that was
+//!   longer than planned, it may go further up: after n days, the next interval is the largest
+//!   power of two that is at most n.
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
 //!   than one.
 //!

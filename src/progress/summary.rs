@@ -227,9 +227,9 @@ impl<'a> Summary<'a> {
         let shown = |it: &&Attempt| it.shows().is_some_and(is_it);
         match self.attempts.iter().filter(shown).count() {
             0 if self.right() == self.attempts.len() => {
-                format!("Settled, as far as a check can tell: {name}. It does not show any more.")
+                format!("Settled, as far as a check can tell: {name}. It no longer shows.")
             }
-            0 => format!("It does not show any more: {name}. But not all answers were right."),
+            0 => format!("It no longer shows: {name}. But not all answers were right."),
             _ => format!("It still shows: {name}. Read the page again, and take your time."),
         }
     }

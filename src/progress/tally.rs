@@ -87,7 +87,7 @@ impl Tally {
     }
 
     /// The mean angle error in degrees, even if there are few angles, and the standard deviation of
-    /// the errors, which describes these answers and does not estimate that of others.
+    /// the errors. Both describe these answers only; they are not estimates for other answers.
     pub(crate) fn spread_deg(&self) -> Option<[f64; 2]> {
         let (count, sums) = self.errors;
         let [mean, square] = sums.map(|sum| sum / count as f64);
