@@ -1,5 +1,5 @@
-//! The time from the start of carrom to its first complete frame, in a terminal of 80 by 24:
-//! `cargo bench --bench first_frame`.
+//! Measures the time from the start of carrom to its first complete frame, in a terminal of 80 by
+//! 24: `cargo bench --bench first_frame`.
 
 #[cfg(unix)]
 #[allow(dead_code, reason = "only the start is timed")]

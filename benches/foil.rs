@@ -1,8 +1,8 @@
 //! How fast a beam is simulated and counted: `cargo bench --bench foil`.
 //!
-//! For each law, particles are counted into 36 bins on one core, in the same rounds with the table
-//! of edges and with the plain loop that computes the angle of each particle. Both count the same
-//! particles, and the counts must be equal. The best and the median of many rounds are printed.
+//! For each law, particles are counted into 36 bins on one core. The table of edges and the plain
+//! loop, which computes the angle of each particle, run in the same rounds. Both count the same
+//! particles, so their counts must be equal. The best and the median of many rounds are printed.
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,4 +1,4 @@
-//! The time to make a gradebook, and whether this time grows no faster than the class:
+//! Measures the time to make a gradebook, and whether this time grows no faster than the class:
 //! `cargo bench --bench gradebook`.
 //!
 //! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is timed
@@ -21,7 +21,8 @@ const MANY_ROUNDS: u64 = 5_000;
 /// The number of runs of each measurement; the best is printed.
 const RUNS: usize = 3;
 
-/// The answers of one pupil to these rounds; different pupils are right at different questions.
+/// The answers of one pupil to these rounds. Different pupils give wrong answers to different
+/// questions.
 fn answers(rounds: &[Round], pupil: usize) -> Vec<Attempt> {
     let mut all = Vec::new();
     for round in rounds {
@@ -81,7 +82,7 @@ fn best<T>(work: impl Fn() -> T) -> Duration {
 fn main() {
     let codes = (1..=ROUNDS).filter_map(|seed| Code::parse(&format!("mixed-{seed}")));
     let rounds: Vec<Round> = codes.map(Round::of).collect();
-    println!("pupils × {ROUNDS} rounds   HTML        CSV         HTML per pupil, of the first");
+    println!("pupils × {ROUNDS} rounds   HTML        CSV         HTML per pupil / first row");
     let mut first = None;
     for pupils in CLASSES {
         let files: Vec<_> = (0..pupils)

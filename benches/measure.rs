@@ -1,6 +1,6 @@
 //! Reads and measures a film of a million rows: `cargo bench --bench measure`.
 //!
-//! It fails if that takes more than two seconds.
+//! The benchmark fails if this takes more than two seconds.
 
 use std::fmt::Write;
 use std::time::Instant;
@@ -8,7 +8,7 @@ use std::time::Instant;
 use carrom::measure::{Given, Measurement, Reading, read};
 
 const ROWS: u32 = 1_000_000;
-/// The longest time in seconds.
+/// The maximum time in seconds.
 const MOST: f64 = 2.0;
 
 /// Two equal pucks that meet after half of the rows, with some noise.
@@ -16,7 +16,7 @@ fn film() -> String {
     let mut text = String::from("t,x1,y1,x2,y2\n");
     for row in 0..ROWS {
         let t = f64::from(row) * 1e-6 - 0.5;
-        // Noise that needs no generator.
+        // This noise needs no random number generator.
         let noise = |turn: f64| 1e-3 * (turn * f64::from(row)).sin();
         let [x1, y1, x2, y2] = match t < 0.0 {
             true => [t, 0.0, 0.05, 0.0],

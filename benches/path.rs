@@ -18,14 +18,14 @@ use students::Belief;
 
 /// More steps than any learner should need.
 const MOST_STEPS: usize = 1_000;
-/// How often the same step must be suggested in a row to count as a loop.
+/// How often the same step must be suggested in succession to count as a loop.
 const IN_A_ROW: usize = 8;
 
 /// The progress of one learner.
 struct Journey {
     /// The number of steps and days to the end of the chapters; `None` if it was not reached.
     arrived: Option<(usize, i64)>,
-    /// The number of steps until only the table was left; `None` if that was not reached.
+    /// The number of steps until only the table was left; `None` if this point was not reached.
     finished: Option<usize>,
     /// The number of questions answered.
     answered: usize,

@@ -28,7 +28,7 @@ enum Player {
     Strength(Strength),
     /// Follows the hints with this hand.
     Hinted(PlayerHand),
-    /// Shoots from any legal place, in any forward direction, at any speed.
+    /// Shoots from any legal position, in any forward direction, at any speed.
     Random,
 }
 
@@ -91,7 +91,7 @@ fn report(strong: Player, weak: Player, boards: u64) {
     );
 }
 
-/// Prints the mean number of strokes in a board and of boards in a game between equals.
+/// Prints the mean number of strokes per board and of boards per game between equals.
 fn lengths(games: u64) {
     println!("{games} games between equals\n");
     for rules in [Rules::Tournament, Rules::Friendly, Rules::Points] {

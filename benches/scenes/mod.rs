@@ -38,7 +38,7 @@ impl Table {
             .all(|(other, at)| at.position.distance(position) > other.radius + disc.radius + 1e-4)
     }
 
-    /// Adds a disc at a random free place of a square board.
+    /// Adds a disc at a random free position on a square board.
     fn scatter(&mut self, disc: Disc, side: f64, velocity: DVec2, rng: &mut Pcg64) {
         let reach = 0.5 * side - disc.radius;
         loop {
@@ -61,8 +61,8 @@ pub(crate) fn closed_board() -> Board {
     }
 }
 
-/// 64 breaks: the striker hits the pack of 19 coins with gaps of 0.1 mm at 4 m/s, from
-/// different places on the base line and aimed at different points of the pack.
+/// 64 breaks: at 4 m/s, the striker hits the pack of 19 coins, which have gaps of 0.1 mm. It starts
+/// from different positions on the base line and aims at different points of the pack.
 pub(crate) fn breaks() -> Vec<Table> {
     let mut rng = Pcg64::seed_from_u64(1);
     (0..64).map(|_| one_break(&mut rng)).collect()
@@ -85,8 +85,8 @@ fn one_break(rng: &mut Pcg64) -> Table {
     table
 }
 
-/// 64 strokes from the middle of a game: 19 scattered coins, and the striker on the base line,
-/// aimed at one of them at 2.5 m/s.
+/// 64 strokes from the middle of a game, with 19 scattered coins: from the base line, the striker
+/// is aimed at one of them at 2.5 m/s.
 pub(crate) fn mid_game() -> Vec<Table> {
     let mut rng = Pcg64::seed_from_u64(2);
     (0..64)

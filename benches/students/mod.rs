@@ -1,7 +1,7 @@
 //! Simulated students. Their rays and numbers are calculated here, without the grader's code. Among
-//! choices they take the one that agrees with their belief. If their belief gives no answer, they
-//! either guess or know the right one. Every angle has a random error with a standard deviation of
-//! 2°, every other number one of 2 %.
+//! choices, they take the one that agrees with their belief. If their belief gives no answer, they
+//! either guess or know the right answer. Every angle has a random error with a standard deviation
+//! of 2°, and every other number has a relative error with a standard deviation of 2 %.
 
 use std::f64::consts::{PI, TAU};
 

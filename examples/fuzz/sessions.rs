@@ -21,7 +21,8 @@ use crate::{Fault, watched};
 const LONGEST: u64 = 2000;
 /// The number of inputs between two frames.
 const DRAWN: u64 = 100;
-/// The number of inputs after which the keys with a meaning are looked up again in any case.
+/// After this number of inputs, the keys with a meaning are looked up again even if nothing seems
+/// to have changed.
 const CAUGHT_UP: u64 = 10;
 
 /// Plays the session with this number; returns the number of inputs, and the fault if there was

@@ -1,4 +1,5 @@
-//! The boards for one player are the same on every machine, and their par is played by the search.
+//! The boards for one player are the same on every machine, and the search clears each of them in
+//! its par.
 
 use carrom::game::opponent::clearing;
 use carrom::game::{BoardCode, Fingerprint, Game, Move};
@@ -21,8 +22,8 @@ fn hash(texts: impl IntoIterator<Item = String>) -> u64 {
     })
 }
 
-/// Plays the strokes of the search, each of which the laws have to allow; returns the par and the
-/// strokes with all their figures.
+/// Plays the strokes of the search, each of which must be legal. Returns the par, and the strokes
+/// with all their digits.
 fn cleared(code: BoardCode) -> (usize, String) {
     let strikes = clearing(code).unwrap_or_else(|| panic!("{code} is not cleared"));
     let mut game = Game::new(code.setup());
@@ -44,7 +45,8 @@ fn a_hundred_days_have_the_same_boards_on_every_machine() {
     );
 }
 
-/// The strokes of the search are played by the engine, so every board is cleared within its par.
+/// The engine plays the strokes of the search, which shows that every board can be cleared in its
+/// par.
 #[test]
 fn the_search_clears_a_hundred_boards_with_the_same_strokes_on_every_machine() {
     let cleared: Vec<_> = hundred().map(cleared).collect();

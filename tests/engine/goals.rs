@@ -124,7 +124,7 @@ fn circle_goals_are_met_by_paths_and_by_final_positions() {
 }
 
 #[test]
-fn goals_about_pockets_and_untouched_discs() {
+fn pocket_and_contact_goals_report_what_happened() {
     met("kind = \"keep\"\ndisc = 1");
     met("kind = \"untouched\"\ndisc = 2");
     met("kind = \"untouched\"\ndisc = 1\nby = 2");
@@ -148,7 +148,7 @@ fn goals_about_pockets_and_untouched_discs() {
 }
 
 #[test]
-fn goals_about_which_disc_hits_which() {
+fn a_hit_goal_requires_a_hit_by_the_given_disc() {
     met("kind = \"hit\"\ndisc = 1\nby = 0");
     met("kind = \"hit\"\ndisc = 0\nby = 1");
     missed(

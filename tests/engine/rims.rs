@@ -92,7 +92,7 @@ proptest! {
     }
 
     #[test]
-    fn energy_never_grows_and_the_loss_is_what_is_missing(c in rough()) {
+    fn energy_never_increases_and_the_loss_is_the_difference(c in rough()) {
         let after = c.outcome();
         let before = energy(&c, [c.u1, c.u2], c.rims.spins);
         let left = energy(&c, [after.v1, after.v2], after.spins);
@@ -103,7 +103,7 @@ proptest! {
         prop_assert!(left <= before * (1.0 + 1e-12));
     }
 
-    /// Every field has the same bits, whatever the spins are.
+    /// Every field agrees to the last bit, whatever the spins are.
     #[test]
     fn without_friction_nothing_differs_from_smooth_rims(c in rough()) {
         let smooth = Collision { rims: Rims::default(), ..c }.outcome();
@@ -187,7 +187,8 @@ fn the_throw_is_greatest_where_the_rims_just_stop_slipping() {
             let alpha = f64::from(deg).to_radians();
             assert!(thrown(alpha, restitution, friction) <= most + 1e-14);
         }
-        // Below that angle the throw is less: the rims stop slipping before the contact ends.
+        // Below that angle the throw is smaller, because the rims stop slipping before the contact
+        // ends.
         assert!(thrown(0.99 * best, restitution, friction) < 0.995 * most);
     }
 }
@@ -248,16 +249,16 @@ fn discs_that_stick_arrive_without_spin() {
 
 /// A contact of finite stiffness, integrated in time with fourth-order Runge–Kutta steps.
 ///
-/// Along the line between the centres acts the force of Walton and Braun (1986): k δ while the
-/// overlap δ grows, and k/e² (δ − δ₀) with δ₀ = (1 − e²) δ_max while it shrinks, so that the discs
-/// separate at e times the speed of approach. Along the rims acts Coulomb friction μ F, opposite to
-/// the slip; once the slip has stopped, friction keeps it at 0 as far as μ F allows.
+/// The force of Walton and Braun (1986) acts along the line between the centres. It is k δ while
+/// the overlap δ grows, and k/e² (δ − δ₀) with δ₀ = (1 − e²) δ_max while the overlap shrinks, so
+/// the discs separate at e times the speed of approach. Coulomb friction μ F acts along the rims,
+/// opposite to the slip; once the slip has stopped, friction keeps it at 0 as far as μ F allows.
 struct StiffContact<'a> {
     c: &'a Collision,
     /// Stiffness k in N/m.
     stiffness: f64,
     normal: DVec2,
-    /// The force that acts now.
+    /// The part of the force law that applies now.
     phase: Phase,
 }
 
@@ -386,8 +387,8 @@ impl StiffContact<'_> {
     }
 
     /// The velocities and spins after the contact, with `steps` steps in each quarter period. The
-    /// contact lasts so short a time that the discs slide past each other by `shift` of the sum of
-    /// their radii.
+    /// contact is so short that the discs slide past each other by `shift` times the sum of their
+    /// radii.
     fn outcome(c: &Collision, steps: f64, shift: f64) -> State {
         let normal = c.normal().unwrap();
         let lasts = shift * c.contact_distance() / fastest(c);
@@ -483,17 +484,18 @@ fn listed(errors: &[f64]) -> String {
     errors.join(", ")
 }
 
-/// Prints how the difference shrinks with the time of contact and with the step.
+/// Prints how the difference decreases with the duration of the contact and with the step.
 fn check_convergence(contacts: usize) {
     let by_time = [1e-5, 1e-6, 1e-7].map(|shift| worst_difference(contacts, 16.0, shift));
     let listed_times = listed(&by_time);
     println!("{contacts} contacts, shifts of 1e-5, 1e-6, 1e-7: {listed_times}");
-    // First order in the time of contact.
+    // The error is of first order in the duration of the contact.
     assert!(by_time.windows(2).all(|pair| pair[1] < pair[0] / 5.0));
     let by_step = [4.0, 8.0, 16.0, 32.0].map(|steps| worst_difference(contacts, steps, 1e-8));
     let listed_steps = listed(&by_step);
     println!("{contacts} contacts, 4, 8, 16, 32 steps per quarter period: {listed_steps}");
-    // Fourth order: half the step, a sixteenth of the error, down to the finite time of contact.
+    // The integration is of fourth order: half the step gives a sixteenth of the error, until the
+    // error due to the finite contact time is reached.
     assert!(
         by_step
             .windows(2)

@@ -43,7 +43,7 @@ fn text(element: &ElementRef<'_>) -> String {
     element.text().collect::<Vec<_>>().join(" ")
 }
 
-/// If `CARROM_REPORTS` is set to a folder, the reports are written there, to look at them.
+/// If `CARROM_REPORTS` is set to a folder, the reports are written there for inspection.
 #[test]
 fn a_report_shows_each_question_with_its_votes_and_what_to_teach_next() {
     for code in ["quick-7", "mixed-3", "concept-2"] {
@@ -70,7 +70,8 @@ fn a_report_shows_each_question_with_its_votes_and_what_to_teach_next() {
             let right = Selector::parse("tr.right").unwrap();
             assert_eq!(article.select(&right).count(), 1, "{code} {number}");
         }
-        // It teaches the most widely held misconception, with its page and a round.
+        // The report says how to teach the most widely held misconception, with its page and a
+        // round.
         let beliefs = all(&page, ".belief");
         assert!(!beliefs.is_empty());
         let first = text(&beliefs[0]);

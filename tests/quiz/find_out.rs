@@ -1,6 +1,6 @@
 //! The course that finds out what somebody believes, and the mixed course that tests for every
-//! misconception: both are the same on every machine, and name the misconception that answers
-//! follow.
+//! misconception. Both ask the same questions on every machine, and name the misconception that the
+//! answers follow.
 
 use carrom::progress::{Attempt, Summary};
 use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round};

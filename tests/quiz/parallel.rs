@@ -71,7 +71,7 @@ fn share_right(round: &Round, belief: Belief, knows: bool) -> f64 {
     right as f64 / (STUDENTS * round.questions().len() as u64) as f64
 }
 
-/// A class of every kind of simulated student finds both forms equally difficult.
+/// Both forms are equally difficult for a class with every kind of simulated student.
 #[test]
 fn both_forms_are_equally_difficult_for_simulated_students() {
     for seed in SEEDS {

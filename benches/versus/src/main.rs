@@ -2,8 +2,8 @@
 //!
 //! `cd benches/versus && cargo run --release`
 //!
-//! It answers two questions: how long does a break take, and in which direction does a single
-//! coin leave?
+//! The comparison answers two questions: how long does a break take, and in which direction does a
+//! single coin leave?
 
 #[path = "../../scenes/mod.rs"]
 mod scenes;

@@ -46,7 +46,7 @@ impl Hit {
         }
     }
 
-    /// Where both go.
+    /// The directions of both discs after the hit.
     pub(crate) fn rays(&self) -> Rays {
         Rays {
             striker: turn(self.u, self.v1),

@@ -15,9 +15,9 @@ pub(crate) const SEEDS: u64 = 2_000;
 /// The most draws a question may take; `Family::ask` gives up after twenty times as many.
 const DRAWS: usize = 1_000;
 
-/// If a family shuffles its choices, the right one must be in each of at least two places at least
-/// this often. Each misconception must occur in at least this share of a family's questions at one
-/// difficulty.
+/// If a family shuffles its choices, the right choice must be in each of at least two positions at
+/// least this often. Each misconception must occur in at least this share of a family's questions
+/// at one difficulty.
 const NOW_AND_THEN: f64 = 0.02;
 
 /// Columns of the panel beside a picture, and of a choice after its letter.
@@ -241,7 +241,7 @@ fn assert_figures(question: &Question) {
     }
 }
 
-/// Fails unless every text fits in its place and none gives the answer away.
+/// Fails unless every text fits in its space and no text gives the answer away.
 fn assert_words(question: &Question) {
     assert_readable(&question.topic.name(), PANEL, 1);
     assert_readable(&question.text, PANEL, 10);

@@ -1,4 +1,4 @@
-//! What the coefficient of restitution does.
+//! Questions about the coefficient of restitution.
 
 use carrom::quiz::Family;
 
