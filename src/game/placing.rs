@@ -1,7 +1,7 @@
 //! Where the striker may be placed.
 //!
-//! The striker is placed between the two base lines of its side and touches both, clear of the base
-//! circles; or it covers a base circle fully. It must not cover part of a base circle ("cutting the
+//! The striker must be between the two base lines of its side and touch both, clear of the base
+//! circles, or cover a base circle fully. It must not cover part of a base circle ("cutting the
 //! moon") or touch a coin.
 
 use glam::DVec2;
@@ -174,8 +174,8 @@ impl<'a> BaseLines<'a> {
         nearest.map(|along| self.at(along))
     }
 
-    /// Legal positions from left to right: `steps` of them spread evenly between the base circles
-    /// and the two that cover a circle, without those that coins block.
+    /// Legal positions from left to right: `steps` positions spread evenly between the base
+    /// circles, and the two that cover a base circle, without those that coins block.
     pub(crate) fn candidates(&self, steps: u16) -> Vec<DVec2> {
         let end = self.end_of_the_lines();
         let spread = (0..steps).map(|i| {
@@ -195,7 +195,8 @@ impl<'a> BaseLines<'a> {
         Self::base_circle_along() - BASE_CIRCLE_RADIUS - self.set.striker_radius()
     }
 
-    /// The intervals of the middle line that coins block, as distances along it.
+    /// The intervals that coins block on the line midway between the base lines, as distances along
+    /// that line.
     fn barred(&self) -> impl Iterator<Item = [f64; 2]> {
         let reach = self.set.striker_radius() + self.set.coin_radius() + GAP;
         let middle = self.middle();

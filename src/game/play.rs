@@ -23,7 +23,8 @@ pub struct BoardInPlay {
     pub(super) break_tries: Option<u8>,
     /// The number of coins that each team owes because it has no pocketed coin to give back (45b).
     pub owed: ByTeam<u8>,
-    /// Whether each team has had a coin pocketed in this board, even if it was put back.
+    /// For each team, whether one of its coins has been pocketed in this board, even if it was put
+    /// back.
     pub(super) pocketed_before: ByTeam<bool>,
     /// In points carrom, the coins that each team has pocketed.
     pub(super) taken: ByTeam<Taken>,

@@ -30,7 +30,7 @@ pub(crate) struct ClearedBoard {
     pub(crate) strokes: usize,
 }
 
-/// The results with some rules against a computer of some strength.
+/// The results with one set of rules against one strength of the computer.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct ResultsRow {
     pub(crate) rules: Rules,

@@ -621,7 +621,7 @@ fn the_worked_solution_substitutes_the_numbers() {
         "= [(20 - 1 x 40) x 2.121 + 2 x 40 x 0] / 60 = -0.7071 m/s",
         "v1 = v1_n n + v1_t t = (1, 2) m/s",
         "theta1 = 63.43 deg",
-        "separation, from v1 to v2: 108.4 deg",
+        "angle between the paths, from v1 to v2: 108.4 deg",
         "momentum after   m1v1 + m2v2 = (60, 0) g m/s",
         "more than a right angle",
     ] {

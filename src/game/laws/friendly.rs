@@ -81,7 +81,8 @@ fn proper(case: &Case) -> Verdict {
         (0, true) => Verdict::passes(
             None,
             format!(
-                "No coin of {player} fell to cover the queen, so she goes back and the turn passes."
+                "None of {player}'s coins fell to cover the queen, so she goes back and the turn \
+                 passes."
             ),
         )
         .queen(QueenFate::GoesBack),

@@ -3,7 +3,8 @@
 use super::case::{Case, Verdict};
 use super::ruling::Law;
 
-/// Strokes a player has for touching the pack: one and "two more chances" (18a).
+/// The number of strokes in which a player may try to touch the pack: one and "two more chances"
+/// (18a).
 const TRIES: u8 = 3;
 
 /// The verdict on a stroke at the unbroken pack that touched nothing; `None`

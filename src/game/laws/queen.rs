@@ -20,7 +20,7 @@ fn covering(case: &Case) -> Verdict {
         (0, false) => Verdict::passes(
             Law::new(69),
             format!(
-                "No coin of {player} fell to cover the queen, so she goes back to the centre \
+                "None of {player}'s coins fell to cover the queen, so she goes back to the centre \
                  and the turn passes."
             ),
         )
@@ -65,7 +65,7 @@ fn pocketed(case: &Case) -> Verdict {
         (0, true) if case.own.had_all() => Verdict::passes(
             Law::clause(68, 'd'),
             format!(
-                "The striker fell with the queen while all nine coins of {player} were on the \
+                "The striker fell with the queen while all nine of {player}'s coins were on the \
                  board, so she goes back, one coin is due and the turn passes."
             ),
         )
@@ -116,7 +116,7 @@ fn pocketed(case: &Case) -> Verdict {
         (1, false) if case.own.had_all() => Verdict::continues(
             Law::clause(70, 'b'),
             format!(
-                "With all nine coins of {player} on the board, one coin falling with the queen \
+                "With all nine of {player}'s coins on the board, one coin falling with the queen \
                  does not cover her: the next stroke must."
             ),
         ),

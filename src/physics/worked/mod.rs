@@ -125,8 +125,10 @@ fn where_they_meet(c: &Collision) -> WorkedStep {
 /// Speeds and angles after a hit.
 fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let separation = match after.separation {
-        Some(angle) => format!("separation, from v₁ to v₂: {}", degrees(angle)),
-        None => "separation: undefined, because a disc at rest has no direction".to_owned(),
+        Some(angle) => format!("angle between the paths, from v₁ to v₂: {}", degrees(angle)),
+        None => {
+            "angle between the paths: undefined, because a disc at rest has no direction".into()
+        }
     };
     let mut lines = vec![
         angle_line("θ₁", after.theta1, c.u1, after.v1),
@@ -135,7 +137,7 @@ fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     ];
     if let Some(throw) = c.throw().filter(|throw| *throw != 0.0) {
         lines.push(format!(
-            "throw off n: tan δ = Jₜ / Jₙ, δ = {}",
+            "throw from n: tan δ = Jₜ / Jₙ, δ = {}",
             degrees(throw)
         ));
     }

@@ -76,8 +76,8 @@ fn striker(c: &Collision, after: &CollisionOutcome) -> String {
     let speed = number(after.v1.length());
     match after.theta1 {
         _ if after.v1.length() <= 0.0 => {
-            "The striker stops: it no longer has a direction, so θ₁ and the separation are \
-             undefined."
+            "The striker stops: it no longer has a direction, so θ₁ and the angle between the paths \
+             are undefined."
                 .to_owned()
         }
         Some(angle) => format!(

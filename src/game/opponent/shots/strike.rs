@@ -27,8 +27,8 @@ impl ProposedStroke {
     }
 }
 
-/// Where the striker's centre is when it gives the coin its course: the ghost striker to aim at,
-/// which touches the coin on its line of impact.
+/// The position of the striker's centre at the hit that gives the coin its course: the ghost
+/// striker to aim at, which touches the coin on its line of impact.
 pub(in super::super) fn ghost(sight: &Sight, course: &PocketPath) -> Option<DVec2> {
     let coin = sight.coins.get(course.coin)?;
     let ghost = coin.at - course.toward * (sight.striker() + sight.coin());

@@ -178,7 +178,7 @@ const GAP: &str = "____";
 fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
     let value = equality().find(|at| is_value(&line[at + 1..]));
-    // A line such as `θ₁: undefined`, or a separation.
+    // A line such as `θ₁: undefined`, or the angle between the paths.
     let revealed = line
         .find(": ")
         .filter(|at| value.is_none_or(|value| *at < value));
@@ -224,8 +224,8 @@ mod tests {
                 "θ₁: ____",
             ),
             (
-                "separation, from v₁ to v₂: 108.4°",
-                "separation, from v₁ to v₂: ____",
+                "angle between the paths, from v₁ to v₂: 108.4°",
+                "angle between the paths, from v₁ to v₂: ____",
             ),
             (
                 "energy after     ½ I ω² = 0.01 + 0.02 = 0.03 J",
