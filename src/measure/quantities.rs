@@ -534,8 +534,8 @@ fn missing(need: Need, fit: &TracksFit, known: &Known, names: [&str; 2]) -> Opti
         }
         Need::Momentum => {
             let total = fit.estimate(|state| Some(momentum(state, known, Before).length()));
-            let reason =
-                "not defined: the total momentum before is not clearly different from zero";
+            let reason = "not defined: the total momentum before the contact is not clearly \
+                          different from zero";
             (total.is_some_and(|it| it.is_clear()), reason.into())
         }
         Need::Radii => {

@@ -277,7 +277,7 @@ impl Measurement {
                 rows: kept,
             },
             ReportSection {
-                title: "Prediction from the state before",
+                title: "Prediction from the state before the contact",
                 rows: predicted.to_vec(),
             },
         ]

@@ -96,8 +96,8 @@ fn facts(round: &ClassRound, about: &About, voted: usize) -> String {
 /// A table with the results of all questions.
 fn glance(round: &ClassRound, voted: &[&ItemAnalysis]) -> Markup {
     let note = |item: &ItemAnalysis| match Advice::of(round, item.question) {
-        _ if needs_more(item) => "come back to it",
-        Some(Advice::GoOn) => "known before",
+        _ if needs_more(item) => "come back to this question",
+        Some(Advice::GoOn) => "already known",
         _ => "",
     };
     let has_notes = voted.iter().any(|it| !note(it).is_empty());

@@ -149,7 +149,7 @@ impl ObservationCounts {
         }
         let (all, right) = (counted(self.all, "observation"), self.right);
         let mut words = vec![format!(
-            "Seen before the angles were shown: {right} of {all} within 10° of what happened."
+            "Before the angles were shown: {right} of {all} within 10° of what happened."
         )];
         if self.only_seen > 0 {
             words.push(format!(

@@ -65,7 +65,7 @@ proptest! {
 
     /// The tolerance is relative to the two momenta, not to their sum, which may be zero.
     #[test]
-    fn momentum_balances(c in both_moving()) {
+    fn momentum_is_conserved(c in both_moving()) {
         let after = c.outcome();
         let scale = c.striker.mass * c.u1.length() + c.target.mass * c.u2.length();
         let change = momentum(&c, after.v1, after.v2) - momentum(&c, c.u1, c.u2);
@@ -111,7 +111,7 @@ proptest! {
     }
 
     #[test]
-    fn the_offset_gives_the_angle_again(c in both_moving(), alpha_deg in -89.9..=89.9_f64) {
+    fn the_angle_is_recovered_from_the_offset(c in both_moving(), alpha_deg in -89.9..=89.9_f64) {
         let found = c.with_alpha(alpha_deg.to_radians()).alpha().unwrap();
         prop_assert!((found.to_degrees() - alpha_deg).abs() <= 1e-9);
     }

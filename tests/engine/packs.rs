@@ -85,7 +85,7 @@ fn the_stored_solution_can_be_reached_by_key_presses() {
 /// The share of aims that win measures the difficulty. Within a pack it falls from level to level;
 /// the first pack may begin with its two simplest collisions.
 #[test]
-fn few_aims_win_but_not_too_few_and_fewer_from_level_to_level() {
+fn the_share_of_winning_aims_is_small_and_falls_from_level_to_level() {
     for pack in LevelLibrary::embedded().packs {
         let shares = pack.levels.iter().map(|level| winning_share(level, 4000));
         let shares: Vec<f64> = shares.collect();

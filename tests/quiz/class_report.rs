@@ -114,7 +114,7 @@ fn a_report_can_be_read_by_a_screen_reader() {
 }
 
 #[test]
-fn names_are_in_a_report_only_if_asked() {
+fn a_report_contains_names_only_on_request() {
     let page = html(
         &played("quick-7"),
         &About {

@@ -119,7 +119,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
 /// The agreement before the first break.
 fn setup(fields: &Fields) -> Option<GameSetup> {
     let rules = fields.parsed("rules", "the rules");
-    let hands = fields.parsed("hands", "how many play");
+    let hands = fields.parsed("hands", "the number of players");
     let length = fields.or("length", Length::default(), |name| {
         fields.parsed(name, "board, game or match")
     });
@@ -128,7 +128,7 @@ fn setup(fields: &Fields) -> Option<GameSetup> {
     let restitution = fields.or("restitution", usual, |name| {
         fields.number(name, &RESTITUTION)
     });
-    let first_breaker = fields.parsed("first_breaker", "who breaks first");
+    let first_breaker = fields.parsed("first_breaker", "the seat that breaks first");
     let seed = fields.or("seed", None, |name| {
         let bits = fields.parsed::<i64>(name, "a whole number")?;
         Some(Some(bits.cast_unsigned()))
