@@ -109,7 +109,6 @@ impl Learner {
         self.student.dice.random::<f64>() < p
     }
 
-    /// Takes the next step.
     pub(crate) fn take_step(&mut self) {
         let step = match self.habit {
             Habit::OnlyPlays => self.shelf.next().map_or(Step::Table, Step::Level),

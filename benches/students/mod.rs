@@ -86,7 +86,6 @@ impl Belief {
     }
 }
 
-/// A simulated student.
 pub(crate) struct Student {
     pub(crate) belief: Belief,
     /// Whether they know the answer if their belief gives none; otherwise they guess.
@@ -180,7 +179,6 @@ impl Student {
         radius * (TAU * self.dice.random::<f64>()).cos()
     }
 
-    /// Their answer to a question.
     pub(crate) fn answer(&mut self, question: &Question) -> Answer {
         let said = match self.believed(question) {
             Some(said) => self.with_noise(question, said),

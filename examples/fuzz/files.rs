@@ -26,7 +26,6 @@ use rand_pcg::Pcg64Mcg;
 use crate::damage::change;
 use crate::{Fault, watched};
 
-/// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Level,
@@ -40,7 +39,6 @@ enum Kind {
     Tracks,
 }
 
-/// A file of settings.
 const SETTINGS: &str =
     "format = 1\nplayer = \"Ada\"\ncolours = \"256\"\nmotion = \"reduced\"\nforetold = \"2\"\n";
 /// A file of rebound keys.

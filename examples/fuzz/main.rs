@@ -6,11 +6,11 @@
 //! cargo run --release --example fuzz -- --file NUMBER
 //! ```
 //!
-//! It plays sessions: it starts at a random moment of the tour of all phases, with random settings;
-//! it presses keys, moves the mouse, pastes, resizes and lets time pass; and it draws after every
-//! hundredth input and at every new screen. Between the sessions it damages files of each kind that
-//! carrom reads. Nothing may panic, take longer than a second, show "NaN", or put a character that
-//! is not ASCII on an ASCII screen.
+//! It plays sessions. A session starts at a random moment of the tour of all phases, with random
+//! settings. It presses keys, moves the mouse, pastes, resizes and lets time pass, and it draws
+//! after every hundredth input and at every new screen. Between the sessions, files of each kind
+//! that carrom reads are damaged and read. Nothing may panic, take longer than a second, show
+//! "NaN", or put a character that is not ASCII on an ASCII screen.
 //!
 //! The counts are saved in FOLDER (`target/fuzz` by default), so that results accumulate; a fault
 //! is recorded there with the number that reproduces it.

@@ -1,8 +1,8 @@
 //! Where a coin is put back.
 //!
-//! The coin goes to the free position nearest to the required point, which is found exactly: it is
-//! the point itself, the nearest point of a circle that blocks it, or an intersection of two such
-//! circles.
+//! The coin goes to the free position nearest to the required point. This position is found
+//! exactly: it is the point itself, the nearest point of a circle that blocks the point, or an
+//! intersection of two such circles.
 
 use glam::DVec2;
 

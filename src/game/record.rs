@@ -90,7 +90,7 @@ pub enum MoveError {
 pub struct RecordError {
     /// The number of the move, from 1.
     pub number: usize,
-    /// The reason.
+    /// Why the move is impossible.
     #[source]
     pub error: MoveError,
 }

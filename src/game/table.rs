@@ -18,13 +18,13 @@ use crate::physics::{Board, Disc, Motion};
 /// The settings that are agreed before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GameSetup {
-    /// The rules.
+    /// The rules that the referee applies.
     pub rules: Rules,
     /// Singles or doubles.
     pub hands: Hands,
     /// How long the game lasts.
     pub length: Length,
-    /// The pieces.
+    /// The set of pieces, which determines their sizes and masses.
     pub set: PieceSet,
     /// Coefficient of restitution of two discs, 0 to 1.
     pub restitution: f64,

@@ -9,7 +9,7 @@ mod parse;
 
 use letters::letter;
 
-/// A formula.
+/// A formula, as a sequence of parts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Formula(pub Vec<Term>);
 

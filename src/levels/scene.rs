@@ -54,7 +54,7 @@ pub struct Scene {
     pub board: Board,
     /// The discs, indexed by number.
     pub pieces: Vec<PlacedDisc>,
-    /// The shot.
+    /// The shot of one of the discs.
     pub stroke: Launch,
 }
 
@@ -124,10 +124,8 @@ impl Scene {
     }
 }
 
-/// The fields of a disc.
 const DISC_FIELDS: [&str; 4] = ["kind", "at_mm", "mass_g", "radius_mm"];
 
-/// The fields of a board.
 const BOARD_FIELDS: [&str; 5] = [
     "side_mm",
     "pocket_diameter_mm",

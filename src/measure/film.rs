@@ -11,7 +11,6 @@ use super::{Point, Track};
 pub(crate) struct Camera {
     /// Frames per second.
     pub(crate) rate: f64,
-    /// The number of frames.
     pub(crate) frames: usize,
     /// The standard deviation of the noise of a point along x and y, in metres.
     pub(crate) noise: DVec2,

@@ -88,7 +88,7 @@ pub(super) const PUCKS: Film = Film {
     pixel: DVec2::splat(0.001),
 };
 
-/// The tracks as Tracker copies both of them.
+/// Both tracks in the form in which Tracker copies them.
 fn tracker(tracks: &[Track; 2], head: &str) -> String {
     let mut text = format!("{head}#multi:\n\tmass A\t\tmass B\t\t\nt\tx\ty\tx\ty\t\n");
     for (first, second) in tracks[0].points.iter().zip(&tracks[1].points) {
@@ -99,7 +99,8 @@ fn tracker(tracks: &[Track; 2], head: &str) -> String {
     text
 }
 
-/// The tracks as a spreadsheet writes them where a comma is the decimal sign, in `per` metres.
+/// The tracks in the form in which a spreadsheet writes them if a comma is the decimal sign, in
+/// units of `per` metres.
 fn spreadsheet(tracks: &[Track; 2], head: &str, unit: &str, per: DVec2) -> String {
     let heads = ["x1", "y1", "x2", "y2"].map(|name| format!(";{name} ({unit})"));
     let mut text = format!("{head}t (s){}\n", heads.concat());

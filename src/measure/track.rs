@@ -20,7 +20,7 @@ pub struct Point {
 pub struct Track {
     /// The name of the body.
     pub name: String,
-    /// Its points.
+    /// The points at which the body was marked.
     pub points: Vec<Point>,
 }
 

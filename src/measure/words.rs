@@ -20,7 +20,7 @@ const ALIKE: f64 = 4.0;
 /// A name and what was found.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReportRow {
-    /// The name.
+    /// What was measured.
     pub name: String,
     /// The numbers with their units, or why there are none.
     pub text: String,
@@ -29,9 +29,9 @@ pub struct ReportRow {
 /// Rows under a title.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReportSection {
-    /// The title.
+    /// The heading above the rows.
     pub title: &'static str,
-    /// The rows.
+    /// The rows, in the order of a lab report.
     pub rows: Vec<ReportRow>,
 }
 
@@ -348,7 +348,7 @@ impl Measurement {
         })
     }
 
-    /// What the measurement says, in sentences to quote.
+    /// The results of the measurement, in sentences to quote.
     pub fn sentences(&self) -> Vec<String> {
         let mut sentences = Vec::new();
         let is_square = self.known.masses[0] == self.known.masses[1]

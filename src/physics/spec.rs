@@ -68,7 +68,6 @@ pub(crate) struct FieldRange {
 }
 
 impl FieldRange {
-    /// The range of one field.
     pub(crate) const fn new(name: &'static str, what: &'static str, least: f64, most: f64) -> Self {
         Self {
             name,
@@ -237,7 +236,6 @@ impl CollisionSpec {
         }
     }
 
-    /// The collision.
     pub(crate) fn collision(&self) -> Collision {
         let striker = Disc::from_g_mm(self.m1_g, self.r1_mm);
         let target = Disc::from_g_mm(self.m2_g, self.r2_mm);

@@ -1,4 +1,4 @@
-//! The course that finds out what somebody believes, and the mixed course that tests for every
+//! The course that finds out what a student believes, and the mixed course that tests for every
 //! misconception. Both ask the same questions on every machine, and name the misconception that the
 //! answers follow.
 
@@ -24,7 +24,7 @@ fn look_back((round, answers): &(Round, Vec<Answer>)) -> Summary<'static> {
     Summary::new(Vec::leak(answered.map(attempt).collect()))
 }
 
-/// The answers of somebody who holds this misconception and otherwise answers correctly.
+/// The answers of a student who holds this misconception and otherwise answers correctly.
 fn holding(misconception: Misconception) -> impl Fn(&Question) -> Response {
     move |question| {
         let mut held = question.beliefs.iter();

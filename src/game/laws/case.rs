@@ -34,9 +34,7 @@ pub(crate) struct Case {
     pub other: Side,
     /// The queen before the stroke.
     pub queen: QueenBefore,
-    /// Whether the queen fell.
     pub(crate) queen_fell: bool,
-    /// Whether the striker fell.
     pub(crate) striker_fell: bool,
     /// Whether the striker touched any piece.
     pub(crate) touched: bool,

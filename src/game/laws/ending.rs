@@ -91,7 +91,8 @@ fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
     }
 }
 
-/// The player's own last coin fell; `None` if the striker fell too, so that this coin is put back.
+/// The player's own last coin fell; `None` if the striker fell too, because the coin is then put
+/// back.
 fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     let player = case.colour;
     let (covered_by, fate) = match case.queen {

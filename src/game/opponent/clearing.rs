@@ -4,7 +4,7 @@ use super::seek;
 use super::strength::{Skill, Strength};
 use crate::game::{BoardCode, Game, Move, Strike};
 
-/// The maximum number of strokes.
+/// After this number of strokes, a board counts as not cleared.
 const MOST_STROKES: usize = 40;
 
 /// Strokes that clear the board with this code. The champion chooses them; they are played exactly

@@ -10,9 +10,9 @@ pub(super) fn wants(game: &Game, piece: Piece) -> bool {
 
 /// Whether the player at `seat` wants to pocket `piece`.
 ///
-/// A player wants to pocket the player's own coins, except the last one before the queen, because
-/// pocketing that coin loses a tournament board (80); and the queen, once the Laws allow it (65,
-/// 68). In points carrom and without an opponent, a player wants any coin.
+/// The wanted pieces are the player's own coins (except the last one before the queen, because
+/// pocketing that coin loses a tournament board, 80) and the queen, once the Laws allow it (65,
+/// 68). In points carrom and without an opponent, any coin is wanted.
 pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
     let rules = game.setup().rules;
     let team = game.team(seat);

@@ -45,9 +45,9 @@ pub struct Sources<'a> {
     pub stars: &'a [Starred],
     /// What the player should do next.
     pub next: &'a str,
-    /// The levels there are.
+    /// All available levels.
     pub levels: &'a levels::LevelLibrary,
-    /// All chapters.
+    /// All available chapters.
     pub lessons: &'a lessons::ChapterLibrary,
 }
 

@@ -32,7 +32,7 @@ pub struct ReportPicture {
     pub title: &'static str,
     /// How to read it, or what it shows.
     pub legend: String,
-    /// The picture.
+    /// The picture as a vector drawing.
     pub svg: Svg,
 }
 

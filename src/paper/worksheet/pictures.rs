@@ -14,7 +14,7 @@ use crate::widgets::svg::Svg;
 pub struct WorksheetPicture {
     /// The file name without its extension: "question-01".
     pub name: String,
-    /// The picture.
+    /// The picture as a vector drawing.
     pub svg: Svg,
 }
 

@@ -45,7 +45,6 @@ impl ConstantFields {
 /// The solid angle of 1 mm² at 1 cm, in steradians.
 const SCREEN: f64 = 1e-6 / 1e-4;
 
-/// The formula of a constant.
 type ConstantFormula = fn(&ConstantFields) -> Option<f64>;
 
 /// The names and their formulas.
@@ -136,7 +135,6 @@ mod tests {
         constant.value().unwrap()
     }
 
-    /// physics.md, "Beams" and "Rutherford".
     #[test]
     fn well_known_values_are_reproduced() {
         assert!((value("board_share", &[]) - 0.5).abs() < 1e-12);

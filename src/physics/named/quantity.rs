@@ -261,7 +261,7 @@ mod tests {
         Quantity::named(name).unwrap().of(&shot.collision())
     }
 
-    /// The worked figures of `physics.md`, and their closed forms.
+    /// Worked examples with known values, and their closed forms.
     #[test]
     fn well_known_values_are_reproduced() {
         let marbles = "m1_g=20 m2_g=40 speed=3 alpha_deg=45";

@@ -123,7 +123,7 @@ fn the_speed_is_just_sufficient() {
 #[test]
 fn the_allowance_is_the_tolerance_of_the_pocket() {
     let board = Board::default();
-    // The coin moves along the right cushion, so that a turn to the left leads past the edge of the
+    // The coin moves along the right cushion, so a turn to the left leads past the edge of the
     // pocket. For a straight shot the first-order approximation is correct to within 5 %, and a
     // striker of the same mass does not follow the coin.
     let far = board.side / 2.0 - board.pocket_diameter / 2.0;
