@@ -41,8 +41,8 @@ pub struct Collision {
     /// which the striker moves relative to the target.
     pub offset: f64,
     /// The rounding error of [`offset`](Self::offset), in metres, if that offset comes from an
-    /// impact angle within a degree of a graze: b is the offset plus this error. Near a graze, cos
-    /// α depends on digits of b that `offset` alone cannot represent. Otherwise 0.
+    /// impact angle within a degree of a graze: b is the offset plus this error. Near a graze,
+    /// cos α depends on digits of b that `offset` alone cannot represent. Otherwise 0.
     pub offset_rest: f64,
     /// Coefficient of restitution e, 0 to 1; it has no effect on discs that stick.
     pub restitution: f64,

@@ -47,8 +47,8 @@ pub(super) struct Rub {
     pub(super) energy_lost: f64,
 }
 
-/// The speed in m/s of rim 1 relative to rim 2 along t at the point of contact, uₛ = (u₁ − u₂)·t +
-/// ω₁r₁ + ω₂r₂. Rounding noise counts as 0.
+/// The speed in m/s of rim 1 relative to rim 2 along t at the point of contact:
+/// uₛ = (u₁ − u₂)·t + ω₁r₁ + ω₂r₂. Rounding noise counts as 0.
 pub(crate) fn slip(discs: [Disc; 2], relative: DVec2, spins: [f64; 2], normal: DVec2) -> f64 {
     let rims = [0, 1].map(|body| discs[body].radius * spins[body]);
     let slip = relative.dot(normal.perp()) + rims[0] + rims[1];

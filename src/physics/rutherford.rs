@@ -109,8 +109,8 @@ impl Rutherford {
     }
 }
 
-/// Distance between the centres at which an α-particle and a nucleus of this mass number touch, r₀
-/// (A_α^⅓ + A^⅓), in metres. Closer than this, and slightly beyond, the nuclear force acts.
+/// Distance between the centres at which an α-particle and a nucleus of this mass number touch,
+/// r₀ (A_α^⅓ + A^⅓), in metres. Closer than this, and slightly beyond, the nuclear force acts.
 pub(crate) fn touching_distance(mass_number: f64) -> f64 {
     NUCLEAR_RADIUS * (ALPHA_MASS_NUMBER.cbrt() + mass_number.cbrt())
 }
