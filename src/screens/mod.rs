@@ -46,9 +46,9 @@ use crate::widgets::input::KeyTable;
 
 /// A screen of the app: it handles input, advances with time and draws itself.
 ///
-/// A screen is pure: it reads no clock and touches no file. One table defines what its keys do; the
-/// bottom line, the help page and key presses follow from it. Keys that are not in the table belong
-/// to the app.
+/// A screen is pure: it reads no clock and touches no file. One table defines what its keys do; key
+/// presses are looked up in it, and the bottom line and the help page are derived from it. Keys
+/// that are not in the table belong to the app.
 pub trait Screen {
     /// The actions of the keys.
     type Action: Copy + PartialEq;
@@ -78,7 +78,7 @@ pub trait Screen {
         false
     }
 
-    /// The rules of the game on the screen, to which its help page leads.
+    /// The rules of the game on the screen; the help page links to them.
     fn rules(&self) -> Option<Rules> {
         None
     }
@@ -100,7 +100,8 @@ pub trait Screen {
         Next::Ignored
     }
 
-    /// Handles the wheel over the view, up (-1) or down (1), unless it scrolls a long text.
+    /// Handles the mouse wheel over the view, up (-1) or down (1), unless the wheel scrolls a long
+    /// text.
     fn wheel(&mut self, _by: i8, _cx: &mut Context) -> Next {
         Next::Ignored
     }
@@ -110,7 +111,8 @@ pub trait Screen {
         Next::Ignored
     }
 
-    /// Handles an input that is neither a key nor the mouse: pasted text, the answer to a request.
+    /// Handles an input that is neither a key nor the mouse, such as pasted text or the answer to a
+    /// request.
     fn input(&mut self, _input: &Input, _cx: &mut Context) -> Next {
         Next::Ignored
     }
@@ -147,7 +149,7 @@ pub enum Next {
     Back,
     /// Ask the player first; if they agree, [`Screen::confirmed`] carries out the action.
     Confirm(Confirmation),
-    /// A key that means the same on every screen.
+    /// The action of a key that means the same on every screen.
     Shared(SharedAction),
     /// Leave the program.
     Quit,

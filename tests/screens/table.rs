@@ -268,9 +268,9 @@ fn a_hint_sets_the_stroke_that_it_describes_and_is_legal() {
     let place = place.trim_end_matches(" of the middle");
     assert!(shown.contains(&format!("place {place}")), "{shown}");
     assert!(!shown.contains("No stroke is"), "{shown}");
-    assert!(!shown.contains("set it so"), "{shown}");
+    assert!(!shown.contains("set this stroke"), "{shown}");
     game.press("<Right>");
-    assert!(panel(&mut game).contains("set it so"));
+    assert!(panel(&mut game).contains("set this stroke"));
     game.press("h");
     // The striker stays on the board.
     game.press(" ");
@@ -1116,7 +1116,8 @@ fn two_people_at_one_keyboard_have_names_which_are_kept() {
     next.press("<Up><Up>s<Down>");
     let saved = next.screen();
     assert!(saved.contains("Bos Ra 0 : 0 Mia"), "{saved}");
-    assert!(saved.contains("It is the turn of"), "{saved}");
+    let turns = ["It is Bos Ra's", "It is Mia's"];
+    assert!(turns.iter().any(|turn| saved.contains(turn)), "{saved}");
 }
 
 #[test]

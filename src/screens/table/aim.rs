@@ -18,8 +18,8 @@ const FIRST_SPEED: f64 = 2.5;
 pub(super) struct Aim {
     /// The position of the striker, in metres from the centre of the board.
     pub(super) place: DVec2,
-    /// Direction in degrees, 0 to 360, as the player at that seat sees it: 90 is straight across
-    /// the board. Shown and typed directions refer to the screen instead.
+    /// Direction in degrees, 0 to 360, from the point of view of the player who strikes: 90 is
+    /// straight across the board. Shown and typed directions refer to the screen instead.
     direction_deg: f64,
     /// Speed in m/s.
     pub(super) speed: f64,
@@ -96,7 +96,8 @@ impl Aim {
             let mut aimed = *self;
             aimed.point_at(self.place + *way, seat);
             let turn = right * (aimed.direction_deg - self.direction_deg);
-            // After a whole turn the present direction comes last. Directions are hundredths.
+            // The present direction comes last, after a whole turn. Directions are rounded to
+            // hundredths of a degree.
             let turn = (turn - 0.005).rem_euclid(360.0);
             (turn, aimed)
         });

@@ -1,4 +1,4 @@
-//! The page of a board for one player: the board of the day, that of another day, or that of a code.
+//! The page of a board for one player: today's board, that of another day, or one with a code.
 
 use jiff::ToSpan;
 use jiff::civil::Date;
@@ -47,7 +47,7 @@ pub enum BoardAction {
 }
 
 impl BoardPage {
-    /// The page of the board with this code, or of today's, after requests for today's date and for
+    /// Opens the page of the board with this code, or of today's board. Requests today's date, and
     /// the saved games, from which the results are counted.
     pub(super) fn ask(code: Option<BoardCode>, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::Today);
@@ -109,14 +109,14 @@ impl BoardPage {
             .when(!typing)
     }
 
-    /// Shows another board.
+    /// Carries out an action that changes which board is shown.
     pub(super) fn act(&mut self, action: BoardAction) {
         self.notice = None;
         match action {
             BoardAction::Neighbour(by) => self.go(by),
             BoardAction::Code(action) => {
                 if let Outcome::Done(number) = self.entry.act(action) {
-                    // A number with a fraction is refused, too.
+                    // `parse` also refuses a number with a fraction.
                     match BoardCode::parse(&number.to_string()) {
                         Ok(code) => self.show(code),
                         Err(error) => {
@@ -129,7 +129,7 @@ impl BoardPage {
         }
     }
 
-    /// Goes to the board of the day before or of the next day; from today there is no next one.
+    /// Goes to the board of the day before or of the next day; none comes after today's.
     fn go(&mut self, by: i8) {
         let day = self.code.and_then(BoardCode::day);
         let Some(next) = day.and_then(|day| day.checked_add(i64::from(by).days()).ok()) else {

@@ -24,8 +24,8 @@ impl Called {
         Some(Self { said, collision })
     }
 
-    /// Points for the call, 0 to [`Called::MOST`], by the error of each ray: graded as in the quiz,
-    /// without confidence.
+    /// Points for the call, from 0 to [`Called::MOST`], according to the error of each ray: graded
+    /// as in the quiz, but without confidence.
     pub(super) fn points(&self) -> u32 {
         let truth = Rays::from(&self.collision.outcome());
         let grade = RaysGrade::new(&self.said, &truth);
@@ -33,7 +33,7 @@ impl Called {
     }
 }
 
-/// The predicted rays in the form of the record.
+/// The predicted rays, as a record stores them.
 pub(super) fn call(said: &Rays) -> Call {
     Call {
         striker_deg: said.striker.map(f64::to_degrees),

@@ -19,8 +19,8 @@ const GAMES: f64 = 2.5;
 const SECONDS: f64 = 15.0;
 
 impl Options {
-    /// The length of this game in minutes, rounded as roughly as it is known; `None` in a practice
-    /// game.
+    /// The estimated length of this game in minutes, rounded to the accuracy of the estimate;
+    /// `None` in a practice game.
     ///
     /// Both sides are assumed to be as strong as the computer, or as a regular player if no computer
     /// takes part.

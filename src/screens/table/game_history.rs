@@ -118,7 +118,7 @@ impl GameHistory {
     /// Makes a move; returns the shot if it was a stroke.
     ///
     /// # Errors
-    /// If the move cannot be made; then nothing has changed.
+    /// If the move cannot be made. The game is then unchanged.
     pub(super) fn make(&mut self, next: Move) -> Result<Option<Shot>, MoveError> {
         let before = self.game.clone();
         let (shot, rulings) = next.make(&mut self.game)?;

@@ -77,14 +77,14 @@ pub enum TableAction {
 }
 
 impl Table {
-    /// The page of a new game, after a request for the player's last game.
+    /// Opens the page of a new game, and requests the player's last game.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         Self {
             page: TablePage::NewGame(Box::new(NewGame::ask(None, cx))),
         }
     }
 
-    /// The page of the board with this code, or of today's.
+    /// Opens the page of the board with this code, or of today's board.
     pub(crate) fn board(code: Option<BoardCode>, cx: &mut Context) -> Self {
         Self {
             page: TablePage::Board(Box::new(BoardPage::ask(code, cx))),

@@ -16,14 +16,14 @@ use crate::widgets::Role;
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, KeyTable, SettingsForm};
 use crate::widgets::panel::Panel;
 
-/// The page: the chosen options, and the line that keys change.
+/// The page: the options chosen so far, and the form that changes them.
 #[derive(Debug, Clone)]
 pub(super) struct NewGame {
     pub(super) options: Options,
     pub(super) form: SettingsForm,
     /// The ticket of the request for the saved games.
     asked: u64,
-    /// Whether the options of the player's last game are still to replace the usual ones.
+    /// Whether the options of the player's last game may still replace the defaults.
     is_fresh: bool,
     results: Results,
     /// Why the game cannot begin.
@@ -61,8 +61,8 @@ pub enum NewGameAction {
 }
 
 impl NewGame {
-    /// The page, after a request for the saved games: they contain the player's results and, if no
-    /// options are given, those of the player's last game.
+    /// Opens the page, and requests the saved games: they contain the player's results and, if
+    /// `options` is `None`, the options to start from.
     pub(super) fn ask(options: Option<Options>, cx: &mut Context) -> Self {
         Self {
             is_fresh: options.is_none(),
@@ -339,8 +339,7 @@ fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
                 PlayerHand::Club => "a club player",
                 _ => "an expert",
             };
-            format!("Like {whose}'s: within {degrees}° and {percent} % in two strokes of three.")
-                .into()
+            format!("Like {whose}'s: within {degrees}° and {percent} % in 2 of 3 strokes.").into()
         }
     };
     let shown = <&str>::from(hand).to_owned();
@@ -354,7 +353,8 @@ fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
     )
 }
 
-/// The lengths of a game, with an estimate. A friendly game and points carrom consist of boards.
+/// The lengths of a game, with an estimate in minutes. Only tournament rules count games of several
+/// boards.
 fn lengths(now: &Options) -> Vec<Choice> {
     let lengths = [Length::Board, Length::Game, Length::Match].into_iter();
     let offered = lengths.filter(|it| now.rules == Rules::Tournament || *it != Length::Game);

@@ -171,7 +171,7 @@ impl Options {
         !self.rules.is_alone() && self.count(Player::Person) > 1
     }
 
-    /// Whether the two sides are people, who may have names.
+    /// Whether two people play each other; they may have names.
     pub(super) fn has_names(&self) -> bool {
         self.hands == Hands::Two && self.is_shared()
     }
@@ -186,8 +186,9 @@ impl Options {
         }
     }
 
-    /// The score between the names of the teams: points, or boards in friendly games. In points
-    /// carrom the points of the board in play, otherwise those of the finished boards.
+    /// The score between the names of the two teams. Friendly games count boards, the others count
+    /// points: in points carrom those of the board in play, in a tournament those of the finished
+    /// boards.
     pub(super) fn score(&self, game: &Game) -> String {
         let (points, games) = (game.points(), game.score().games);
         let [a, b] = Team::BOTH.map(|team| match self.rules {
@@ -198,7 +199,7 @@ impl Options {
         format!("{first} {a} : {b} {second}")
     }
 
-    /// What the last board decides: a board, a game or a match.
+    /// The word for what the last board decides: a board, a game or a match.
     pub(super) fn whole(&self) -> &'static str {
         match (self.length, self.rules) {
             (Length::Board, Rules::Tournament) => "board",

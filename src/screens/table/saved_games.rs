@@ -49,7 +49,7 @@ pub enum SavedGamesAction {
 }
 
 impl SavedGames {
-    /// The page, after a request for the games; `options` are those of the previous page.
+    /// Opens the page, and requests the saved games; `options` are those of the previous page.
     pub(super) fn ask(options: Options, cx: &mut Context) -> Self {
         Self {
             options,
@@ -107,7 +107,7 @@ impl SavedGames {
                         return Some(Box::new(playing));
                     }
                     Err(reason) => {
-                        self.files.notice = Some(format!("It cannot be resumed: {reason}."));
+                        self.files.notice = Some(format!("The game cannot be resumed: {reason}."));
                     }
                 }
             }
@@ -196,7 +196,7 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         _ if options.rules.is_alone() => String::new(),
         GameStage::Playing => match options.seat_name(game.seat()) {
             "you" => " It is your turn.".into(),
-            name => format!(" It is the turn of {}.", words::player(name)),
+            name => format!(" It is {}'s turn.", words::player(name)),
         },
         GameStage::BoardOver(won) => {
             let winner = words::player(options.team_name(won.winner));

@@ -33,7 +33,7 @@ pub(super) const fn masses(set: PieceSet) -> &'static str {
 /// A message that says where a game was exported, or why the export failed.
 pub(super) fn exported(result: &Result<String, String>) -> String {
     match result {
-        Ok(place) => format!("The game is written to {place}"),
+        Ok(place) => format!("The game has been written to {place}"),
         Err(reason) => format!("The game cannot be exported: {reason}."),
     }
 }

@@ -383,7 +383,7 @@ impl ActiveGame {
         }
     }
 
-    /// Writes the errors of the player's hand, and how far they move the point of contact.
+    /// Writes the errors of the player's hand, and how much they change the impact parameter b.
     fn write_hand<A>(&self, panel: &mut Panel<A>) {
         let Some(errors) = self.hand().errors() else {
             return;
@@ -410,7 +410,7 @@ pub(super) fn strength<A>(aim: &Aim, panel: &mut Panel<A>) {
 fn hint(hinted: &Hinted, is_set: bool, panel: &mut Panel<TableAction>) {
     let (words, more) = match hinted.whole {
         false => (hinted.hint.which(), "tell me more"),
-        true => (hinted.hint.how(), "set it so"),
+        true => (hinted.hint.how(), "set this stroke"),
     };
     panel.paragraph(words, Role::Good);
     if !(hinted.whole && is_set) {
@@ -423,7 +423,7 @@ fn piece(game: &Game, coin: usize) -> &'static str {
     coin.map_or("coin", |coin| coin.piece.into())
 }
 
-/// Writes the numbers of the first collision: which coin, b, and α if `tells_angle`.
+/// Writes the facts of the first collision: the coin, b and, if `tells_angle`, α.
 pub(super) fn first_hit<A>(game: &Game, hit: &FirstHit, tells_angle: bool, panel: &mut Panel<A>) {
     panel.fact("first hit", piece(game, hit.coin));
     offset(&hit.impact.collision, panel);

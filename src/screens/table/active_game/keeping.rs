@@ -24,7 +24,7 @@ impl ActiveGame {
     /// Resumes a saved game, and saves it with the ticket it was loaded with.
     ///
     /// # Errors
-    /// If it cannot be played.
+    /// If the saved game cannot be played through.
     pub(in crate::screens::table) fn resume_saved(
         saved: &SavedGame,
         ticket: u64,
@@ -75,7 +75,7 @@ impl ActiveGame {
                     && self.keeping.saved != Some(false)
                 {
                     self.keeping.trouble = Some(format!(
-                        "This game cannot be saved: {reason}. You can play on, but it would be lost when you leave."
+                        "This game cannot be saved: {reason}. You can play on, but it will be lost when you leave."
                     ));
                 }
                 self.keeping.saved = Some(result.is_ok());

@@ -1,5 +1,5 @@
-//! A game in progress at the table. Each phase has its own file: aiming, calling, watching a
-//! stroke, examining an impact, arranging coins.
+//! A game in progress at the table. Each phase has its own file: aiming, showing the computer's
+//! aim, calling, watching a stroke and examining its impacts, arranging coins, the end of a board.
 
 mod aiming;
 mod arranging;
@@ -185,7 +185,7 @@ impl ActiveGame {
         self.game().setup().rules == Rules::Points
     }
 
-    /// The code of the board, if it is one for one player.
+    /// The code of the board, if it is a board for one player.
     fn board_code(&self) -> Option<BoardCode> {
         self.game().setup().board_code()
     }

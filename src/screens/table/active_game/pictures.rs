@@ -28,7 +28,7 @@ const RING_SHADES: f64 = 4.0;
 const LONGEST_RAY: f64 = 0.16;
 /// Length of the arrow that shows the aim if the aim line is off, in metres.
 const STUB: f64 = 0.09;
-/// The distance of the line on the side of a seat from the frame, in metres.
+/// The distance from the frame to the line that marks the side of a seat, in metres.
 const OWN_SIDE: f64 = 0.03;
 /// Length of the arrow that shows the strength, in metres per m/s.
 const ARROW: f64 = 0.03;
@@ -184,7 +184,7 @@ fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
     for (from, v, role) in bodies {
         let way = stopping_distance(v.length(), deceleration).min(LONGEST_RAY);
         if way > 1.5 * picture.view().per_column() {
-            // Moving discs are drawn over the ray, which must not hide any of them.
+            // On the layer of trails the ray is drawn below the discs and hides none of them.
             let pen = Pen::new(role).on(DrawLayer::Trail);
             picture.arrow(from, from + way * v.normalize_or_zero(), pen);
         }

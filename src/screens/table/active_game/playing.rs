@@ -262,8 +262,8 @@ impl Playing {
 }
 
 impl GamePhase {
-    /// Goes one step back: leaves a call, a replay or the arrangement of coins, and otherwise
-    /// the game.
+    /// Goes one step back: cancels a pull, or leaves a call, a replay or the arrangement of coins;
+    /// otherwise leaves the game.
     fn back(&mut self, game: &mut ActiveGame, cx: &Context) -> After {
         match self {
             Self::Aim if game.is_pulling() => game.let_slip(),

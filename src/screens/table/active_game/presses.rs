@@ -14,8 +14,8 @@ use crate::screens::Settings;
 use crate::screens::table::aim::{SPEEDS, along_the_screen};
 use crate::widgets::input::EntryAction;
 
-/// The tolerances of a stroke that is set: in metres, degrees and m/s. The direction is that of the
-/// point at which the striker meets its first disc, from the position that is set.
+/// The tolerances within which a stroke counts as set: in metres, degrees and m/s. The direction is
+/// the one from the position that was set to the point at which the striker meets its first disc.
 const NEAR: (f64, f64, f64) = (0.001, 0.1, 0.05);
 /// A margin for rounding errors in the tolerances.
 const ROUNDING: f64 = 1e-9;
@@ -117,7 +117,7 @@ fn set(
     by_typing.expect("a stroke that keys can set")
 }
 
-/// The presses that set the position, the direction and the strength of a stroke.
+/// The numbers of presses that set the position, the direction and the strength of a stroke.
 fn presses(game: &mut ActiveGame, meant: &Strike, cx: &Context) -> [usize; 3] {
     let seat = game.seat();
     let along = along_the_screen(seat, game.game().setup().rules).dot(meant.place) * 1000.0;
@@ -129,7 +129,7 @@ fn presses(game: &mut ActiveGame, meant: &Strike, cx: &Context) -> [usize; 3] {
     let typed = (shortest(along.abs().round()), last);
     let place = set(game, &PLACES, typed, reached, cx);
 
-    // On a straight way to a disc, the point of contact is intended; off a cushion, the direction.
+    // On a straight path to a disc, the point of contact is intended; off a cushion, the direction.
     let preview = Preview::of(meant, game.game());
     let contact = preview
         .filter(|it| it.way.len() == 2)

@@ -68,7 +68,7 @@ pub(super) fn write_warning<A>(active: &ActiveGame, panel: &mut Panel<A>) {
 const fn warning(rules: Rules, queen: (bool, bool), own: u8) -> Option<&'static str> {
     match (rules, queen, own) {
         (Rules::Tournament | Rules::Friendly, (true, _), _) => {
-            Some("Cover the queen: pocket a coin of yours now, or she goes back.")
+            Some("Cover the queen: pocket one of your coins now, or she goes back.")
         }
         (Rules::Points, (true, _), _) => {
             Some("Cover the queen: pocket any coin now, or she goes back.")

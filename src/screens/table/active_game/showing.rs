@@ -258,7 +258,7 @@ impl ActiveGame {
         }
     }
 
-    /// The stroke that the hand of the player makes of the aim.
+    /// The stroke that results from the aim and the error of the player's hand.
     pub(super) fn struck(&self) -> Strike {
         let meant = self.aim.strike(self.seat());
         let Some(errors) = self.hand().errors() else {
