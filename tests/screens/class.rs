@@ -590,7 +590,7 @@ fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     assert!(screen.contains("cannot be saved"), "{screen}");
     game.press("<Down><Escape>");
     let screen = game.screen();
-    assert!(screen.contains("would be lost"), "{screen}");
+    assert!(screen.contains("will be lost"), "{screen}");
     assert!(!screen.contains("kept"), "{screen}");
     game.press("ne");
     assert!(exported(folder.path(), "class-answers-1.csv").contains("Ants"));

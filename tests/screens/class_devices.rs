@@ -488,12 +488,7 @@ fn one_key_removes_all_pupils_who_are_away_and_never_voted() {
     for away in &pupils[1..] {
         class.reach(*away, false);
     }
-    press(
-        &mut class,
-        Who::Host,
-        "a",
-        "Remove 2 who are away and never voted?",
-    );
+    press(&mut class, Who::Host, "a", "Remove everyone who is away");
     press(&mut class, Who::Host, "y", "1 in, 2 on the list");
     press(&mut class, Who::Host, "", "Bo");
     class.reach(pupils[2], true);

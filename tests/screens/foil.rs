@@ -43,7 +43,7 @@ fn a_beam_of_a_hundred_million_runs_to_its_end() {
     game.key(Key::Enter);
     assert_eq!(game.app().wake(), Some(Duration::ZERO));
     assert!(game.settle(LONG));
-    assert_eq!(number(&mut game, "thrown"), 100_000_000);
+    assert_eq!(number(&mut game, "|| sent "), 100_000_000);
     // The expected count is 854; the tolerance is five standard deviations.
     let back = number(&mut game, "|| counted ");
     assert!((708..1000).contains(&back), "{back}");

@@ -57,7 +57,7 @@ impl EarlierRounds {
                     return Some(Box::new(ClassPlay::with_ticket(round, answer.ticket, cx)));
                 }
                 Err(reason) => {
-                    self.rounds.notice = Some(format!("It cannot be resumed: {reason}."));
+                    self.rounds.notice = Some(format!("The round cannot be resumed: {reason}."));
                 }
             },
             StoreReply::Removed(result) => self.rounds.removed(result, cx),
@@ -71,7 +71,7 @@ impl EarlierRounds {
         let mut panel = Panel::new("earlier rounds");
         let title = |kept: &Kept<ClassRound>| match &kept.content {
             Ok(round) => titled(round, kept.day),
-            Err(_) => format!("{}: not readable", kept.name),
+            Err(_) => format!("{}: cannot be read", kept.name),
         };
         panel.part(ClassAction::Earlier, |panel| {
             self.rounds.write_list(title, panel);

@@ -93,14 +93,16 @@ fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     }
     let about = match round.way() {
         WayOfVoting::Teams => {
-            "Teams whose votes show it, before and after the discussion. A team is counted only if \
-             two questions show it. Below: the number of votes that fit it."
-        }
-        WayOfVoting::Devices => {
-            "How many of you show it in your votes, before and after the discussion. You are counted \
+            "Teams whose votes show the belief, before and after the discussion. A team is counted \
              only if two questions show it. Below: the number of votes that fit it."
         }
-        WayOfVoting::Tally => "The number of votes that fit it, before and after the discussion.",
+        WayOfVoting::Devices => {
+            "How many of you show the belief in your votes, before and after the discussion. You \
+             are counted only if two questions show it. Below: the number of votes that fit it."
+        }
+        WayOfVoting::Tally => {
+            "The number of votes that fit the belief, before and after the discussion."
+        }
     };
     panel.paragraph(about, Role::Dim);
     for it in held {
@@ -154,7 +156,7 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     );
 }
 
-/// "A 4 then 2, B 17 then 28; gain 60 %; to right 5, to wrong 1"
+/// "A: 4 then 2; B: 17 then 28. gain 60 %. changed to right 5, to wrong 1"
 fn summary(question: &Question, item: &ItemAnalysis) -> String {
     let is_choice = matches!(question.form, Form::Choice { .. });
     let each = item.counts.iter().enumerate();

@@ -1,6 +1,7 @@
 //! A round for a class in front of one screen: one keyboard, a projector, teams.
 //!
-//! A question goes through the `ClassStep`s of [`crate::class`]; `play` runs them, and each step with an action has its own module.
+//! A question goes through the `ClassStep`s of [`crate::class`]; `play` runs them, and each step
+//! with actions of its own has a module.
 
 mod earlier;
 mod ending;
@@ -199,7 +200,7 @@ impl Class {
             }
             ClassScene::Play(play) => {
                 let what = match play.unsaved {
-                    true => "It is not saved and would be lost. The e key writes its tables.",
+                    true => "It is not saved and will be lost. The e key writes its tables.",
                     false => "It is saved, and you can resume it later.",
                 };
                 Next::Confirm(Confirmation::new(

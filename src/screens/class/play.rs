@@ -29,7 +29,7 @@ use crate::widgets::{SplitLayout, draw_question};
 pub(super) struct ClassPlay {
     pub(super) stage: Stage,
     phase: ClassPhase,
-    /// The current step of each question.
+    /// The step of each question, where it is or was left.
     steps: Vec<ClassStep>,
     /// The last question that has been reached, or the number of questions if the end has been
     /// reached.
@@ -44,9 +44,10 @@ pub(super) struct ClassPlay {
     pub(super) host_page: Option<HostPage>,
 }
 
-/// The state of a step at which there is more to do than continue.
+/// What there is to do at the current step.
 #[derive(Debug, Clone)]
 enum ClassPhase {
+    /// Nothing but to continue.
     Look,
     Vote(TeamVotes),
     Tally(Tally),
@@ -102,7 +103,7 @@ impl ClassPlay {
         self.stage.round().is_begun() && (self.unsaved || !self.is_over())
     }
 
-    /// Begins the actions of the current step.
+    /// Sets up the phase of the current step.
     fn arrive(&mut self, cx: &Context) {
         let ClassPlace { question, step } = self.stage.round().place();
         self.furthest = self.furthest.max(question);
@@ -247,7 +248,7 @@ impl ClassPlay {
                     && !self.unsaved
                 {
                     cx.notify(format!(
-                        "This round cannot be saved: {reason}. You can continue, but it would be lost when you leave. The e key writes its tables."
+                        "This round cannot be saved: {reason}. You can continue, but it will be lost when you leave. The e key writes its tables."
                     ));
                 }
                 self.unsaved = saved.is_err();
@@ -261,7 +262,7 @@ impl ClassPlay {
                 }
             }
             StoreReply::Exported(exported) => cx.notify(match exported {
-                Ok(place) => format!("Tables and report are written: {place}"),
+                Ok(place) => format!("The tables and the report have been written: {place}"),
                 Err(reason) => format!("The tables cannot be written: {reason}."),
             }),
             _ => {}
@@ -465,7 +466,7 @@ impl ClassPlay {
             ),
             ClassStep::SecondVote => Heading::new(
                 &[&turnout(Vote::Second)],
-                "Who wants to change? All others keep their vote.",
+                "You may change your vote. All others keep theirs.",
             ),
             ClassStep::Predict => Heading::new(
                 &["Predict in silence", "In silence"],

@@ -334,7 +334,7 @@ impl SetUp {
     fn enter(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
         let at = self.at();
         match at {
-            // With an empty name, Enter continues to the next row.
+            // Without another name, Enter continues to the kind of round.
             SetUpRow::Add | SetUpRow::Class => self.put(SetUpRow::Kind(self.kind)),
             SetUpRow::Team(team) => {
                 self.list.choose(team + 1);
@@ -373,8 +373,8 @@ impl SetUp {
         Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
     }
 
-    /// The code of the chosen round, with a new seed unless it was typed; `None` if it is not a
-    /// code, which is then shown.
+    /// The code of the chosen round, with a new seed unless it was typed; `None` if what was typed
+    /// is not a valid code, and the page then shows the error.
     fn chosen_code(&mut self, cx: &mut Context) -> Option<Code> {
         let code = match self.course(self.kind) {
             Some(kind) => Ok(Code {
@@ -396,7 +396,7 @@ impl SetUp {
     }
 }
 
-/// The errors in the files of the teacher's own questions that were left out.
+/// The message about files of the teacher's own questions that were left out because of errors.
 fn left_out(own: &Library) -> Option<String> {
     let first = own.problems.first()?;
     Some(match own.problems.len() {

@@ -72,7 +72,7 @@ fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>)
     }
 }
 
-/// The picture that shows the distribution: the question's picture with all rays, or a number line.
+/// How much the picture adds to the text: only the picture shows a distribution of rays or numbers.
 fn beside(play: &Stage, question: &Question) -> Beside {
     match question.form {
         _ if play.round().way() == WayOfVoting::Tally => question::beside(question),
@@ -81,7 +81,7 @@ fn beside(play: &Stage, question: &Question) -> Beside {
     }
 }
 
-/// Draws the picture of a question with the votes in it, or above them.
+/// Draws the picture of a question, with the votes in it or below it.
 fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
     let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
     let votes = votes.as_slice();
@@ -178,7 +178,7 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
     picture.draw(buf, look);
 }
 
-/// Bars on a number line: the more answers are equal, the higher the bar.
+/// Draws bars on a number line: the more answers are equal, the higher their bar.
 fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let numbers = votes.iter().filter_map(|said| match said {
         Response::Number(x) => Some(*x),

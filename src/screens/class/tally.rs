@@ -16,7 +16,7 @@ use crate::widgets::{Role, draw_question};
 /// The largest number of characters that can be typed.
 const LONGEST: usize = 40;
 
-/// Counts for as many choices as a question has.
+/// Counts in the example of what to type, which uses as many as the question has choices.
 const EXAMPLE: [&str; 6] = ["4", "17", "9", "2", "5", "3"];
 
 /// Counts that are being typed: "4 17 9 2".
@@ -41,7 +41,7 @@ pub(super) fn keys() -> KeyTable<CountAction> {
 }
 
 impl Tally {
-    /// The earlier counts, to be corrected, or no counts.
+    /// Begins with the earlier counts, so that they can be corrected, or with none.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let counts = round.tally(question, vote).unwrap_or_default();
         let counts: Vec<String> = counts.iter().map(ToString::to_string).collect();

@@ -1,5 +1,5 @@
-//! A round on devices that a crash or the end of a lesson interrupted. The teacher can resume it
-//! before the class begins another one.
+//! A round on devices that was interrupted by a crash or by the end of a lesson. The teacher can
+//! resume it instead of starting another round.
 
 use super::ClassAction;
 use super::earlier::head_count;
@@ -42,8 +42,7 @@ pub(super) enum UnfinishedEnd {
 }
 
 impl Unfinished {
-    /// Looks for an interrupted round; if a code or a class is given, for one with this code or of
-    /// this class.
+    /// Looks for an interrupted round: with this code and of this class, if they are given.
     pub(super) fn ask(code: Option<Code>, name: &str, nicknames: bool, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {
@@ -100,7 +99,7 @@ impl Unfinished {
                         Some(UnfinishedEnd::TakeUp(Box::new(play)))
                     }
                     Err(reason) => {
-                        self.trouble = Some(format!("It cannot be resumed: {reason}."));
+                        self.trouble = Some(format!("The round cannot be resumed: {reason}."));
                         None
                     }
                 }

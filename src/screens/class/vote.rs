@@ -191,7 +191,7 @@ impl TeamVotes {
         self.booth.as_mut().map(|booth| &mut booth.input)
     }
 
-    /// The action that chooses a team.
+    /// The action with which the team that is voting chooses an answer.
     pub(super) fn pick(&self, choice: usize) -> Option<VoteAction> {
         self.booth.as_ref()?;
         Some(VoteAction::Vote(AnswerAction::Choose(choice)))
@@ -210,7 +210,7 @@ impl TeamVotes {
             ),
             Vote::Second => Heading::new(
                 &["Second vote", "Vote 2"],
-                "Who wants to change? All others keep their vote.",
+                "Each team may change its vote or keep it.",
             ),
         };
         let mut words = play.words();
@@ -302,7 +302,7 @@ fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'stati
     }
 }
 
-/// The number of teams that have voted, have changed their vote or keep it.
+/// The number of teams without a vote and, at the second vote, of those that have changed theirs.
 fn note(round: &ClassRound, question: usize, vote: Vote) -> String {
     let missing = missing(round, question, Vote::Second);
     let voted = round.voted(question, vote);

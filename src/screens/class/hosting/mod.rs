@@ -97,7 +97,7 @@ impl HostPage {
             (Self::People(_), HostingAction::RemoveAway) => {
                 let away = session.away().len();
                 Some(format!(
-                    "Remove {away} who are away and never voted? They can join again."
+                    "Remove everyone who is away and never voted ({away})? They can join again."
                 ))
             }
             (Self::People(people), _) => people.confirmation(action, session),

@@ -21,8 +21,8 @@ pub(super) struct Qr {
 }
 
 impl Qr {
-    /// The QR code of a string; `None` if a phone could not read it: without half blocks, or
-    /// without black and white.
+    /// The QR code of a string; `None` if a phone could not read it, because the charset has no
+    /// half blocks or the theme no colours.
     pub(super) fn of(text: &str, look: &Look) -> Option<Self> {
         let has_cells = look.charset == Charset::Unicode && look.theme.depth != Depth::None;
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
