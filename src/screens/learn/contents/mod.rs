@@ -165,7 +165,7 @@ impl Screen for Contents {
                  you can start over. Your progress still counts every answer you have given."
             ),
             "forget it",
-            "leave it",
+            "keep it",
         ))
     }
 

@@ -1,8 +1,8 @@
 //! The force of one contact against time.
 //!
 //! The rims are springs that are stiffer while they expand (1/e² times as stiff): the force rises
-//! as a quarter of a sine and falls as another quarter, which takes e times as long. The area is
-//! J, and the average force 2/π of the greatest, whatever e is.
+//! along a quarter of a sine wave and falls along another quarter, which lasts e times as long. The
+//! area is J, and the average force is 2/π of the greatest, whatever e is.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
@@ -68,7 +68,7 @@ impl ContactForce {
         ]
     }
 
-    /// The plot; without numbers while they are hidden.
+    /// The plot, without numbers while the outcome is `hidden`.
     pub(super) fn lay_out(
         &self,
         hidden: bool,
@@ -135,7 +135,7 @@ mod tests {
     use crate::physics::CollisionSpec;
 
     #[test]
-    fn the_area_is_the_impulse_whatever_the_hardness_and_the_restitution() {
+    fn the_area_is_the_impulse_whatever_the_duration_and_the_restitution() {
         for restitution in [0.0, 0.3, 0.8, 1.0] {
             let collision = CollisionSpec {
                 restitution,

@@ -16,9 +16,11 @@ use crate::physics::units::{m_from_mm, rad_from_deg};
 use crate::widgets::picture::{Picture, View};
 use crate::widgets::{Lines, Look, Role, areas, measured_picture, points_picture};
 
-/// The path of the striker before the contact, in metres; the film lasts as long after it.
+/// The length of the striker's path before the contact, in metres; the film has as many frames
+/// after the contact as before it.
 const REACH: f64 = 0.35;
-/// The part of a frame between the last frame before the contact and the contact.
+/// The time from the last frame before the contact to the contact, as a fraction of the time
+/// between two frames.
 const WITHIN: f64 = 0.37;
 /// The rows below the picture.
 const ROWS: u16 = 6;
@@ -42,7 +44,8 @@ pub(super) struct FilmFigure {
 }
 
 impl FilmFigure {
-    /// The same hand marks every film: the noise has one seed.
+    /// Films and measures a collision. The noise always has the same seed, so only the setting
+    /// changes the results.
     pub(super) fn new(collision: &Collision, filming: Filming) -> Self {
         let outcome = collision.outcome();
         let seconds = REACH / collision.u1.length().max(0.01);
@@ -140,7 +143,7 @@ impl FilmFigure {
     }
 }
 
-/// The film in words, and what becomes of the results as the setting is changed.
+/// The film in words, and how the results depend on the setting.
 pub(super) fn in_words(collision: &Collision, filming: Filming, revealed: bool) -> Vec<String> {
     let film = FilmFigure::new(collision, filming);
     let mut lines = vec![format!(
@@ -178,7 +181,7 @@ mod tests {
         })
     }
 
-    /// What the chapter says about each setting.
+    /// The effects of the settings that the chapter describes.
     #[test]
     fn noise_widens_more_frames_narrow_and_a_wrong_scale_changes_only_speeds() {
         let plain = Filming::default();

@@ -56,7 +56,7 @@ fn revealed(collision: &Collision) -> [String; 2] {
     let speed = collision.centre_of_mass_velocity().length();
     let angle = collision.cm_deflection();
     let turn = match (angle, collision.bond) {
-        (Some(_), Bond::Stick) => "they stick".into(),
+        (Some(_), Bond::Stick) => "they coalesce".into(),
         (Some(angle), Bond::Slip) => format!("Θ = {:.1}°", angle.to_degrees().abs()),
         (None, _) => "Θ: none".into(),
     };

@@ -52,7 +52,7 @@ pub(crate) enum FigureAction {
     AlphaEnd(i8),
     /// change what the figure shows: e, an angle, the time of the contact or how it is filmed
     Dial(i8),
-    /// set it to its smallest or its largest value
+    /// set the same quantity to its smallest or its largest value
     DialEnd(u8),
     /// step through the working
     Step(isize),
@@ -264,7 +264,7 @@ impl LiveFigure {
         }
     }
 
-    /// The collision that the lab shows in full size; none for an explosion.
+    /// Whether the lab can show the collision in full size; it has no explosions.
     pub(super) fn is_for_the_lab(&self) -> bool {
         !matches!(self.figure.kind, FigureKind::Explosion { .. })
     }
@@ -475,7 +475,7 @@ impl LiveFigure {
         }
     }
 
-    /// Writes the text of the figure, and returns its picture.
+    /// Writes the text of the figure, and returns its pictures.
     fn lay_out(
         &self,
         area: Rect,

@@ -1,5 +1,5 @@
 //! The momenta of two discs that coalesce, and of the pieces of an explosion, which is the same
-//! collision backwards: before and after, the arrows have the same sum.
+//! collision in reverse. The arrows have the same sum before and after.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
@@ -13,7 +13,7 @@ use crate::physics::units::{deg_from_rad, g_from_kg, kg_from_g, rad_from_deg};
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role, areas};
 
-/// An arrow that is shorter than this share of the picture has no name.
+/// An arrow that is shorter than this fraction of the longest one has no label.
 const SHORTEST: f64 = 0.05;
 
 /// The same discs, with the whole picture turned so that their centre of mass moves to the right and
@@ -72,8 +72,8 @@ struct Arrow {
     is_asked: bool,
 }
 
-/// The arrows. Two pieces of a body at rest begin at the same point, because one would cover the
-/// other.
+/// The arrows. For a body at rest that breaks into two pieces, both arrows begin at the same point,
+/// because tip to tail one would cover the other.
 fn arrows(kind: FigureKind, collision: &Collision) -> Vec<Arrow> {
     let [p1, p2] = of_both(collision);
     let arrow = |from, to, name, role, is_asked| Arrow {
@@ -134,7 +134,8 @@ fn view(kind: FigureKind, collision: &Collision, area: Rect) -> View {
     View::fit(area, low - edge, high + edge)
 }
 
-/// The momenta with their sizes, and the result in two lines below them.
+/// The momenta with their sizes, and below them the words in three lines, or only the first line
+/// while the result is `hidden`.
 pub(super) fn lay_out(
     kind: FigureKind,
     collision: &Collision,

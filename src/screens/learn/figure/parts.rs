@@ -29,7 +29,7 @@ impl EnergyParts {
         let relative = [outcome.energy_before, outcome.energy_after].map(|it| it - of_centre);
         Self {
             of_centre: 1e3 * of_centre,
-            // Rounding must not make "−0.00" of a part that is lost completely.
+            // Rounding must not turn a part that is lost completely into "−0.00".
             relative: relative.map(|it| (1e3 * it).max(0.0)),
         }
     }
@@ -53,7 +53,7 @@ impl EnergyParts {
     }
 }
 
-/// The bars, with the energy that is lost as an outline; only the bar before while it is `hidden`.
+/// The bars, with the lost energy as an outline; only the first bar while the outcome is `hidden`.
 pub(super) fn lay_out(
     collision: &Collision,
     hidden: bool,
@@ -76,7 +76,7 @@ pub(super) fn lay_out(
             if size > 0.01 * all {
                 let [low, high] = [dvec2(left, from), dvec2(right, from + size)];
                 picture.rectangle(low, high, Pen::new(role));
-                // A name needs a row inside.
+                // The label needs a row inside the bar.
                 if size > 2.0 * view.per_row() {
                     let centre = dvec2(middle, from + 0.5 * size);
                     picture.label(text, centre, &[LabelSide::Over], role);

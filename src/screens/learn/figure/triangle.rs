@@ -40,7 +40,7 @@ fn rooms(area: Rect) -> [Rect; 2] {
     areas::upper(area, area.height.saturating_sub(2))
 }
 
-/// Squares are drawn on the sides from the second step on.
+/// The view of the triangle; in the second step it has room for the squares on the sides.
 fn view(collision: &Collision, step: u8, area: Rect) -> View {
     let u = collision.u1.length();
     let squares = f64::from(u8::from(step == 2));

@@ -179,7 +179,7 @@ fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> 
             let mut turned = *collision;
             momenta::turn_second(&mut turned, angle.into());
             let v = speed(turned.centre_of_mass_velocity());
-            format!("At {angle}° to each other, they move on at {v}.")
+            format!("If their paths meet at {angle}°, they move on at {v}.")
         }));
     }
     lines
@@ -236,7 +236,7 @@ fn weighed(collision: &Collision) -> String {
     let [m1, m2] = [collision.striker, collision.target]
         .map(|disc| with_unit(&significant(g_from_kg(disc.mass)), "g"));
     let contact = match collision.bond {
-        Bond::Stick => "They stick together.".to_owned(),
+        Bond::Stick => "They coalesce.".to_owned(),
         Bond::Slip if collision.restitution < 1.0 => {
             format!("e = {}.", significant(collision.restitution))
         }
@@ -254,7 +254,7 @@ fn rims(collision: &Collision) -> String {
     }
     let friction = significant(collision.rims.friction);
     let spins = match collision.rims.spins {
-        [0.0, 0.0] => "Neither disc spins before.".to_owned(),
+        [0.0, 0.0] => "Neither disc spins before the collision.".to_owned(),
         spins => {
             let [one, other] = spins.map(significant);
             format!("They spin at {one} and {other} rad/s, positive anticlockwise.")

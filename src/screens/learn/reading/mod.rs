@@ -109,8 +109,8 @@ impl Reading {
         }
     }
 
-    /// A page before its checkpoint, after a `first` wrong answer to it, or with an `answer`, to
-    /// check whether it fits on the screen.
+    /// A page before its checkpoint is answered, after a `first` wrong answer, or with its final
+    /// `answer`, to check whether it fits on the screen.
     pub(super) fn of_page(
         chapter: &Chapter,
         at: usize,
@@ -293,7 +293,7 @@ impl Reading {
                     hidden: false,
                 })
             }
-            // The lab would show the answer.
+            // The foil's own screen would show the answer.
             Some(_) if self.is_asking() => {
                 self.notice = Some(SAY_FIRST);
                 Next::Stay
@@ -314,7 +314,7 @@ impl Reading {
 
     /// The keys that give an answer. Enter chooses the other ray, because Tab goes to the figure.
     fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
-        // On a small screen the way back to the contents has priority.
+        // On a small screen the key that leads back to the contents has priority.
         let spare = |action| {
             use AnswerAction::{Choose, Ray};
             matches!(action, Choose(_) | Ray(RayAction::StaysStill))
@@ -448,7 +448,7 @@ impl Screen for Reading {
                 return Next::Confirm(Confirmation::new(
                     "Forget your answers in this chapter, and start it over?",
                     "start it over",
-                    "leave it",
+                    "keep them",
                 ));
             }
             ReadingAction::FullSize => return self.full_size(),
