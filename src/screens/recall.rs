@@ -46,7 +46,7 @@ impl Recall {
         }
     }
 
-    /// What was seen in hits, as far as it is known.
+    /// What the player saw in hits; empty until the record has been loaded.
     pub(super) fn observations(&self) -> &[Observation] {
         match self {
             Self::Known(history) => &history.observations,
@@ -54,7 +54,7 @@ impl Recall {
         }
     }
 
-    /// What was done, where there is something.
+    /// The player's history, if it has been loaded and contains any attempts.
     pub(super) fn history(&self) -> Option<&History> {
         match self {
             Self::Known(history) if !history.attempts.is_empty() => Some(history),

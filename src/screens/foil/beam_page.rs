@@ -164,7 +164,7 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     let share = run.thrown() as f64 / run.particles as f64;
     panel.meter("", share, format!("{:.0} %", (100.0 * share).floor()));
     let state = match (run.is_over(), run.is_running()) {
-        (true, _) => "thrown",
+        (true, _) => "sent",
         (false, true) => "sent so far",
         (false, false) => "stopped at",
     };

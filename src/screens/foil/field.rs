@@ -108,7 +108,7 @@ static THICKNESS: FoilRow = FoilRow {
 /// Impact parameter of one particle.
 pub(super) static OFFSET: FoilRow = FoilRow {
     name: "offset b",
-    about: "how far off-centre it flies",
+    about: "how far off-centre the particle flies",
     value: |setup| match setup.obstacle {
         Obstacle::Hard => FieldValue::number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
         Obstacle::Nucleus => FieldValue::number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),

@@ -1,6 +1,6 @@
 //! The prediction before a beam: the share deflected by more than 90°.
 
-/// The choices, and the share that each stands for. They are powers of ten, because for a rare
+/// The choices, and the share that each stands for. Most are powers of ten, because for a rare
 /// event the order of magnitude matters.
 pub(crate) const CHOICES: [(&str, f64); 9] = [
     ("all of them", 1.0),
@@ -24,7 +24,7 @@ pub(crate) fn explain(said: f64, share: f64) -> String {
     let times = if times < 10.0 {
         format!("{times:.1}")
     } else {
-        // The answers are powers of ten, so more digits would suggest too much precision.
+        // Most choices are powers of ten, so more digits would suggest too much precision.
         super::words::count(super::words::to_figures(times, 2) as u64)
     };
     if said > share {

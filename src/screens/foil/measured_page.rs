@@ -188,7 +188,7 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         Role::Dim,
     );
     panel.gap();
-    panel.heading("How many, not only how");
+    panel.heading("The absolute number");
     panel.paragraph(absolute_check(), Role::Text);
     panel.gap();
     panel.heading("“1 in 8000”");
@@ -219,7 +219,8 @@ fn absolute_check() -> String {
     let share = share.map_or("none".into(), shown);
     format!(
         "At 45°, behind 0.21 µm of gold, a screen of 1 mm² at 1 cm caught {measured} of all \
-         particles, give or take a fifth. The formula, with Z = 79 and nothing fitted: {share}."
+         particles, give or take a fifth. With Z = 79 and nothing fitted, the formula gives \
+         {share}."
     )
 }
 

@@ -129,7 +129,7 @@ impl FoilScreen {
         }
     }
 
-    /// Changes the setting and discards the beam of the previous setting.
+    /// Changes a setting, and discards the beam if the new settings require another one.
     fn edit(&mut self, how: impl FnOnce(&mut SettingsForm, &mut FoilFields)) {
         let (before, mut fields) = (self.setup, self.fields());
         how(&mut self.form, &mut fields);

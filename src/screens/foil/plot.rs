@@ -98,7 +98,7 @@ impl FoilFigure {
             FoilPage::Counts => {
                 let running = self.is_running();
                 let other = shown_counts(self.0.setup.counted_for.other());
-                keys.on(Key::Char(' '), Beam, if running { "stop" } else { "throw" })
+                keys.on(Key::Char(' '), Beam, if running { "stop" } else { "start" })
                     .on(Key::Escape, Beam, "")
                     .when(running)
                     .on(Key::Char('l'), Scale, "scale")

@@ -17,7 +17,7 @@ pub(super) struct BeamRun {
     seed: u64,
     pub(super) particles: u64,
     pub(super) counts: Counts,
-    /// Whether it was stopped.
+    /// Whether the player has stopped the beam.
     pub(super) halted: bool,
     /// The player's prediction of the share, if there is one.
     pub(super) said: Option<f64>,
@@ -47,7 +47,7 @@ impl BeamRun {
         self.thrown() >= self.particles
     }
 
-    /// Whether it is running.
+    /// Whether there are particles to compute, and the beam is not stopped.
     pub(super) fn is_running(&self) -> bool {
         !self.halted && !self.is_over()
     }

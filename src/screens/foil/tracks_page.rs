@@ -195,9 +195,9 @@ fn write_hard<A>(angle: f64, offset: f64, panel: &mut Panel<A>) {
         "A head-on collision: straight in, then straight back. R is the sum of the two radii; the \
          target is so heavy that it stays where it is."
     } else {
-        "It leaves like light from a mirror: at the same angle on the other side of the line of \
-         impact. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays at \
-         rest."
+        "The particle leaves like light from a mirror: at the same angle on the other side of the \
+         line of impact. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays \
+         at rest."
     };
     panel.paragraph(text, Role::Text);
 }
@@ -227,8 +227,8 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let times = count((times / 100.0).round() as u64 * 100);
     panel.paragraph(
         format!(
-            "Even head-on it comes no nearer than d. So the charge that deflects it is within d; \
-             and the radius of the atom is about {times} times d."
+            "Even head-on, the α-particle comes no nearer than d. So the charge that deflects it \
+             lies within d, and the radius of the atom is about {times} times d."
         ),
         Role::Text,
     );

@@ -338,7 +338,8 @@ mod tests {
         let library = LevelLibrary::embedded();
         let levels = library.packs.iter().flat_map(|pack| &pack.levels);
         for (number, level) in (1..).zip(levels) {
-            // The limits are in degrees: the smaller a disc, the larger a quarter of a cell is beside it.
+            // The limits are in degrees. The smaller the discs are drawn, the larger the angle for
+            // a quarter of a cell.
             for (area, most) in AREAS.into_iter().zip([16.0, 6.0, 6.0, 6.0]) {
                 let picture = of_aim(level, &level.scene, None, area);
                 let discs = centre_errors(&picture, Charset::Unicode);

@@ -77,7 +77,7 @@ impl MadeShot {
         (rate, reduced): (Option<WatchRate>, bool),
     ) -> Self {
         let verdict = judge(level, &shot);
-        // A first collision alone is short and small.
+        // A first collision alone is over quickly, so its replay is slower.
         let usual = match level.is_of_the_first_hit() {
             true => WatchRate::QUARTER,
             false => WatchRate::REAL,

@@ -274,7 +274,7 @@ fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// The explanation, the reasons for the stars, and the next step.
+/// Writes the explanation, how to earn more stars, and the next step.
 fn won(play: &LevelPlay, win: Win, panel: &mut LevelPanel, cx: &Context) {
     panel.paragraph(&play.level().explanation, Role::Text);
     panel.gap();
