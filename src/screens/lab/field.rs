@@ -38,7 +38,7 @@ impl FormFields for LabSettings {
         fields
     }
 
-    /// A weighed coin that is changed becomes an ordinary one.
+    /// If the mass of a weighed mystery coin is changed, it becomes an ordinary coin.
     fn set(&mut self, at: usize, value: f64) {
         let before = self.setup.m2_g;
         set_at(at, &mut self.setup, value);

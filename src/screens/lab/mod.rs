@@ -53,7 +53,7 @@ enum LabPhase {
     Aim,
     /// Predicting where both discs will go.
     Predict(RayInput),
-    /// Watching, to say afterwards what was seen, after this prediction.
+    /// Observing the hit after this prediction, without any explanation.
     See(Box<Sighting>, Rays),
     Watch(Box<Watch>),
     /// Looking at earlier hits.

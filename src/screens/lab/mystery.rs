@@ -107,7 +107,7 @@ impl Mystery {
                 panel.field("mass", typed, (Role::Text, true), None);
                 match self.entry.is_open() {
                     true => panel.prompt("weigh it", EntryAction::Enter),
-                    false => panel.paragraph("Type it in grams.", Role::Key),
+                    false => panel.paragraph("Type the mass in grams.", Role::Key),
                 }
             }
             Some(said) => {

@@ -177,7 +177,7 @@ fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     panel
 }
 
-/// What was seen, as far as it is entered.
+/// The observation, as far as it has been entered.
 fn seen(sighting: &Sighting) -> Panel<LabAction> {
     let mut panel = Panel::new("watch");
     panel.part(LabAction::See, |panel| sighting.write("coin", panel));

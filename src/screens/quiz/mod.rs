@@ -93,7 +93,7 @@ pub(crate) struct Quiz {
 enum QuizPhase {
     /// Answering, then choosing a confidence.
     Asked(Box<OpenQuestion>),
-    /// Watching the collision of an answered question, to say afterwards what was seen.
+    /// Observing the collision of an answered question, without any explanation.
     See(Box<SeenQuestion>),
     /// Watching what happens, if there is something to watch, and reading the explanation.
     Watch(Box<AnsweredQuestion>),

@@ -162,8 +162,8 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
     }
 }
 
-/// Whether the player was sure of an answer that earned less than half of the points: one that is
-/// only just outside the tolerance earns nearly all of them.
+/// Whether the player was sure of an answer that earned less than half of the points. An answer
+/// only just outside the tolerance is wrong, too, but earns nearly all of them.
 pub(super) fn was_far_off(attempt: &Attempt) -> bool {
     attempt.is_surely_wrong() && attempt.earned() < 0.5 * Grade::MOST
 }

@@ -10,7 +10,7 @@ use crate::quiz::Ray;
 use crate::widgets::brief;
 use crate::widgets::input::{CollisionField, FieldValue};
 
-/// A column: what it shows of a hit.
+/// A column of the table on the screen and of the exported one.
 #[derive(Debug)]
 pub(super) struct NotebookColumn {
     /// Its heading in a file, with the unit.
@@ -156,7 +156,7 @@ impl NotebookColumn {
         }
     }
 
-    /// The number of a hit; `None` if there is none.
+    /// The number in this column for a hit; `None` if there is none.
     pub(super) fn value(&self, hit: &NotedHit) -> Option<f64> {
         match self.of {
             Said(ray) => angle(&hit.setup.collision(), hit.said.as_ref()?.get(ray)),
@@ -168,7 +168,7 @@ impl NotebookColumn {
     pub(super) fn exact(&self, setup: &CollisionSpec) -> Option<f64> {
         let collision = setup.collision();
         match self.of {
-            // The form shows a miss as a graze.
+            // A miss has no impact angle, although the form shows it as a graze.
             Setting(CollisionField::ImpactAngle) => Some(collision.alpha()?.to_degrees()),
             Setting(field) => match field.field(setup).value {
                 FieldValue::Number { value, .. } => Some(value),
@@ -198,7 +198,7 @@ impl NotebookColumn {
         }
     }
 
-    /// The word for a hit without a number here.
+    /// The text for a hit that has no number in this column.
     fn word(&self, hit: &NotedHit) -> String {
         match self.of {
             Said(_) if hit.said.is_none() => String::new(),

@@ -51,9 +51,9 @@ pub(crate) enum NotebookAction {
     Choose(isize),
     /// switch between the table and the plot
     Plot,
-    /// plot another column along the axis to the right
+    /// plot another column along the x axis
     Across(isize),
-    /// plot another column along the axis upwards
+    /// plot another column along the y axis
     Up(isize),
     /// export all hits as a table for a spreadsheet
     Export,
@@ -62,7 +62,7 @@ pub(crate) enum NotebookAction {
 }
 
 impl Notebook {
-    /// The notebook, requested from the store.
+    /// Opens the notebook, and requests its hits from the store.
     pub(super) fn ask(cx: &mut Context) -> Self {
         let player = cx.settings.player.clone();
         Self {
@@ -73,7 +73,7 @@ impl Notebook {
         }
     }
 
-    /// Takes an answer of the store, if it belongs to the request.
+    /// Handles an answer of the store, if it belongs to the request.
     pub(super) fn take(&mut self, answer: &StoreAnswer) {
         if let (Hits::Asked(ticket), StoreReply::Notebook(hits)) = (&self.hits, &answer.done)
             && *ticket == answer.ticket
@@ -127,7 +127,7 @@ impl Notebook {
             .when(some)
     }
 
-    /// Carries out an action; `Done` with the settings of a hit that is to be set up again.
+    /// Carries out an action; returns `Done` with the settings of a hit to set up again.
     pub(super) fn act(
         &mut self,
         action: NotebookAction,
@@ -148,14 +148,14 @@ impl Notebook {
             NotebookAction::Up(by) => self.turn(1, by),
             NotebookAction::Export => match self.csv() {
                 Ok(text) => cx.export(FILE.into(), text),
-                Err(reason) => cx.notify(format!("The table could not be written: {reason}")),
+                Err(reason) => cx.notify(format!("The table cannot be written: {reason}")),
             },
             NotebookAction::Clear => return Outcome::Ignored,
         }
         Outcome::Used
     }
 
-    /// Puts another column that can be plotted on an axis.
+    /// Chooses another column for an axis, from those that can be plotted.
     fn turn(&mut self, axis: usize, by: isize) {
         let count = NotebookColumn::all().len() as isize;
         let mut at = self.axes[axis];
@@ -207,7 +207,7 @@ impl Notebook {
         csv_table(heads, &rows)
     }
 
-    /// The keys of the mouse wheel.
+    /// Handles the mouse wheel, which chooses another hit.
     pub(super) fn wheel(&mut self, by: i8) {
         let count = self.hits().len();
         self.list.act(ListAction::Choose(by.into()), count);

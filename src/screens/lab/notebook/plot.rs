@@ -47,7 +47,8 @@ pub(super) fn picture(notebook: &Notebook, area: Rect, look: &Look) -> Picture {
     plot.picture()
 }
 
-/// The setting that the curve of two columns varies: one of theirs, otherwise the impact angle.
+/// The setting that the curve of two columns varies: one that they show, otherwise the impact
+/// angle.
 pub(super) fn varied(axes: [&NotebookColumn; 2]) -> CollisionField {
     let own = axes.iter().find_map(|column| column.setting());
     own.unwrap_or(CollisionField::ImpactAngle)
@@ -69,8 +70,8 @@ fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -
     (0..=PIECES).map(at).collect()
 }
 
-/// The range over which the curve varies a setting: all collisions for an angle, an offset and e,
-/// otherwise a little more than the range of the hits.
+/// The range over which the curve varies a setting: for an angle, an offset and e it includes every
+/// collision, otherwise a little more than the hits.
 fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f64, f64) {
     let FieldValue::Number { range, .. } = field.field(setup).value else {
         return (0.0, 0.0);
@@ -96,7 +97,7 @@ fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f6
     }
 }
 
-/// The value of a setting; 0 for one that is no number.
+/// The value of a setting; 0 for one that is not a number.
 fn number(field: CollisionField, setup: &CollisionSpec) -> f64 {
     match field.field(setup).value {
         FieldValue::Number { value, .. } => value,
@@ -140,7 +141,7 @@ pub(super) fn in_words(notebook: &Notebook) -> Vec<String> {
     )]
 }
 
-/// The sentence below the plot about its curve.
+/// The explanation of the curve, for the panel beside the plot.
 pub(super) fn about_curve(notebook: &Notebook) -> String {
     let axes = notebook.axes();
     let field = varied(axes);

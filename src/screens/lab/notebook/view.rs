@@ -45,8 +45,8 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
         }
         Hits::Known(hits) if hits.is_empty() => {
             let text = "There is nothing here yet: every hit that you make in the lab becomes a \
-                        row, with its settings, your prediction and the result. The hits with an \
-                        open mystery coin are left out.";
+                        row, with its settings, your prediction and the result. Hits with a \
+                        mystery coin that has not been weighed are left out.";
             return panel.paragraph(text, Role::Text);
         }
         Hits::Known(_) => {}

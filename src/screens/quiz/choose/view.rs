@@ -144,7 +144,7 @@ fn about_round(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
                 panel.item(title, Role::Dim);
             }
             if chapters_read(book).is_none() {
-                panel.paragraph("Read one of them in Learn first.", Role::Text);
+                panel.paragraph("First finish a chapter in Learn.", Role::Text);
             }
         }
         RoundChoice::Own => about_own(choosing, &mut panel),
