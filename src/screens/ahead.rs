@@ -46,7 +46,7 @@ impl Ahead {
         }
     }
 
-    /// Requests it again after the player has done something.
+    /// Requests the record again, after the player has done something.
     pub(super) fn ask_again(&mut self, cx: &mut Context) {
         let fresh = Self::ask(cx);
         match fresh.player == self.player {
@@ -55,7 +55,7 @@ impl Ahead {
         }
     }
 
-    /// Takes `answer`, if it belongs to one of the requests.
+    /// Handles `answer`, if it belongs to one of the requests.
     pub(super) fn take(&mut self, answer: &StoreAnswer, cx: &Context) {
         self.history.take(answer);
         if let Some(again) = &mut self.again {

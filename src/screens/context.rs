@@ -77,7 +77,7 @@ impl Context {
     }
 
     /// Sends a request to the store. The [`StoreAnswer`](crate::messages::StoreAnswer) carries the
-    /// same ticket. A game that is saved repeatedly always uses one ticket.
+    /// same ticket. A game that is saved repeatedly always uses the same ticket.
     pub fn keep(&mut self, ticket: u64, request: StoreRequest) {
         self.asked.push(Effect::Keep(StoreCall { ticket, request }));
     }
@@ -200,8 +200,7 @@ impl Context {
         self.seed
     }
 
-    /// The seed of the next round: the app's own seed first, then others that
-    /// follow from it.
+    /// The seed of the next round: at first the app's own seed, then others that follow from it.
     pub fn next_seed(&mut self) -> u64 {
         let seed = if self.rounds == 0 {
             self.seed

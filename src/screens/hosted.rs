@@ -123,7 +123,7 @@ struct Scrolled {
     /// The row of the item that was chosen when the player scrolled: once another item is chosen,
     /// the panel follows it.
     chosen: Option<u16>,
-    /// Whether it is remembered while the panel is not shown.
+    /// Whether the position is remembered while the panel is not shown.
     stays: bool,
 }
 
@@ -199,7 +199,7 @@ impl<S: Screen> Hosted<S> {
             _ => None,
         };
         let writing = Writing { look, pages };
-        // Only pictures have a size setting.
+        // Only a picture can have a size that does not follow from the area.
         let room = match view.first {
             Part::Picture(..) | Part::Nothing => cx.room(),
             Part::Panel(_) => cx.body.into(),

@@ -49,7 +49,7 @@ pub(super) struct KeptFiles<T> {
 }
 
 impl<T> KeptFiles<T> {
-    /// An empty list, after a request for the files.
+    /// Requests the files; the list is empty until they arrive.
     pub(super) fn ask(kind: KeptKind, cx: &mut Context) -> Self {
         cx.ask(kind.list.clone());
         Self {
@@ -85,7 +85,8 @@ impl<T> KeptFiles<T> {
     /// Handles the result of deleting a file, and requests the list again.
     pub(super) fn removed(&mut self, result: &Result<(), String>, cx: &mut Context) {
         let reason = result.as_ref().err();
-        self.notice = reason.map(|reason| format!("It cannot be removed: {reason}."));
+        let one = self.kind.one;
+        self.notice = reason.map(|reason| format!("The {one} cannot be deleted: {reason}."));
         cx.ask(self.kind.list.clone());
     }
 
@@ -126,7 +127,7 @@ impl<T> KeptFiles<T> {
     pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
         let KeptAction::List(action) = action else {
             let text = format!("Delete this {} permanently?", self.kind.one);
-            return Next::Confirm(Confirmation::new(text, "remove it", "keep it"));
+            return Next::Confirm(Confirmation::new(text, "delete it", "keep it"));
         };
         self.notice = None;
         match self.list.act(action, self.known().len()) {
@@ -186,9 +187,9 @@ impl<T> KeptFiles<T> {
         match self.chosen().map(|kept| &kept.content) {
             Some(Ok(content)) => about(content, panel),
             Some(Err(reason)) => {
-                panel.paragraph(format!("It cannot be read. {reason}."), Role::Warn);
+                panel.paragraph(format!("This file cannot be read. {reason}."), Role::Warn);
                 panel.gap();
-                panel.paragraph("The file is left unchanged.", Role::Text);
+                panel.paragraph("It is left unchanged.", Role::Text);
             }
             None => {}
         }

@@ -75,7 +75,7 @@ impl Home {
 pub enum HomeLine {
     /// Return to the class that the pupil left.
     Class,
-    /// Follow the path.
+    /// Open the next step.
     Next,
     /// An entry of the menu.
     Entry(usize),

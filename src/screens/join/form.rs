@@ -185,8 +185,8 @@ impl JoinForm {
         })
     }
 
-    /// Uses the nickname that the class has given to this device from now on. On a page that the host
-    /// has served, it becomes the player's name.
+    /// Adopts the nickname that the class has given to this device. On a page that the host has
+    /// served, it also becomes the player's name.
     pub(super) fn take_nickname(&mut self, name: &str, cx: &mut Context) {
         self.name = TextField::new(name, 2 * LONGEST_NAME);
         if self.address.is_none() {

@@ -1,4 +1,4 @@
-//! The connection of a pupil's carrom to the host, which may be interrupted.
+//! The connection of a pupil's carrom to the host. It reconnects after an interruption.
 
 use std::time::Duration;
 
@@ -84,7 +84,7 @@ impl Link {
         cx.join(JoinCall::Dial(self.address.clone()));
     }
 
-    /// Whether the screen shows the current state.
+    /// Whether the device is connected and has joined, so that the screen shows the current state.
     pub(super) fn is_in(&self) -> bool {
         self.state == LinkState::In
     }
@@ -190,7 +190,8 @@ impl Link {
         }
     }
 
-    /// Processes the result of a hand-in; after a lost connection it is sent again.
+    /// Processes the result of a hand-in. An unconfirmed one is sent again after the connection was
+    /// lost.
     fn hear_of_hand_in(&mut self, handed: Option<HandedIn>, first: bool, cx: &mut Context) {
         let heard = handed.map_or(0, |it| it.n);
         if heard >= self.handed {
@@ -255,8 +256,8 @@ impl Link {
         }
     }
 
-    /// The wait before the next attempt: twice as long each time, and different for each pupil,
-    /// otherwise a whole class would reconnect at once.
+    /// The wait before the next attempt: twice as long each time, and different for each pupil, so
+    /// that a whole class does not reconnect at once.
     fn back_off(&self, seed: u64) -> Duration {
         let [least, most] = BACK_OFF;
         let longest = most.min(least << self.tries.min(8));

@@ -69,8 +69,8 @@ pub(crate) struct Join {
 }
 
 impl Join {
-    /// The screen before joining, with the known values filled in. Without an address, the host has
-    /// served the page. A pupil who joins `again` sees no form.
+    /// The screen before joining, with the known values filled in. `address` is `None` if the host
+    /// has served the page. A pupil who joins `again` sees no form.
     pub(crate) fn new(
         address: Option<&str>,
         code: Option<JoinCode>,

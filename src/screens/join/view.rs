@@ -215,7 +215,7 @@ fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinActi
     panel.gap();
 }
 
-/// The state of the vote, if there is one.
+/// A sentence about the state of the pupil's vote, if there is anything to say.
 fn standing(
     joined: &JoinedClass,
     input: &AnswerInput,

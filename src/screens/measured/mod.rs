@@ -56,7 +56,8 @@ pub(crate) struct MeasuredScreen {
     shown: MeasuredPage,
     form: SettingsForm,
     settings: MeasuredSettings,
-    /// Why the tracks cannot be measured with the current settings; the results are those before.
+    /// Why the tracks cannot be measured with the current settings; the results are then the
+    /// previous ones.
     fault: Option<String>,
 }
 

@@ -37,7 +37,7 @@ fn conclusion(screen: &MeasuredScreen, panel: &mut Panel<MeasuredAction>) {
     panel.paragraph(sentence.unwrap_or_default(), Role::Text);
     panel.gap();
     for (name, id) in MAIN {
-        // There is no room for the unit twice: "70.26 ± 0.12°".
+        // There is no room for two degree signs: "70.26 ± 0.12°".
         panel.fact(name, screen.measurement.printed(id).replacen('°', "", 1));
     }
 }

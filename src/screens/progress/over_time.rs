@@ -59,7 +59,7 @@ fn compared(first: f64, last: f64) -> &'static str {
         "Your recent errors were larger. That is normal with new kinds of collision; the line will \
          come down again."
     } else {
-        "Steady. You learn most from the ones you miss: read their explanations."
+        "Steady. You learn most from the questions you miss: read their explanations."
     }
 }
 

@@ -73,7 +73,8 @@ pub(super) fn panel_over_time(history: &History, panel: &mut Panel<ProgressActio
     }
     panel.gap();
     panel.paragraph(
-        "Well calibrated means: sure is right more than 80 % of the time, think so between 50 and 80 %, guess less often.",
+        "Well calibrated means that \"sure\" is right more than 80 % of the time, \"think so\" \
+         between 50 and 80 %, and \"guess\" less often.",
         Role::Text,
     );
     panel.gap();

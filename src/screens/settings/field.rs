@@ -107,7 +107,7 @@ pub(super) static SETTINGS: [Setting; 11] = [
         id: "what_you_saw",
         words: &["no", "yes"],
         name: "what did you see?",
-        about: "In the lab and the quiz carrom asks what you saw before it shows the angles: in the first three hits that you predict, and then in each tenth. It is easy to see what one expects.",
+        about: "In the lab and the quiz, before carrom shows the angles, it asks what you saw: in the first three hits that you predict, and then in every tenth. It is easy to see what you expect to see.",
         at: |settings| settings.observe.into(),
         choose: |settings, at| settings.observe = at > 0,
     },

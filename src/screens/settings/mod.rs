@@ -28,7 +28,7 @@ const LONGEST: usize = 40;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SettingsScreen {
     form: SettingsForm,
-    /// Everyone who has done something here.
+    /// The players who have a record in this data folder.
     players: Vec<KnownPlayer>,
     /// The list of players, while one is being chosen.
     choosing: Option<ListView>,
@@ -98,8 +98,8 @@ impl SettingsScreen {
         cx.ask(StoreRequest::Players);
     }
 
-    /// Uses the typed name, if it is valid. A name that nobody has had so far is confirmed, so that
-    /// a slip of the finger begins no new record.
+    /// Uses the typed name, if it is valid. A new name has to be confirmed, so that a typing error
+    /// does not begin a new record.
     fn take(&mut self, cx: &mut Context) -> Next {
         let Some(typed) = &self.typed else {
             return Next::Stay;

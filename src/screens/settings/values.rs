@@ -31,8 +31,8 @@ pub struct Settings {
     pub predicted: u8,
     /// Whether the player is asked now and then what they saw in a hit.
     pub observe: bool,
-    /// The number of predicted hits that the player has watched, as far as it decides when they are
-    /// asked what they saw.
+    /// The number of predicted hits that the player has watched, counted only as far as is needed
+    /// to decide when to ask what they saw.
     pub watched: u8,
     /// Whether somebody watches the pictures: not in plain lines and tapes.
     pub sees: bool,
@@ -68,13 +68,15 @@ impl Settings {
     /// The number of correct predictions of both paths that unlocks the lab's live picture.
     pub(crate) const ENOUGH_PREDICTED: u8 = 3;
 
-    /// The player is asked what they saw in this many first hits with a prediction.
+    /// The number of hits with a prediction, from the first, in which the player is asked what they
+    /// saw.
     const FIRST_OBSERVED: u8 = 3;
-    /// The largest [`Self::watched`]: at the tenth hit after each question there is another.
+    /// The largest value of [`Self::watched`]: in the tenth hit after each question, the player is
+    /// asked again.
     pub(crate) const MOST_WATCHED: u8 = Self::FIRST_OBSERVED + 9;
 
     /// Counts a predicted hit that is about to be watched; returns whether the player is asked what
-    /// they saw: in the first three hits, and then in each tenth.
+    /// they saw: in the first three hits, and then in every tenth.
     pub(crate) fn asks_what_is_seen(&mut self) -> bool {
         if !(self.observe && self.sees) {
             return false;
@@ -115,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_first_three_hits_are_observed_and_then_each_tenth() {
+    fn the_first_three_hits_are_observed_and_then_every_tenth() {
         let mut settings = Settings {
             sees: true,
             ..Settings::default()

@@ -109,7 +109,7 @@ impl Teacher {
         self.rounds.get(self.round)
     }
 
-    /// The number of values of what the chosen task lets the teacher choose, and the chosen one.
+    /// How many values the chosen task offers, and the index of the chosen one.
     fn choice(&mut self) -> (usize, &mut usize) {
         match self.task() {
             TeacherTask::Cards => (SHEETS.len(), &mut self.sheets),
@@ -137,7 +137,7 @@ impl Teacher {
         self.written.clear();
     }
 
-    /// The round of the typed code; `None` if there is none, which is then shown.
+    /// The round of the typed code; `None` if the code is refused, and the reason is then shown.
     fn quiz_round(&mut self, cx: &Context) -> Option<Round> {
         let code = Code::read(self.code.text()).map_err(|error| error.to_string());
         let code = code.and_then(|code| code.with_own(&cx.own)?.same_for_all());

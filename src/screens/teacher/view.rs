@@ -73,7 +73,7 @@ impl HandInFolder {
 /// The width of the list, in columns.
 const LIST: u16 = 36;
 
-/// The list, and a wider panel for what is written where.
+/// The list, and a wider panel with room for the paths of the files.
 fn layout(room: Room) -> SplitLayout {
     let area = areas::middle(room.area, WIDEST);
     SplitLayout::with_panel(Room { area, ..room }, area.width.saturating_sub(LIST))
