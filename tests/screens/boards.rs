@@ -1,4 +1,4 @@
-//! Boards for one player on the screen: the board of the day, and the boards of codes.
+//! Boards for one player on the screen: the board of the day, and boards opened by their codes.
 
 use std::time::Duration;
 

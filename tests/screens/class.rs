@@ -222,7 +222,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
     assert!(game.screen().contains("question 2 of 2"));
 }
 
-/// Every step used to begin at its first page again.
+/// Every step used to return to its first page.
 #[test]
 fn a_step_returns_to_the_page_where_it_was_left() {
     let folder = Folder::new("class-pages");
@@ -516,7 +516,7 @@ fn a_round_begins_with_the_questions_that_were_seen() {
     let screen = game.screen();
     assert!(screen.contains("question 1 of 10  code even-3"), "{screen}");
 
-    // A letter in a text is typed, and a text that is not a code is reported.
+    // In a text field a letter is typed, and text that is not a code is reported.
     let app = cli::open("class --teams A,B --code 7").unwrap();
     let mut game = Headless::new(app, 80, 24);
     game.press("<Up>p<Down>p");

@@ -1,4 +1,5 @@
-//! A tape plays a whole class on its own devices: the host and six pupils.
+//! A class on pupils' own devices: a whole class that a tape plays, with a host and six pupils, and
+//! single cases.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -51,7 +51,7 @@ pub(crate) fn moments() -> impl Iterator<Item = Moment> {
 }
 
 /// A game that shows the complete hint for a stroke.
-fn a_hint_told() -> Headless {
+fn a_whole_hint() -> Headless {
     let mut game = Headless::from(App::new(Route::Table, Settings::default(), 7));
     game.press("<Enter>hh");
     game
@@ -141,7 +141,7 @@ fn each_key_of_each_table_does_something() {
         }
     }
     assert!(idle.is_empty(), "{idle:#?}");
-    let hint = changes(a_hint_told(), (60, 20), None, Key::PageDown);
+    let hint = changes(a_whole_hint(), (60, 20), None, Key::PageDown);
     scrolls.insert("table.scroll".to_owned(), hint);
     assert!(scrolls.values().all(|any| *any), "{scrolls:?}");
 }

@@ -28,7 +28,7 @@ fn open(place: Route, settings: Settings, size: (u16, u16)) -> Headless {
 }
 
 #[test]
-fn going_on_never_shoots() {
+fn a_key_press_that_continues_never_shoots() {
     for key in ["<Enter>", " "] {
         let mut game = level(number("dead-stop"));
         game.press("p47<Enter><Enter>");

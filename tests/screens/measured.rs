@@ -51,7 +51,7 @@ fn assert_shows(game: &mut Headless, parts: &[&str]) {
     }
 }
 
-/// The pages of all results.
+/// The text of all pages of results.
 fn all_results(game: &mut Headless) -> String {
     game.press("a");
     let mut text = String::new();
@@ -96,7 +96,7 @@ fn every_result_is_one_key_away() {
     assert_shows(&mut game, &["what it shows"]);
 }
 
-/// The radii make the line of impact that of the centres; twice the scale doubles the speeds.
+/// With the radii, the line of impact is the line of centres; twice the scale doubles the speeds.
 #[test]
 fn masses_radii_and_scale_can_be_set_after_opening() {
     let folder = Folder::new("measured");
@@ -121,7 +121,7 @@ fn masses_radii_and_scale_can_be_set_after_opening() {
 
 /// A number of grams that is typed but not confirmed counts when the settings are left.
 #[test]
-fn an_open_number_is_kept_and_one_mass_alone_is_not_used() {
+fn an_unconfirmed_number_is_kept_and_one_mass_alone_is_not_used() {
     let folder = Folder::new("measured");
     let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
     game.press("m30<Down>");

@@ -19,7 +19,7 @@ fn lab(folder: &Folder) -> Headless {
     Headless::keeping(app, 120, 40, store)
 }
 
-/// Makes twenty hits at α = 4°, 8°, .. 80° with the app's keys, predicting 60° and 30° each time.
+/// Makes twenty hits at α = 4°, 8°, …, 80° with the app's keys, predicting 60° and 30° each time.
 fn make_twenty(game: &mut Headless) {
     for number in 1..=20 {
         game.press(&format!("<Down>{}<Enter><Up>", 4 * number));

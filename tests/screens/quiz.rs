@@ -309,7 +309,7 @@ fn escape_goes_back_a_step_and_asks_before_a_round_is_lost() {
 }
 
 #[test]
-fn lost_points_are_visible() {
+fn negative_points_are_shown_with_their_sign() {
     let mut game = plain(7);
     let round = Round::hits(7);
     let questions = round.questions();

@@ -293,8 +293,8 @@ fn a_line_of_the_summary_is_opened_by_a_click() {
     );
 }
 
-/// A guessed topic is due at once; a review asks each due topic once, and has no code that could be
-/// passed on.
+/// A guessed topic is due at once; a review asks one question about each due topic, and has no code
+/// that could be passed on.
 #[test]
 fn a_review_asks_about_the_topics_that_are_due() {
     let mut game = choosing();

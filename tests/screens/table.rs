@@ -43,7 +43,7 @@ fn whole_match() -> Options {
     }
 }
 
-/// The game after so long without a key that a press strikes.
+/// The game after a pause in which no key is pressed, so that the next press strikes.
 fn rested(mut game: Headless) -> Headless {
     game.pass(Duration::from_secs(2));
     game
@@ -475,7 +475,7 @@ fn the_computer_plays_and_explains_its_stroke() {
 /// Presses Space twelve times, or holds it, from the end of a stroke through the computer's stroke
 /// into the next turn, and once more after a pause.
 #[test]
-fn going_on_never_strikes() {
+fn a_key_press_that_continues_never_strikes() {
     for (between, presses) in [(350, 12), (33, 600)] {
         let mut game = at_the_table(Options::default(), Settings::default());
         game.press(&"-".repeat(30));

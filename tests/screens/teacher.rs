@@ -33,7 +33,7 @@ fn a_worksheet_its_key_and_a_moodle_file_are_those_of_the_typed_code() {
     for _ in 0.."even12-7".len() {
         game.press("<Backspace>");
     }
-    // A browser moves the cursor to the ends of the field.
+    // Home and End move the cursor, as in a text field of a browser.
     game.press("eeds-3<Home>sp<End><Enter>");
     let screen = game.screen();
     assert!(screen.contains("worksheet-speeds-3.html"), "{screen}");
@@ -49,9 +49,9 @@ fn a_worksheet_its_key_and_a_moodle_file_are_those_of_the_typed_code() {
     assert_eq!(written(&game, "moodle-speeds-3.xml"), moodle);
 }
 
-/// Letters belong to the code, and a code that is none is refused in words.
+/// Letters belong to the code, and text that is not a code is refused with a reason.
 #[test]
-fn a_code_that_is_none_is_refused_and_nothing_is_written() {
+fn text_that_is_not_a_code_is_refused_and_nothing_is_written() {
     let folder = Folder::new("teacher-refused");
     for (typed, reason) in [("x", "The code:"), ("<Backspace>", "The code:")] {
         let mut game = opened(&folder);
