@@ -455,7 +455,7 @@ fn claims() -> Vec<Claim> {
     // The height in centimetres at this speed.
     let height = |v: f64| 100.0 * v * v / (2.0 * 9.80665);
     claim(14, ", [20.4] cm. If you", height(20.0 * 10.0 / 100.0));
-    // With all of the energy, ½ m u² = (m + M) g h, so h is m/(m + M) of the height for the speed u.
+    // With all of the energy, ½ m u² = (m + M) g h: h is m/(m + M) of the height for the speed u.
     claim(
         14,
         "you get [204] cm, ten times as much.",
