@@ -123,7 +123,6 @@ impl<T> KeptFiles<T> {
             .or([(Key::Delete, KeptAction::Remove)])
     }
 
-    /// Carries out an action.
     pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
         let KeptAction::List(action) = action else {
             let text = format!("Delete this {} permanently?", self.kind.one);

@@ -28,7 +28,6 @@ const ROUNDS: KeptKind = KeptKind {
     remove: StoreRequest::RemoveClass,
 };
 
-/// The list of earlier rounds.
 #[derive(Debug, Clone)]
 pub(super) struct EarlierRounds {
     /// The page to go back to.

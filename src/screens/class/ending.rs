@@ -49,7 +49,6 @@ impl EndPage {
         Self::from_repr(to).unwrap_or(Self::Items)
     }
 
-    /// The view of the page.
     pub(super) fn view(self, play: &Stage) -> View<'_, ClassAction> {
         let mut panel = Panel::new("");
         // The scoreboard keeps the last question's `subject`.

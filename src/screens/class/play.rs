@@ -514,7 +514,6 @@ impl ClassPlay {
         }
     }
 
-    /// Advances the time.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         self.stage.session.advance(passed);
         self.stage.countdown = self.stage.countdown.map(|left| left.saturating_sub(passed));

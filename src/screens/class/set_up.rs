@@ -26,7 +26,6 @@ pub(super) struct SetUp {
     /// The name of the class, as typed.
     pub(super) class: TextField,
     list: ListView,
-    /// The chosen kind of round.
     pub(super) kind: RoundKind,
     /// The chosen topic, as an index into [`CourseKind::topics`].
     pub(super) topic: usize,
@@ -242,7 +241,6 @@ impl SetUp {
         true
     }
 
-    /// Carries out an action.
     pub(super) fn act(&mut self, action: SetUpAction, cx: &mut Context) -> Outcome<SetUpEnd> {
         match action {
             SetUpAction::List(action) => self.listed(action, cx),

@@ -19,7 +19,6 @@ pub(super) struct ClassReveal {
     /// The most frequent wrong answer (the misconception that it fits, or else the letter of the
     /// choice), and its number of votes.
     pub(super) held: Option<(String, usize)>,
-    /// The explanation.
     pub(super) why: String,
 }
 

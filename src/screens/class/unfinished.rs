@@ -13,7 +13,6 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role, text};
 
-/// The choices.
 const CHOICES: [&str; 2] = ["resume it", "begin another round"];
 
 /// The page on which an interrupted round can be resumed.
@@ -129,7 +128,6 @@ impl Unfinished {
         }
     }
 
-    /// The view of the page.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
         let mut panel = Panel::new("an interrupted round");
         let mut beside = Panel::new("the round");

@@ -108,7 +108,6 @@ impl FoilFigure {
         }
     }
 
-    /// Carries out an action.
     pub(crate) fn act(&mut self, action: FoilFigureAction) {
         let foil = &mut self.0;
         match action {
@@ -151,7 +150,6 @@ impl FoilFigure {
         self.is_running().then_some(Duration::ZERO)
     }
 
-    /// The picture of the page.
     pub(crate) fn picture(&self, area: Rect, look: &Look) -> Picture {
         view::picture(&self.0, area, *look)
     }

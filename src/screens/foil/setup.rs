@@ -54,7 +54,6 @@ impl Default for FoilSetup {
 }
 
 impl FoilSetup {
-    /// The metal of the foil.
     pub(crate) fn metal(&self) -> Metal {
         METALS[self.metal % METALS.len()]
     }

@@ -105,7 +105,6 @@ fn hard_path(offset: f64, reach: f64) -> Path {
     }
 }
 
-/// The picture of the page.
 pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let view = view(area, setup);
     let (half, ..) = scale(setup);

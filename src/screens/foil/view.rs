@@ -33,7 +33,6 @@ pub(super) fn title(foil: &FoilScreen) -> &'static str {
     }
 }
 
-/// The picture of the page.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     match foil.page {
         FoilPage::Tracks => tracks_page::picture(&foil.setup, area),

@@ -9,7 +9,6 @@ use crate::lessons::GlossaryEntry;
 use crate::messages::Key;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
-/// Actions of the glossary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum GlossaryAction {
@@ -21,7 +20,6 @@ pub(crate) enum GlossaryAction {
     Leave,
 }
 
-/// The glossary.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct GlossaryScreen {
     list: ListView,

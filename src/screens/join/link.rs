@@ -38,7 +38,6 @@ pub(super) struct Link {
     handing_in: Option<ClientMessage>,
 }
 
-/// The state of the connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum LinkState {
     Dialling,

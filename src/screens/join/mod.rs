@@ -100,7 +100,6 @@ impl Join {
         self.joined.as_ref().zip(self.link.as_ref())
     }
 
-    /// Whether the round is over.
     fn is_over(&self) -> bool {
         let joined = self.joined.as_ref();
         joined.is_some_and(|joined| joined.state.step == PupilStep::End)

@@ -4,7 +4,6 @@ use super::mystery::Mystery;
 use crate::physics::{Bond, CollisionSpec};
 use crate::widgets::input::{CollisionField, Field, FormFields, collision_fields, set_at};
 
-/// The settings of the lab.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LabSettings {
     pub(super) setup: CollisionSpec,

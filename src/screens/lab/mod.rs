@@ -45,7 +45,6 @@ pub(crate) struct Lab {
     observed: Option<Observation>,
 }
 
-/// The phase of the lab.
 #[derive(Debug, Clone, Default)]
 enum LabPhase {
     /// Setting up.
@@ -127,7 +126,6 @@ impl Lab {
         self.hidden || cx.settings.predict && !self.is_live(cx)
     }
 
-    /// Whether the picture is live.
     fn is_live(&self, cx: &Context) -> bool {
         self.live && self.may_live(cx)
     }

@@ -64,7 +64,6 @@ impl Mystery {
         }
     }
 
-    /// Carries out an action.
     pub(super) fn act(&mut self, action: EntryAction) {
         if let Outcome::Done(mass) = self.entry.act(action)
             && mass > 0.0

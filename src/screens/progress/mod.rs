@@ -44,7 +44,6 @@ const NARROW: u16 = 80;
 /// The width of the panel on a narrow screen, where the tables need the room.
 const NARROW_PANEL: u16 = 26;
 
-/// The pages of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 enum ProgressPage {
     /// The errors of the answers over time.
@@ -80,7 +79,6 @@ impl ProgressPage {
     }
 }
 
-/// The progress screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Progress {
     ahead: Ahead,

@@ -88,7 +88,6 @@ pub(crate) struct Quiz {
     ahead: Option<Ahead>,
 }
 
-/// The phases of a round.
 #[derive(Debug, Clone)]
 enum QuizPhase {
     /// Answering, then choosing a confidence.

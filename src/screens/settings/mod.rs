@@ -36,7 +36,6 @@ pub(crate) struct SettingsScreen {
     typed: Option<TextField>,
 }
 
-/// Actions of the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SettingsAction {

@@ -17,7 +17,6 @@ use crate::widgets::{NumberEntry, Outcome, Role};
 /// The number of earlier results that are listed.
 const LISTED: usize = 7;
 
-/// The page.
 #[derive(Debug, Clone)]
 pub(super) struct BoardPage {
     /// The code of the board that is shown; `None` until today's date is known.

@@ -12,7 +12,6 @@ use crate::widgets::replay::{ShotImpact, impacts};
 pub(super) struct Preview {
     /// The corners of the path, including its start and end.
     pub(super) way: Vec<DVec2>,
-    /// How the path ends.
     pub(super) end: WayEnd,
 }
 
@@ -46,7 +45,6 @@ pub(super) struct FirstHit {
     pub(super) coin: usize,
     /// The position of the coin.
     pub(super) at: DVec2,
-    /// The collision.
     pub(super) impact: ShotImpact,
 }
 

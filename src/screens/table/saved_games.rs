@@ -24,7 +24,6 @@ const GAMES: KeptKind = KeptKind {
     remove: StoreRequest::Remove,
 };
 
-/// The page.
 #[derive(Debug, Clone)]
 pub(super) struct SavedGames {
     /// The options of the previous page, for going back.
@@ -58,7 +57,6 @@ impl SavedGames {
         }
     }
 
-    /// The keys of the page.
     pub(super) fn keys(&self) -> KeyTable<SavedGamesAction> {
         use SavedGamesAction::{Back, Export, Saved, WatchAll};
         let open = self.files.content().is_some();
@@ -71,7 +69,6 @@ impl SavedGames {
             .on(Key::Escape, Back, "back")
     }
 
-    /// Carries out an action.
     pub(super) fn act(&mut self, action: SavedGamesAction, cx: &mut Context) -> Next {
         match action {
             SavedGamesAction::Saved(action) => return self.files.act(action, cx),

@@ -22,7 +22,6 @@ pub(super) const fn role(piece: Piece) -> Role {
     face(piece).role
 }
 
-/// The masses of a set.
 pub(super) const fn masses(set: PieceSet) -> &'static str {
     match set {
         PieceSet::Tournament => "15 g on 5.5 g",

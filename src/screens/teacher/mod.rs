@@ -21,7 +21,6 @@ const LONGEST: usize = 40;
 /// The numbers of sheets of cards to choose from.
 const SHEETS: [u16; 8] = [1, 8, 16, 20, 24, 28, 32, 40];
 
-/// Actions of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum TeacherAction {
@@ -57,7 +56,6 @@ impl TeacherTask {
     ];
 }
 
-/// The screen for teachers.
 #[derive(Debug, Clone)]
 pub(crate) struct Teacher {
     tasks: ListView,

@@ -161,7 +161,6 @@ mod tests {
 
     use super::*;
 
-    /// Every setting has a column.
     #[test]
     fn every_setting_can_be_plotted() {
         for field in CollisionField::VARIANTS {

@@ -11,7 +11,6 @@ use crate::screens::ahead::Ahead;
 use crate::screens::{Confirmation, Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
-/// Actions of the contents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ContentsAction {
@@ -63,7 +62,6 @@ fn listed(book: &mut Book, action: ListAction) -> Next {
     Next::of(outcome, |_| open(book))
 }
 
-/// A line of the contents.
 #[derive(Debug, Clone, Copy)]
 enum ContentsLine<'a> {
     Chapter(&'a Chapter),

@@ -104,7 +104,6 @@ impl FilmFigure {
         text
     }
 
-    /// The results.
     fn results(&self) -> Vec<String> {
         let measurement = match &self.measured {
             Ok(measurement) => measurement,

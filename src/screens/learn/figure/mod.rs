@@ -352,7 +352,6 @@ impl LiveFigure {
         }
     }
 
-    /// Carries out an action.
     pub(super) fn act(&mut self, action: FigureAction) {
         match (action, &mut self.state) {
             (FigureAction::Alpha(by), _) => {
@@ -446,7 +445,6 @@ impl LiveFigure {
         })
     }
 
-    /// Advances the time.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.state {
             FigureState::Hits(hits) => {

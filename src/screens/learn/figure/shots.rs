@@ -17,7 +17,6 @@ const IN_SPACE: u32 = 60;
 const ON_BOARD_EXTENT: DVec2 = dvec2(1.8, 1.6);
 const IN_SPACE_EXTENT: DVec2 = dvec2(1.3, 1.1);
 
-/// The title of the figure.
 pub(super) fn title(space: bool) -> &'static str {
     if space {
         "the target, face on"

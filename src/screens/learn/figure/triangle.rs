@@ -26,7 +26,6 @@ fn equal_masses(collision: &Collision) -> bool {
     (collision.striker.mass / collision.target.mass - 1.0).abs() < 1e-9
 }
 
-/// The title of the figure.
 pub(super) fn title(collision: &Collision) -> &'static str {
     if equal_masses(collision) {
         "the triangle of velocities"

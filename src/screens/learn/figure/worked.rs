@@ -120,7 +120,6 @@ impl WorkedFigure {
         self.form.as_ref().is_some_and(SettingsForm::is_typing)
     }
 
-    /// Carries out an action.
     pub(super) fn act(&mut self, action: FigureAction, collision: &mut Collision) {
         match (action, &mut self.form) {
             (FigureAction::Step(by), _) => {

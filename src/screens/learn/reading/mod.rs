@@ -53,7 +53,6 @@ pub(crate) enum ReadingAction {
     Leave,
 }
 
-/// A chapter being read.
 #[derive(Debug, Clone)]
 pub(crate) struct Reading {
     number: usize,

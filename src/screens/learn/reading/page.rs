@@ -8,7 +8,6 @@ use crate::screens::learn::prose::Prose;
 use crate::widgets::hit::{HitPace, Watch};
 use crate::widgets::{AnswerInput, Charset, RayInput};
 
-/// A page that is open.
 #[derive(Debug, Clone)]
 pub(super) struct OpenPage {
     pub(super) page: ChapterPage,

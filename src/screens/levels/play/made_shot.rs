@@ -50,7 +50,6 @@ fn is_right(said: &RayInput, collision: &Collision) -> bool {
     })
 }
 
-/// A shot that was made.
 #[derive(Debug, Clone)]
 pub(super) struct MadeShot {
     pub(super) player: ShotPlayer,

@@ -43,7 +43,6 @@ pub(crate) struct LevelPlay {
     guard: StrikeGuard,
 }
 
-/// The phase of the level.
 #[derive(Debug, Clone)]
 enum LevelPhase {
     /// Setting the shot.

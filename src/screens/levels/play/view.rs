@@ -214,7 +214,6 @@ fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
     panel
 }
 
-/// The result.
 fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
     let mut panel = Panel::new(match (&made.win, made.is_shown) {
         (_, true) => "shown",

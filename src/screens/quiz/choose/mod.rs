@@ -44,12 +44,10 @@ pub(crate) struct Choosing {
     own: Arc<Library>,
 }
 
-/// The pages of the screen.
 #[derive(Debug, Clone, PartialEq)]
 enum ChoosingPage {
     Rounds,
     Topics,
-    /// A code.
     Code {
         /// The typed text.
         typed: TextField,

@@ -68,7 +68,6 @@ pub(super) struct ActiveGame {
     par: Option<usize>,
 }
 
-/// The phases of a game.
 #[derive(Debug, Clone)]
 enum GamePhase {
     /// Aiming the next stroke.
@@ -129,7 +128,6 @@ pub(super) struct Hinted {
 }
 
 impl ActiveGame {
-    /// Begins a new game.
     pub(super) fn new(options: Options, seed: u64) -> Self {
         let history = GameHistory::new(options.setup(seed));
         Self::with(options, history)

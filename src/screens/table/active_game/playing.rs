@@ -170,7 +170,6 @@ impl Playing {
         self.follow(after, cx)
     }
 
-    /// Advances the time.
     pub(in crate::screens::table) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
         self.game.guard.advance(passed);

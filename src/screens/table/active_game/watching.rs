@@ -40,7 +40,6 @@ pub(super) struct FallingPiece {
     pub(super) corner: usize,
 }
 
-/// The replay of a stroke.
 #[derive(Debug, Clone)]
 pub(super) struct StrokeReplay {
     /// The number of its move in the game.
@@ -351,7 +350,6 @@ impl StrokeReplay {
         reason(&why(watch.collision(), watch.said().copied()), panel);
     }
 
-    /// The name of a disc.
     fn name(&self, disc: usize) -> &'static str {
         self.pieces
             .get(disc)
