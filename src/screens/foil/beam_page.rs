@@ -109,7 +109,7 @@ pub(super) fn expected_at(
     Some(thrown as f64 * share)
 }
 
-/// Possible positions of the curve's label: past the middle, or otherwise closer to its beginning.
+/// Possible positions of the curve's label, from just past the middle towards its beginning.
 fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
     let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
     let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));

@@ -36,7 +36,7 @@ impl Mystery {
         Self::default()
     }
 
-    /// Whether the mass has not been found yet.
+    /// Whether the player has not entered a mass yet.
     pub(super) fn is_open(&self) -> bool {
         self.said_g.is_none()
     }

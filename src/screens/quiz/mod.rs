@@ -215,7 +215,7 @@ impl Quiz {
         self.round.course().feedback_at_end()
     }
 
-    /// Adds the answer to the current question, and returns it in the form in which it is saved.
+    /// Records the answer to the current question, and returns it in the form in which it is saved.
     fn note(&mut self, question: &Question, answer: Answer, cx: &Context) -> Attempt {
         self.answers.push(answer);
         let (code, number) = (self.round.code(), self.answers.len() as u32);

@@ -60,7 +60,8 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     panel
 }
 
-/// The command that gives a friend the same round; a review has none, because it is personal.
+/// The command that gives a friend the same round; `None` for a round that depends on the player or
+/// on a teacher's files.
 fn for_a_friend(code: &Code) -> Option<(&'static str, String)> {
     match code.course.kind {
         CourseKind::Met(_) | CourseKind::Review(_) | CourseKind::Own(_) | CourseKind::Set(_) => {
@@ -103,7 +104,8 @@ fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
     closing
 }
 
-/// One row per question: the answer, the true answer, the points, and the topic.
+/// One row per question: the answer, the true answer, the points, the confidence and, if there is
+/// room, the topic and what the answer showed.
 fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction>) {
     let answered = || quiz.round.questions().iter().zip(&quiz.answers);
     let all_rays = answered().all(|(question, _)| matches!(question.form, Form::Rays { .. }));

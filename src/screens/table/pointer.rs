@@ -1,4 +1,5 @@
-//! The coin and pocket that a hint or the computer refers to, for marking them on the board.
+//! The coin and the pocket that a hint or the computer's stroke is about, to be marked on the
+//! board.
 
 use glam::DVec2;
 

@@ -1,4 +1,4 @@
-//! The first contact of an aim: the exact path of the striker up to it.
+//! The first contact of an aim, and the striker's exact path up to it.
 
 use glam::DVec2;
 

@@ -64,7 +64,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let qr = Qr::of(&link, &look).filter(|_| joining.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
     let is_below = beside.as_ref().is_some_and(|it| it.address_is_below);
-    // The hint that nobody has joined is shown only beside a QR code, where there is room for it.
+    // Beside a QR code there is room for the hint; without one, it replaces the notice below.
     let waits = session.waits_long();
     write(session, joining, (&address, is_below), &mut panel);
     if waits && beside.is_some() {

@@ -14,8 +14,8 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// The figure of a page in sentences. Only the set-up is described until the page's question is
-/// `answered`, or if a later page asks for the outcome.
+/// The figure of a page in sentences. The outcome is left out until the page's question is
+/// `answered`, and also afterwards if a later page asks for it.
 pub(in crate::screens::learn) fn describe(
     chapter: &Chapter,
     at: usize,

@@ -35,7 +35,7 @@ pub(crate) struct LevelPlay {
     hints: usize,
     /// The number of shots since the level was opened.
     shots: u32,
-    /// The results of the shots watched, the latest last.
+    /// The results of the earlier shots, the latest last.
     earlier: Vec<EarlierShot>,
     phase: LevelPhase,
     /// Why the last shot could not be played.

@@ -335,7 +335,8 @@ impl ActiveGame {
         format!("{:.1}°", aim.shown_deg(self.seat()))
     }
 
-    /// Writes whose turn it is, with which colour, and what the laws require of the stroke.
+    /// Writes whose turn it is, and the colour; on a board for one player, the number of the stroke
+    /// and the par.
     pub(super) fn write_turn<A>(&self, panel: &mut Panel<A>) {
         if self.is_practice() {
             return;

@@ -56,7 +56,7 @@ pub(super) struct ActiveGame {
     previewed: Option<(Aim, usize)>,
     /// A number that is being typed.
     entry: NumberEntry,
-    /// Help with the next stroke.
+    /// The hint for the next stroke, if the player has requested one.
     pub(super) hint: Option<Hinted>,
     /// What the mouse is dragging.
     grip: Grip,

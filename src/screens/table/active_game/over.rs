@@ -149,7 +149,7 @@ impl ActiveGame {
         }
     }
 
-    /// Who won the match, the game or the board, and with how many hints, if any.
+    /// A sentence that says who won the match, the game or the board, and with how many hints.
     fn headline(&self, report: &BoardReport) -> String {
         let hints = |team: Team| match report.teams[team].hints {
             0 => String::new(),

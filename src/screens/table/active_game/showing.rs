@@ -268,7 +268,8 @@ impl ActiveGame {
         strike(slip.applied_to(Motion::new(meant.place, meant.velocity)))
     }
 
-    /// The error of the hand in a stroke of a person.
+    /// The error of the hand in the move with this number, if a person made it with an unsteady
+    /// hand.
     pub(super) fn slip(&self, number: usize) -> Option<Slip> {
         let past = self.history.past(number)?;
         let is_person = self.options.player(past.before.seat()) == Player::Person;
