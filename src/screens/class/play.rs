@@ -29,7 +29,7 @@ use crate::widgets::{SplitLayout, draw_question};
 pub(super) struct ClassPlay {
     pub(super) stage: Stage,
     phase: ClassPhase,
-    /// The step of each question, where it is or was left.
+    /// The step of each question: the current one, or the one at which the question was left.
     steps: Vec<ClassStep>,
     /// The last question that has been reached, or the number of questions if the end has been
     /// reached.

@@ -16,7 +16,7 @@ use crate::widgets::{Role, draw_question};
 /// The largest number of characters that can be typed.
 const LONGEST: usize = 40;
 
-/// Counts in the example of what to type, which uses as many as the question has choices.
+/// The counts in the example of what to type, which shows one for each choice.
 const EXAMPLE: [&str; 6] = ["4", "17", "9", "2", "5", "3"];
 
 /// Counts that are being typed: "4 17 9 2".

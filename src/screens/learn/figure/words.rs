@@ -179,7 +179,7 @@ fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> 
             let mut turned = *collision;
             momenta::turn_second(&mut turned, angle.into());
             let v = speed(turned.centre_of_mass_velocity());
-            format!("If their paths meet at {angle}°, they move on at {v}.")
+            format!("If they move at {angle}° to each other, they move on together at {v}.")
         }));
     }
     lines

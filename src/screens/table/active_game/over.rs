@@ -180,7 +180,7 @@ impl ActiveGame {
         let names = words::versus(|team| self.options.team_name(team));
         panel.pair(("", Role::Dim), (names, Role::Title));
         if self.hand() != PlayerHand::Exact {
-            panel.fact("hand of the people", <&str>::from(self.hand()));
+            panel.fact("people's hand", <&str>::from(self.hand()));
         }
         panel.fact("strokes", both(|team| team.strokes.to_string()));
         panel.fact("pocketing", both(TeamReport::share));
