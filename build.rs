@@ -1,6 +1,6 @@
 //! Rebuilds the program when a level or a chapter is added, because `include_dir!` itself notices
-//! only changes to files that it already knows. Also embeds the page for browsers: the one that
-//! `CARROM_PAGE` names, otherwise the one that the published package contains.
+//! only changes to files that it already knows. Also embeds the page for browsers: the file that
+//! `CARROM_PAGE` names, otherwise the one in the published package.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};

@@ -37,7 +37,7 @@
 //!                  showed; the messages between devices and the host
 //!   ─────────────────────────────────────────────────────────────
 //!   gradebook/     the hand-ins of a class: each pupil, each round, each question
-//!   path/          a player's one next step, the reason for it, and what is done
+//!   path/          a player's next step, the reason for it, and what is done
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   progress/      a player's answers, hits and observations, and what follows: topics, confidence,
@@ -48,8 +48,8 @@
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)
-//!   measure/       a filmed collision: reading its tracks, fitting them, what follows with
-//!                  uncertainties
+//!   measure/       a filmed collision: reading its tracks, fitting them, the results
+//!                  and their uncertainties
 //!   beams/         particles simulated by the million and counted; Geiger and Marsden's
 //!                  own counts  (data: assets/)
 //!   ─────────────────────────────────────────────────────────────

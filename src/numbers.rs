@@ -78,8 +78,8 @@ pub(crate) fn bare_degrees(angle: f64) -> String {
     format!("{:.1}", tenths(angle) as f64 / 10.0)
 }
 
-/// An intermediate value of a printed result, with the figures it needs: three, or a tenth of a
-/// degree, or as many more as are needed for the printed values to give the printed result.
+/// An intermediate value of a printed result. It is printed to three figures (an angle to a tenth
+/// of a degree), or to as many more as the printed values need to give the printed result.
 #[derive(Debug, Clone)]
 pub(crate) struct Intermediate {
     text: String,
@@ -105,8 +105,8 @@ impl Intermediate {
         decimals.map_or(0, |(_, decimals)| decimals.len())
     }
 
-    /// The intermediate value `x`. `result` prints what follows from it, and must print the same
-    /// for the rounded [`value`](Self::value).
+    /// The intermediate value `x`. `result` prints the result that follows from it; the rounded
+    /// [`value`](Self::value) gives the same.
     pub(crate) fn new<T: PartialEq>(x: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(x, decimals_for(x, 3) + more);
         Self::leading_to(x, text, |read| read, result)
@@ -224,8 +224,8 @@ pub(crate) fn mean(x: &[f64]) -> Option<f64> {
     (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
 }
 
-/// Pearson's correlation; `None` for fewer than three pairs, or if one of the variables varies by
-/// no more than a thousandth.
+/// Pearson's correlation coefficient; `None` for fewer than three pairs, or if one of the variables
+/// varies by no more than a thousandth.
 pub(crate) fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     const VARIES: f64 = 1e-6;
     if x.len() < 3 {

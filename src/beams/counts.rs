@@ -56,7 +56,6 @@ impl Default for Counts {
 }
 
 impl Counts {
-    /// All particles that were counted.
     pub(crate) fn total(&self) -> u64 {
         self.bins.iter().sum()
     }

@@ -52,9 +52,9 @@ impl Foil {
         self.metal.density * self.thickness
     }
 
-    /// The scattering of α-particles of `energy` joules in the foil, each by at most one nucleus:
-    /// the part of the beam that belongs to one nucleus has the area 1/(n t), so b goes up to 1/√(π
-    /// n t).
+    /// The scattering of α-particles of `energy` joules in the foil, each by at most one nucleus.
+    /// With n atoms per cubic metre and a thickness t, the part of the beam that belongs to one
+    /// nucleus has the area 1/(n t), so b goes up to 1/√(πnt).
     pub fn target(&self, energy: f64) -> BeamTarget {
         BeamTarget::Coulomb {
             scatterer: Rutherford::new(ALPHA_CHARGE, self.metal.charge, energy),

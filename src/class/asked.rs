@@ -19,11 +19,8 @@ use crate::quiz::{
 pub struct AskedQuestion {
     /// The id of the question's family.
     family: String,
-    /// The text of the question.
     text: String,
-    /// How it is answered.
     form: AskedForm,
-    /// The picture beside the question.
     picture: AskedPicture,
 }
 
@@ -37,7 +34,7 @@ enum AskedForm {
     Number { measure: String },
     /// By choosing an option.
     Choice { options: Vec<String> },
-    /// By a shot that sends the striker, or else the target, in this direction (in radians).
+    /// By a shot that sends the striker or the target in this direction, in radians.
     Shot {
         hit: AskedHit,
         striker: bool,

@@ -19,7 +19,8 @@ pub(super) struct Device {
     pub(super) n: u64,
     /// The number of the last state sent on this connection.
     pub(super) rev: u64,
-    /// If the last vote did not fit its question: that question, and which of its two votes it was.
+    /// The last vote, if it did not fit its question: the question, and which of its two votes it
+    /// was.
     pub(super) misfit: Option<(usize, Vote)>,
     /// The result of the last hand-in.
     pub(super) handed: Option<HandedIn>,

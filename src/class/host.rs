@@ -103,7 +103,7 @@ pub struct JoinDetails {
     pub code: JoinCode,
     /// The addresses at which the server listens, the best first.
     pub addresses: Vec<SocketAddrV4>,
-    /// Whether the page is served at these addresses. If it is not, the reason; then only pupils
-    /// with an installed carrom can join.
+    /// `Ok` if the page is served at these addresses; otherwise the reason why it is not, and then
+    /// only pupils who have installed carrom can join.
     pub page: Result<(), String>,
 }

@@ -87,7 +87,7 @@ impl SeatToken {
         Self(random)
     }
 
-    /// A number below `limit` that reveals next to nothing of the token.
+    /// A number below `limit` that reveals next to nothing about the token.
     pub(super) fn number_below(self, limit: usize) -> usize {
         (self.0 % limit.max(1) as u128) as usize
     }

@@ -6,7 +6,7 @@ const COLOURS: [&str; 16] = [
     "Amber", "Azure", "Blue", "Bronze", "Copper", "Coral", "Crimson", "Golden", "Green", "Indigo",
     "Jade", "Orange", "Purple", "Scarlet", "Silver", "Violet",
 ];
-/// Animals that are nobody's insult.
+/// Animals whose names are not insults.
 const ANIMALS: [&str; 20] = [
     "Badger", "Beaver", "Crane", "Dolphin", "Falcon", "Finch", "Fox", "Heron", "Ibis", "Kestrel",
     "Lynx", "Marten", "Otter", "Owl", "Panda", "Puffin", "Robin", "Seal", "Swift", "Tern",
@@ -29,8 +29,8 @@ pub(crate) fn is_nickname(name: &str) -> bool {
     is_known && rest.next().unwrap_or(true) && rest.next().is_none()
 }
 
-/// A nickname that is not `taken`, as far as there is one: the one that the device had before, if
-/// `asked` is one of them, otherwise one that the random token determines.
+/// A nickname that is not `taken`, unless all are: `asked`, the one that the device had before, if
+/// it is a free nickname; otherwise one that the random token determines.
 pub(super) fn for_device(asked: &str, token: SeatToken, taken: impl Fn(&str) -> bool) -> String {
     if is_nickname(asked) && !taken(asked) {
         return asked.to_owned();

@@ -68,7 +68,7 @@ pub struct ClassRound {
     class: String,
     /// Whether carrom gives nicknames to pupils' devices instead of asking for names.
     nicknames: bool,
-    /// How many votes in its file did not fit their questions and were dropped.
+    /// The number of votes that were dropped when the file was read, because they did not fit.
     pub(super) dropped: usize,
 }
 
@@ -165,7 +165,8 @@ impl ClassRound {
         self.class == tidy(name)
     }
 
-    /// How many votes in its file do not fit their question and were dropped when it was read.
+    /// The number of votes that were dropped when the file was read, because they did not fit their
+    /// questions.
     pub fn dropped_votes(&self) -> usize {
         self.dropped
     }
@@ -274,7 +275,6 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Renames a participant.
     pub(super) fn rename(&mut self, person: usize, name: &str) -> Result<(), String> {
         if self.renamed(person, name).as_deref() != Some(name) {
             return Err(format!("expected a name that nobody has, found {name:?}"));
@@ -502,8 +502,8 @@ impl ClassRound {
         self.questions().get(question)?.diagnose(&unsure(said?))
     }
 
-    /// Points of a team for a question, 0 to [`Grade::MOST`], by how close its vote is; teams are
-    /// not asked how sure they are.
+    /// A team's points for a question, from 0 to [`Grade::MOST`], according to how close its vote
+    /// is. Teams are not asked how sure they are.
     pub fn points(&self, question: usize, team: usize) -> f64 {
         let said = self.ballot(question, team).counts();
         let credit = self.grade(question, said).map_or(0.0, |grade| grade.credit);

@@ -30,7 +30,6 @@ const LARGEST: usize = 1 << 22;
 struct Written<'a> {
     format: u32,
     code: String,
-    /// The name of the class.
     #[serde(skip_serializing_if = "str::is_empty")]
     class: &'a str,
     way: &'a str,
@@ -79,7 +78,7 @@ fn whole(bytes: &[u8]) -> &[u8] {
 }
 
 impl ClassRound {
-    /// Largest file that is read, in bytes.
+    /// The largest file that is read, in bytes.
     pub const LARGEST_FILE: usize = LARGEST;
 
     /// The text of its file.
@@ -209,7 +208,7 @@ impl ClassRound {
         let round = Self::voting(way?, code?).of_class(&class?);
         let mut round = round.with_nicknames(nicknames?);
         if asked?.is_some_and(|asked| round.own_ids() != asked) {
-            let message = "expected your own questions as they were; their files have changed";
+            let message = "expected your own questions unchanged, but their files have changed";
             return fields.refuse("asked", message);
         }
         let (join_code, address) = (join_code?, address?);

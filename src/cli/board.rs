@@ -11,9 +11,9 @@ use crate::physics::units::mm_from_m;
 
 /// Open the board of the day: six coins to clear in the fewest strokes
 ///
-/// Every day has a board of its own, the same for everyone; any number up to 999999 is the
-/// code of another one. --json prints the board instead: its coins, its par, and the
-/// strokes with which the search clears it.
+/// Every day has its own board, the same for everyone. Any number up to 999999 is the code of
+/// another board. --json prints the board instead: its coins, its par, and the strokes with which
+/// the search clears it.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The board to open, by its code: a date or a number (default: today's board)

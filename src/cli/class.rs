@@ -1,4 +1,5 @@
-//! `carrom class`: opens a round for a class, reports one, or deletes what is kept of a class.
+//! `carrom class`: opens a round for a class, writes a report of one, or deletes what is kept about
+//! a class.
 
 use std::io::{self, BufRead, IsTerminal, Write};
 use std::path::PathBuf;
@@ -18,8 +19,8 @@ use crate::store::{Forgetting, Store};
 
 /// Open a round for a class: teams at one keyboard, or everyone on their own device
 ///
-/// --report writes a readable page about a round that is over, and --forget deletes what is kept of
-/// a class; neither opens a screen.
+/// --report writes a page about a round that is over, and --forget deletes what is kept about a
+/// class; neither opens a screen.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -34,11 +35,11 @@ pub(super) struct Args {
     /// Let everyone vote on their own phone or laptop, on the local network
     #[arg(long)]
     host: bool,
-    /// The port for their devices (default: the port of the round you continue, or the first
+    /// The port for the class's devices (default: the port of the round you continue, or the first
     /// free one from 8090 on)
     #[arg(long, value_name = "PORT")]
     pub(super) port: Option<u16>,
-    /// The page for their browsers (default: the one in this program, or carrom.html
+    /// The page for the class's browsers (default: the one in this program, or carrom.html
     /// beside it)
     #[arg(long, value_name = "FILE")]
     pub(super) page: Option<PathBuf>,
@@ -129,7 +130,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     }
 }
 
-/// Deletes what is kept of a class.
+/// Deletes what is kept about a class.
 fn forget(class: &str, yes: bool, options: &GlobalOptions) -> Result<(), Failure> {
     if is_same_class(class, "") {
         return Err(Failure::input("expected the name of a class, such as 10b"));
@@ -145,7 +146,7 @@ fn forget(class: &str, yes: bool, options: &GlobalOptions) -> Result<(), Failure
             .into_owned()
     };
     if found.files.is_empty() {
-        let text = line(format!("nothing was kept of {class}")) + "\n";
+        let text = line(format!("nothing is kept about {class}")) + "\n";
         return Ok(print(text.as_bytes())?);
     }
     if !yes {
@@ -158,7 +159,7 @@ fn forget(class: &str, yes: bool, options: &GlobalOptions) -> Result<(), Failure
             )));
         }
         let question = format!(
-            "carrom will delete {count} of {class} in {}:\n{names}Nothing can bring them back. \
+            "carrom will delete {count} of {class} in {}:\n{names}This cannot be undone. \
              Delete them? Type yes: ",
             folder.display()
         );
@@ -208,7 +209,7 @@ fn report(
         });
         let known: Vec<_> = known.collect();
         return Err(Failure::input(match known.as_slice() {
-            [] => "no round of a class is kept here".to_owned(),
+            [] => "no class round is kept here".to_owned(),
             known => format!(
                 "expected one of {}, found {}",
                 known.join(", "),

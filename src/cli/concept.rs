@@ -14,7 +14,8 @@ pub(super) enum Command {
     /// the engine computes, and no right choice gives itself away by its length, its position
     /// or a word
     ///
-    /// Prints one line per question. Exit status: 0 all questions are good, 2 there are faults.
+    /// Prints one line per question. Exit status: 0 if all questions are good, 2 if there are
+    /// errors.
     Check {
         /// Files and folders of questions (default: the built-in questions)
         #[arg(value_name = "FILE|DIR")]

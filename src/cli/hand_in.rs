@@ -30,7 +30,7 @@ pub(super) struct HandInArgs {
     /// Only the answers of this round; can be repeated
     #[arg(long, value_name = "CODE", value_parser = Code::read)]
     code: Vec<Code>,
-    /// The file [default: hand-in-NAME.json]
+    /// The file to write [default: hand-in-NAME.json]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Replace an existing file

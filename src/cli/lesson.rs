@@ -12,7 +12,7 @@ pub(super) enum Command {
     /// Check chapters: every directive is known, every number in the text is what the engine
     /// computes, and every page fits an 80x24 screen in both charsets
     ///
-    /// Prints one line per chapter. Exit status: 0 all chapters are good, 2 there are faults.
+    /// Prints one line per chapter. Exit status: 0 if all chapters are good, 2 if there are errors.
     Check {
         /// Files and folders of chapters (default: the built-in chapters)
         #[arg(value_name = "FILE|DIR")]

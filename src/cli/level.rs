@@ -16,8 +16,8 @@ const TRIES: u32 = 4000;
 pub(super) enum Command {
     /// Play the stored solution of each level to prove that it can be won
     ///
-    /// Prints one line per level with the result. Exit status: 0 all can be won, 1 one
-    /// cannot, 2 a file is not a level.
+    /// Prints one line per level with the result. Exit status: 0 if all can be won, 1 if one
+    /// cannot, 2 if a file is not a level.
     Check {
         /// Files and folders of levels (default: the built-in levels)
         #[arg(value_name = "FILE|DIR")]

@@ -14,15 +14,15 @@ use crate::physics::units::{kg_from_g, m_from_mm};
 
 /// Analyse a filmed collision: the tracks of two bodies, compared with the exact prediction
 ///
-/// Reads what Tracker (physlets.org/tracker) exports or copies, or any table with a time and x and
-/// y of two bodies, and prints every quantity of the collision with its uncertainty. See carrom
-/// guide measuring.
+/// Reads the tables that Tracker (physlets.org/tracker) exports or copies, or any table with the
+/// time and the x and y of two bodies, and prints every quantity of the collision with its
+/// uncertainty. See carrom guide measuring.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The tracks of both bodies, or two files with one body each; - reads standard input
     #[arg(required = true, num_args = 1..=2, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// The columns of the time and of x and y of each body, by their heads or numbers
+    /// The columns of the time and of x and y of each body, by their headings or numbers
     #[arg(long, value_name = "t,x1,y1,x2,y2", value_delimiter = ',')]
     columns: Vec<String>,
     /// Millimetres per pixel, or per unit of columns without a unit; two numbers for x and y, the
@@ -44,7 +44,7 @@ pub(super) struct Args {
     /// Coefficient of restitution of the prediction, 0 to 1
     #[arg(long, value_name = "E", default_value = "1", value_parser = restitution)]
     restitution: f64,
-    /// Whether the bodies slow down: auto, if the data show it clearly
+    /// Whether the bodies slow down; auto: only if the data show it clearly
     #[arg(long, value_name = "WHEN", default_value = "auto", value_parser = slowing())]
     slowing: SlowingDown,
     /// Open a screen with a picture

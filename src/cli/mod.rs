@@ -87,7 +87,7 @@ Examples:
                                the same, with everyone on their own phone or laptop
   carrom class --report 10b --out 10b.html
                                a report of the latest round of 10b, to print
-  carrom class --forget 10b    delete everything that is kept of 10b
+  carrom class --forget 10b    delete everything that is kept about 10b
   carrom join 192.168.43.117   join that class
   carrom levels --levels mine  the levels, with your own from the folder mine
   carrom board                 the board of the day, the same for everyone

@@ -46,7 +46,8 @@ pub(super) struct Args {
     /// The page to start from (default: the one in this program, or carrom.html beside it)
     #[arg(long, value_name = "FILE")]
     page: Option<PathBuf>,
-    /// Write a SCORM 1.2 package for a learning platform, which opens this round and reports it
+    /// Write a SCORM 1.2 package for a learning platform: it opens this round and reports the
+    /// result
     #[arg(long, value_name = "CODE", value_parser = round)]
     scorm: Option<Code>,
     /// Replace an existing file

@@ -17,7 +17,7 @@ pub(super) enum Command {
     /// occurs twice
     ///
     /// Prints the questions of each set. For questions of your own, give their folder with
-    /// --concepts. Exit status: 0 all sets are good, 2 there are errors.
+    /// --concepts. Exit status: 0 if all sets are good, 2 if there are errors.
     Check {
         /// Files of sets
         #[arg(value_name = "FILE", required = true)]

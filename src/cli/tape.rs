@@ -45,7 +45,7 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Scroll down 3            or up; over a cell: Scroll up 1 40,12
   Sleep 1.5s               or 200ms; simulated, so it takes no time
   At "Ada"                 switches to the device of a pupil; At "teacher" switches back
-  Lose "Ada"               disconnects her device; Reach "Ada" reconnects it
+  Lose "Ada"               disconnects Ada's device; Reach "Ada" reconnects it
   Screenshot impact        writes impact.txt
   Expect "90.0"            fails unless the screen shows this
   Refuse "NaN"             fails if the screen shows this"#;

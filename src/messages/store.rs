@@ -147,7 +147,6 @@ pub enum StoreReply {
     Marks(Result<BTreeMap<String, Bookmark>, String>),
     /// Today's date; `None` if the time is unknown.
     Today(Option<Date>),
-    /// The players, those who answered last first.
     /// The players, starting with those who answered most recently.
     Players(Result<Vec<KnownPlayer>, String>),
 }
@@ -155,20 +154,20 @@ pub enum StoreReply {
 /// A folder with hand-ins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HandInFolder {
-    /// What pupils' devices have handed in to a class here.
+    /// The hand-ins that this carrom has received from pupils' devices.
     Devices,
     /// The folder in which carrom was started.
     Here,
-    /// The folder of downloads in the home folder.
+    /// The downloads folder in the home folder.
     Downloads,
-    /// The folder of documents in the home folder.
+    /// The documents folder in the home folder.
     Documents,
-    /// The folder of the desktop in the home folder.
+    /// The desktop folder in the home folder.
     Desktop,
 }
 
 impl HandInFolder {
-    /// The folders that there are here; a browser has only what it keeps itself.
+    /// The folders that exist on this system: a browser has only the hand-ins that it keeps itself.
     pub const ALL: &[Self] = match cfg!(target_family = "wasm") {
         true => &[Self::Devices],
         false => &[

@@ -232,9 +232,9 @@ impl<'a> PathSoFar<'a> {
         asked
     }
 
-    /// Whether a chapter is neither done nor known. It is known if the last answers about its
-    /// topics, as far as they were asked about, show it; if it has no topics, it is known if the
-    /// chapter before it is.
+    /// Whether a chapter is neither done nor known. It is known if the last answers on those of its
+    /// topics that were asked about show it; a chapter without topics is known if the chapter
+    /// before it is.
     fn is_open(&self, at: usize, topics: &TopicsAsked) -> bool {
         !self.book.is_done(&self.chapters()[at]) && !self.is_known(at, topics)
     }
@@ -332,8 +332,8 @@ impl<'a> PathSoFar<'a> {
         open.next().map(|chapter| self.begin(chapter, why))
     }
 
-    /// Questions about the first of these chapters. If none has questions, the first one is to be
-    /// read.
+    /// Questions about the first of these chapters. If none has questions, the step is to read the
+    /// first one.
     fn ask(&self, open: &[usize]) -> Option<NextStep> {
         let has_questions = |at: &&usize| {
             let id = self.chapters()[**at].id.as_str();

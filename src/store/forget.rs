@@ -1,8 +1,8 @@
-//! Deletes everything that is kept of a class.
+//! Deletes everything that is kept about a class.
 //!
-//! What a file is follows from its content, not from its name: copies made by an editor, tables and
-//! gradebooks that a teacher has written into the data folder, and unfinished files of a killed
-//! carrom count, too.
+//! Files are recognized by their contents, not by their names, so that copies made by an editor,
+//! tables and gradebooks that a teacher has written into the data folder, and unfinished files of a
+//! killed carrom are deleted too.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ const LARGEST: u64 = 1 << 26;
 /// How many folders deep the data folder is examined.
 const DEEPEST: usize = 4;
 
-/// The files that are kept of a class.
+/// The files that are kept about a class.
 #[derive(Debug)]
 pub(crate) struct Forgetting {
     folder: PathBuf,
@@ -30,7 +30,7 @@ pub(crate) struct Forgetting {
 }
 
 impl Forgetting {
-    /// Finds what is kept of a class in a data folder.
+    /// Finds what is kept about a class in a data folder.
     ///
     /// # Errors
     /// If the folder cannot be read.
@@ -66,7 +66,7 @@ impl Forgetting {
 /// Removes a file for good, while no other carrom writes to its folder.
 fn remove(path: &Path) -> std::io::Result<()> {
     let parent = path.parent().unwrap_or(path);
-    // Folders in which carrom keeps nothing have no lock, and get none.
+    // A folder in which carrom keeps nothing has no lock file, and none is created.
     let _guard = match parent.join(LOCK).exists() {
         true => Some(FolderLock::alone(parent, LOCK)?),
         false => None,
@@ -84,7 +84,8 @@ fn look_through(
     files: &mut Vec<String>,
 ) -> Result<(), String> {
     let report = |error: std::io::Error| format!("{}: {error}", folder.display());
-    // What a killed carrom has left in these folders is nobody's file any more, but may have names.
+    // Nobody uses the unfinished files of a killed carrom in these folders, but they may contain
+    // names.
     let holds_pupils = [CLASSES, HANDED_IN, "exports"].contains(&within);
     for entry in fs::read_dir(folder).map_err(report)? {
         let entry = entry.map_err(report)?;
@@ -120,7 +121,7 @@ fn is_of(bytes: &[u8], class: &str) -> bool {
         || is_table(text, class)
 }
 
-/// A saved round, complete or cut off: its head names the class.
+/// A saved round, complete or truncated; its head names the class.
 fn is_round(text: &str, class: &str) -> bool {
     let head = text.lines().take_while(|line| !line.starts_with('['));
     let mut head = head.filter_map(|line| line.parse::<toml::Table>().ok());
@@ -128,7 +129,7 @@ fn is_round(text: &str, class: &str) -> bool {
         && head.any(|line| names(line.get("class").and_then(|it| it.as_str()), class))
 }
 
-/// A hand-in; one that is cut off is recognized by its beginning.
+/// A hand-in; a truncated one is recognized by its beginning.
 fn is_hand_in(text: &str, class: &str) -> bool {
     if !text.starts_with('{') {
         return false;
@@ -170,7 +171,7 @@ fn is_table(text: &str, class: &str) -> bool {
     rows.any(|row| row.get(column).is_some_and(is_named))
 }
 
-/// A page about classes, which it names in attributes.
+/// A page about classes, whose names are in its attributes.
 fn is_page(text: &str, class: &str) -> bool {
     let starts = text.match_indices(CLASS_MARK);
     let mut named = starts.filter_map(|(at, mark)| {
@@ -189,7 +190,7 @@ fn is_page(text: &str, class: &str) -> bool {
     text.starts_with("<!DOCTYPE html>") && named.any(|it| is_same_class(&it, class))
 }
 
-/// Whether a name is given, and is that of the class.
+/// Whether this is the name of the class.
 fn names(name: Option<&str>, class: &str) -> bool {
     name.is_some_and(|name| is_same_class(name, class))
 }

@@ -103,7 +103,8 @@ pub struct Store {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
     Computer,
-    /// A fixed time, in seconds since the start of 1970, with this offset from UTC for days.
+    /// A fixed time, in seconds since the start of 1970, and the offset from UTC that determines
+    /// the day.
     Stopped(i64, Offset),
     /// No clock.
     None,
@@ -331,11 +332,11 @@ impl Store {
                     let bytes = self.handed_in.read(&name).map_err(|error| error.message);
                     book.add(&name, bytes.and_then(|bytes| HandIn::read(&bytes)));
                 }
-                (book, "what pupils have handed in here".to_owned())
+                (book, "the folder of received hand-ins".to_owned())
             }
         };
         if book.pupils.is_empty() {
-            return Err(format!("No hand-in was found: {place}."));
+            return Err(format!("No hand-in was found in {place}."));
         }
         Ok(Box::new(GatheredBook {
             html: paper::gradebook::html(&book.results()),
@@ -487,7 +488,7 @@ fn common_folder(folder: HandInFolder) -> Result<Option<PathBuf>, String> {
     };
     match home() {
         Some(home) => Ok(Some(home.join(name))),
-        None => Err(format!("No folder {name} is known here.")),
+        None => Err(format!("The folder {name} is not known here.")),
     }
 }
 

@@ -364,7 +364,7 @@ fn a_crafted_database_is_refused_before_it_is_queried() {
         drop_file(&mut chromium, &crafted(&own, sql));
         wait_for(
             &mut chromium,
-            "not a carrom database: carrom did not make its",
+            "not a carrom database: carrom did not create its",
         );
         println!("refused after {} ms", start.elapsed().as_millis());
         assert_eq!(progress(&mut chromium), own);

@@ -161,7 +161,7 @@ fn after_forgetting_a_class_no_byte_of_its_pupils_names_is_left() {
 
     let again = carrom(path, &["class", "--forget", "10b", "--yes"]);
     assert!(again.status.success());
-    assert_eq!(stdout(&again), "nothing was kept of 10b\n");
+    assert_eq!(stdout(&again), "nothing is kept about 10b\n");
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn forgetting_requires_a_name_and_creates_nothing() {
     assert_eq!(none.status.code(), Some(2));
     let nothing = carrom(&path, &["class", "--forget", "10b"]);
     assert!(nothing.status.success());
-    assert_eq!(stdout(&nothing), "nothing was kept of 10b\n");
+    assert_eq!(stdout(&nothing), "nothing is kept about 10b\n");
     assert!(!path.exists());
 }
 

@@ -71,7 +71,11 @@ fn bad_tapes_are_refused_with_line_and_reason() {
         ("Right 10001", 1, count),
         ("Right 99999999999999999999", 1, count),
         ("Right \"1\"", 1, count),
-        ("Right 1 2", 1, "Right: expected how often, once, found 1 2"),
+        (
+            "Right 1 2",
+            1,
+            "Right: expected at most one count, found 1 2",
+        ),
         (
             "Set",
             1,

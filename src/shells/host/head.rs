@@ -15,7 +15,6 @@ pub(crate) const TALK: &str = "/class";
 /// What a client requests.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum HttpRequest {
-    /// The page.
     Page {
         /// Whether the response may be compressed.
         gzip: bool,

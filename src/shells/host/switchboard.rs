@@ -19,7 +19,6 @@ const MOST_CONNECTIONS: usize = 600;
 
 /// All connections of a class.
 pub(super) struct Switchboard {
-    /// The code of the class.
     code: Mutex<GuardedCode>,
     /// The seat tokens of all devices that have joined.
     seats: Mutex<HashSet<SeatToken>>,
@@ -35,7 +34,6 @@ pub(super) struct Switchboard {
     closed: AtomicBool,
 }
 
-/// One connection.
 pub(super) struct Connection {
     /// A number that no other connection has.
     pub(super) id: ConnectionId,
@@ -59,9 +57,9 @@ struct Outbox {
 
 /// The contents of an outbox.
 pub(super) enum Outgoing {
-    /// A state.
+    /// The pupil's latest state, as text.
     State(String),
-    /// The last message.
+    /// The last message, as text, after which the connection is closed.
     Last(String),
     Nothing,
     /// The connection is closed.

@@ -25,7 +25,7 @@ const PICTURES: PictureSizes = PictureSizes {
     square: [40, 20],
 };
 
-/// The longest input line, in letters.
+/// The longest input line, in characters.
 const LONGEST: usize = 1000;
 
 /// The longest motion that is played at once.
@@ -69,7 +69,6 @@ pub struct PlainReader {
     page: PlainPage,
     /// The lines written since the last input.
     said: Vec<String>,
-    /// The most recent lines.
     recent: VecDeque<String>,
 }
 
@@ -388,7 +387,6 @@ impl PlainReader {
         press(Key::Enter, holder)
     }
 
-    /// The field with this name.
     fn field(&self, name: &str) -> Option<PlainOption> {
         let named = self.named(&name.to_lowercase());
         named.filter(PlainOption::is_field)
@@ -564,7 +562,6 @@ impl PlainReader {
         lines
     }
 
-    /// The current screen.
     fn look(&mut self, app: &App) -> PlainPage {
         self.screen.current_buffer_mut().reset();
         let ((), sheets) = recorded(|| app.draw(&mut self.screen.get_frame()));

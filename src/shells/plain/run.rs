@@ -128,7 +128,6 @@ fn wait(news: &Receiver<Heard>, wake: Option<Duration>) -> Option<Heard> {
     }
 }
 
-/// Writes these lines.
 fn say(output: &mut dyn Write, lines: &[String]) -> io::Result<()> {
     let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
     match output

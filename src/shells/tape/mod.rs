@@ -23,7 +23,7 @@
 //! Sleep 1.5s                   or 200ms: simulated, so it takes no time
 //! At "Ada"                     switches to the device of a pupil, who joins if necessary;
 //!                              At "teacher" switches back
-//! Lose "Ada"                   disconnects her device; Reach "Ada" reconnects it
+//! Lose "Ada"                   disconnects Ada's device; Reach "Ada" reconnects it
 //! Screenshot impact            saves the screen under this name
 //! Expect "90.0"                fails unless the screen shows this
 //! Refuse "NaN"                 fails if the screen shows this

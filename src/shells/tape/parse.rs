@@ -166,7 +166,7 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
             let times = match arguments.rest {
                 [] => 1,
                 [times] => count(times)?,
-                _ => return Err(arguments.not("how often, once")),
+                _ => return Err(arguments.not("at most one count")),
             };
             Instruction::Press(key, times)
         }

@@ -148,9 +148,9 @@ struct TerminalRun {
     /// The sender for the store's results.
     sender: Sender<Message>,
     store_worker: StoreWorker,
-    /// Serves a class.
+    /// The server of a class that this carrom hosts.
     host: Host,
-    /// Joins one.
+    /// The connection to a class that this carrom joins.
     client: Client,
     pace: Pace,
 }

@@ -19,7 +19,7 @@ const READ_AHEAD: usize = 16;
 /// Something that the terminal has sent.
 pub(super) enum Received {
     Event(Event),
-    /// Its name and version.
+    /// The terminal's name and version.
     Version(String),
 }
 

@@ -15,8 +15,8 @@ type Version = [u32; 2];
 /// Terminals that draw sextants and octants themselves, whatever the font, with the first versions
 /// that are known to draw sextants, and octants.
 ///
-/// Terminals that draw these characters only with a font that has them are not listed, such as
-/// Konsole, nor is Windows Terminal: it has drawn sextants itself only since July 2026
+/// Terminals that draw these characters only if the font has them, such as Konsole, are not listed.
+/// Nor is Windows Terminal, which has drawn sextants itself only since July 2026
 /// (microsoft/terminal, pull request 20424).
 const TERMINALS: [(&str, Version, Version); 5] = [
     // Sextants: notcurses, src/lib/termdesc.c. Octants: the changelog of kitty 0.40.0.

@@ -240,7 +240,7 @@ mod tests {
             assert_eq!(own.observations(None).unwrap(), expected);
             assert_eq!(own.notebook("Cy").unwrap().len(), 1);
         }
-        // Observations are no answers.
+        // Observations are not answers.
         assert_eq!(own.attempts(None).unwrap(), []);
     }
 }

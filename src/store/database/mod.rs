@@ -46,12 +46,11 @@ use error::DatabaseError;
 const WAIT: Duration = Duration::from_secs(2);
 /// How long carrom retries while the database is busy.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Both limits after a failure, so that the player does not have to wait so long for every answer.
+/// Replaces both limits after a failure, so that the player does not wait so long for every answer.
 const LITTLE: Duration = Duration::from_millis(500);
 /// The lock file for using or replacing the database.
 const LOCK: &str = ".progress.lock";
 
-/// The database with the players' progress.
 pub(super) struct Database {
     location: Location,
     /// Whether nothing may be changed, not even to repair the database.
@@ -294,9 +293,9 @@ fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience
 }
 
-/// Fails if the path has something that cannot be a database for this version of carrom. It is read
-/// as an ordinary file, because SQLite would wait for a pipe, and would create files beside a file
-/// that is not a database.
+/// Fails if the path leads to something that this version of carrom cannot use as a database. It is
+/// read as an ordinary file, because SQLite would wait for a pipe, and would create files beside a
+/// file that is not a database.
 fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
     match fs::metadata(path) {
         Ok(about) if !about.is_file() => {

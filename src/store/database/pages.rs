@@ -14,7 +14,7 @@ use rusqlite::types::ValueRef;
 const PAGE: usize = 4096;
 /// The size of the file's header, which precedes the header of the first page.
 const FILE_HEADER: usize = 100;
-/// Where the file's header gives the number of the first page in the list of unused pages.
+/// The position in the file's header of the number of the first page in the list of unused pages.
 const UNUSED: usize = 32;
 /// The most bytes that are read, as a multiple of the file's size, so that overlapping cells and
 /// merging chains do not multiply the work. An undamaged file is read twice.
@@ -37,7 +37,6 @@ pub(super) struct Tree {
     pub(super) is_whole: bool,
 }
 
-/// A cell of a page.
 pub(super) struct BtreeCell {
     /// The row's id, in a table that has them.
     pub(super) id: Option<i64>,
@@ -239,7 +238,7 @@ impl Page {
         below.chain([last]).filter(|_| !self.is_bottom)
     }
 
-    /// The part on this page of the row whose cell starts there.
+    /// The part on this page of the row whose cell begins at `start`.
     fn part(&self, start: usize) -> Option<Payload<'_>> {
         let start = start + if self.is_bottom { 0 } else { 4 };
         let (length, rest) = varint(self.bytes.get(start..)?)?;

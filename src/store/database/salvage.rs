@@ -191,7 +191,6 @@ fn table_names(connection: &Connection) -> rusqlite::Result<Vec<String>> {
     names.query_map([], |row| row.get(0))?.collect()
 }
 
-/// The columns of a table.
 pub(super) struct Columns {
     /// Their names, in the order of the values in a row.
     pub(super) names: Vec<String>,
@@ -280,7 +279,7 @@ impl Saved {
                 nothing if nothing.is_empty() => "none of the missing rows".into(),
                 taken => taken,
             };
-            reported += &format!(" Taken from {copy}: {taken}.");
+            reported += &format!(" Restored from {copy}: {taken}.");
         }
         reported
     }
@@ -352,7 +351,7 @@ mod tests {
         ));
         assert_eq!(
             saved.reported(),
-            "Saved: 730 answers, 1 level won. Could not be read: 1 answer or more. Taken from \
+            "Saved: 730 answers, 1 level won. Could not be read: 1 answer or more. Restored from \
              progress-backup-2026-11-21.db: 7 answers."
         );
     }

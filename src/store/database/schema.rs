@@ -98,7 +98,7 @@ pub(super) fn examine(connection: &Connection) -> Result<i64, DatabaseError> {
         .find(|item| !known.iter().flatten().any(|it| it == *item));
     Err(DatabaseError::NotOurs(
         strange.map_or("carrom's tables are missing".into(), |it| {
-            format!("carrom did not make its {} “{}”", it.kind, it.name)
+            format!("carrom did not create its {} “{}”", it.kind, it.name)
         }),
     ))
 }

@@ -50,13 +50,13 @@ impl Database {
         Ok(attempts)
     }
 
-    /// Leaves a notice, once, that this many rows do not fit.
+    /// Adds a notice, only once, that this many rows were left out.
     pub(super) fn report_misfits(&mut self, misfits: usize, what: &str, why: &str) {
         if misfits > 0 && !self.reported_misfits && self.notice.is_none() {
             self.reported_misfits = true;
             self.notice = Some(format!(
-                "carrom left out {} in {NAME} {why}. Damage, or another program, has changed the \
-                 file.",
+                "carrom left out {} in {NAME} {why}. The file is damaged, or another program has \
+                 changed it.",
                 counted(misfits, what),
             ));
         }

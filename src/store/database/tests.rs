@@ -459,7 +459,7 @@ fn unreadable_rows_are_restored_from_the_latest_copy() {
     let start = page(&sound, 13);
     damaged[start..start + 4096].fill(0);
     let (notice, answers) = mended(&scratch, &damaged);
-    let copy = "Taken from progress-backup-2026-11-21.db: ";
+    let copy = "Restored from progress-backup-2026-11-21.db: ";
     assert!(notice.contains(copy), "{notice}");
     assert_eq!(answers, 200);
 }
@@ -588,7 +588,7 @@ fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
         ];
         for message in refused.map(Result::unwrap_err) {
             assert!(
-                message.contains("carrom did not make its"),
+                message.contains("carrom did not create its"),
                 "{sql}: {message}"
             );
             assert!(message.contains("left unchanged"), "{sql}: {message}");
