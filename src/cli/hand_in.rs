@@ -22,7 +22,8 @@ Examples:
                                 the answers of one round
 
 The file contains your name, your class, and each answer with its question, the true answer and
-the points. The teacher puts all files into one folder: carrom gather FOLDER --out class.html")]
+the points. Your teacher puts all files into one folder, then runs
+carrom gather FOLDER --out class.html")]
 pub(super) struct HandInArgs {
     /// The name of your class, as your teacher writes it
     #[arg(long, value_name = "NAME")]

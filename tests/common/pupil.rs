@@ -11,7 +11,6 @@ use tungstenite::{Message, WebSocket};
 /// How long a device waits before a test gives up.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// A pupil's device.
 pub(crate) struct Pupil {
     pub(crate) socket: WebSocket<TcpStream>,
     /// The latest state that the host sent.

@@ -1,4 +1,4 @@
-//! A tour of the moments in which keys have a meaning.
+//! A tour of all moments that have a key table of their own.
 
 use carrom::app::App;
 use carrom::game::{BoardCode, Rules};

@@ -125,8 +125,8 @@ fn files(folder: &Path) -> Vec<HandIn> {
 }
 
 /// Thirty-two files of a class. Four come from pages: three send theirs to the host and one saves a
-/// file; the others come from programs. Two files are damaged, two are handed in twice, and two
-/// pupils are called Ada.
+/// file; the others come from programs. One file is damaged, one has a newer format, two were
+/// handed in twice, and two pupils are called Ada.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn handed_in_files_are_merged_into_one_gradebook() {

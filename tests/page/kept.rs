@@ -600,7 +600,10 @@ fn a_program_that_stops_while_a_file_or_a_link_is_opened_is_reported() {
             };";
         chromium.run(stops, &[Value::from(does)]);
         chromium.run(act, &[]);
-        wait_for(&mut chromium, "Something went wrong in carrom");
+        wait_for(
+            &mut chromium,
+            "Something went wrong, and carrom has stopped",
+        );
         assert_eq!(chromium.run("return window.uncaught", &[]), json!(0));
     }
 }

@@ -19,7 +19,7 @@ use crate::touch::{Phone, answer};
 const SIZE: (u32, u32) = (390, 664);
 
 /// The platform's page. It keeps what a package has reported until the window is closed, and begins
-/// with what is after `?` in its address.
+/// with the data after `?` in its address.
 const PLATFORM: &str = "<!doctype html><body style='margin:0'><script src='runtime.js'></script>
 <script>
   window.API = new Scorm12API({ autocommit: false, logLevel: 5 });
@@ -68,7 +68,7 @@ impl Lesson {
         lesson
     }
 
-    /// Opens the platform, which has kept this.
+    /// Opens the platform with the data that it has kept.
     fn reopen(&mut self, kept: &str) {
         let chromium = &mut self.phone.0;
         chromium.go_to_frame(false);
@@ -185,7 +185,7 @@ fn a_learning_platform_receives_a_round_from_a_browser_that_saves_nothing() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn without_a_learning_platform_a_package_says_that_it_reports_nothing() {
+fn without_a_learning_platform_a_package_warns_that_nothing_is_reported() {
     let folder = Folder::new("page-scorm-alone");
     package(folder.path(), "quick-7");
     let (port, _) = serve(folder.path().to_owned());

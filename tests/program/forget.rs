@@ -1,4 +1,4 @@
-//! What is kept of a class, and that all of it can be deleted.
+//! Everything that is kept about a class can be deleted.
 
 use std::fs;
 use std::path::Path;

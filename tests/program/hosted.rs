@@ -79,7 +79,8 @@ fn a_vote_is_on_the_disk_before_it_is_confirmed() {
     assert_eq!(kept(&folder).voted(0, Vote::First), 19);
 }
 
-/// Such a vote once crashed the host at the next step, and again whenever the round was continued.
+/// A vote like this once crashed the host at the next step, and again whenever the round was
+/// continued.
 #[test]
 fn a_vote_for_a_missing_choice_does_not_crash_the_host() {
     let folder = Folder::new("hosted-misfit");

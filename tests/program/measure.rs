@@ -77,9 +77,8 @@ fn sentences_are_as_strong_as_the_data() {
     );
 }
 
-/// With one wrong value each, the two are told apart.
 #[test]
-fn wrong_radii_are_noticed_and_a_restitution_is_predicted_with() {
+fn wrong_radii_are_noticed_and_the_given_restitution_is_used_for_the_prediction() {
     let folder = examples();
     let wrong = COINS.replace("--r1-mm 12.875", "--r1-mm 14");
     let text = done(&folder, &format!("measure {wrong}"));

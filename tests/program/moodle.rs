@@ -234,7 +234,8 @@ fn every_question_grades_its_answers_and_returns_the_feedback_of_each_misconcept
     assert!(copied > 0, "no number shows the copied angle");
 }
 
-/// Moodle has the same tolerance on both sides, so a ratio may be 0.3 % further off downwards.
+/// Moodle's tolerance is the same on both sides, so it also accepts a ratio up to 0.3 % below
+/// carrom's range.
 #[test]
 fn a_number_is_right_in_moodle_where_it_is_right_in_carrom() {
     for round in rounds() {

@@ -1,5 +1,5 @@
 //! Files from earlier versions of carrom are read completely and with the same meaning. The files
-//! in `tests/saves` were made by the versions of their time.
+//! in `tests/saves` were written by those versions.
 
 use std::fs;
 use std::process::Command;

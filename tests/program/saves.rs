@@ -148,7 +148,7 @@ fn print_a_game_to_pin() {
     print!("{}", game.text().unwrap());
 }
 
-/// If this fails because the engine now plays a stroke that differs in even one bit, every saved
+/// If this fails because the engine now plays a stroke differently, even by one bit, every saved
 /// game is lost. Correct the engine, or keep the old engine for the old format.
 #[test]
 fn a_game_of_the_first_format_still_opens() {

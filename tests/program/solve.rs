@@ -258,7 +258,7 @@ fn the_command_line_lists_the_values_that_it_assumes() {
 }
 
 /// 15 g discs of 15 mm at 4 m/s and 30°: Jₙ = 51.96 g m/s, Jₜ = 0.05 Jₙ = 2.598 g m/s, both discs
-/// turn clockwise with 2 × 2.598 / (15 × 0.015) = 23.09 rad/s, and tan δ = 0.05.
+/// spin clockwise at 2 × 2.598 / (15 × 0.015) = 23.09 rad/s, and tan δ = 0.05.
 #[test]
 fn rims_with_friction_throw_the_target_and_spin_both_discs() {
     let given = r#""m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"r1_mm":15,"r2_mm":15"#;

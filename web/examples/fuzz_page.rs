@@ -99,7 +99,7 @@ fn news(chance: &mut impl Rng) -> Value {
     }
 }
 
-/// A random command and the bytes that follow it. `meant` are the keys of the last frame.
+/// A random command and the bytes that follow it. `meant` lists the keys of the last frame.
 fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
     let bytes: Vec<u8> = (0..chance.random_range(0..40))
         .map(|_| chance.random())

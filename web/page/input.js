@@ -237,7 +237,7 @@ const input = (() => {
   }
 
   // One button for the likeliest action, and a row of small ones. Actions of elements on the
-  // screen (fields, choices, other prompts) have no button here; neither has q, because the browser
+  // screen (fields, choices, other prompts) have no button here. Nor does q, because the browser
   // has its own ways to leave a page.
   function layout(rows, state) {
     const { prompt, prompts, hasFields, hasNumber, hasChoices } = state;

@@ -96,8 +96,8 @@ const keeper = (() => {
     }
   }
 
-  // Saves the changes in the browser's database; calls `slow` if that takes long, and `done`
-  // with the reason if it failed. The program decides when to try again.
+  // Saves the changes in the browser's database; calls `slow` if this takes a long time, and `done`
+  // at the end, with the reason if it failed. The program decides when to try again.
   async function keep(done, slow = () => {}) {
     if (busy) return;
     busy = true;

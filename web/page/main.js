@@ -159,7 +159,8 @@ const page = (() => {
   // Screens that show saved data and lose nothing when they are opened again.
   const SHOWS_SAVED = /^(|learn|levels|progress|quiz)$/;
 
-  // Whether another tab or a file has saved something that this tab does not show yet.
+  // Whether another tab has saved, or an opened file has added, something that this tab does not
+  // show.
   let isBehind = false;
 
   async function catchUp() {
@@ -308,9 +309,9 @@ const page = (() => {
       field.select();
       const isCopied = document.execCommand("copy");
       field.remove();
-      if (!isCopied) return tell(`The link could not be copied. It is ${text}`);
+      if (!isCopied) return tell(`Copying to the clipboard failed. Copy this yourself: ${text}`);
     }
-    tell("The link is copied.");
+    tell("Copied to the clipboard.");
   }
 
   const say = (text) => (words.textContent = text);
@@ -320,7 +321,7 @@ const page = (() => {
     if (failedOnce) return;
     failedOnce = true;
     game.hidden = true;
-    say("Something went wrong in carrom, and it stopped.\nYour answers are saved. Reload the page to continue.");
+    say("Something went wrong, and carrom has stopped.\nYour answers are saved. Reload the page to continue.");
   }
 
   // For tests: lets this many ms pass and draws the result.

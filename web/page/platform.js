@@ -113,7 +113,7 @@ const platform = (() => {
     // its result.
     set("suspend_data", isDone ? said.replace(/;$/, "") : said);
     set("core.session_time", span(Date.now() - begun));
-    // What the platform does not keep now, it gets again with the next answer and at the end.
+    // If this fails, the next commit or the end of the session saves the values.
     ask("LMSCommit", "");
     reported = said;
     answered = round.answers.length;

@@ -413,7 +413,7 @@ mod tests {
         assert_eq!(refused.len(), 1);
         assert_eq!(refused[0].done, StoreReply::Noted(Err("full".into())));
         assert_eq!(refused[0].unsaved, 1);
-        // A round that twice could not be saved counts as one thing.
+        // A round whose saving failed twice counts as one thing.
         browser.ask(2, save_class(), Some("full"));
         let refused = browser.ask(2, save_class(), Some("full"));
         assert_eq!(refused[0].done, StoreReply::Saved(Err("full".into())));

@@ -10,6 +10,7 @@
 //!   opening    what a link opens: #quiz=mixed-7&player=Ana
 //!   keeping    the store, whose files the browser saves
 //!   own        a teacher's own levels, chapters and questions, and other opened files
+//!   report     the report of a round to a learning platform
 //! ```
 
 #[expect(unsafe_code, reason = "exporting a function by name is unsafe")]

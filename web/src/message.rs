@@ -84,7 +84,7 @@ pub enum Command {
         /// The reason in words, if it failed.
         failed: Option<String>,
     },
-    /// Saving takes long.
+    /// Saving is taking a long time.
     Slow,
     /// A file was opened; its bytes follow.
     File {

@@ -35,7 +35,7 @@ pub struct Shell {
     /// The last frame, and the colours of its cells.
     drawn: Buffer,
     painted: Vec<PaintedCell>,
-    /// The number of frames drawn, and what was last sent of each part.
+    /// The number of frames drawn, and the last version of each part that was sent.
     paints: u64,
     sent_keys: Vec<Keys>,
     sent_sheets: Vec<Sheet>,
