@@ -8,7 +8,6 @@ use crate::screens::{Confirmation, Route};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, Rebound};
 
-/// A layer that covers the screen.
 #[derive(Debug, Clone)]
 pub(super) enum AppLayer {
     /// The page that explains the screen.
@@ -20,7 +19,6 @@ pub(super) enum AppLayer {
     },
     /// A notice, which is shown until a key is pressed.
     Notice(String),
-    /// A question for the player.
     Confirm(Confirmation),
     /// A question whether to leave even though something has not been saved yet.
     Leave(Confirmation),
@@ -47,7 +45,6 @@ pub(super) enum LayerAction {
 pub(super) enum LayerDone {
     /// The player did not answer, or declined.
     Closed,
-    /// The player agreed.
     Agreed,
     /// The player wants to look something up.
     LookUp(Route),
@@ -74,7 +71,6 @@ impl AppLayer {
         table.rebound(rebound)
     }
 
-    /// Whether a key scrolls the layer.
     pub(super) fn scrolls(&self, key: Key, rebound: &Rebound) -> bool {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }

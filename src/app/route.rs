@@ -102,7 +102,7 @@ impl Data {
     }
 }
 
-/// The last part of a link to the lab in which the outcome is hidden.
+/// The last part of a link to a hit in the lab whose outcome is hidden.
 const HIDE: &str = "hide";
 
 /// The rules in a link: the first word of their name.

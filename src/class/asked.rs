@@ -42,7 +42,6 @@ enum AskedForm {
     },
 }
 
-/// The picture beside a question.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum AskedPicture {

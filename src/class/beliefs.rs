@@ -54,8 +54,8 @@ pub(crate) fn beliefs(round: &ClassRound) -> Vec<ClassBelief> {
 }
 
 impl ClassBelief {
-    /// The page that corrects it, for the simplest of the questions whose votes show it: the first
-    /// page in the order of the chapters.
+    /// The page that corrects the misconception. If the questions whose votes show it lead to
+    /// different pages, this is the first of those pages in the order of the chapters.
     pub(crate) fn page(&self, round: &ClassRound) -> Passage {
         let shown = round.questions().iter().enumerate().filter(|(at, _)| {
             let mut held = Vote::BOTH.iter().flat_map(|vote| round.held(*at, *vote));

@@ -13,7 +13,6 @@ const ANIMALS: [&str; 20] = [
 ];
 const ALL: usize = COLOURS.len() * ANIMALS.len();
 
-/// The nickname with this number.
 fn nickname(number: usize) -> String {
     let number = number % ALL;
     let (animal, colour) = (number / COLOURS.len(), number % COLOURS.len());

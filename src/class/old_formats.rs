@@ -11,7 +11,6 @@ use crate::files::Fields;
 /// The oldest format that still opens.
 pub(super) const OLDEST: u32 = 1;
 
-/// The fields of a file.
 pub(super) const FIELDS: [&str; 15] = [
     "format",
     "code",

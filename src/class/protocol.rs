@@ -1,10 +1,10 @@
 //! The messages between a pupil's device and the host, in JSON.
 //!
-//! Every message from the host is the pupil's whole state, so that voting, joining late,
-//! reconnecting and going back a question all work the same way; a device shows the latest state.
-//! `n` is a number that a device increments with each vote and receives back with its state: a
-//! state whose `n` is not smaller confirms that the vote is on the host's disk or, with `misfit`,
-//! that it does not fit the question and was not counted. `rev` counts the states of one
+//! Every message from the host is the pupil's whole state, so voting, joining late, reconnecting
+//! and going back a question all work the same way. A device shows the latest state. `n` is a
+//! number that a device increments with each vote and receives back with its state: a state whose
+//! `n` is at least as large confirms that the vote is on the host's disk or, with `misfit`, that
+//! the vote does not fit the question and was not counted. `rev` counts the states of one
 //! connection. A pupil can also hand in the answers that they gave on their own: a file with an `n`
 //! of its own, which comes back in `handed` once the file is on the host's disk, or with the reason
 //! why it is not.

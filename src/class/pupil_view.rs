@@ -57,7 +57,6 @@ impl<'r> PupilView<'r> {
         }
     }
 
-    /// The state of one pupil.
     pub(super) fn state(&self, person: usize, one: &Participant) -> Option<PupilState> {
         let q = self.round.place().question;
         let ballot = one.ballot(q);

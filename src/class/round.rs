@@ -72,10 +72,8 @@ pub struct ClassRound {
     pub(super) dropped: usize,
 }
 
-/// How pupils join.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Joining {
-    /// The code for joining.
     pub(super) code: JoinCode,
     /// The address at which pupils' devices last found the round.
     pub(super) address: Option<SocketAddrV4>,
@@ -253,7 +251,6 @@ impl ClassRound {
         self.name_for(&nicknames::for_device(name, token, is_taken))
     }
 
-    /// A participant by index.
     fn participant(&mut self, person: usize) -> Result<&mut Participant, String> {
         let count = self.participants.len();
         let found = self.participants.get_mut(person);

@@ -52,7 +52,6 @@ struct Written<'a> {
     then: Vec<Then>,
 }
 
-/// The fields of a file.
 const FIELDS: [&str; 11] = [
     "format",
     "code",
@@ -144,7 +143,7 @@ impl ClassRound {
         ids.filter_map(|id| id?.as_str()).collect()
     }
 
-    /// Reads a round from its file; `name` is the file's name in messages, and `own` are the
+    /// Reads a round from its file; `name` is the file's name in messages, and `own` contains the
     /// teacher's own questions.
     ///
     /// # Errors

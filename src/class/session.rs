@@ -583,7 +583,6 @@ impl Session {
         }
     }
 
-    /// Sends pupils their states.
     fn send_states(&mut self, connections: &BTreeSet<ConnectionId>) {
         if connections.is_empty() {
             return;

@@ -10,7 +10,6 @@ use crate::widgets::input::Rebound;
 
 /// The name of the file in the data folder.
 pub(super) const FILE: &str = "keys.toml";
-/// The version of the file's format.
 const FORMAT: u32 = 1;
 /// The default keys and what they do. The tests of the screens compare this file with the key
 /// tables of all screens, and rewrite it when snapshots are accepted.

@@ -101,7 +101,6 @@ fn report_file(path: &str) -> Result<NamedFile, String> {
 }
 
 impl Args {
-    /// The measurement of the files.
     pub(super) fn measurement(&self) -> Result<Measurement, Failure> {
         let mut contents = Vec::new();
         for path in &self.files {

@@ -65,7 +65,6 @@ pub(crate) struct GlobalOptions {
 /// The value of an option that has a fixed list of names; `None` for `auto`.
 type Choice<T> = Option<T>;
 
-/// Reads a [`Choice`].
 fn choice<T: FromStr + VariantNames + Clone + Send + Sync + 'static>()
 -> impl TypedValueParser<Value = Choice<T>> {
     let names = iter::once("auto").chain(T::VARIANTS.iter().copied());
@@ -249,7 +248,6 @@ fn player(name: &str) -> Result<String, String> {
     Ok(tidy_name(name))
 }
 
-/// Reads a seed.
 fn seed(text: &str) -> Result<u64, String> {
     let expected = || format!("expected a whole number from 0 to {}", u64::MAX);
     text.parse().map_err(|_| expected())

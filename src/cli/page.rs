@@ -15,12 +15,10 @@ use crate::quiz::Code;
 
 /// The page that was built into this program, if there is one.
 const EMBEDDED: Option<&str> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
-/// The file name of the page.
 const NAME: &str = "carrom.html";
 /// The element of a page that holds added files.
 const OWN: [&str; 2] = ["<script type=\"application/json\" id=\"own\">", "</script>"];
-/// The path, among the files added to a page, of the code of a round that the page reports to a
-/// learning platform.
+/// The path of the added file that contains the code of the round to report to a learning platform.
 const ROUND: &str = "scorm/round";
 /// The maximum number of files that are read from one folder.
 const MOST_FILES: usize = 500;
@@ -138,7 +136,6 @@ pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
 /// A file for a page: its path in the page, and its text.
 type OwnFile = (String, String);
 
-/// Adds these files to a page.
 fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
     let [begin, end] = OWN;
     let parts = page.split_once(begin).and_then(|(before, rest)| {

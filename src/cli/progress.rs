@@ -142,7 +142,6 @@ fn reports(
     Ok(documents(&reports.collect::<Vec<_>>(), file))
 }
 
-/// A player's bookmarks and stars.
 type MarksAndStars = (BTreeMap<String, Bookmark>, Vec<Starred>);
 
 fn kept(player: &str, store: &mut Store) -> anyhow::Result<MarksAndStars> {

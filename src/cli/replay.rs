@@ -36,7 +36,6 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     Ok(print_report(args.json.then_some(&report), words)?)
 }
 
-/// A move and its result.
 #[derive(Debug, Serialize)]
 struct ReplayedMove {
     r#move: usize,

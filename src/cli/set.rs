@@ -63,7 +63,6 @@ struct QuestionList<'a> {
     questions: Vec<ListedQuestion<'a>>,
 }
 
-/// A question of the list.
 #[derive(Serialize)]
 struct ListedQuestion<'a> {
     number: usize,

@@ -85,7 +85,6 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     Ok(super::print_names(&documents)?)
 }
 
-/// Reads the tape in a file.
 fn read(path: &Path) -> anyhow::Result<Tape> {
     let bytes = files::read(path, files::LARGEST)?;
     let name = path.display().to_string();

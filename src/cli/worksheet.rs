@@ -128,7 +128,6 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     )?)
 }
 
-/// The code of the requested round.
 fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
     if let Some(code) = &args.code {
         return Ok(code.clone());

@@ -45,7 +45,6 @@ impl FileError {
         }
     }
 
-    /// An error at a line.
     pub(crate) fn on_line(file: &str, line: usize, message: impl Into<String>) -> Self {
         Self {
             line: Some(line),

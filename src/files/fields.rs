@@ -231,7 +231,6 @@ impl<'a> Fields<'a> {
         self.source.line_of(self.at)
     }
 
-    /// Whether the table has the field.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.table.contains_key(name)
     }

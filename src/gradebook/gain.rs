@@ -24,16 +24,16 @@ pub struct NormalizedGain {
 pub enum NoGain {
     /// There are too few matched pupils.
     TooFew,
-    /// So little was wrong before that the gain cannot be distinguished from any other.
+    /// So little was wrong before that the confidence interval of the gain has no bounds.
     NothingToLearn,
 }
 
 impl NormalizedGain {
     /// The gain from the scores of matched pupils before and after, 0 to 1.
     ///
-    /// It is 1 − R, where R is the ratio of two means over the same pupils: of what is missing
-    /// after, and of what was missing before. The interval of R is that of E. C. Fieller (1954),
-    /// which needs no large class.
+    /// The gain is 1 − R, where R is the mean of 1 − the score after, divided by the mean of 1 −
+    /// the score before, over the same pupils. The interval of R is that of E. C. Fieller (1954),
+    /// which does not require a large class.
     ///
     /// # Errors
     /// Why nothing can be said.

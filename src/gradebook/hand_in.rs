@@ -184,7 +184,7 @@ impl HandIn {
 /// few topics.
 type KnownTopics = HashMap<(Family, String), bool>;
 
-/// Checks that carrom can have stored this answer, and writes its round and topic as carrom does.
+/// Checks that carrom could have stored this answer, and writes its round and topic as carrom does.
 ///
 /// Hand-ins become headings and cells of the teacher's tables, so every name is checked or tidied
 /// here.

@@ -25,7 +25,6 @@ const GONE: Duration = Duration::from_secs(65);
 /// The maximum size of one message from the host, in bytes.
 const LARGEST_STATE: usize = 1 << 20;
 
-/// The connection to a host.
 pub(crate) struct Client {
     hear: Arc<dyn Fn(JoinNews) + Send + Sync>,
     /// The number of the current connection; results of earlier ones are ignored.

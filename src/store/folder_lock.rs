@@ -12,7 +12,6 @@ const PATIENCE: Duration = Duration::from_secs(3);
 /// A lock that is held until it is dropped or the process ends.
 pub(super) struct FolderLock {
     _lock: File,
-    /// Whether the lock was acquired.
     locked: bool,
 }
 

@@ -51,11 +51,8 @@ use text_store::TextStore;
 const TEXT: &str = ".toml";
 /// The error if no data folder is known.
 const NOWHERE: &str = "no data folder is known; set one with --data-dir";
-/// The folder of the class rounds.
 const CLASSES: &str = "classes";
-/// The folder of the pupils' hand-ins.
 const HANDED_IN: &str = "handed-in";
-/// The suffix of hand-ins.
 const HAND_IN: &str = ".json";
 /// The suffix of tables for other programs.
 const TABLE: &str = ".csv";
@@ -99,14 +96,12 @@ pub struct Store {
     closed: bool,
 }
 
-/// The clock of a store.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
     Computer,
     /// A fixed time, in seconds since the start of 1970, and the offset from UTC that determines
     /// the day.
     Stopped(i64, Offset),
-    /// No clock.
     None,
 }
 
@@ -125,8 +120,8 @@ impl Store {
         let progress = Database::in_folder(folder.to_owned());
         let texts = Self::of(progress, |name, ending, largest| {
             let disk = Disk::new(folder.join(name), ending, largest);
-            // Seat tokens and pupils' answers are for the teacher alone, and so are the tables of
-            // them.
+            // Seat tokens and pupils' answers are for the teacher alone, and so are the tables made
+            // from them.
             Box::new(
                 if [CLASSES, HANDED_IN].contains(&name) || [TABLE, PAGE].contains(&ending) {
                     disk.private()

@@ -16,7 +16,6 @@ use vt100::MouseProtocolMode;
 /// How long a test waits for anything before it fails; far longer than necessary.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// A program in a terminal.
 pub(crate) struct Pty {
     child: Box<dyn Child + Send + Sync>,
     seen: Arc<Mutex<Seen>>,
@@ -111,7 +110,6 @@ impl Pty {
         writer.flush().unwrap();
     }
 
-    /// Changes the size of the window.
     pub(crate) fn resize(&self, columns: u16, rows: u16) {
         let mut seen = self.seen.lock().unwrap();
         seen.screen.set_size(cells(rows), cells(columns));
@@ -120,12 +118,10 @@ impl Pty {
         master.resize(size(columns, rows)).unwrap();
     }
 
-    /// The id of the process.
     pub(crate) fn pid(&self) -> i32 {
         self.child.process_id().unwrap().try_into().unwrap()
     }
 
-    /// Sends a signal to the program.
     pub(crate) fn signal(&self, signal: Signal) {
         kill_process(Pid::from_raw(self.pid()).unwrap(), signal).unwrap();
     }

@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 
 /// A browser with one window, which is closed when it is dropped.
 pub(crate) trait Browser {
-    /// Opens an address.
     fn open(&mut self, address: &str);
 
     /// Runs the body of a function on the page and returns its result.

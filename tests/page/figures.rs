@@ -21,7 +21,6 @@ fn open(chromium: &mut Chromium, page: &str, slower: f64) {
     std::thread::sleep(std::time::Duration::from_millis(500));
 }
 
-/// The median of some numbers.
 fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     numbers[numbers.len() / 2]

@@ -18,7 +18,6 @@ pub(crate) struct Firefox {
 }
 
 impl Firefox {
-    /// Opens a window.
     pub(crate) fn start() -> Self {
         let profile = env::temp_dir().join(format!("carrom-firefox-{}", process::id()));
         fs::create_dir_all(&profile).unwrap();

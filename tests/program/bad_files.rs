@@ -18,7 +18,6 @@ pub(crate) struct BadFiles {
 }
 
 impl BadFiles {
-    /// The path of the folder.
     pub(crate) fn path(&self) -> PathBuf {
         Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("tests")

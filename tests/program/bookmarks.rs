@@ -333,7 +333,6 @@ fn child_reads() {
     }
 }
 
-/// The bookmarks of a player.
 fn marks(
     folder: &Path,
     player: &str,

@@ -28,7 +28,6 @@ use crate::seen_devices::{self, SeenDevice};
 /// The number of questions in the round.
 const QUESTIONS: usize = 10;
 
-/// A port that is currently free.
 fn free_port() -> u16 {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     listener.local_addr().unwrap().port()
@@ -148,7 +147,6 @@ fn slow(port: u16, name: &str, reads: bool, over: &AtomicBool) {
 /// The address of the hostile devices, for [`connect_from`].
 const HOSTILE: u8 = 3;
 
-/// A hostile device.
 fn hostile(port: u16, kind: usize, over: &AtomicBool) {
     let mut held = Vec::new();
     while !over.load(Ordering::SeqCst) {
@@ -445,7 +443,6 @@ fn voter(port: u16, number: usize, known: &Acknowledged, back: &Sender<usize>, o
     }
 }
 
-/// The number in a vote.
 fn number_in(said: &str) -> Option<u32> {
     let angle: f64 = said.rsplit_once(' ')?.1.parse().ok()?;
     Some((COUNTS_PER_DEGREE * angle).round() as u32)

@@ -77,7 +77,7 @@ fn child_plays() {
     let mut chance = Pcg64::seed_from_u64(seed);
     loop {
         if !game.screen().contains("Space strike") {
-            // Continue after the end of a stroke or a board, once the key no longer rests.
+            // Continue after the end of a stroke or a board, once the key works again.
             game.pass(Duration::from_secs(2));
             game.press("<Enter>");
             continue;

@@ -25,7 +25,6 @@ const ROUND: &str = "mixed10-0";
 /// The number of devices that send random messages.
 const DEVICES: usize = 10;
 
-/// The questions of the round.
 fn questions() -> Vec<Question> {
     let round = Round::of(Code::parse(ROUND).unwrap());
     let questions = round.questions().to_vec();
@@ -254,7 +253,6 @@ fn any_vote(state: &Value, chance: &mut Pcg64) -> String {
     }
 }
 
-/// Random characters.
 fn any_text(chance: &mut Pcg64) -> String {
     let letters = chance.random_range(0..40);
     (0..letters).map(|_| chance.random::<char>()).collect()

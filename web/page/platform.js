@@ -1,7 +1,7 @@
 // Reports one round to a learning platform that has opened the page as a SCORM 1.2 package.
 
 const platform = (() => {
-  // The path, among the files added to the page, of the code of the round.
+  // The path of the added file that contains the code of the round.
   const ROUND = "scorm/round";
   // Windows around this one are searched for the platform's functions, which SCORM calls its API.
   const MOST_WINDOWS = 30;

@@ -105,7 +105,6 @@ impl PageStorage {
         left
     }
 
-    /// The store.
     pub(crate) fn store(&mut self) -> &mut Store {
         &mut self.store
     }

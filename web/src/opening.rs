@@ -66,7 +66,6 @@ pub(crate) const fn palette(light: bool) -> Palette {
     }
 }
 
-/// Whether a link opens plain mode.
 pub(crate) fn is_plain(fragment: &str) -> bool {
     fragment.split('&').any(|part| part == "plain")
 }

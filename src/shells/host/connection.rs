@@ -23,7 +23,6 @@ use crate::shells::lock;
 
 /// The time limit for the head of a request.
 const HEAD_TIME: Duration = Duration::from_secs(5);
-/// The time limit for joining.
 const JOIN_TIME: Duration = Duration::from_secs(10);
 /// How long a device may be silent before it is pinged, and before it counts as lost.
 const PING: Duration = Duration::from_secs(20);

@@ -12,7 +12,6 @@ pub(super) const LONGEST: usize = 8 * 1024;
 const MOST_LINES: usize = 64;
 pub(crate) const TALK: &str = "/class";
 
-/// What a client requests.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum HttpRequest {
     Page {

@@ -5,9 +5,9 @@
 //! limits, but nothing about questions and votes: pupils' messages go to the screen as
 //! [`HostNews`], and the screen's states go to the pupils.
 //!
-//! One thread accepts connections; each connection has a thread that reads and, once it has joined,
-//! one that writes from an outbox, in which a newer state replaces an unsent older one: a slow
-//! device gets fewer states and does not delay the others.
+//! One thread accepts connections. Each connection has a thread that reads and, once its device has
+//! joined, one that writes from an outbox. A newer state in the outbox replaces an older one that
+//! has not been sent, so a slow device gets fewer states and does not delay the others.
 
 mod addresses;
 mod connection;
@@ -203,7 +203,6 @@ fn accept(listener: &TcpListener, board: &Arc<Switchboard>) {
     }
 }
 
-/// Starts a thread with this name.
 fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     let builder = thread::Builder::new().name(name.into()).stack_size(STACK);
     builder.spawn(work).map(drop)

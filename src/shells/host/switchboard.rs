@@ -25,7 +25,6 @@ pub(super) struct Switchboard {
     opened: Instant,
     /// The port on which the server listens.
     pub(super) port: u16,
-    /// The page, if there is one.
     pub(super) page: Option<Arc<ServedPage>>,
     wake: Arc<dyn Fn() + Send + Sync>,
     connections: Mutex<BTreeMap<ConnectionId, Arc<Connection>>>,
@@ -62,7 +61,6 @@ pub(super) enum Outgoing {
     /// The last message, as text, after which the connection is closed.
     Last(String),
     Nothing,
-    /// The connection is closed.
     Closed,
 }
 
@@ -192,7 +190,6 @@ impl Switchboard {
         self.closed.load(Ordering::SeqCst)
     }
 
-    /// Closes all connections.
     pub(super) fn close(&self) {
         self.closed.store(true, Ordering::SeqCst);
         let connections = std::mem::take(&mut *lock(&self.connections));

@@ -14,8 +14,8 @@ fn linear(formula: &Formula) -> String {
     let (mut after_fraction, mut after_factor) = (false, false);
     for term in &formula.0 {
         let node = &term.node;
-        // Without these words, a listener would take terms after a fraction for part of its
-        // denominator, and a fraction or a root after a factor for something separate.
+        // Without these words, a listener would think that terms after a fraction belong to its
+        // denominator, and that a fraction or a root after a factor is something separate.
         line += match () {
             () if after_fraction && is_factor(node) => " × ",
             () if after_factor && matches!(node, Node::Fraction(..) | Node::Root(_)) => " × ",

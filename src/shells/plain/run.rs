@@ -19,11 +19,9 @@ use crate::store::Store;
 /// An event for the main loop.
 enum Heard {
     Line(String),
-    /// An input for the app.
     Input(Input),
     /// There is news from the class that this program serves.
     Hosted,
-    /// The input has ended.
     Ended,
 }
 

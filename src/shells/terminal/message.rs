@@ -64,7 +64,6 @@ impl Inbox {
 /// An event for the main loop.
 #[derive(Debug)]
 pub(super) enum Message {
-    /// An input for the app.
     Input(Input),
     /// There is news from the class that this program serves.
     Hosted,

@@ -43,7 +43,6 @@ impl Pace {
         app.advance(passed)
     }
 
-    /// Whether a frame is due.
     pub(super) fn is_due(&self, now: Instant) -> bool {
         self.outdated && self.earliest <= now
     }

@@ -10,7 +10,7 @@ use crate::files::escape_control;
 use crate::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::store::Store;
 
-/// How long the screen waits for a stroke or a team's vote to be saved before it shows it. Nearly
+/// How long the screen waits for a stroke or a team's vote to be saved before showing it. Nearly
 /// all disks are much faster, so a stroke or vote that was shown is never lost. (The screen does
 /// not wait for votes from devices; a pupil's device confirms a vote once it is saved.)
 const PATIENCE: Duration = Duration::from_millis(500);

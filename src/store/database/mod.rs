@@ -193,8 +193,8 @@ impl Database {
         };
         look_at_file(&path(&folder))?;
         if self.only_looks {
-            // The lock keeps others from writing meanwhile. Without the lock, the database is read
-            // nevertheless.
+            // The lock keeps others from writing meanwhile. If it is not available, the database is
+            // read anyway.
             let _turn = FolderLock::alone(&folder, LOCK);
             return self.look_up_in(&folder, act);
         }

@@ -1,8 +1,8 @@
 //! Reads the pages of a database file one by one, and skips damaged ones.
 //!
 //! SQLite ends a scan at the first unreadable page, and later rows can only be found by their keys.
-//! Walking the tree finds every page without keys. The numbers are those of the Database File
-//! Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
+//! Walking the tree finds every page, without using keys. The numbers are those of the Database
+//! File Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
 
 use std::collections::{BTreeSet, HashSet};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -44,7 +44,6 @@ pub(super) struct BtreeCell {
     pub(super) record: Option<Vec<u8>>,
 }
 
-/// The contents of one page.
 pub(super) struct PageContents {
     pub(super) layout: PageLayout,
     pub(super) cells: Vec<BtreeCell>,
@@ -60,7 +59,6 @@ pub(super) struct Pages<F> {
     left: u64,
 }
 
-/// A page of a tree.
 struct Page {
     bytes: Vec<u8>,
     layout: PageLayout,
@@ -82,7 +80,6 @@ impl<F: Read + Seek> Pages<F> {
         })
     }
 
-    /// The numbers of all pages.
     pub(super) fn numbers(&self) -> RangeInclusive<u32> {
         1..=self.count
     }
