@@ -111,7 +111,7 @@ impl From<&ClassChange> for Then {
 /// The text that is appended to the file of a round for these changes.
 ///
 /// # Errors
-/// None in practice; the reason if it cannot be written.
+/// The reason if it cannot be written, which does not happen in practice.
 pub fn appended(changes: &[ClassChange]) -> Result<String, String> {
     #[derive(Serialize)]
     struct Appended {
@@ -139,7 +139,7 @@ impl ClassRound {
                 said,
             } => {
                 let put = self.put(*question, *person, *vote, *said);
-                taken(put, "a vote on one of its questions by one of its people")
+                taken(put, "a participant's vote on one of its questions")
             }
             ClassChange::Count {
                 question,

@@ -254,16 +254,16 @@ impl ClassRound {
     fn participant(&mut self, person: usize) -> Result<&mut Participant, String> {
         let count = self.participants.len();
         let found = self.participants.get_mut(person);
-        found.ok_or_else(|| format!("expected one of {count} people"))
+        found.ok_or_else(|| format!("expected one of {count} participants"))
     }
 
     /// Adds a participant with a unique name. A seat token requires that joining is possible.
     pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
         if self.participants.len() >= self.way.most() {
-            return Err(format!("expected at most {} people", self.way.most()));
+            return Err(format!("expected at most {} participants", self.way.most()));
         }
         if self.name_for(name).as_deref() != Some(name) {
-            return Err(format!("expected a name that nobody has, found {name:?}"));
+            return Err(format!("expected a name that is not taken, found {name:?}"));
         }
         if self.joining.is_none() && seat.is_some() {
             return Err("expected a round that pupils can join".into());
@@ -274,7 +274,7 @@ impl ClassRound {
 
     pub(super) fn rename(&mut self, person: usize, name: &str) -> Result<(), String> {
         if self.renamed(person, name).as_deref() != Some(name) {
-            return Err(format!("expected a name that nobody has, found {name:?}"));
+            return Err(format!("expected a name that is not taken, found {name:?}"));
         }
         self.participant(person)?.name = name.to_owned();
         Ok(())
@@ -300,7 +300,7 @@ impl ClassRound {
                 all.remove(removed);
                 Ok(())
             }
-            None => Err("expected somebody who was removed".into()),
+            None => Err("expected a participant who was removed".into()),
         }
     }
 
@@ -316,7 +316,7 @@ impl ClassRound {
     pub(super) fn merge(&mut self, from: usize, into: usize) -> Result<(), String> {
         let people = self.participants.len();
         if from == into || from.max(into) >= people {
-            return Err(format!("expected two of {people} people"));
+            return Err(format!("expected two of {people} participants"));
         }
         let stranger = self.participants[from].clone();
         let one = &mut self.participants[into];

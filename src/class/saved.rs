@@ -83,7 +83,7 @@ impl ClassRound {
     /// The text of its file.
     ///
     /// # Errors
-    /// None in practice; the reason if it cannot be written.
+    /// The reason if it cannot be written, which does not happen in practice.
     pub fn text(&self) -> Result<String, String> {
         let written = Written {
             format: FORMAT,
@@ -147,9 +147,9 @@ impl ClassRound {
     /// teacher's own questions.
     ///
     /// # Errors
-    /// All errors found: it is not the file of a round, or its format is newer; its code or its
-    /// teams are invalid; it uses a teacher's questions that are missing or have changed. A vote
-    /// that does not fit its question is not an error: it is dropped, and
+    /// All errors found, if the file is not that of a round or has a newer format, if its code or
+    /// its teams are invalid, or if it uses a teacher's questions that are missing or have changed.
+    /// A vote that does not fit its question is not an error: it is dropped, and
     /// [`dropped_votes`](Self::dropped_votes) counts it.
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, whole(bytes), LARGEST)?;

@@ -26,7 +26,7 @@ fn asked(round: &ClassRound, number: usize, question: &Question) -> Vec<String> 
 /// the lesson, such as 2026-11-22.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
         ASKED,
@@ -82,7 +82,7 @@ fn cell<T>(of: Option<T>, text: impl Fn(T) -> String) -> String {
 /// One row per question with its results; `date` is the date of the lesson.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
         ASKED,

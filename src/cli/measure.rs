@@ -82,7 +82,7 @@ fn restitution(text: &str) -> Result<f64, String> {
 fn scale(text: &str) -> Result<[f64; 2], String> {
     let one = |text| {
         let is_allowed = |x: f64| (1e-6..=1e6).contains(&x.abs());
-        let what = "one or two numbers of millimetres, such as 0.52 or 0.52,-0.52";
+        let what = "one or two numbers in millimetres, such as 0.52 or 0.52,-0.52";
         number(text, is_allowed, what).map(m_from_mm)
     };
     match text.split_once(',') {

@@ -102,7 +102,7 @@ fn name(text: &str) -> Result<String, String> {
         Ok(text.to_owned())
     } else {
         Err(format!(
-            "expected lower-case letters, digits and hyphens, at most {LONGEST}, such as our-marbles"
+            "expected at most {LONGEST} lower-case letters, digits and hyphens, such as our-marbles"
         ))
     }
 }

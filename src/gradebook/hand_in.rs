@@ -135,8 +135,8 @@ impl HandIn {
     /// Reads such a file.
     ///
     /// # Errors
-    /// The reason: the file is not a complete hand-in, is from a newer carrom, has no name, or has
-    /// an impossible answer.
+    /// The reason, if the file is not a complete hand-in, is from a newer carrom, has no name, or
+    /// has an impossible answer.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());

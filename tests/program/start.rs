@@ -94,7 +94,7 @@ fn a_new_file_passes_its_check_even_with_the_longest_name() {
     for name in ["Über", "a_b", "../x", &"x".repeat(33)] {
         let message = refused(&folder, &format!("new level {name}"), 2);
         assert!(
-            message.contains("expected lower-case letters, digits and hyphens"),
+            message.contains("expected at most 32 lower-case letters, digits and hyphens"),
             "{message}"
         );
     }
