@@ -52,7 +52,8 @@ pub(super) struct Args {
     /// The folder to write to; created if it does not exist
     #[arg(long, value_name = "DIR", required_unless_present = "moodle")]
     out: Option<PathBuf>,
-    /// Write the questions to this file for Moodle, instead of the sheets or, with --out, as well
+    /// Write the questions for Moodle to this file, instead of the sheets or, with --out, in
+    /// addition to them
     #[arg(long, value_name = "FILE.xml")]
     moodle: Option<PathBuf>,
     /// The heading

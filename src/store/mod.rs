@@ -483,7 +483,7 @@ fn common_folder(folder: HandInFolder) -> Result<Option<PathBuf>, String> {
     };
     match home() {
         Some(home) => Ok(Some(home.join(name))),
-        None => Err(format!("The folder {name} is not known here.")),
+        None => Err(format!("The location of the folder {name} is unknown.")),
     }
 }
 

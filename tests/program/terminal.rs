@@ -29,7 +29,7 @@ fn started(command: CommandBuilder) -> Pty {
 }
 
 #[test]
-fn it_starts_plays_and_quits() {
+fn carrom_starts_plays_and_quits() {
     let mut pty = started(carrom(&[]));
     pty.press("?");
     pty.wait_for("help: home");
@@ -53,7 +53,7 @@ fn control_c_leaves() {
 }
 
 #[test]
-fn it_follows_the_size_of_the_window() {
+fn the_screen_follows_the_size_of_the_window() {
     let mut pty = started(carrom(&[]));
     for (columns, rows) in [(100, 30), (60, 20), (120, 40)] {
         pty.resize(columns, rows);
@@ -89,7 +89,7 @@ fn a_key_pressed_while_the_window_changes_is_not_lost() {
 }
 
 #[test]
-fn a_signal_ends_it_and_the_terminal_is_restored() {
+fn a_signal_ends_carrom_and_the_terminal_is_restored() {
     for (signal, status) in [(Signal::TERM, 143), (Signal::INT, 130), (Signal::HUP, 129)] {
         for command in [carrom(&[]), child("animated")] {
             let mut pty = started(command);
@@ -101,7 +101,7 @@ fn a_signal_ends_it_and_the_terminal_is_restored() {
 }
 
 #[test]
-fn it_can_be_ended_in_the_middle_of_a_hit() {
+fn carrom_can_be_ended_in_the_middle_of_a_hit() {
     let mut pty = started(carrom(&["lab"]));
     let before = pictures(&pty);
     // Continue to the prediction, set both rays, and start the hit.
@@ -123,7 +123,7 @@ fn count(pty: &Pty, code: &str) -> usize {
 }
 
 #[test]
-fn a_closed_window_ends_it() {
+fn a_closed_window_ends_carrom() {
     for command in [carrom(&[]), child("animated")] {
         let mut pty = started(command);
         pty.hang_up("?");
@@ -170,7 +170,7 @@ fn a_stuck_app_is_terminated() {
 }
 
 #[test]
-fn it_can_be_stopped_and_continued() {
+fn carrom_can_be_stopped_and_continued() {
     let carrom = env!("CARGO_BIN_EXE_carrom");
     let stopped = "echo stopped $?; read -r answer; fg %1 >/dev/null";
     let script = format!(
