@@ -7,8 +7,8 @@ use super::round::ClassRound;
 use super::way::WayOfVoting;
 use crate::quiz::{ChaptersRead, Evidence, Misconception, Passage};
 
-/// A misconception in a class: the number of teams whose votes show it, before and after the
-/// discussion, and the number of votes that fit it.
+/// A misconception in a class: the number of teams whose votes show it (with counted hands, the
+/// number of questions), before and after the discussion, and the number of votes that fit it.
 #[derive(Debug, Clone)]
 pub(crate) struct ClassBelief {
     pub(crate) misconception: Misconception,

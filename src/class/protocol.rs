@@ -217,16 +217,17 @@ pub struct PupilState {
     /// Their second vote.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub second: String,
-    /// The question, if one is open.
+    /// The current question; `None` in the lobby and at the end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub question: Option<AskedQuestion>,
-    /// During the discussion: the number of votes for each choice, if there are any.
+    /// During the discussion and the second vote: the number of first votes for each choice; empty
+    /// if the question has no choices.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub spread: Vec<u32>,
     /// The right answer, once it is revealed.
     #[serde(rename = "told", default, skip_serializing_if = "Option::is_none")]
     pub revealed: Option<RevealedTruth>,
-    /// The pupil's points so far and their rank, once there are any points.
+    /// The pupil's points so far and their rank, at the scoreboard and at the end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<(f64, usize)>,
     /// The result of the last hand-in.

@@ -15,7 +15,7 @@ pub(super) struct PupilView<'r> {
     question: Option<&'r Question>,
     asked: Option<AskedQuestion>,
     spread: Vec<u32>,
-    /// The points and the rank of each participant, once there are any points.
+    /// The points and the rank of each participant, at the scoreboard and at the end.
     scores: Vec<Option<(f64, usize)>>,
 }
 

@@ -225,8 +225,8 @@ impl Session {
         }
     }
 
-    /// The number of questions with points: the earlier ones, the current one once its answer is
-    /// revealed, and at the end all of them.
+    /// The number of questions with points: the earlier ones, the current one once its scores are
+    /// shown, and at the end all of them.
     pub fn with_points(&self) -> usize {
         let ClassPlace { question, step } = self.round.place();
         match step {
@@ -402,9 +402,9 @@ impl Session {
     }
 
     /// In a full class, the person whose seat goes to a newcomer from this address. Only a
-    /// participant who has never voted or handed anything in loses a seat: if they are away, or if
-    /// more than half of all seats belong to their address, which may be one device. The address
-    /// with the most seats loses its last one first.
+    /// participant who has never voted or handed anything in loses a seat: one who is away or, if
+    /// there is none, one whose address is another one and has more than half of all seats, because
+    /// it may be one device. Of these, the address with the most seats loses its last one.
     fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
         let people = self.round.participants();
         let held = |by: &Participant| {
@@ -533,7 +533,7 @@ impl Session {
         Ok(())
     }
 
-    /// Requests that the round be saved, if it has a file or is not empty.
+    /// Requests that the round be saved, unless it has no file and there is nothing to save yet.
     fn save(&mut self) {
         let is_needed = match self.round.way() {
             WayOfVoting::Devices => self.has_file || !self.round.participants().is_empty(),
@@ -639,7 +639,7 @@ impl Session {
         self.go_on();
     }
 
-    /// Removes all participants who are away and have never voted.
+    /// Frees the seats of all participants who are away and have never voted or handed anything in.
     pub fn remove_away(&mut self) {
         // From the last to the first, so that the remaining indices stay valid.
         for person in self.away().into_iter().rev() {

@@ -122,7 +122,7 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     csv_table(heads.split(','), &rows)
 }
 
-/// The answers in a vote, with their counts: "A 4, B 17, C 9, D 2".
+/// The answers in a vote, with their counts: "A: 4; B: 17; C: 9; D: 2".
 fn counted(question: &Question, item: &ItemAnalysis, vote: Vote) -> String {
     let is_choice = matches!(question.form, Form::Choice { .. });
     let each = item.counts.iter().enumerate().map(|(i, (said, counts))| {
