@@ -227,7 +227,7 @@ impl GlobalOptions {
         })
     }
 
-    /// The store; it refuses every request if no folder is known.
+    /// The store; if no folder is known, it stores nothing.
     pub(super) fn store(&self) -> Store {
         let folder = self.data_dir();
         folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder))

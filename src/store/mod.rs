@@ -136,7 +136,8 @@ impl Store {
         }
     }
 
-    /// A store without a folder, which refuses every request.
+    /// A store without a folder: it refuses every request except that for today's date, and keeps
+    /// the player's actions pending.
     pub fn nowhere() -> Self {
         Self {
             closed: true,

@@ -521,7 +521,7 @@ impl PlainReader {
         lines
     }
 
-    /// Returns the changes.
+    /// Returns the changes since the last output, and records them as written.
     fn say(&mut self, holder: &dyn AppHolder) -> Vec<String> {
         let page = self.look(holder.app());
         let mut lines = changes(&self.page, &page, &self.said);

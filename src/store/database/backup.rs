@@ -56,8 +56,8 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Adds missing rows from the latest copy of the same version; returns the copy's name, and how
-/// many rows were added to each table.
+/// Adds missing rows from the latest undamaged copy of the same version; returns the copy's name,
+/// and how many rows were added to each table.
 pub(super) fn fill_in(
     new: &Connection,
     folder: &Path,

@@ -81,7 +81,7 @@ impl Database {
         let mut other = open(bytes).map_err(reported)?;
         let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;
         let own = self.attempts(None)?;
-        // This ensures that the tables exist.
+        // This also ensures that the tables exist.
         self.change(|transaction| {
             let fresh = theirs.iter().filter(|attempt| !own.contains(attempt));
             fresh

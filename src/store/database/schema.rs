@@ -39,7 +39,7 @@ struct SchemaItem {
     text: Vec<u8>,
 }
 
-/// The largest number of wrong letters in a schema that is still recognised as carrom's.
+/// The largest number of wrong letters in a schema that is still recognized as carrom's.
 const WRONG_LETTERS: usize = 4;
 
 /// Upgrades a database to the current version, unless it is newer.
