@@ -44,7 +44,8 @@ pub struct BeliefChange {
     pub could: [usize; 2],
 }
 
-/// The results of each pair of forms that a pupil has begun, sorted by code.
+/// The results of each pair of forms that any pupil has begun, sorted by seed and number of
+/// questions.
 pub fn learning<'a>(results: &ClassResults<'a>) -> Vec<Learning<'a>> {
     let begun = results.rounds().into_iter().filter_map(Code::parse);
     let pairs = begun.filter_map(|code| {

@@ -118,7 +118,7 @@ impl Gradebook {
             drop(known);
             let words = match fresh.len() {
                 0 => "no new answers".to_owned(),
-                new => format!("{new} of {all} answers new"),
+                new => format!("{} out of {all}", counted(new, "new answer")),
             };
             self.notes.push(format!("{file}: {name} again; {words}"));
             if pupil.class.is_empty() {

@@ -167,7 +167,7 @@ impl PageStorage {
         next.any(|it| !it.is_refused)
     }
 
-    /// The tickets of the unsaved changes.
+    /// The tickets of the unsaved changes, without those that the browser has failed to save.
     pub(crate) fn tickets(&self) -> Vec<u64> {
         let waits = self.pending.iter().filter(|it| !it.is_refused);
         waits.map(|it| it.answer.ticket).collect()

@@ -108,7 +108,7 @@ impl Switchboard {
         Some(connection)
     }
 
-    /// The connection to close when there are too many.
+    /// The connection to close when there are too many; `None` if all of them have joined.
     fn superfluous(connections: &BTreeMap<ConnectionId, Arc<Connection>>) -> Option<ConnectionId> {
         let mut held: BTreeMap<IpAddr, (usize, ConnectionId)> = BTreeMap::new();
         for (id, connection) in connections
