@@ -74,7 +74,7 @@ struct Retry {
     waited: Duration,
     /// The ticket of the attempt in progress.
     ticket: Option<u64>,
-    /// The number of failed attempts since the last success.
+    /// The number of failed retries since the last success.
     failures: u32,
 }
 
@@ -374,7 +374,7 @@ impl App {
         effects
     }
 
-    /// The time until the app must next be advanced; `None` if nothing is moving.
+    /// The time until the app must next be advanced; `None` if nothing moves and no retry is due.
     pub fn wake(&self) -> Option<Duration> {
         let times = [self.screen_wake(), self.retry_in()];
         times.into_iter().flatten().min()
