@@ -44,8 +44,7 @@ impl Sampler {
     pub fn new(law: &ScatteringLaw) -> Self {
         let mut edges = [0; PLACES];
         for (bin, edge) in edges.iter_mut().enumerate().take(BINS) {
-            // Rounded to the nearest whole number; 2⁶⁴, for the whole beam, is clamped to
-            // `u64::MAX`.
+            // Truncated to a whole number; 2⁶⁴, for the whole beam, is clamped to `u64::MAX`.
             let share = law.share_beyond(bin as f64 * BIN_WIDTH);
             *edge = (share * 2_f64.powi(64)) as u64;
         }

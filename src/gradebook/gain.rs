@@ -31,8 +31,8 @@ pub enum NoGain {
 impl NormalizedGain {
     /// The gain from the scores of matched pupils before and after, 0 to 1.
     ///
-    /// The gain is 1 − R, where R is the mean of 1 − the score after, divided by the mean of 1 −
-    /// the score before, over the same pupils. The interval of R is that of E. C. Fieller (1954),
+    /// The gain is 1 − R, where R is the mean of (1 − score) after divided by the mean of (1 −
+    /// score) before, over the same pupils. The interval of R is that of E. C. Fieller (1954),
     /// which does not require a large class.
     ///
     /// # Errors
