@@ -198,7 +198,7 @@ impl Classroom {
             .find(|it| it.connection == Some(connection))
     }
 
-    /// The address of a pupil's device, different for each connection.
+    /// The address of a pupil's device, different for each pupil.
     fn address_of(&self, connection: ConnectionId) -> Ipv4Addr {
         let at = self
             .pupils
