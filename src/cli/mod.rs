@@ -50,7 +50,6 @@ use crate::files::{LONGEST_QUOTE, escape_control, escape_control_lines, quoted, 
 use crate::physics::CollisionSpec;
 use crate::quiz::{Code, concepts};
 use crate::screens::{KeptSettings, Route, code_of, host_of};
-use crate::shells::host::HostOptions;
 use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
@@ -203,7 +202,11 @@ enum OpenCommand {
     Measure(measure::Args),
     Progress(progress::Args),
     /// Open the screen for teachers: worksheets, cards, Moodle, reports, the gradebook, the guides
-    Teacher,
+    Teacher {
+        /// The page for browsers (default: the one in this program, or carrom.html beside it)
+        #[arg(long, value_name = "FILE")]
+        page: Option<PathBuf>,
+    },
     /// Open the settings: appearance, motion, the player
     Settings,
     /// Open the levels: small puzzles on the board, solved by aiming
@@ -231,11 +234,12 @@ fn read_host(address: &str) -> Result<String, String> {
 }
 
 impl OpenCommand {
-    /// The options for serving a class, if one is hosted.
-    fn host_options(&self) -> anyhow::Result<HostOptions> {
+    /// The given port for serving a class, and the given page for browsers.
+    fn port_and_page(&self) -> (Option<u16>, Option<&Path>) {
         match self {
-            Self::Class(args) => play::host_options(args.port, args.page.as_deref()),
-            _ => play::host_options(None, None),
+            Self::Class(args) => (args.port, args.page.as_deref()),
+            Self::Teacher { page } => (None, page.as_deref()),
+            _ => (None, None),
         }
     }
 
@@ -291,7 +295,7 @@ impl OpenCommand {
             Self::Measure(args) => Route::Measured {
                 measurement: Arc::new(args.measurement().map_err(|it| it.error().to_string())?),
             },
-            Self::Teacher => Route::Teacher,
+            Self::Teacher { .. } => Route::Teacher,
             Self::Settings => Route::Settings,
             Self::Levels { name } => named(data, "levels", name.as_deref())?,
         })

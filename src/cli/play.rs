@@ -3,15 +3,14 @@
 use std::env;
 use std::hash::{BuildHasher, RandomState};
 use std::io::{self, BufReader};
-use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use super::options::Auto;
 use super::{Failure, GlobalOptions, OpenCommand, app, page};
-use crate::shells::host::{HostOptions, ServedPage};
-use crate::shells::plain;
+use crate::shells::host::HostOptions;
 use crate::shells::terminal::{self, Ending};
+use crate::shells::{PageFile, plain};
 use anyhow::anyhow;
 
 /// Opens the game at a screen and runs it until the player quits.
@@ -37,8 +36,7 @@ pub(super) fn run(
     let mut app =
         app(screen, options, options.data_dir().as_deref(), auto, seed).map_err(Failure::input)?;
     let store = options.store().with_own(app.own());
-    let host = screen.map_or_else(|| host_options(None, None), OpenCommand::host_options);
-    let host = host.map_err(Failure::Input)?;
+    let host = host_options(options, screen).map_err(Failure::Input)?;
     if plain {
         let input = BufReader::new(io::stdin());
         plain::run(app, store, host, input, &mut io::stdout().lock())
@@ -53,15 +51,18 @@ pub(super) fn run(
     })
 }
 
-/// The options for serving a class: at this port, with this page or the default one.
+/// The page and the port with which a class is served.
 ///
 /// # Errors
 /// If the given page cannot be read.
-pub(super) fn host_options(port: Option<u16>, page: Option<&Path>) -> anyhow::Result<HostOptions> {
-    let made = page::page(page).and_then(|page| Ok(Arc::new(ServedPage::new(&page)?)));
-    let page = match (made, page) {
+fn host_options(
+    options: &GlobalOptions,
+    screen: Option<&OpenCommand>,
+) -> anyhow::Result<HostOptions> {
+    let (port, given) = screen.map_or((None, None), OpenCommand::port_and_page);
+    let page = match (PageFile::find(given, page::own_files(options)), given) {
         (Err(error), Some(_)) => return Err(error),
-        (made, _) => made.map_err(|error| error.to_string()),
+        (found, _) => found.map(Arc::new).map_err(|error| error.to_string()),
     };
     let page = Some(page);
     Ok(HostOptions { port, page })

@@ -1,6 +1,7 @@
 //! Requests from the app to the shell that drives it.
 
 use super::{HostCall, JoinCall, StoreCall};
+use crate::quiz::Code;
 
 /// Something that only the outside world can do.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,5 +24,13 @@ pub enum Effect {
         name: String,
         /// The content of the file.
         content: String,
+    },
+    /// In a terminal, write the page for browsers to a file with this name, with the player's own
+    /// levels, chapters and questions, and return an [`Input::Exported`](super::Input::Exported).
+    ExportPage {
+        /// The name of the file.
+        name: String,
+        /// If given, the file is a SCORM package that opens the round with this code.
+        round: Option<Code>,
     },
 }

@@ -13,6 +13,7 @@ use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
 use crate::messages::{Effect, HostCall, JoinCall, StoreCall, StoreRequest};
 use crate::progress::{Attempt, Observation};
+use crate::quiz::Code;
 use crate::quiz::concepts::Library;
 use crate::widgets::{PictureSizes, Room};
 
@@ -159,6 +160,12 @@ impl Context {
     /// Requests that this text be written to a file with this name.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
+    }
+
+    /// Requests that the page for browsers be written to a file with this name, for the code of a
+    /// round as a SCORM package.
+    pub fn export_page(&mut self, name: String, round: Option<Code>) {
+        self.asked.push(Effect::ExportPage { name, round });
     }
 
     /// Sends a request to the server of a class.

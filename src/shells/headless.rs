@@ -212,6 +212,10 @@ impl AppHolder for Headless {
                 }
                 Effect::Host(call) => self.host_calls.push(call),
                 Effect::Join(call) => self.join_calls.push(call),
+                Effect::ExportPage { .. } => {
+                    let words = "this program contains no page for browsers".to_owned();
+                    self.input(&Input::Exported(Err(words)));
+                }
                 Effect::Export { name, content } => {
                     self.exports.push((name.clone(), content));
                     self.input(&Input::Exported(Ok(name)));

@@ -15,6 +15,8 @@ pub mod headless;
 mod holder;
 #[cfg(not(target_family = "wasm"))]
 pub mod host;
+#[cfg(not(target_family = "wasm"))]
+mod page_file;
 pub mod plain;
 pub mod tape;
 #[cfg(not(target_family = "wasm"))]
@@ -23,6 +25,8 @@ pub mod terminal;
 pub use classroom::Classroom;
 pub use headless::Headless;
 pub use holder::AppHolder;
+#[cfg(not(target_family = "wasm"))]
+pub use page_file::{OwnFile, PageFile};
 
 /// The shortest time between two frames: a sixtieth of a second.
 pub const FRAME: Duration = Duration::from_nanos(16_666_667);

@@ -12,7 +12,8 @@ use carrom::class::ClassRound;
 use carrom::messages::{HostNews, Input};
 use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
-use carrom::shells::host::{Host, HostOptions, ServedPage};
+use carrom::shells::PageFile;
+use carrom::shells::host::{Host, HostOptions};
 use carrom::store::Store;
 
 use crate::folder::Folder;
@@ -48,7 +49,7 @@ impl Teacher {
     /// Starts the round with this code, with names or nicknames, and waits in the lobby.
     pub(crate) fn hosting(folder: &Folder, page: &str, round: &str, nicknames: bool) -> Self {
         let code = carrom::quiz::Code::parse(round);
-        let page = Arc::new(ServedPage::new(page).unwrap());
+        let page = Arc::new(PageFile::new(page.to_owned(), Ok(Vec::new())));
         let (keys, pressed) = mpsc::channel();
         let (told, opened) = mpsc::channel();
         let screen = Arc::new(Mutex::new(String::new()));
@@ -106,7 +107,7 @@ impl Drop for Teacher {
 /// Drives the teacher's app as the terminal's shell does, until there are no more keys.
 fn teach(
     mut game: Headless,
-    page: Arc<ServedPage>,
+    page: Arc<PageFile>,
     keys: &Receiver<String>,
     told: &Sender<(u16, String)>,
     shown: &Mutex<String>,

@@ -7,7 +7,7 @@ use scraper::{Html, Selector};
 use zip::ZipArchive;
 
 use crate::folder::Folder;
-use crate::start::{done, refused};
+use crate::start::{done, done_with, refused};
 
 /// The parts of a page that matter here: the element for a teacher's files, and the text around it.
 const PAGE: &str = "<!doctype html><title>carrom</title><p>before</p>\
@@ -157,4 +157,46 @@ fn a_scorm_package_contains_a_manifest_and_the_page_with_its_round() {
         );
         assert!(message.contains(reason), "{message}");
     }
+}
+
+/// What the screen for teachers writes without a command line is what the commands write.
+#[test]
+fn the_screen_for_teachers_writes_the_same_page_and_package() {
+    let folder = Folder::new("teacher-page");
+    folder.file("carrom.html", PAGE);
+    done(&folder, "examples --out mine");
+    let from = "--page carrom.html --concepts mine/questions";
+    done(&folder, &format!("page {from} --out by-command.html"));
+    let scorm = format!("page {from} --scorm speeds-3 --out by-command.zip");
+    done(&folder, &scorm);
+    let lines = "choose carrom as one file for browsers\n\
+                 choose round for a learning platform\n\
+                 code = speeds-3\n\
+                 choose write it\n";
+    let screen = format!("teacher {from} --plain --data-dir data");
+    let said = done_with(&folder, &screen, lines);
+    // The page that the program started from is not overwritten.
+    for [name, by_command] in [
+        ["carrom-2.html", "by-command.html"],
+        ["scorm-speeds-3.zip", "by-command.zip"],
+    ] {
+        assert!(said.contains(name), "{said}");
+        let [written, expected] =
+            [name, by_command].map(|name| fs::read(folder.path().join(name)).unwrap());
+        assert!(written == expected, "{name}: {said}");
+    }
+}
+
+/// An error in the teacher's files is reported, and no page without them is written.
+#[test]
+fn the_screen_for_teachers_writes_no_page_with_errors_in_its_files() {
+    let folder = Folder::new("teacher-bad-page");
+    folder.file("carrom.html", PAGE);
+    fs::create_dir(folder.path().join("questions")).unwrap();
+    folder.file("questions/bad.toml", "format = 1\ntitle = 7\n");
+    let screen = "teacher --page carrom.html --concepts questions --plain --data-dir data";
+    let said = done_with(&folder, screen, "choose carrom as one file for browsers\n");
+    assert!(said.contains("Nothing could be written"), "{said}");
+    assert!(said.contains("bad.toml"), "{said}");
+    assert!(!folder.path().join("carrom-2.html").exists());
 }

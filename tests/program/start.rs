@@ -1,6 +1,7 @@
 //! What a teacher starts with: the examples, a new file, and the guides.
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
@@ -23,6 +24,23 @@ pub(crate) fn done(folder: &Folder, arguments: &str) -> String {
     let output = carrom(folder, arguments);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(0), "{arguments}: {message}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The output of a successful command that reads these lines.
+pub(crate) fn done_with(folder: &Folder, arguments: &str, lines: &str) -> String {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(arguments.split(' '))
+        .current_dir(folder.path())
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = child.stdin.take().unwrap();
+    input.write_all(lines.as_bytes()).unwrap();
+    drop(input);
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{arguments}");
     String::from_utf8(output.stdout).unwrap()
 }
 

@@ -476,6 +476,11 @@ impl AppHolder for Shell {
                 }
                 Effect::Host(_) => {}
                 Effect::Join(call) => self.calls.push(call),
+                Effect::ExportPage { .. } => {
+                    let words =
+                        "the carrom program can write it, a page in a browser cannot".to_owned();
+                    self.input(&Input::Exported(Err(words)));
+                }
                 Effect::Export { name, content } => {
                     let place = match self.opening.simulated {
                         true => name.clone(),

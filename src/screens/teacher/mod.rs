@@ -39,19 +39,25 @@ enum TeacherTask {
     Worksheet,
     Cards,
     Moodle,
+    Scorm,
     Report,
     Gradebook,
+    Page,
     Guide,
 }
 
 impl TeacherTask {
-    const ALL: [Self; 7] = [
+    const ALL: &[Self] = &[
         Self::Class,
         Self::Worksheet,
         Self::Cards,
         Self::Moodle,
+        #[cfg(not(target_family = "wasm"))]
+        Self::Scorm,
         Self::Report,
         Self::Gradebook,
+        #[cfg(not(target_family = "wasm"))]
+        Self::Page,
         Self::Guide,
     ];
 }
@@ -59,7 +65,7 @@ impl TeacherTask {
 #[derive(Debug, Clone)]
 pub(crate) struct Teacher {
     tasks: ListView,
-    /// The code of the round for a worksheet or for Moodle.
+    /// The code of the round for a worksheet or for a learning platform.
     code: TextField,
     /// The reason why the code is refused.
     refused: Option<String>,
@@ -99,7 +105,8 @@ impl Teacher {
 
     /// Whether the chosen task needs the code of a round.
     fn needs_code(&self) -> bool {
-        matches!(self.task(), TeacherTask::Worksheet | TeacherTask::Moodle)
+        use TeacherTask::{Moodle, Scorm, Worksheet};
+        matches!(self.task(), Worksheet | Moodle | Scorm)
     }
 
     /// The chosen round of a class, if it can be read.
@@ -180,6 +187,13 @@ impl Teacher {
                     cx.export(name, Worksheet::moodle_xml(&[sheet]));
                 }
             }
+            TeacherTask::Scorm => {
+                if let Some(round) = self.quiz_round(cx) {
+                    let code = round.code();
+                    cx.export_page(format!("scorm-{code}.zip"), Some(code.clone()));
+                }
+            }
+            TeacherTask::Page => cx.export_page("carrom.html".into(), None),
             TeacherTask::Cards => {
                 let sheets = SHEETS[self.sheets];
                 cx.export("cards.html".into(), cards(sheets.into(), Paper::default()));

@@ -15,12 +15,14 @@ impl TeacherTask {
     const fn name(self) -> &'static str {
         match self {
             Self::Class => "A round with a class",
-            Self::Worksheet => "A worksheet with its key",
+            Self::Worksheet => "Worksheet with its key",
             Self::Cards => "Voting cards",
             Self::Moodle => "Questions for Moodle",
-            Self::Report => "The report of a class round",
-            Self::Gradebook => "The gradebook",
-            Self::Guide => "The guides",
+            Self::Scorm => "Round for a learning platform",
+            Self::Report => "Report of a class round",
+            Self::Gradebook => "Gradebook",
+            Self::Page => "carrom as one file for browsers",
+            Self::Guide => "Guides",
         }
     }
 
@@ -42,6 +44,15 @@ impl TeacherTask {
             Self::Moodle => {
                 "The questions of a round for Moodle's question bank, with pictures, and feedback \
                  for each misconception. In Moodle: Question bank, Import, Moodle XML format."
+            }
+            Self::Scorm => {
+                "A SCORM 1.2 package, a ZIP file to upload. The platform opens the round for each pupil and \
+                 receives the score, the time and each answer. In Moodle: Add an activity, SCORM package."
+            }
+            Self::Page => {
+                "All of carrom in one HTML file, for phones, tablets and computers, also without \
+                 internet: send it to pupils or put it on the school's server. It includes your own levels, \
+                 chapters and questions, if carrom was started with them."
             }
             Self::Report => {
                 "An HTML page and two tables for a spreadsheet: the votes on every question, what \
@@ -81,7 +92,7 @@ fn layout(room: Room) -> SplitLayout {
 
 pub(super) fn view(teacher: &Teacher) -> View<'_, TeacherAction> {
     let mut list = Panel::new("for teachers");
-    for (at, task) in TeacherTask::ALL.into_iter().enumerate() {
+    for (at, task) in TeacherTask::ALL.iter().copied().enumerate() {
         let action = TeacherAction::List(ListAction::Point(at));
         let is_chosen = task == teacher.task();
         list.row(
@@ -120,8 +131,8 @@ pub(super) fn view(teacher: &Teacher) -> View<'_, TeacherAction> {
 /// What the teacher sets for the chosen task.
 fn write_choice(teacher: &Teacher, panel: &mut Panel<TeacherAction>) {
     match teacher.task() {
-        TeacherTask::Class => {}
-        TeacherTask::Worksheet | TeacherTask::Moodle => {
+        TeacherTask::Class | TeacherTask::Page => {}
+        TeacherTask::Worksheet | TeacherTask::Moodle | TeacherTask::Scorm => {
             panel.text_field("code", teacher.code.around_cursor(), true, None);
             match &teacher.refused {
                 Some(reason) => panel.paragraph(format!("The code: {reason}."), Role::Warn),

@@ -21,10 +21,12 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-pub use page::ServedPage;
+use page::ServedPage;
 
+use super::PageFile;
 use crate::class::JoinCode;
 use crate::messages::{HostCall, HostNews, JoinDetails};
+use crate::quiz::Code;
 use switchboard::Switchboard;
 
 /// The default port; the next ones are tried if it is in use.
@@ -45,7 +47,7 @@ pub struct HostOptions {
     /// The port; by default the first free one from `PORT` on.
     pub port: Option<u16>,
     /// The page for browsers, or why there is none.
-    pub page: Option<Result<Arc<ServedPage>, String>>,
+    pub page: Option<Result<Arc<PageFile>, String>>,
 }
 
 /// The server of a class.
@@ -98,6 +100,24 @@ impl Host {
         news
     }
 
+    /// The page for browsers, or why there is none.
+    fn page(&self) -> Result<&PageFile, String> {
+        match &self.options.page {
+            Some(page) => page.as_deref().map_err(Clone::clone),
+            None => Err("this program contains no page for browsers".into()),
+        }
+    }
+
+    /// The page as a file for a teacher: with their own files, or, for the code of a round, as a
+    /// SCORM package.
+    ///
+    /// # Errors
+    /// If there is no page.
+    pub(super) fn page_document(&self, round: Option<&Code>) -> Result<Vec<u8>, String> {
+        let document = self.page()?.document(round);
+        document.map_err(|error| error.to_string())
+    }
+
     fn close(&mut self) {
         if let Some(board) = self.board.take() {
             board.close();
@@ -116,17 +136,11 @@ impl Host {
             Some(code) => code,
             None => JoinCode::of(random()? as u64),
         };
-        let page = match &self.options.page {
-            Some(page) => page.clone(),
-            None => Err("this program contains no page for browsers".into()),
-        };
-        let shown = page.as_ref().map(|_| ()).map_err(Clone::clone);
-        let board = Arc::new(Switchboard::new(
-            code,
-            port,
-            page.ok(),
-            Arc::clone(&self.wake),
-        ));
+        let page = self.page();
+        let shown = page.clone().map(|_| ());
+        let page = page.ok().map(|page| ServedPage::new(page.text()));
+        let page = page.transpose()?;
+        let board = Arc::new(Switchboard::new(code, port, page, Arc::clone(&self.wake)));
         self.board = Some(Arc::clone(&board));
         spawn("host", move || accept(&listener, &board))?;
         Ok(JoinDetails {

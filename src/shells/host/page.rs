@@ -17,7 +17,7 @@ const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";
 
 /// The page as it is served.
 #[derive(Debug)]
-pub struct ServedPage {
+pub(super) struct ServedPage {
     text: String,
     packed: Vec<u8>,
     /// Changes with the contents, so that browsers do not show an outdated page.
@@ -30,7 +30,7 @@ impl ServedPage {
     ///
     /// # Errors
     /// None in practice, because the page is compressed in memory.
-    pub fn new(page: &str) -> io::Result<Self> {
+    pub(super) fn new(page: &str) -> io::Result<Self> {
         let text = page.replacen(CONNECT[0], CONNECT[1], 1);
         let text = text.replacen(ROOT[0], ROOT[1], 1);
         let policy = text

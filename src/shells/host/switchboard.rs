@@ -25,7 +25,7 @@ pub(super) struct Switchboard {
     opened: Instant,
     /// The port on which the server listens.
     pub(super) port: u16,
-    pub(super) page: Option<Arc<ServedPage>>,
+    pub(super) page: Option<ServedPage>,
     wake: Arc<dyn Fn() + Send + Sync>,
     connections: Mutex<BTreeMap<ConnectionId, Arc<Connection>>>,
     news: Mutex<VecDeque<HostNews>>,
@@ -68,7 +68,7 @@ impl Switchboard {
     pub(super) fn new(
         code: JoinCode,
         port: u16,
-        page: Option<Arc<ServedPage>>,
+        page: Option<ServedPage>,
         wake: Arc<dyn Fn() + Send + Sync>,
     ) -> Self {
         Self {

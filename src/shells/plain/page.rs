@@ -134,6 +134,7 @@ impl PlainPage {
         let mut options: Vec<_> = items
             .filter_map(|item| PlainOption::of(item, rows))
             .collect();
+        unlabel_articles(&mut options);
         let taken: Vec<_> = options.iter().filter_map(|it| it.key).collect();
         options.extend(rows.iter().filter_map(|row| deed(row, &taken)));
         let mut names: Vec<String> = Vec::new();
@@ -322,6 +323,18 @@ fn own_label(words: &str) -> (String, String) {
     match is_number || is_letter && !rest.is_empty() {
         true => (first.to_owned(), rest.to_owned()),
         false => (String::new(), words.to_owned()),
+    }
+}
+
+/// Gives back the first word of entries that begin with the article "A", which looks like the letter
+/// of a choice; but choices are at least A and B.
+fn unlabel_articles(options: &mut [PlainOption]) {
+    if options.iter().any(|it| it.label == "B") {
+        return;
+    }
+    for option in options.iter_mut().filter(|it| it.label == "A") {
+        option.words = format!("{} {}", std::mem::take(&mut option.label), option.words);
+        option.key = None;
     }
 }
 

@@ -147,6 +147,14 @@ struct PlainApp {
     sender: Sender<Heard>,
 }
 
+impl PlainApp {
+    /// Passes on the result of an export.
+    fn exported(&self, result: Result<String, String>) {
+        let exported = Input::Exported(result);
+        drop(self.sender.send(Heard::Input(exported)));
+    }
+}
+
 impl AppHolder for PlainApp {
     fn app(&self) -> &App {
         &self.app
@@ -166,8 +174,12 @@ impl AppHolder for PlainApp {
                 Effect::Host(call) => self.host.call(&call),
                 Effect::Join(call) => self.client.call(&call),
                 Effect::Export { name, content } => {
-                    let exported = Input::Exported(terminal::export(&name, &content));
-                    drop(self.sender.send(Heard::Input(exported)));
+                    self.exported(terminal::export(&name, &content));
+                }
+                Effect::ExportPage { name, round } => {
+                    let document = self.host.page_document(round.as_ref());
+                    let exported = document.and_then(|document| terminal::export(&name, document));
+                    self.exported(exported);
                 }
             }
         }

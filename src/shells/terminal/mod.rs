@@ -235,6 +235,12 @@ impl TerminalRun {
         Ok(None)
     }
 
+    /// Passes on the result of an export.
+    fn exported(&self, result: Result<String, String>) {
+        // If nobody receives it, nobody is waiting for it.
+        let _ = self.sender.send(Message::Input(Input::Exported(result)));
+    }
+
     /// Fits the picture to the terminal's current size.
     fn fit_again(&mut self) -> Result<(), TerminalError> {
         let size = self.screen.size().map_err(TerminalError::SetUp)?;
@@ -279,10 +285,10 @@ impl AppHolder for TerminalRun {
                 }
                 Effect::Host(call) => self.host.call(&call),
                 Effect::Join(call) => self.client.call(&call),
-                Effect::Export { name, content } => {
-                    let exported = Input::Exported(export(&name, &content));
-                    // If nobody receives it, nobody is waiting for it.
-                    let _ = self.sender.send(Message::Input(exported));
+                Effect::Export { name, content } => self.exported(export(&name, &content)),
+                Effect::ExportPage { name, round } => {
+                    let document = self.host.page_document(round.as_ref());
+                    self.exported(document.and_then(|document| export(&name, document)));
                 }
             }
         }
