@@ -72,7 +72,7 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
         () if name.ends_with(".md") => format!("lessons/{name}"),
         () if !name.ends_with(".toml") => return None,
         () if begins("[[disc]]") => format!("levels/own/{name}"),
-        () if begins("[[item]]") && !begins("teams") => format!("concepts/{name}"),
+        () if begins("[[item]]") => format!("concepts/{name}"),
         () => return None,
     })
 }
@@ -131,7 +131,8 @@ pub(crate) fn take_in(
         return Ok((format!("{name} is saved. {found}."), true));
     }
     if name.ends_with(".toml") {
-        let is_class = String::from_utf8_lossy(bytes).contains("\nteams");
+        // Class rounds of every format have this field, saved games of no format do.
+        let is_class = String::from_utf8_lossy(bytes).contains("\nstep = ");
         let file = (name.to_owned(), bytes.to_vec());
         let (change, place) = match is_class {
             true => (Change::Class(file), "the earlier rounds of a class"),
@@ -148,6 +149,9 @@ pub(crate) fn take_in(
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+    use std::path::Path;
+
     use super::*;
 
     #[test]
@@ -173,5 +177,28 @@ mod tests {
         assert!(measured("a.toml", level).is_none());
         assert_eq!(path("saved.toml", b"format = 1\nmoves = []\n"), None);
         assert_eq!(path("picture.png", b"\x89PNG"), None);
+    }
+
+    #[test]
+    fn rounds_and_games_of_every_format_are_taken_in() {
+        let mut keeping = PageStorage::new(&Arc::default(), false);
+        let saves = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/saves");
+        let mut found = [0; 2];
+        for entry in fs::read_dir(saves).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_str().unwrap();
+            let kinds = ["class-", "format-"];
+            let Some(kind) = kinds.iter().position(|kind| name.starts_with(kind)) else {
+                continue;
+            };
+            let place = ["earlier rounds", "saved games"][kind];
+            let taken = take_in(&mut keeping, name, &fs::read(&path).unwrap());
+            assert!(
+                taken.as_ref().is_ok_and(|(it, _)| it.contains(place)),
+                "{name}: {taken:?}"
+            );
+            found[kind] += 1;
+        }
+        assert_eq!(found, [7, 3]);
     }
 }
