@@ -346,3 +346,22 @@ fn a_second_try_after_a_hint_earns_half_the_credit() {
     );
     assert_eq!(game.attempts().len(), 4);
 }
+
+/// For a student who has predicted enough, the lab shows outcomes while they aim.
+#[test]
+fn the_lab_hides_the_outcome_while_a_question_of_the_page_is_open() {
+    let (number, chapter) = chapter("the-right-angle");
+    let settings = Settings {
+        predicted: 3,
+        ..Settings::default()
+    };
+    let app = App::new(Route::Chapter { number }, settings, 1);
+    let mut game = Headless::new(app, 100, 30);
+    let hidden = "hidden until you have";
+    game.press("o");
+    assert!(game.screen().contains(hidden), "{}", game.screen());
+    game.press("<Esc>");
+    answer(&mut game, &chapter.pages[0]);
+    game.press("o");
+    assert!(!game.screen().contains(hidden), "{}", game.screen());
+}

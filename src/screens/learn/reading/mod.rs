@@ -287,10 +287,9 @@ impl Reading {
         match figure.foil_page() {
             None => {
                 let setup = figure.setup();
-                Next::Open(Route::LabOf {
-                    setup,
-                    hidden: false,
-                })
+                // The lab must not show the answer either.
+                let hidden = self.is_asking();
+                Next::Open(Route::LabOf { setup, hidden })
             }
             // The foil's own screen would show the answer.
             Some(_) if self.is_asking() => {
