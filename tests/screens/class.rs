@@ -349,7 +349,7 @@ fn a_damaged_file_is_reported_and_not_changed() {
     let mut game = class(folder.path(), "7", &["Ants"]);
     game.press("<End><Enter>");
     let screen = game.screen();
-    assert!(screen.contains("It cannot be read"), "{screen}");
+    assert!(screen.contains("This file cannot be read"), "{screen}");
     game.press("<Enter><Escape><End><Up><Up><Up><Enter><Enter><Enter><Enter>1<Enter>1<Enter>");
     assert!(fs::read_to_string(&file).unwrap().ends_with("teams = []\n"));
     assert!(folder.path().join("classes/class-2.toml").exists());

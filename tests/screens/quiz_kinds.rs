@@ -82,7 +82,7 @@ fn each_round_is_chosen_by_its_number_its_letter_the_arrows_or_the_mouse() {
         ("h", "question 1 of 10"),
         ("t", "choose a topic"),
         ("e", "question 1 of 15"),
-        ("w", "Read one of them in"),
+        ("w", "First finish a chapter in"),
         ("c", "A code looks like even-7"),
     ]
     .into_iter()
