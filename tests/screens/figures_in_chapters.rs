@@ -154,7 +154,7 @@ fn claims() -> Vec<Claim> {
     );
     // The friction of the table, during a contact of a millisecond.
     let slowing = 0.12 * 9.80665;
-    claim(1, "may slow a disc by [1.2] m/s every second.", slowing);
+    claim(1, "may slow a puck by [1.2] m/s every second.", slowing);
     claim(1, "that is only [0.0012] m/s.", slowing / 1000.0);
     claim(
         2,
@@ -269,8 +269,8 @@ fn claims() -> Vec<Claim> {
     let (theta1, theta2) = (degrees(unknown.theta1), degrees(unknown.theta2));
     let ratio = sine(theta1 + 2.0 * theta2) / sine(theta1);
     claim(9, "number answer=[10]", 15.0 / ratio);
-    claim(9, "15 g divided by [1.50]: 10 g.", ratio);
-    claim(9, "15 g divided by 1.50: [10] g.", 15.0 / ratio);
+    claim(9, "15 g divided by [1.50], or 10 g.", ratio);
+    claim(9, "15 g divided by 1.50, or [10] g.", 15.0 / ratio);
 
     // 10: shots without aiming.
     let on_board = Beam::Board.share_beyond(rad_from_deg(60.0));
@@ -385,48 +385,56 @@ fn claims() -> Vec<Claim> {
     let impulse = after(15.0, 15.0, 4.0, 0.0, 1.0).impulse;
     let average = |seconds: f64| impulse / seconds;
     let in_grams = 1000.0 * impulse;
-    claim(13, "In SI units it is [0.060] kg m/s", impulse);
+    claim(13, "In SI units, J is [0.060] kg m/s", impulse);
     claim(13, ", or [0.060] N s: one newton", impulse);
     claim(13, "Use SI units: [0.060] N s", impulse);
     claim(13, " and [0.0006] s. ---", 0.6 / 1000.0);
     claim(13, "F is [0.060] N s divided", impulse);
-    claim(13, "by [0.0006] s:", 0.6 / 1000.0);
-    claim(13, "[100] N, the weight", average(0.6e-3));
+    claim(13, "by [0.0006] s, or", 0.6 / 1000.0);
+    claim(13, "or [100] N: the weight", average(0.6e-3));
     claim(13, "of about [10] kg.", average(0.6e-3) / 9.80665);
     // The curve is half of a sine: its average is 2/π of its height.
     let greatest = average(0.6e-3) * std::f64::consts::FRAC_PI_2;
-    claim(13, "At its greatest the force is [157] N.", greatest);
+    claim(13, "The greatest force is [157] N.", greatest);
     claim(13, "[half] of the time", 0.3 / 0.6);
-    claim(13, ", [twice] the force", average(0.3e-3) / average(0.6e-3));
+    claim(
+        13,
+        "means [twice] the force",
+        average(0.3e-3) / average(0.6e-3),
+    );
     claim(13, ", [200] N.", average(0.3e-3));
     claim(13, "by [8] m/s.", 4.0 + 4.0);
     claim(13, "So the impulse is [120] g m/s", 2.0 * in_grams);
     let friction = 0.12 * 9.80665 * 0.015;
-    claim(13, "a force of about [0.018] N.", friction);
+    claim(13, "the force of friction is about [0.018] N.", friction);
     claim(13, "[0.018] N is about 6000 times smaller", friction);
     let smaller = average(0.6e-3) / friction;
     claim(13, "0.018 N is about [6000] times smaller", smaller);
     claim(13, "than the average force of [100] N", average(0.6e-3));
-    claim(13, "friction takes [18] g m/s", 1000.0 * friction);
+    claim(
+        13,
+        "the impulse of friction is [18] g m/s",
+        1000.0 * friction,
+    );
 
     // 14: collisions that lose energy, and explosions.
     let half = after(15.0, 15.0, 4.0, 0.0, 0.5);
     let [slow, fast] = [half.v1, half.v2].map(DVec2::length);
     claim(14, "= [2] m/s, and they approached at", fast - slow);
     claim(14, "the sums of the squares: [16] before", 4.0 * 4.0);
-    claim(14, "16 before, and [1] + 9 afterwards.", slow * slow);
-    claim(14, "and 1 + [9] afterwards.", fast * fast);
+    claim(14, "16 before, [1] + 9 afterwards.", slow * slow);
+    claim(14, "1 + [9] afterwards.", fast * fast);
+    claim(14, "The sum falls from [16] to 10", 4.0 * 4.0);
     claim(
         14,
-        "[6] of 16 parts are lost",
-        16.0 - slow * slow - fast * fast,
+        "The sum falls from 16 to [10]",
+        slow * slow + fast * fast,
     );
-    claim(14, "6 of [16] parts are lost", 4.0 * 4.0);
-    claim(14, "so [80] g move on at", 20.0 + 60.0);
+    claim(14, "so [80] g moves on at", 20.0 + 60.0);
     claim(14, "the speed falls to a [quarter].", 20.0 / 80.0);
     claim(
         14,
-        "a 16th of the square leave a [quarter] of the energy",
+        "a 16th of the square of the speed, a [quarter] of the energy",
         80.0 / 20.0 / 16.0,
     );
     claim(14, "a [16]th of the square", (80.0_f64 / 20.0).powi(2));
@@ -440,9 +448,9 @@ fn claims() -> Vec<Claim> {
     claim(14, "The momenta are 60 and [80] g m/s, at right angles", up);
     claim(14, "so the momentum is [100] g m/s. The mass is 60 g", sum);
     claim(14, "100 g m/s. The mass is [60] g", 20.0 + 40.0);
-    claim(14, "Not [140] g m/s:", right + up);
-    claim(14, "the momentum to the right: [80] and 60 g m/s.", up);
-    claim(14, "the momentum to the right: 80 and [60] g m/s.", right);
+    claim(14, "The sum is not [140] g m/s:", right + up);
+    claim(14, "the upward momentum, [80] g m/s, divided", up);
+    claim(14, "the momentum to the right, [60] g m/s.", right);
     claim(14, "The tangent is [80]/60, so", up);
     claim(14, "The tangent is 80/[60], so", right);
     claim(
@@ -451,10 +459,10 @@ fn claims() -> Vec<Claim> {
         deg_from_rad(up.atan2(right)),
     );
     claim(14, "It is not [45]°,", 90.0 / 2.0);
-    claim(14, "(Gravity: [9.81] m/s².)", 9.80665);
+    claim(14, "(Use g = [9.81] m/s².)", 9.80665);
     // The height in centimetres at this speed.
     let height = |v: f64| 100.0 * v * v / (2.0 * 9.80665);
-    claim(14, ", [20.4] cm. If you", height(20.0 * 10.0 / 100.0));
+    claim(14, "is [20.4] cm. If you", height(20.0 * 10.0 / 100.0));
     // With all of the energy, ½ m u² = (m + M) g h: h is m/(m + M) of the height for the speed u.
     claim(
         14,
@@ -462,13 +470,21 @@ fn claims() -> Vec<Claim> {
         height(20.0) * 10.0 / 100.0,
     );
     claim(14, "A body of [50] g is at rest.", 20.0 + 30.0);
-    claim(14, "opposite, [60] g m/s each: 30 g at 2 m/s.", 20.0 * 3.0);
+    claim(
+        14,
+        "opposite, [60] g m/s each, so the 30 g piece",
+        20.0 * 3.0,
+    );
     claim(14, "gets more of it, [90] mJ", 0.5 * 20.0 * 9.0);
     claim(14, "A body of [85] g at rest explodes", 20.0 + 40.0 + 25.0);
     claim(14, "The first two are [60] and 80 g m/s.", right);
     claim(14, "The first two are 60 and [80] g m/s.", up);
-    claim(14, "closes the triangle: [100] g m/s.", sum);
-    claim(14, "25 g have this momentum at [4] m/s.", sum / 25.0);
+    claim(14, "closes the triangle: its length is [100] g m/s.", sum);
+    claim(
+        14,
+        "A mass of 25 g has this momentum at [4] m/s.",
+        sum / 25.0,
+    );
     claim(14, "A body of [60] g flies at", 20.0 + 40.0);
     claim(14, "with a momentum of [100] g m/s. It explodes", sum);
     claim(14, "The 20 g piece has [60] g m/s.", right);
@@ -479,13 +495,13 @@ fn claims() -> Vec<Claim> {
     // 15: the energy in two parts.
     claim(15, "the total momentum, [50] + 40 g m/s", 20.0 * 2.5);
     claim(15, "the total momentum, 50 + [40] g m/s", 40.0 * 1.0);
-    claim(15, "by [60] g. Then use half of 60 g", 20.0 + 40.0);
-    claim(15, "Then use half of [60] g, times", 20.0 + 40.0);
+    claim(15, "by [60] g. Then multiply half of 60 g", 20.0 + 40.0);
+    claim(15, "Then multiply half of [60] g by", 20.0 + 40.0);
     claim(15, "[800]/60 is", 20.0 * 40.0);
     claim(15, "800/[60] is", 20.0 + 40.0);
     claim(15, "½ · [13.3] g · (3 m/s)²", 800.0 / 60.0);
     claim(15, "not a [quarter], because", 0.5 * 0.5);
-    claim(15, "e² is a [quarter]:", 0.5 * 0.5);
+    claim(15, "e² is a [quarter], so", 0.5 * 0.5);
 
     // 16: rough rims.
     let rough = |friction: f64, alpha_deg: f64| {
@@ -498,12 +514,16 @@ fn claims() -> Vec<Claim> {
         Collision { rims, ..hit }.with_alpha_deg(alpha_deg)
     };
     let smooth = degrees(rough(0.0, 30.0).outcome().theta2);
-    claim(16, "24.5}° and not at [30]°", smooth);
+    claim(16, "24.5}°, not at [30]°", smooth);
     claim(16, "ω₁ r₁ = [−1.50] m/s", -100.0 * 0.015);
-    claim(16, "At ω₁ = [−133] rad/s there would be none", -2.0 / 0.015);
+    claim(
+        16,
+        "At ω₁ = [−133] rad/s, there would be no slip",
+        -2.0 / 0.015,
+    );
     claim(16, "spins clockwise: ω₁ = [−100] rad/s", -100.0);
     claim(16, "Both radii are [15] mm", 15.0);
-    claim(16, "15 mm are [0.015] m", 15.0 / 1000.0);
+    claim(16, "15 mm is [0.015] m", 15.0 / 1000.0);
     claim(16, "The slip speed is 2.00 − [1.50]", 100.0 * 0.015);
     claim(16, "μ = [7.5] g, and", 15.0 * 15.0 / 30.0);
     claim(16, "7.5 × 2.00 / 3 = [5.0] g m/s", 7.5 * 2.0 / 3.0);
@@ -515,7 +535,11 @@ fn claims() -> Vec<Claim> {
     let throw = 30.0 - degrees(thrown.theta2);
     claim(16, "The coin leaves at 30.0° − [2.9]°", throw);
     let error_mm = 300.0 * rad_from_deg(throw).tan();
-    claim(16, "On 30 cm that is an error of [15] mm", error_mm);
+    claim(
+        16,
+        "a distance of 30 cm, this is an error of [15] mm",
+        error_mm,
+    );
     let edge = deg_from_rad(f64::atan(6.0 * 0.05));
     claim(16, "number answer=[16.7]", edge);
     claim(16, "so α = [16.7]°", edge);
@@ -530,18 +554,19 @@ fn claims() -> Vec<Claim> {
     claim(17, "You find [84]° ± 3°", 84.0);
     claim(17, "How many uncertainties is [84]° ± 3°", 84.0);
     claim(17, "[6]°/3°", 90.0 - 84.0);
-    claim(17, "= [2.0] σ", 6.0 / 3.0);
+    claim(17, "= [2.0], so the difference", 6.0 / 3.0);
+    claim(17, "the difference is [2.0] σ", 6.0 / 3.0);
     claim(
         17,
-        "goes further once in [22] measurements",
+        "a larger difference once in [22] measurements",
         1.0 / (1.0 - two),
     );
     claim(17, "A result of [84]° ± 1°", 84.0);
-    claim(17, "disagrees: [6] σ", (90.0 - 84.0) / 1.0);
-    claim(17, "large is it at [120] frames", 4.0 * 30.0);
+    claim(17, "would disagree, by [6] σ", (90.0 - 84.0) / 1.0);
+    claim(17, "the uncertainty at [120] frames", 4.0 * 30.0);
     claim(17, "[2]°/2 = 1°", 2.0);
     claim(17, "2°/2 = [1]°", 2.0 / f64::sqrt(120.0 / 30.0));
-    claim(17, "you need [480] frames", 4.0 * 120.0);
+    claim(17, "you would need [480] frames", 4.0 * 120.0);
     claim(17, "marks are [20] mm above", 1000.0 * 0.02);
     claim(17, "Divide 1.00 by [0.98]", 1.00 - 0.02);
     claim(17, "1.00/[0.98]", 1.00 - 0.02);
@@ -549,15 +574,15 @@ fn claims() -> Vec<Claim> {
     claim(17, "the error is only [1] %", 100.0 * 0.02 / (2.0 - 0.02));
     claim(17, "It is tilted by [20]°", 20.0);
     let shrunk = rad_from_deg(20.0).cos();
-    claim(17, "too short: [94] % of the truth", 100.0 * shrunk);
+    claim(17, "too short: [94] % of the true length", 100.0 * shrunk);
     claim(17, "because cos 20° = [0.94]", shrunk);
     claim(17, "cos [20]°", 20.0);
     claim(17, "is known to 3 %, the other to [4] %", 4.0);
     claim(17, "√([9] + 16)", 9.0);
     claim(17, "√(9 + [16])", 16.0);
-    claim(17, "= 5, so [5] %", f64::hypot(3.0, 4.0));
+    claim(17, "= 5, so the uncertainty is [5] %", f64::hypot(3.0, 4.0));
     claim(17, "less than [7] %", 3.0 + 4.0);
-    claim(17, "this is ±[0.04]", 0.05 * 0.8);
+    claim(17, "it is ±[0.04]", 0.05 * 0.8);
     claim(17, "Film at [60] frames", 60.0);
     claims
 }

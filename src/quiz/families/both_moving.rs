@@ -133,7 +133,7 @@ fn frames(
     const RIDES: &str = "In the frame that moves as the coin did before the collision, the coin \
                          starts at rest, so the 90° rule for a coin at rest holds.";
     const BACK_TO_BACK: &str = "In the centre-of-mass frame the total momentum is zero, so the \
-                                two leave in opposite directions: 180°.";
+                                discs leave in opposite directions: 180°.";
     const WHO: [&str; 4] = [
         "An observer who moves as the coin did at first",
         "An observer who stands still at the edge of the board",
@@ -167,8 +167,8 @@ fn frames(
                 .options(WHO, 0)
                 .chooses(SquareOnTheGround, 1)
                 .says(
-                    "You assumed 90° in the laboratory frame. That requires one coin at rest \
-                     at first, but here both move.",
+                    "You assumed 90° in the laboratory frame. That requires one disc at rest \
+                     before the collision, but here both discs move.",
                 )
                 .chooses(FramesMixed, 2)
                 .says(BACK_TO_BACK)
@@ -245,7 +245,7 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
                the collision stays 90° or more.",
         )
         .chooses(SquareOnTheGround, 1)
-        .says("You assumed 90° in the laboratory frame. But that rule requires one coin at rest.")
+        .says("You assumed 90° in the laboratory frame. But that rule requires one disc at rest.")
         .chooses(None, 2)
         .says(
             "Did you assume that a fast collision makes the angle large? Whether it exceeds 90° \
@@ -271,13 +271,13 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         .ask("What is the angle between their paths in the laboratory frame?")
         .number(Measure::Angle, deg_from_rad(outcome.separation?))
         .wrong(SquareOnTheGround, 90.0)
-        .says("Your answer is close to 90°. That requires one coin at rest.")
+        .says("Your answer is close to 90°. That requires one disc at rest.")
         .wrong(FramesMixed, 180.0)
         .says("Your answer is close to 180°, the angle in the centre-of-mass frame.")
         .why(format!(
-            "Along the line of impact n they exchange velocities; along t each keeps its own. The \
-             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is {} / \
-             ({v1} × {v2}), and the angle is {separation}.",
+            "Along the line of impact n the discs exchange components; along t each keeps its own. \
+             The speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is \
+             {} / ({v1} × {v2}), and the angle is {separation}.",
             true_minus(&significant(dot))
         ))
 }
@@ -316,7 +316,7 @@ fn speed(
         .ask(format!("What is the {name}'s speed after the collision?"))
         .number(Measure::Speed, truth)
         .wrong(CoinAtRest, seen)
-        .says("You treated the coin as if it had been at rest. But here both discs move at first.")
+        .says("You treated the coin as if it had been at rest. But here both discs move.")
         .wrong(SineCosine, (others * sin).hypot(own * cos))
         .says(
             "You exchanged the components along t. Those stay the same; the components along n are \

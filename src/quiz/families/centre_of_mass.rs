@@ -82,8 +82,8 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
     turn(hit, angle)
         .wrong(CopiedAngle, deg_from_rad(alpha))
         .says(
-            "You answered α itself. But α describes where they touch, not how far the striker is \
-               deflected.",
+            "You answered α itself. But α describes where the discs touch, not how far the striker \
+             is deflected.",
         )
         .why(why_turn(alpha, angle))
 }
@@ -166,7 +166,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         .figure("target_speed", u2)
         .number(Measure::Speed, velocity.length())
         .wrong(HalfwayCentre, (u1 + u2).abs() / 2.0)
-        .says("You used the mean of the two velocities. The heavier disc counts for more.")
+        .says("You used the mean of the two velocities. But the heavier disc counts for more.")
         .wrong(UpsideDown, exchanged.abs())
         .says("You swapped the two masses. The heavier disc counts for more.")
         .wrong(ScalarMomentum, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
@@ -213,14 +213,13 @@ fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     on_the_board(hit, turn_deg, "theta1", text, "the striker's deflection")
         .number(Measure::Angle, theta1_deg(hit, turn_deg)?)
         .wrong(HalfwayCentre, turn_deg / 2.0)
-        .says(
-            "You used half of Θ. That is right only for equal masses.",
-        )
+        .says("You used half of Θ. That is right only for equal masses.")
         .wrong(UpsideDown, theta1_deg(&hit.exchanged(), turn_deg))
         .says("You swapped the two masses: a heavier striker is deflected less.")
         .why(format!(
-            "In the centre-of-mass frame the striker's speed is m₂u / (m₁ + m₂); that frame moves at m₁u / (m₁ + m₂). So tan θ₁ = sin Θ / (cos Θ + m₁ / m₂) \
-             = sin {theta}° / (cos {theta}° + {ratio}), and θ₁ = {}.",
+            "In the centre-of-mass frame the striker's speed is m₂u / (m₁ + m₂); that frame \
+             moves at m₁u / (m₁ + m₂). So tan θ₁ = sin Θ / (cos Θ + m₁ / m₂) = sin {theta}° / (cos \
+             {theta}° + {ratio}), and θ₁ = {}.",
             theta1(ratio.value),
             theta = bare_degrees(theta),
         ))

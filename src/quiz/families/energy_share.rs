@@ -149,9 +149,9 @@ fn lost(hit: &Hit) -> Option<Question> {
         .wrong(SineCosine, PERCENT * lost * alpha.tan().powi(2))
         .says("You used the sine instead of the cosine. The loss is greatest head-on.")
         .why(format!(
-            "At most m₂ cos² {}° / (m₁ + m₂) = {most} of the energy can be lost: that of the \
-             approach along the line of impact. The share 1 − e² = {missing} of it is lost: {most} \
-             × {missing} = {}.",
+            "At most m₂ cos² {}° / (m₁ + m₂) = {most} of the energy can be lost: the energy of the \
+             approach along the line of impact. The share 1 − e² = {missing} of this is lost: \
+             {most} × {missing} = {}.",
             bare_degrees(alpha),
             percent(most.value * missing.value)
         ))

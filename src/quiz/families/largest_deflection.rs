@@ -124,7 +124,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
             )
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \
-                 90° − α. The closer to head-on, the closer to 90°; exactly head-on it stops.",
+                 90° − α. The smaller α is, the closer the deflection is to 90°. But exactly \
+                 head-on, the striker stops.",
             ),
         LargestDeflection::Reversed => draft
             .options(LIMITS, BACK)

@@ -58,7 +58,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .says(here_e(NOT_HERE, e))
         .chooses(HeavyRebounds, place(2))
         .says(
-            "You made the striker heavier. But with a loss even an equal striker moves on along \
+            "You chose a heavier striker. But with a loss even an equal striker moves on along \
              the line of impact.",
         )
         .chooses(LossForbidsSquare, place(3))
@@ -105,7 +105,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         .wrong(Lossless, 1.0)
         .says("e = 1 means that no energy is lost: the striker would have stopped.")
         .why(format!(
-            "Their speed of separation is {v2_words} − {v1_words} = {apart} m/s, their speed of \
+            "The speed of separation is {v2_words} − {v1_words} = {apart} m/s, and the speed of \
              approach was {u_words} m/s. So e = {apart} / {u_words} = {}.",
             significant(e),
             apart = significant(v2 - v1),
@@ -197,7 +197,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, "coin"))
         .wrong(LossOpensAngle, 180.0 - deg_from_rad(separation))
-        .says("You made the angle larger by as much as the loss makes it smaller.")
+        .says("You made the angle larger than 90°, by as much as the loss makes it smaller.")
         .why(format!(
             "The striker keeps sin {alpha}° = {across} of its speed perpendicular to the line of \
              impact and (1 − {}) / 2 × cos {alpha}° = {along} along it. The tangent of the angle is {across} / {along}, and the angle is {}.",

@@ -115,13 +115,13 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
 }
 
 /// Feedback for an answer that assumes that a loss makes the angle larger for equal masses.
-const CLOSES: &str = "You assumed that the loss makes the angle larger. But the two separate more \
-                      slowly, so the striker follows the coin.";
+const CLOSES: &str = "You assumed that the loss makes the angle larger. But the discs separate \
+                      more slowly, so the striker follows the coin.";
 
 /// Feedback for an answer in which a heavier striker rebounds or a lighter striker follows the
 /// target.
 pub(super) const FOLLOWS_OR_BOUNCES: &str = "You swapped the two cases: a heavier striker follows \
-                                             the coin, a lighter one rebounds.";
+                                             the coin, and a lighter striker rebounds.";
 
 const fn lossless_corner(right: usize) -> &'static str {
     match right {

@@ -112,14 +112,14 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             "You assumed that they stay together. But smooth rims do not grip: perpendicular to \
              the line of impact there is no force.",
             format!(
-                "Along the line of impact both move on at the same speed. Perpendicular to that \
-                 line the striker keeps its {across} m/s: the angle between the paths is {}.",
+                "Along the line of impact both discs move on at the same speed. Perpendicular to \
+                 that line the striker keeps its {across} m/s: the angle between the paths is {}.",
                 degrees(outcome.separation?)
             ),
         ),
         RimKind::Stick => (
-            "You assumed that the rims slip past each other. Smooth rims do that at e = 0; these \
-             are held together.",
+            "You assumed that the rims slip past each other. Smooth rims do that at e = 0, but \
+             these rims are held together.",
             "",
             format!(
                 "The collision is perfectly inelastic: they move on together, with their centre \
@@ -210,13 +210,13 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
         .says("You assumed that they move on together. But smooth rims do not grip.")
         .wrong(Lossless, speed(RimKind::Lossless))
         .says(
-            "That is the speed if no energy is lost. With e = 0 both have the same velocity along \
-             the line of impact.",
+            "That is the speed if no energy is lost. With e = 0 both are equally fast along the \
+             line of impact.",
         )
         .wrong(MomentumLost, (!hit.masses_are_equal()).then_some(across))
         .says(
             "You assumed that all motion along the line of impact is lost. But momentum is \
-             conserved: the two share it.",
+             conserved: the discs share it.",
         )
         .why(format!(
             "{} Perpendicular to it the striker keeps {} m/s × sin {}° = {kept} m/s. Together: \

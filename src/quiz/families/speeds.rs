@@ -30,10 +30,11 @@ fn target(hit: &Hit) -> Option<Question> {
     let shown = Intermediate::new(along, |along| significant(along * times));
     let times = Intermediate::new(times, |times| significant(shown.value * times));
     let share = if equal && e >= 1.0 {
-        format!("With equal masses and no energy lost the {name} gets all of it.")
+        format!("With equal masses and no energy lost, the {name} gets all of this.")
     } else {
         format!(
-            "The {name}'s speed is (1 + e) m₁ / (m₁ + m₂) times that: {times} × {shown} m/s = {} m/s.",
+            "The {name}'s speed is (1 + e) m₁ / (m₁ + m₂) times this: {times} × {shown} m/s = {} \
+             m/s.",
             significant(times.value * shown.value)
         )
     };
@@ -70,7 +71,7 @@ fn target(hit: &Hit) -> Option<Question> {
 
 /// Feedback for an answer with the sine instead of the cosine in the target's speed or energy.
 pub(super) fn sine_for_cosine(name: &str) -> String {
-    format!("You used the sine instead of the cosine. The {name} gets the most head-on.")
+    format!("You used the sine instead of the cosine. Head-on, the {name} gets the most.")
 }
 
 /// Feedback for an answer that is the lossless speed multiplied by e.

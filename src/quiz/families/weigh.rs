@@ -93,12 +93,12 @@ fn which(dice: &mut Dice) -> Option<Question> {
     let why = match right {
         LIGHTER => {
             ", less than 90°: the striker still followed the coin along the line of impact. So \
-             the striker is the heavier one."
+             the striker is heavier."
         }
         ALIKE => ". If no energy is lost, a right angle means equal masses, whatever the offset.",
         _ => {
-            ", more than 90°: the striker rebounded along the line of impact. So the coin is the \
-             heavier one."
+            ", more than 90°: the striker rebounded along the line of impact. So the coin is \
+             heavier."
         }
     };
     seen.outline("A smooth striker")
@@ -107,7 +107,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
         .options(WEIGHTS, right)
         .chooses(HeavyUnmoved, turned_less)
         .says(
-            "You assumed that the disc with the smaller angle is the heavier one. But both angles \
+            "You assumed that the disc with the smaller angle is the heavier disc. But both angles \
              also depend on the offset.",
         )
         .chooses(HeavyRebounds, HEAVIER - right)
@@ -151,7 +151,8 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         )
         .says("You used the components along the original direction.")
         .why(format!(
-            "Their perpendicular momenta cancel: m₁v₁ sin θ₁ = m₂v₂ sin θ₂. So m₂ = {momentum} g m/s / ({speed} m/s) = {}.",
+            "The momenta perpendicular to the striker's original path cancel: m₁v₁ sin θ₁ = m₂v₂ \
+             sin θ₂. So m₂ = {momentum} g m/s / ({speed} m/s) = {}.",
             within_readings(
                 &mass(momentum.value, speed.value),
                 &Measure::Mass.print(seen.coin_g)

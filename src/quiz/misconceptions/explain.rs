@@ -74,7 +74,7 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
         {
             (
                 "mind the sign",
-                "The size is right, the sign is not.".into(),
+                "The size is right, but the sign is not.".into(),
             )
         }
         _ => (

@@ -112,7 +112,7 @@ impl Misconception {
                 format!("You sent the {name} straight ahead. But smooth rims push along n.")
             }
             Self::SameSide => {
-                format!("You sent both to the {side}. But their sideways momenta add up to zero.")
+                format!("You sent both to the {side}. But the sideways momenta add up to zero.")
             }
             Self::SidesExchanged => {
                 format!("Your angles are right, but the {name} lies to the {side} of the path.")
@@ -122,7 +122,7 @@ impl Misconception {
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "Your angles fit α close to {}, in proportion to the offset.",
+                "Your angles fit an α close to {}, proportional to the offset.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(

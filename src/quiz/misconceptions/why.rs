@@ -40,7 +40,7 @@ fn rough(collision: &Collision) -> String {
     let rims = Rims::default();
     let smooth = Collision { rims, ..*collision }.outcome();
     if outcome.friction_impulse == 0.0 {
-        return "The rims do not slip past each other at the contact, so friction does nothing: \
+        return "The rims do not slip past each other at the contact, so friction has no effect: \
                 the discs leave as if their rims were smooth."
             .into();
     }
@@ -59,7 +59,7 @@ fn rough(collision: &Collision) -> String {
     let throw = degrees(collision.throw().unwrap_or_default().abs());
     format!(
         "Friction acts along t, against the slip of {} m/s, and {stops}. It throws the coin off \
-         the line of impact by δ = {throw}, and it turns both discs in the same sense.{apart}",
+         the line of impact by δ = {throw}, and it makes both discs spin in the same sense.{apart}",
         fixed(collision.slip().unwrap_or_default().abs(), 2)
     )
 }
