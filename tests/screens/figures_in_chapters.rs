@@ -487,7 +487,7 @@ fn claims() -> Vec<Claim> {
     );
     claim(14, "A body of [60] g flies at", 20.0 + 40.0);
     claim(14, "with a momentum of [100] g m/s. It explodes", sum);
-    claim(14, "The 20 g piece has [60] g m/s.", right);
+    claim(14, "The 20 g piece has a momentum of [60] g m/s.", right);
     claim(14, "([100] − 60 = 40 would be right", sum);
     claim(14, "(100 − [60] = 40 would be right", right);
     claim(14, "(100 − 60 = [40] would be right", sum - right);
