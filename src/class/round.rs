@@ -238,8 +238,8 @@ impl ClassRound {
         (!name.is_empty()).then(|| free_name(&name, &self.teams()))
     }
 
-    /// The name of a newcomer who asks for this name and gets this token: a nickname, if the round
-    /// gives them.
+    /// The name that a newcomer with this token gets if they ask for this name: a nickname, if
+    /// the round gives nicknames.
     pub(super) fn newcomers_name(&self, name: &str, token: SeatToken) -> Option<String> {
         if !self.nicknames {
             return self.name_for(name);

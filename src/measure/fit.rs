@@ -546,7 +546,7 @@ fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
     (products + PARAMETERS as f64 * 0.5) / f64::max(count, 1.0).sqrt()
 }
 
-/// The longest time without a point around the contact, and the median time between points.
+/// The longest gap between two points near the contact, and the median time between points.
 fn gap(tracks: &[Track; 2], time: f64) -> (f64, f64) {
     let mut longest = 0.0_f64;
     let mut steps = Vec::new();

@@ -173,7 +173,7 @@ fn a_class_round_of_the_first_format_still_opens() {
 fn class_rounds_of_the_second_format_still_open() {
     let bytes = include_bytes!("../saves/class-2-devices.toml");
     let round = ClassRound::read("class-2", bytes, &Default::default()).unwrap();
-    // "Bo" was removed in the file, and "Ada 2" was the same pupil as Ada.
+    // "Bo" had been removed before the file was saved, and "Ada 2" was the same pupil as Ada.
     assert_eq!(round.teams(), ["Ada L.", "Cy"]);
     assert_eq!(round.class(), "");
     assert_eq!(round.join_code().unwrap().to_string(), "BCDFGH");

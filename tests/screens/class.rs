@@ -184,7 +184,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
         (before[0] - 10.0).abs() < 1e-9 && before[1] < 1.0,
         "{before:?}"
     );
-    // These keys go from the next question back to the first vote on the first one.
+    // These keys lead back from the second question to the first vote on the first question.
     game.press("<Enter>");
     assert!(game.screen().contains("question 2 of 2"));
     game.press("[");

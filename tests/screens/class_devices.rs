@@ -763,7 +763,7 @@ impl Crowd {
         (connection, sent_away.collect())
     }
 
-    /// This many newcomers, each with a different address, join.
+    /// Lets this many newcomers join, each from a different address.
     fn fill(&mut self, count: u32) {
         for address in 1000..1000 + count {
             assert_eq!(self.come(address).1, []);

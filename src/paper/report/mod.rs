@@ -73,7 +73,7 @@ pub struct Report<'a> {
     /// The number of chapters that are completely read and answered, and the number of all
     /// chapters.
     done: (usize, usize),
-    /// The number of stars won, and the number of all stars.
+    /// The number of stars won, and the total number of stars.
     stars: (usize, usize),
 }
 

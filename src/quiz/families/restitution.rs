@@ -197,7 +197,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, "coin"))
         .wrong(LossOpensAngle, 180.0 - deg_from_rad(separation))
-        .says("You made the angle larger than 90°, by as much as the loss makes it smaller.")
+        .says("You made the angle larger than a right angle, by as much as the loss makes it smaller.")
         .why(format!(
             "The striker keeps sin {alpha}° = {across} of its speed perpendicular to the line of \
              impact and (1 − {}) / 2 × cos {alpha}° = {along} along it. The tangent of the angle is {across} / {along}, and the angle is {}.",

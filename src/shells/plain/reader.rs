@@ -330,7 +330,7 @@ impl PlainReader {
             .collect())
     }
 
-    /// Presses Enter if it does one of these actions.
+    /// Presses Enter if Enter carries out one of these actions.
     fn enter(&mut self, holder: &mut dyn AppHolder, ids: &[&str]) {
         let table = holder.app().keys();
         let mut rows = table.rows().iter();

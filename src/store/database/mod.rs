@@ -287,7 +287,7 @@ impl Database {
     }
 }
 
-/// Whether less time than `patience` has passed `since` the first call. The clock is read only
+/// Whether the first call, at `since`, was less than `patience` ago. The clock is read only
 /// here, because a browser has none.
 fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience

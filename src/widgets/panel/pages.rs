@@ -333,7 +333,7 @@ struct PageSetting<'l> {
 
 /// Sets a question with its choices so that the first page shows all choices, in letters that are
 /// just large enough if necessary: with the picture if possible, otherwise with the question or
-/// only its last sentence. What is left out follows on further pages. Other text is set on one page
+/// only its last sentence. The rest follows on later pages. Other text is set on one page
 /// with its picture. `None` if that is not possible.
 fn on_one_page<'p>(
     texts: &[PagedParagraph<'p>],

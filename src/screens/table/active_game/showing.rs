@@ -250,7 +250,7 @@ impl ActiveGame {
         seed.rotate_left(32) ^ number as u64
     }
 
-    /// The hand of the people; in a practice game, strokes are exact.
+    /// How steady the hand of the people is; in a practice game, strokes are exact.
     pub(super) fn hand(&self) -> PlayerHand {
         match self.is_practice() {
             true => PlayerHand::Exact,

@@ -57,7 +57,7 @@ pub(super) struct StrokeReplay {
     pub(super) player: ShotPlayer,
 }
 
-/// The key actions while a stroke is watched.
+/// The actions of keys while a stroke is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum StrokeAction {
