@@ -9,7 +9,7 @@ use super::{Failure, given, print_report};
 use crate::game::pieces::piece_of;
 use crate::game::{
     Coin, Fingerprint, Game, GameSetup, Move, Piece, RecordError, Ruling, SavedGame, Seat,
-    SeatNames, Strike, Team,
+    SeatNames, Strike, Team, announced,
 };
 use crate::physics::Shot;
 use crate::physics::units::mm_from_m;
@@ -163,9 +163,8 @@ impl ReplayReport {
             };
             text += &format!("{:4}  {what}\n", made.r#move);
             for ruling in &made.rulings {
-                let law = ruling.law.as_ref();
-                let law = law.map_or(String::new(), |law| format!(" (law {law})"));
-                text += &format!("      {}{law}\n", ruling.text);
+                let announced = announced(&ruling.text, ruling.law.as_ref());
+                text += &format!("      {announced}\n");
             }
         }
         let end = &self.r#final;

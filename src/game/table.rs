@@ -295,8 +295,8 @@ impl Game {
             announce(Law::EXTRA_BOARD, text, RulingEffect::ExtraBoard);
         }
         if let Some(team) = score.game_winner(&self.setup)
-            && (rules, length) != (Rules::Tournament, Length::Board)
-            && rules != Rules::Points
+            && rules == Rules::Tournament
+            && length != Length::Board
         {
             let (won, lost) = (score.points[team], score.points[team.other()]);
             let text = format!("{} wins the game by {won} to {lost}.", self.colour(team));

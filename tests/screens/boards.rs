@@ -97,7 +97,7 @@ fn a_board_is_cleared_and_its_result_is_kept() {
     game.press("90<Enter>0.2+ ");
     assert!(game.settle(LONG));
     let said = words(&mut game);
-    assert!(said.contains("Nothing fell, 6 coins to go."), "{said}");
+    assert!(said.contains("Nothing fell, six coins to go."), "{said}");
     drop(game);
 
     // In another session the board, the attempt and the best result are found again.

@@ -85,21 +85,20 @@ const panels = (() => {
     // The finger scrolls instead of pressing.
     node.addEventListener("pointercancel", () => (held = false));
     node.addEventListener("touchend", (event) => {
-      const { clientX, clientY } = event.changedTouches[0];
-      const isOn = held && node.contains(document.elementFromPoint(clientX, clientY));
+      const isPressed = held && isLifted(node, event);
       held = false;
-      if (!isOn || !event.cancelable) return;
-      event.preventDefault();
-      act();
+      if (isPressed) act();
     });
   }
 
-  // Repeats an action while a button is held.
+  // Repeats an action while a button is held. A finger may instead be about to scroll, so its first
+  // step waits until it is lifted or has rested.
   function repeats(node, step) {
-    let timer = 0;
+    let timer = 0, isWaiting = false;
     const end = () => clearTimeout(timer);
     const again = (ms) => {
       timer = setTimeout(() => {
+        isWaiting = false;
         step();
         if (node.isConnected) again(70);
       }, ms);
@@ -107,12 +106,27 @@ const panels = (() => {
     node.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
       event.preventDefault();
-      step();
+      isWaiting = event.pointerType === "touch";
+      if (!isWaiting) step();
       again(400);
     });
     for (const kind of ["pointerup", "pointercancel", "pointerleave"]) node.addEventListener(kind, end);
+    node.addEventListener("pointercancel", () => (isWaiting = false));
+    node.addEventListener("touchend", (event) => {
+      if (isWaiting && isLifted(node, event)) step();
+      isWaiting = false;
+    });
     node.addEventListener("contextmenu", (event) => event.preventDefault());
     node.addEventListener("click", (event) => event.detail === 0 && step());
+  }
+
+  // Whether a finger was lifted on a button. The browser then sends no click after it.
+  function isLifted(node, event) {
+    const { clientX, clientY } = event.changedTouches[0];
+    const isOn = node.contains(document.elementFromPoint(clientX, clientY));
+    if (!isOn || !event.cancelable) return false;
+    event.preventDefault();
+    return true;
   }
 
   // A chosen button has its own colour, so its text needs none.
@@ -337,7 +351,11 @@ const panels = (() => {
     // A field with a few values: each press sets the next.
     switch() {
       const name = make("span", "name");
-      const value = button("value", does);
+      const value = button("value", (item) => {
+        // Otherwise the phone's keyboard would stay open after typing into another field.
+        document.activeElement?.closest("#screen input")?.blur();
+        does(item);
+      });
       const node = make("div", "field", name, value);
       node.update = (item) => {
         value.item = item;

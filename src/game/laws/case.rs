@@ -3,7 +3,7 @@
 use super::Law;
 use super::points::Taken;
 use crate::game::pieces::{COINS_EACH, Colour};
-use crate::numbers::counted;
+use crate::numbers::{capital, counted};
 
 /// Points for the queen, for a winner whose score allows them (25b).
 pub(super) const QUEEN_POINTS: u8 = 3;
@@ -111,7 +111,7 @@ pub(crate) enum TurnFate {
 pub(crate) struct Verdict {
     /// The law that decides; `None` for a house rule.
     pub law: Option<Law>,
-    /// What happened and its consequence, in one sentence.
+    /// What happened and its consequence.
     pub text: String,
     /// The player's own coins that are put back at once.
     pub(crate) own_back: u8,
@@ -158,6 +158,17 @@ impl Verdict {
         Self { dues: 1, ..self }
     }
 
+    /// The verdict with the coins of the other side, if any fell: they stay down.
+    pub(super) fn with_others(mut self, case: &Case) -> Self {
+        let number = case.other.fell;
+        if number > 0 {
+            let others = capital(&coins(number, case.colour.other()));
+            let stays = if number == 1 { "stays" } else { "stay" };
+            self.text += &format!(" {others} fell and {stays} down.");
+        }
+        self
+    }
+
     /// The verdict with this fate of the queen.
     pub(super) fn queen(self, queen: QueenFate) -> Self {
         self.queen_if(true, queen)
@@ -172,13 +183,19 @@ impl Verdict {
     }
 }
 
-/// A number of coins in words: "one white coin", "2 black coins".
+/// A number of coins in words: "one white coin", "two black coins".
 pub(super) fn coins(number: u8, colour: Colour) -> String {
-    let adjective = colour.adjective();
-    match number {
-        1 => format!("one {adjective} coin"),
-        _ => format!("{number} {adjective} coins"),
-    }
+    let (adjective, plural) = (colour.adjective(), if number == 1 { "" } else { "s" });
+    format!("{} {adjective} coin{plural}", in_words(number))
+}
+
+/// A number of pieces: up to nine as a word.
+pub(super) fn in_words(number: u8) -> String {
+    const WORDS: [&str; 10] = [
+        "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine",
+    ];
+    let word = WORDS.get(usize::from(number));
+    word.map_or_else(|| number.to_string(), |word| (*word).to_owned())
 }
 
 /// A number of points in words.

@@ -6,7 +6,7 @@
 //!   No debt remains.
 //! - The queen may be taken at any time and must be covered: with one of your coins in the same
 //!   stroke or the next. Otherwise she goes back to the centre.
-//! - The first player to clear their coins wins the game: a point for each coin the other has left,
+//! - The first player to clear their coins wins the board: a point for each coin the other has left,
 //!   at least 1, and 3 for the queen if they covered her. If you clear your coins while the queen
 //!   is on the board, she is worth no points.
 //! - A break that touches nothing passes the turn like any other miss.
@@ -18,11 +18,11 @@ use super::case::{Case, QUEEN_POINTS, QueenBefore, QueenFate, Verdict, coins, po
 /// The verdict on a stroke in a friendly game.
 pub(super) fn judge(case: &Case) -> Verdict {
     ending(case).unwrap_or_else(|| {
-        if case.striker_fell {
-            striker_fell(case)
-        } else {
-            proper(case)
-        }
+        let verdict = match case.striker_fell {
+            true => striker_fell(case),
+            false => proper(case),
+        };
+        verdict.with_others(case)
     })
 }
 
@@ -47,7 +47,7 @@ fn ending(case: &Case) -> Option<Verdict> {
     // Both colours may be cleared at once; even then the winner gets at least one point.
     let by = (left + queen).max(1);
     let text = format!(
-        "All {} coins are down, so {winner} wins by {}.",
+        "All {} coins are down, so {winner} wins the board by {}.",
         winner.adjective(),
         points(by)
     );
@@ -56,13 +56,17 @@ fn ending(case: &Case) -> Option<Verdict> {
 
 fn striker_fell(case: &Case) -> Verdict {
     let player = case.colour;
-    let text = format!(
-        "The striker fell, so one of {player}'s coins goes back, if there is one, and the turn \
-         passes."
-    );
     let queen_open = case.queen_fell || case.queen == QueenBefore::ToCover;
+    let has_coin = case.own.left() < COINS_EACH;
+    let back = match (has_coin, queen_open) {
+        (true, true) => format!(", so the queen and one of {player}'s coins go back"),
+        (true, false) => format!(", so one of {player}'s coins goes back"),
+        (false, true) => ", so the queen goes back".to_owned(),
+        (false, false) => format!(" and {player} has no coin to put back"),
+    };
+    let text = format!("The striker fell{back}. The turn passes.");
     Verdict::passes(None, text)
-        .own_back(u8::from(case.own.left() < COINS_EACH))
+        .own_back(u8::from(has_coin))
         .queen_if(queen_open, QueenFate::GoesBack)
 }
 

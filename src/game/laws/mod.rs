@@ -44,6 +44,7 @@ pub(crate) use case::{Case, QueenBefore, QueenFate, Side, TurnFate, Verdict};
 pub(crate) use page::RuleLine;
 pub(crate) use points::{POINTS_TO_WIN, Taken};
 pub(crate) use ruling::Law;
+pub(crate) use ruling::announced;
 pub use ruling::{BoardWon, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
@@ -58,7 +59,7 @@ pub enum Rules {
     /// The Laws of Carrom, in singles or doubles, as a match of three games.
     #[default]
     Tournament,
-    /// The simple rules of most families: the first player to clear their coins wins the game.
+    /// The simple rules of most families: the first player to clear their coins wins the board.
     Friendly,
     /// Points carrom: either colour counts for both sides, and the first side with more than half of
     /// the points wins.
@@ -82,7 +83,7 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
     match rules {
         Rules::Tournament => opening::judge(case)
             .or_else(|| ending::judge(case))
-            .or_else(|| queen::judge(case))
+            .or_else(|| queen::judge(case).map(|verdict| verdict.with_others(case)))
             .unwrap_or_else(|| coins::judge(case)),
         Rules::Friendly => friendly::judge(case),
         Rules::Points => points::judge(case),

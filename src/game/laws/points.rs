@@ -2,7 +2,7 @@
 //! coin.
 //!
 //! - A black coin counts 1 point, a white one 2, and the queen 5 if she is covered: 32 points in
-//!   all. The first side with more than half of them, 17, wins.
+//!   all. The first side with more than half of them, 17, wins the board.
 //! - Pocket any piece, and you play on.
 //! - The queen may be taken at any time and must be covered: with any coin in the same stroke or
 //!   the next. Otherwise she goes back to the centre.
@@ -17,7 +17,8 @@
 
 use crate::game::pieces::Colour;
 
-use super::case::{Case, QueenBefore, QueenFate, Verdict, points};
+use super::case::{Case, QueenBefore, QueenFate, Verdict, in_words, points};
+use crate::numbers::capital;
 
 /// The points that win a game: more than half of all.
 pub(crate) const POINTS_TO_WIN: u8 = 17;
@@ -70,22 +71,20 @@ pub(super) fn judge(case: &Case) -> Verdict {
         Colour::Black => (case.other.fell, case.own.fell),
     };
     let mut taken = case.own.taken.with(white, black);
-    if case.striker_fell {
-        taken.give_back();
-    }
+    let back = { case.striker_fell }.then(|| taken.give_back()).flatten();
     let has_queen = covers || case.queen == QueenBefore::Covered(case.colour);
     let other_queen = case.queen == QueenBefore::Covered(case.colour.other());
     let (own, other) = (
         taken.points(has_queen),
         case.other.taken.points(other_queen),
     );
-    let text = told(case, fell, covers, own);
+    let text = told(case, fell, covers, own, back);
     let queen_left = !covers && !has_queen && !other_queen;
     if own >= POINTS_TO_WIN || (is_empty && !case.striker_fell && !queen_left) {
         // At 16 points each the queen decides.
         let won = (own, has_queen) > (other, other_queen);
         let (winner, loser) = (own.max(other), own.min(other));
-        let text = format!("{text}. The game is won by {winner} points to {loser}.");
+        let text = format!("{text}. The board is won by {winner} points to {loser}.");
         return Verdict::ends(None, text, won, winner)
             .own_back(u8::from(case.striker_fell))
             .queen_if(covers, QueenFate::Covered);
@@ -102,11 +101,21 @@ pub(super) fn judge(case: &Case) -> Verdict {
 }
 
 /// What happened in the stroke, as a sentence without its end.
-fn told(case: &Case, fell: u8, covers: bool, own: u8) -> String {
-    if case.striker_fell {
-        return "The striker fell and one of the player's coins goes back, if there is one".into();
-    }
+fn told(case: &Case, fell: u8, covers: bool, own: u8, back: Option<Colour>) -> String {
     let score = points(own);
+    if case.striker_fell {
+        let queen = case.queen_fell || case.queen == QueenBefore::ToCover;
+        return match (back.map(Colour::adjective), queen) {
+            (Some(colour), true) => format!(
+                "The striker fell: the queen and one {colour} coin go back, which leaves {score}"
+            ),
+            (Some(colour), false) => {
+                format!("The striker fell and one {colour} coin goes back, which leaves {score}")
+            }
+            (None, true) => "The striker fell and the queen goes back".into(),
+            (None, false) => "The striker fell and there is no coin to put back".into(),
+        };
+    }
     match (fell, case.queen_fell, case.queen) {
         (0, true, _) if !covers => {
             "The queen fell, and the next stroke must cover her with any coin".into()
@@ -118,6 +127,9 @@ fn told(case: &Case, fell: u8, covers: bool, own: u8) -> String {
         (0, false, _) => "Nothing fell".into(),
         _ if covers => format!("The queen is covered, which makes {score}"),
         (1, ..) => format!("One coin fell, which makes {score}"),
-        _ => format!("{fell} coins fell, which makes {score}"),
+        _ => {
+            let fell = capital(&in_words(fell));
+            format!("{fell} coins fell, which makes {score}")
+        }
     }
 }

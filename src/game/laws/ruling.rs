@@ -53,10 +53,26 @@ impl fmt::Display for Law {
 pub struct Ruling {
     /// The law; `None` for a rule of the friendly or practice game.
     pub law: Option<Law>,
-    /// What happened and the reason for the decision, in one sentence.
+    /// What happened and the reason for the decision.
     pub text: String,
     /// The changes to the board and to the score, in that order.
     pub effects: Vec<RulingEffect>,
+}
+
+impl Ruling {
+    /// The announcement, with the number of the law: "Nothing fell, so White's turn passes
+    /// (law 21)."
+    pub fn announced(&self) -> String {
+        announced(&self.text, self.law)
+    }
+}
+
+/// An announcement with the number of its law.
+pub(crate) fn announced(text: &str, law: Option<impl fmt::Display>) -> String {
+    match law {
+        Some(law) => format!("{} (law {law}).", text.trim_end_matches('.')),
+        None => text.to_owned(),
+    }
 }
 
 /// A change made by a ruling.

@@ -1,8 +1,8 @@
 //! Boards for one player: there are no turns, and pocketed coins stay down unless the striker falls
 //! with them.
 
-use super::case::{Case, Verdict};
-use crate::numbers::counted;
+use super::case::{Case, Verdict, in_words};
+use crate::numbers::capital;
 
 /// The verdict on a stroke on a board for one player.
 pub(super) fn judge(case: &Case) -> Verdict {
@@ -11,7 +11,10 @@ pub(super) fn judge(case: &Case) -> Verdict {
         let text = match fell {
             0 => "The striker fell.".to_owned(),
             1 => "The striker fell too, so the coin comes back.".to_owned(),
-            more => format!("The striker fell too, so the {more} coins come back."),
+            more => format!(
+                "The striker fell too, so the {} coins come back.",
+                in_words(more)
+            ),
         };
         return Verdict::continues(None, text).own_back(fell);
     }
@@ -21,9 +24,10 @@ pub(super) fn judge(case: &Case) -> Verdict {
             let fell = match fell {
                 0 => "Nothing fell".to_owned(),
                 1 => "One coin is down".to_owned(),
-                more => format!("{more} coins are down"),
+                more => format!("{} coins are down", capital(&in_words(more))),
             };
-            let left = counted(left.into(), "coin");
+            let plural = if left == 1 { "" } else { "s" };
+            let left = format!("{} coin{plural}", in_words(left));
             Verdict::continues(None, format!("{fell}, {left} to go."))
         }
     }
@@ -54,16 +58,16 @@ mod tests {
     #[test]
     fn pocketed_coins_stay_down_unless_the_striker_falls_too() {
         for (fell, fouls, left, words) in [
-            (0, false, 6, "Nothing fell, 6 coins to go."),
-            (1, false, 5, "One coin is down, 5 coins to go."),
-            (5, false, 1, "5 coins are down, 1 coin to go."),
+            (0, false, 6, "Nothing fell, six coins to go."),
+            (1, false, 5, "One coin is down, five coins to go."),
+            (5, false, 1, "Five coins are down, one coin to go."),
             (0, true, 6, "The striker fell."),
             (1, true, 6, "The striker fell too, so the coin comes back."),
             (
                 6,
                 true,
                 6,
-                "The striker fell too, so the 6 coins come back.",
+                "The striker fell too, so the six coins come back.",
             ),
         ] {
             let (game, said) = after(fell, fouls);

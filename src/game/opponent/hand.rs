@@ -68,9 +68,9 @@ impl Slip {
         (struck - struck.perp() * self.turn).normalize_or_zero()
     }
 
-    /// The error in one sentence; `whose` is "My", "Your" or a name.
-    pub(crate) fn in_words(self, whose: &str, struck: DVec2) -> String {
-        words::slipped(whose, self, struck)
+    /// The error in one sentence; `stroke` is, for example, "My stroke".
+    pub(crate) fn in_words(self, stroke: &str, struck: DVec2) -> String {
+        words::slipped(stroke, self, struck)
     }
 }
 

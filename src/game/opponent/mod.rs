@@ -75,7 +75,7 @@ impl Decision {
     /// The opponent's comment after a stroke with the result `played`: the intended shot with its
     /// angles, the reason, and the error of the hand.
     pub fn afterwards(&self, played: &Story) -> String {
-        let slipped = self.slip.in_words("My", self.meant.velocity);
+        let slipped = self.slip.in_words("My stroke", self.meant.velocity);
         format!("{} {slipped}", self.reason.described(played))
     }
 }

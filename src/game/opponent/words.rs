@@ -226,7 +226,7 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
 }
 
 /// The error of the hand in a stroke along `heading`.
-pub(super) fn slipped(whose: &str, slip: Slip, heading: DVec2) -> String {
+pub(super) fn slipped(stroke: &str, slip: Slip, heading: DVec2) -> String {
     let turned = slip.turn.atan();
     let percent = (100.0 * slip.push).round();
     let direction = (turned.abs() >= SMALLEST_SLIP).then(|| {
@@ -239,9 +239,9 @@ pub(super) fn slipped(whose: &str, slip: Slip, heading: DVec2) -> String {
     });
     let slips: Vec<String> = direction.into_iter().chain(strength).collect();
     if slips.is_empty() {
-        return format!("{whose} stroke was just right.");
+        return format!("{stroke} was just right.");
     }
-    format!("{whose} stroke was {}.", slips.join(" and "))
+    format!("{stroke} was {}.", slips.join(" and "))
 }
 
 /// The size of an angle: in tenths of a degree below 10°, in whole degrees above.
@@ -420,7 +420,7 @@ mod tests {
     fn only_a_noticeable_slip_is_described() {
         let slip = |turn_deg: f64, push| {
             let turn = rad_from_deg(turn_deg).tan();
-            slipped("My", Slip { turn, push }, DVec2::Y)
+            slipped("My stroke", Slip { turn, push }, DVec2::Y)
         };
         assert_eq!(slip(0.0, 0.0), "My stroke was just right.");
         assert_eq!(slip(-1.24, 0.001), "My stroke was 1.2° off to the right.");

@@ -377,7 +377,7 @@ fn lengths(now: &Options) -> Vec<Choice> {
         let about = format!("{last} About {minutes} min{each} between equals, at 15 s a stroke.");
         (
             options,
-            format!("{name}, about {minutes} min"),
+            format!("{name}, about {minutes} min{each}"),
             about.into(),
         )
     };

@@ -4,7 +4,8 @@ use super::words;
 use crate::game::opponent::{PlayerHand, Strength};
 pub use crate::game::{Aids, Player};
 use crate::game::{
-    Company, Game, GameSetup, Hands, Length, PieceSet, Rules, SavedGame, Seat, SeatNames, Team,
+    Company, Game, GameSetup, GameStage, Hands, Length, PieceSet, Rules, SavedGame, Seat,
+    SeatNames, Team,
 };
 use crate::numbers::capital;
 
@@ -190,11 +191,26 @@ impl Options {
     /// points: in points carrom those of the board in play, in a tournament those of the finished
     /// boards.
     pub(super) fn score(&self, game: &Game) -> String {
-        let (points, games) = (game.points(), game.score().games);
-        let [a, b] = Team::BOTH.map(|team| match self.rules {
-            Rules::Tournament | Rules::Points => points[team],
-            Rules::Friendly | Rules::Practice | Rules::Solo => games[team],
-        });
+        let points = game.points();
+        match self.rules {
+            Rules::Tournament | Rules::Points => self.between_names(|team| points[team]),
+            Rules::Friendly | Rules::Practice | Rules::Solo => self.boards_won(game),
+        }
+    }
+
+    /// The boards that the teams have won, between their names. It counts a board as soon as it is
+    /// over.
+    pub(super) fn boards_won(&self, game: &Game) -> String {
+        let games = game.score().games;
+        let last = match game.stage() {
+            GameStage::GameOver(team) | GameStage::MatchOver(team) => Some(team),
+            GameStage::Playing | GameStage::BoardOver(_) => None,
+        };
+        self.between_names(|team| games[team] + u8::from(last == Some(team)))
+    }
+
+    fn between_names(&self, value: impl Fn(Team) -> u8) -> String {
+        let [a, b] = Team::BOTH.map(value);
         let [first, second] = Team::BOTH.map(|team| self.team_name(team));
         format!("{first} {a} : {b} {second}")
     }
@@ -202,9 +218,9 @@ impl Options {
     /// The word for what the last board decides: a board, a game or a match.
     pub(super) fn whole(&self) -> &'static str {
         match (self.length, self.rules) {
-            (Length::Board, Rules::Tournament) => "board",
             (Length::Match, Rules::Tournament) => "match",
-            _ => "game",
+            (Length::Game, Rules::Tournament) => "game",
+            _ => "board",
         }
     }
 

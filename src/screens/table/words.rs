@@ -45,13 +45,21 @@ pub(super) fn player(name: &str) -> &str {
     }
 }
 
-/// A name with a verb, as in "South plays" but "you play".
+/// A name with a verb, as in "South plays" but "you play" and "S + N play".
 pub(super) fn does(name: &str, third_person: &str) -> String {
     let verb = match name {
-        "you" => third_person.strip_suffix('s').unwrap_or(third_person),
+        "you" | "S + N" | "E + W" => third_person.strip_suffix('s').unwrap_or(third_person),
         _ => third_person,
     };
     format!("{name} {verb}")
+}
+
+/// Something of a player, as in "South's calls" but "your calls".
+pub(super) fn whose(name: &str, what: &str) -> String {
+    match name {
+        "you" => format!("your {what}"),
+        name => format!("{name}'s {what}"),
+    }
 }
 
 /// The values of both teams, as in "3 : 1".

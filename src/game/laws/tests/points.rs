@@ -29,7 +29,7 @@ fn either_colour_counts_and_keeps_the_turn() {
     expect(&table, &rulings, "house", &[], true);
     assert_eq!(
         rulings[0].text,
-        "2 coins fell, which makes 4 points, so the turn continues."
+        "Two coins fell, which makes 4 points, so the turn continues."
     );
     assert_eq!(table.0.points()[Team::First], 4);
     let rulings = table.pocket(&[]);

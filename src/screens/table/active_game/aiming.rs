@@ -375,11 +375,12 @@ impl ActiveGame {
             WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
             WayEnd::Stops => panel.line("no hit", Role::Dim),
             WayEnd::TooSoft(coin) => {
-                let coin = piece(self.game(), *coin);
+                let coin = self.game().coins().get(*coin);
+                let coin = coin.map_or_else(|| "coin".to_owned(), |coin| coin.piece.to_string());
                 panel.line(format!("too soft to reach the {coin}"), Role::Warn);
             }
         }
-        if self.options.call {
+        if self.options.call && self.first_hit().is_some() {
             panel.line("you will call this hit", Role::Key);
         }
     }

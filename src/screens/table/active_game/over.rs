@@ -8,6 +8,7 @@ use crate::game::{Game, GameStage, Length, Move, Rules, Seat, Team};
 use crate::messages::Key;
 use crate::numbers::{capital, counted};
 use crate::screens::table::board_report::{BoardReport, TeamReport, run_words};
+use crate::screens::table::options::Player;
 use crate::screens::table::{TableAction, words};
 use crate::screens::{Context, Next};
 use crate::widgets::Role;
@@ -88,7 +89,8 @@ impl ActiveGame {
         }
         if game.setup().rules == Rules::Tournament {
             let (score, length) = (game.score(), game.setup().length);
-            if let Some(won) = game.play().won {
+            // The referee has announced the points of a single board.
+            if let Some(won) = game.play().won.filter(|_| length != Length::Board) {
                 panel.fact("this board", format!("+{}", won.points));
             }
             for team in Team::BOTH.into_iter().filter(|_| length != Length::Board) {
@@ -99,6 +101,9 @@ impl ActiveGame {
                 let games = words::versus(|team| score.games[team]);
                 panel.fact("games before this", games);
             }
+        }
+        if (game.setup().rules, game.setup().length) == (Rules::Points, Length::Match) {
+            panel.fact("boards won", self.options.boards_won(game));
         }
         if !game.setup().rules.is_alone() {
             self.write_teams(&report, panel);
@@ -116,20 +121,19 @@ impl ActiveGame {
         let next = match game.stage() {
             GameStage::MatchOver(_) if self.board_code().is_some() => "back to the boards",
             GameStage::MatchOver(_) => "a new game",
-            GameStage::GameOver(_) => "the next game",
+            GameStage::GameOver(_) if game.setup().rules == Rules::Tournament => "the next game",
             _ => "the next board",
         };
-        panel.prompt(next, TableAction::Over(OverAction::NextBoard));
-        panel.prompt(
-            "look at the strokes again",
-            TableAction::Game(GameAction::LookBack),
+        let best = { report.best }.map(|_| ("the best stroke", OverAction::WatchBest));
+        let best = best.map(|(name, action)| (name, TableAction::Over(action)));
+        panel.prompts(
+            [
+                (next, TableAction::Over(OverAction::NextBoard)),
+                ("the strokes", TableAction::Game(GameAction::LookBack)),
+            ]
+            .into_iter()
+            .chain(best),
         );
-        if report.best.is_some() {
-            panel.prompt(
-                "watch the best stroke",
-                TableAction::Over(OverAction::WatchBest),
-            );
-        }
     }
 
     /// Whether the player has cleared a board for one player.
@@ -162,7 +166,10 @@ impl ActiveGame {
                 false => "The board is lost.".into(),
             },
             GameStage::MatchOver(team) => wins(team, self.options.whole()),
-            GameStage::GameOver(team) => wins(team, "game"),
+            GameStage::GameOver(team) if self.game().setup().rules == Rules::Tournament => {
+                wins(team, "game")
+            }
+            GameStage::GameOver(team) => wins(team, self.options.whole()),
             GameStage::BoardOver(_) if self.is_practice() => "The board is empty.".into(),
             GameStage::BoardOver(won) => {
                 let winner = words::player(self.options.team_name(won.winner));
@@ -180,7 +187,15 @@ impl ActiveGame {
         let names = words::versus(|team| self.options.team_name(team));
         panel.pair(("", Role::Dim), (names, Role::Title));
         if self.hand() != PlayerHand::Exact {
+<<<<<<< HEAD
             panel.fact("people's hand", <&str>::from(self.hand()));
+=======
+            let whose = match self.options.count(Player::Person) {
+                1 => "your hand",
+                _ => "your hands",
+            };
+            panel.fact(whose, <&str>::from(self.hand()));
+>>>>>>> 43ff632e (Say at the table what fell, what goes back, and who won what)
         }
         panel.fact("strokes", both(|team| team.strokes.to_string()));
         panel.fact("pocketing", both(TeamReport::share));

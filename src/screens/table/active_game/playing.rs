@@ -308,10 +308,9 @@ impl GamePhase {
             Self::Call(_) => return ("call it: where to?".into(), "predict it".into()),
             Self::Watch(replay) => return replay.titles(&game.history),
             Self::Arrange(_) => "lay the coins out".into(),
-            Self::Aim | Self::Show(_) => match game.options.seat_name(game.seat()) {
-                "you" => "your stroke".to_owned(),
-                name => format!("{name}'s stroke"),
-            },
+            Self::Aim | Self::Show(_) => {
+                words::whose(game.options.seat_name(game.seat()), "stroke")
+            }
             Self::Over => "the end of the board".into(),
         };
         (board_title(game), panel)

@@ -26,6 +26,12 @@ const STEADY: f64 = 1.73;
 /// The largest angle from straight back at which a drag pulls the striker rather than moving it,
 /// in radians (45°), if the striker may be moved anywhere.
 const BACKWARDS: f64 = 0.79;
+/// The largest angle between a drag and straight back at which the striker stays where it was taken
+/// hold of, so that a pull does not move it first (25°).
+const STRAIGHT_BACK: f64 = 0.44;
+/// The least slope of an aim for that, as the sine of its angle with the base lines (35°): the drags
+/// that move the striker are too close to flatter ones.
+const STEEP: f64 = 0.57;
 
 /// What the mouse is dragging.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -36,7 +42,10 @@ pub(super) enum Grip {
     /// The aim.
     Aim,
     /// The striker.
-    Striker,
+    Striker {
+        /// The aim when the striker was taken hold of.
+        before: Aim,
+    },
     /// The striker, pulled back.
     Pull {
         /// The position of the mouse.
@@ -63,7 +72,7 @@ impl ActiveGame {
     pub(super) fn take_hold(&mut self, at: DVec2) {
         let reach = HOLD * self.set().striker_radius();
         self.grip = match self.aim.place.distance(at) < reach {
-            true => Grip::Striker,
+            true => Grip::Striker { before: self.aim },
             false => Grip::Aim,
         };
         if self.grip == Grip::Aim {
@@ -77,11 +86,17 @@ impl ActiveGame {
         match self.grip {
             Grip::Free => {}
             Grip::Aim => self.aim.point_at(at, self.history.game().seat()),
-            Grip::Striker if self.pulls(at) => {
-                let before = self.aim;
-                self.draw_back(at, before);
+            Grip::Striker { before } => {
+                match self.is_straight_back(at, &before) {
+                    true => self.aim = before,
+                    false if self.pulls(at) => {}
+                    false => self.aim.put(at, self.history.game()),
+                }
+                if self.pulls(at) {
+                    let before = self.aim;
+                    self.draw_back(at, before);
+                }
             }
-            Grip::Striker => self.aim.put(at, self.history.game()),
             Grip::Pull { before, .. } => self.draw_back(at, before),
         }
     }
@@ -106,6 +121,17 @@ impl ActiveGame {
         if let Grip::Pull { before, .. } = std::mem::take(&mut self.grip) {
             self.aim = before;
         }
+    }
+
+    /// Whether a drag of the striker to this point goes straight back from where it was taken hold
+    /// of. In a practice game such a drag always pulls.
+    fn is_straight_back(&self, at: DVec2, before: &Aim) -> bool {
+        let seat = self.seat();
+        let heading = before.heading(seat);
+        let off = signed_angle(at - before.place, -heading);
+        !self.is_practice()
+            && seat.turn_back(heading).y > STEEP
+            && off.is_some_and(|off| off.abs() < STRAIGHT_BACK)
     }
 
     /// Whether a drag of the striker to this point pulls it back rather than moving it: in a game
@@ -180,6 +206,27 @@ mod tests {
             there.distance(at)
         };
         all.min_by(|a, b| far(a).total_cmp(&far(b)))
+    }
+
+    #[test]
+    fn a_slanted_pull_strikes_from_where_the_striker_was() {
+        let mut game = at_turn_of(Seat::South);
+        game.aim.set_shown(50.0, Seat::South);
+        let aimed = game.aim;
+        game.take_hold(aimed.place);
+        for step in 1..12 {
+            game.lead(aimed.place - 0.01 * f64::from(step) * aimed.heading(Seat::South));
+            assert_eq!(game.aim.place, aimed.place, "after {step} cm");
+        }
+        assert!(game.is_drawn());
+        game.let_slip();
+        // A drag to the side moves the striker, and a pull after it starts from there.
+        game.take_hold(aimed.place);
+        for (x, y) in [(0.02, 0.0), (0.06, 0.0), (0.06, -0.05), (0.06, -0.1)] {
+            game.lead(aimed.place + DVec2::new(x, y));
+        }
+        assert!((game.aim.place.x - 0.06).abs() < 1e-9);
+        assert!(game.is_pulling());
     }
 
     proptest! {

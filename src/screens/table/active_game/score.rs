@@ -102,7 +102,10 @@ pub(super) fn write_calls<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     {
         let most = Called::MOST * calls[team].len() as u32;
         let points = format!("{} of {most}", calls[team].iter().sum::<u32>());
-        panel.fact(format!("calls {}", active.options.team_name(team)), points);
+        panel.fact(
+            words::whose(active.options.team_name(team), "calls"),
+            points,
+        );
     }
 }
 

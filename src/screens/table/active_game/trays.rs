@@ -120,21 +120,22 @@ fn draw_tray(
     }
     let name = active.options.team_name(team);
     let count = format!(" {} ", tray.len());
-    // In a small window, one sign for each kind of piece leaves room for the name.
-    let mut tray = tray.to_vec();
-    if text::width(name) + 2 + tray.len() + count.len() > usize::from(half) {
-        tray.dedup();
-    }
-    let signs = || tray.iter().map(|piece| sign(*piece, look));
     sheet::note(board, || {
+        let signs = tray.iter().map(|piece| sign(*piece, look));
         let runs = iter::once(Run::new(format!("{name} "), Role::Dim));
-        let runs = runs.chain(signs().map(|(sign, role)| Run::new(sign, role)));
+        let runs = runs.chain(signs.map(|(sign, role)| Run::new(sign, role)));
         let runs = runs.chain([Run::new(count.as_str(), Role::Text)]);
         Item::new(Words::Text {
             mark: String::new(),
             runs: runs.collect(),
         })
     });
+    // In a small window, one sign for each kind of piece leaves room for the name.
+    let mut tray = tray.to_vec();
+    if text::width(name) + 2 + tray.len() + count.len() > usize::from(half) {
+        tray.dedup();
+    }
+    let signs = || tray.iter().map(|piece| sign(*piece, look));
     let needed = (tray.len() + count.len()) as u16;
     let name = match text::width(name) as u16 + 2 + needed <= half {
         true => format!(" {name} "),

@@ -290,11 +290,9 @@ impl StrokeReplay {
         }
         let struck = game.history.strike(self.number);
         if let Some((slip, strike)) = game.slip(self.number).zip(struck) {
-            let name = match game.options.seat_name(past.before.seat()) {
-                "you" => "Your".to_owned(),
-                name => format!("{name}'s"),
-            };
-            panel.paragraph(slip.in_words(&name, strike.velocity), Role::Text);
+            let stroke = words::whose(game.options.seat_name(past.before.seat()), "stroke");
+            let slip = slip.in_words(&capital(&stroke), strike.velocity);
+            panel.paragraph(slip, Role::Text);
             panel.gap();
         }
         if let Some(called) = &past.called {
@@ -303,6 +301,8 @@ impl StrokeReplay {
         if let Some(notice) = &game.notice {
             panel.paragraph(notice, Role::Warn);
         }
+        // After a long explanation, the score and what comes next stay visible.
+        panel.pin_below();
         if self.number + 1 == game.history.len() {
             score::write(game, charset, panel);
         }
@@ -370,10 +370,7 @@ impl Past {
     /// Writes the referee's announcements about the move, with the numbers of the laws.
     pub(super) fn write_rulings<A>(&self, panel: &mut Panel<A>) {
         for ruling in &self.rulings {
-            let law = ruling
-                .law
-                .map_or(String::new(), |law| format!(" (law {law})"));
-            panel.paragraph(format!("{}{law}", ruling.text), Role::Text);
+            panel.paragraph(ruling.announced(), Role::Text);
         }
         panel.gap();
     }
