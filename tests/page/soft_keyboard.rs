@@ -159,6 +159,24 @@ fn enter_moves_from_field_to_field_and_the_keyboard_stays_open() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn the_next_button_takes_the_keyboard_to_the_next_name_and_a_choice_closes_it() {
+    let page = page();
+    let mut phone = Phone::sized(SMALL, &page, "table");
+    phone.until("North's name", |phone| phone.tap_value("North"));
+    phone.open_keyboard("South's name");
+    phone.insert("Asha");
+    phone.press("next");
+    assert_eq!(phone.typing_into(), "North's name");
+    phone.insert("Ben");
+    phone.tap_value("your hands");
+    assert_eq!(phone.typing_into(), "", "the keyboard closes");
+    phone.press("play");
+    phone.expect("Asha breaks");
+    assert!(phone.shows("Asha 0 : 0 Ben"));
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_word_that_is_still_being_composed_is_sent_with_the_form() {
     let (_folder, teacher, mut phone) = at_the_door("page-soft-composed");
     phone.open_keyboard("code");

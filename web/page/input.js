@@ -304,8 +304,11 @@ const input = (() => {
     row.append(menu, ...[explain, back].filter(Boolean), ...rest);
     if (!likely) return [row];
     const item = likely;
-    const primary = doing("primary", panels.capital(likely.words.replace(/\.$/, "")), likely.words,
-      () => panels.does(item));
+    const primary = doing("primary", panels.capital(likely.words.replace(/\.$/, "")), likely.words, () => {
+      // If it goes on to another field, what is typed next belongs there.
+      panels.follow();
+      panels.does(item);
+    });
     return [primary, row];
   }
 

@@ -132,6 +132,9 @@ const panels = (() => {
   // A chosen button has its own colour, so its text needs none.
   const plain = (run) => (run.role === "selected" ? { ...run, role: "text" } : run);
 
+  // HTML shows several spaces as one.
+  const spaced = (text) => text.replace(/ {2,}/g, " · ");
+
   // Items that belong together if they follow each other: values, rows of a table, choices.
   const isChoice = (item) => item.chosen !== null && ["text", "pair", "large"].includes(item.is);
   function kindOf(item) {
@@ -504,7 +507,7 @@ const panels = (() => {
     const node = make("section", "", title, body);
     node.update = (told) => {
       const isMarked = told.title.startsWith("> ");
-      write(title, isMarked ? told.title.slice(2) : told.title);
+      write(title, spaced(isMarked ? told.title.slice(2) : told.title));
       mark(node, "marked", isMarked);
       title.hidden = !told.title;
       mark(node, "pictured", told.items.some(({ is }) => is === "picture"));
@@ -527,7 +530,7 @@ const panels = (() => {
     }));
     const [under, ...over] = sheets;
     write(document.getElementById("title"), under.title);
-    write(document.getElementById("status"), under.status.replace(/ {2,}/g, " · "));
+    write(document.getElementById("status"), spaced(under.status));
     write(document.querySelector("title"), `${under.title} · carrom`);
     const prompts = under.sections.flatMap(({ items }) => items.filter(({ is }) => is === "prompt"));
     prompt = prompts.find(({ key }) => ["Enter", "Space"].includes(key)) || prompts[0] || null;

@@ -54,7 +54,28 @@ fn friendly_the_queen_may_be_taken_first_and_must_be_covered() {
 }
 
 #[test]
-fn friendly_first_to_clear_wins_the_game() {
+fn friendly_announces_the_coins_of_the_other_side_and_what_goes_back() {
+    let said = |mut table: Table, fell: &[Piece]| table.pocket(fell)[0].text.clone();
+    assert_eq!(
+        said(friendly(9, 9, Queen::OnBoard), &[Black]),
+        "White pocketed none of its coins, so the turn passes. One black coin fell and stays down."
+    );
+    assert_eq!(
+        said(friendly(9, 9, Queen::OnBoard), &[White, Black, Black]),
+        "White pocketed one white coin, so the turn continues. Two black coins fell and stay down."
+    );
+    assert_eq!(
+        said(friendly(9, 9, Queen::OnBoard), &[Striker]),
+        "The striker fell and White has no coin to put back. The turn passes."
+    );
+    assert_eq!(
+        said(friendly(5, 9, Queen::ToCover), &[Striker]),
+        "The striker fell, so the queen and one of White's coins go back. The turn passes."
+    );
+}
+
+#[test]
+fn friendly_first_to_clear_wins_the_board() {
     let mut table = friendly(1, 4, Queen::White);
     let rulings = table.pocket(&[White]);
     expect_end(&rulings, "house", Team::First, 7);

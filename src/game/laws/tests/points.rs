@@ -45,6 +45,10 @@ fn the_striker_costs_a_white_coin_if_there_is_one_and_nothing_stays_owed() {
     let mut table = points(8, 8, Queen::OnBoard);
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "house", &[White], false);
+    assert_eq!(
+        rulings[0].text,
+        "The striker fell and one white coin goes back, which leaves 1 point, so the turn passes."
+    );
     assert_eq!(table.0.points()[Team::First], 1);
     let mut black = points(9, 8, Queen::OnBoard);
     let rulings = black.pocket(&[Striker]);

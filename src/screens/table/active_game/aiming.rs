@@ -190,10 +190,14 @@ impl ActiveGame {
             AimAction::TurnFar(tens) => self.aim.turn(10.0 * f64::from(tens) * right),
             AimAction::NextShot(sense) => {
                 let shots = opponent::open_shots(self.game(), self.aim.place);
-                if shots.is_empty() {
-                    self.notice = Some("None of your coins can be hit directly from here.".into());
-                }
+                let before = self.aim;
                 self.aim.turn_to_next(&shots, sense, self.seat());
+                if self.aim == before {
+                    self.notice = Some(match shots.is_empty() {
+                        false => "There is no other direct shot from here.".to_owned(),
+                        true => format!("No {} can be hit directly from here.", self.wanted_coin()),
+                    });
+                }
             }
             AimAction::Strength(steps) => self.strengthen(steps),
             AimAction::Place(steps) => {
@@ -209,6 +213,12 @@ impl ActiveGame {
             AimAction::Strike => return self.strike(cx),
         }
         None
+    }
+
+    /// A coin that the player may want to pocket.
+    fn wanted_coin(&self) -> &'static str {
+        let any = matches!(self.options.rules, Rules::Points | Rules::Solo) || self.is_practice();
+        if any { "coin" } else { "coin of yours" }
     }
 
     /// Makes the stroke harder by this many steps.

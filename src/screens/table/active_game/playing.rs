@@ -228,8 +228,16 @@ impl Playing {
             panel.gap();
         }
         phase.write(game, charset, &mut panel);
+        let dragging = match phase {
+            GamePhase::Aim => Some(
+                "Touch the board to aim. Drag the striker along its base line; pull it back and \
+                 let go to strike.",
+            ),
+            GamePhase::Call(_) => Some(RayInput::DRAG),
+            _ => None,
+        };
         if phase.is_enlarged() {
-            return View::drawn(title, |area| phase.picture(game, area), panel);
+            return View::drawn(title, |area| phase.picture(game, area), panel).dragging(dragging);
         }
         let hit = { game.first_hit() }.filter(|_| matches!(phase, GamePhase::Aim));
         let hit = hit.filter(|_| game.options.aids.ghost);
@@ -249,14 +257,7 @@ impl Playing {
         View::picture(title, draw, panel)
             .square()
             .with_inset(CONTACT, contact)
-            .dragging(match phase {
-                GamePhase::Aim => Some(
-                    "Touch the board to aim. Drag the striker along its base line; pull it back \
-                     and let go to strike.",
-                ),
-                GamePhase::Call(_) => Some(RayInput::DRAG),
-                _ => None,
-            })
+            .dragging(dragging)
     }
 }
 
