@@ -407,6 +407,25 @@ fn a_level_is_played_by_touch_alone() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn a_hint_on_a_small_phone_is_scrolled_into_view_with_its_next_step() {
+    let page = page();
+    let mut phone = Phone::sized((390, 664), &page, "table&seed=3");
+    phone.press("play");
+    phone.expect("You break");
+    for (step, next) in [("hint", "Tell me more"), ("tell me more", "Set it so")] {
+        phone.press(step);
+        phone.expect(next);
+        let script = "
+            const all = [...document.querySelectorAll('#screen .prompt')];
+            const next = all.find((it) => it.textContent === arguments[0]).getBoundingClientRect();
+            return next.bottom <= document.getElementById('screen').getBoundingClientRect().bottom;";
+        let is_seen = phone.0.run(script, &[Value::from(next)]);
+        assert_eq!(is_seen, true, "{next}");
+    }
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_finger_scrolls_the_row_of_keys_without_pressing_one() {
     let page = page();
     let mut phone = Phone::sized((390, 664), &page, "table&seed=3");

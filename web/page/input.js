@@ -208,7 +208,12 @@ const input = (() => {
     named(node, help || label, below);
     if (below) node.append(panels.make("small", "", below));
     if (below || name in ARROWS) panels.repeats(node, () => key(name));
-    else panels.pressed(node, () => key(name));
+    else {
+      panels.pressed(node, () => {
+        panels.seek(name);
+        key(name);
+      });
+    }
     return node;
   }
 
@@ -261,7 +266,10 @@ const input = (() => {
       if (isArrow) {
         if (!name) continue;
         const isDone = keys[0] === "Up" || keys[0] === "Down" ? hasFields || hasChoices : hasFields;
-        if (!isDone) arrows.set(keys.join(), { keys, name, help });
+        if (isDone) continue;
+        // The pair keeps its place in the screen's order.
+        if (!arrows.has(keys.join())) rest.push(keys.join());
+        arrows.set(keys.join(), { keys, name, help });
         continue;
       }
       if (!name) continue;
@@ -288,10 +296,10 @@ const input = (() => {
         rest.push(pair);
       }
     }
-    for (const { keys, name, help } of arrows.values()) {
+    for (const [at, { keys, name, help }] of arrows) {
       const pair = panels.make("span", "pair");
       pair.append(...keys.map((it) => button(it, ARROWS[it], help || name, name)));
-      rest.unshift(pair);
+      rest[rest.indexOf(at)] = pair;
     }
     if (numbers.length) {
       rest.push(doing("", digits ? "123 ▾" : "123", "digits", () => {

@@ -60,6 +60,7 @@ const panels = (() => {
 
   // Carries out the action at an item's cell, or that of its key.
   const does = (item) => {
+    if (item.key) seek(item.key);
     if (item.is === "prompt" && item.key) act.key(item.key);
     else if (item.press) act.press(item.press);
     else if (item.key) act.key(item.key);
@@ -555,12 +556,20 @@ const panels = (() => {
     const isSought = chosen && chosen !== lastChosen && !(isNew && chosen.matches(".field"));
     if (isSought && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });
     lastChosen = chosen;
+    const next = [...screen.querySelectorAll(".prompt")].find(({ item }) => item.key === sought);
+    if (next && !isNew && !isSeen(next)) next.scrollIntoView({ block: "nearest" });
+    sought = null;
     moveFocus();
     isFollowing = false;
     announce(under);
     showLayer(over[over.length - 1]);
   }
   let lastChosen = null;
+
+  // If a pressed key is offered again by a prompt, such as for the rest of a hint, the prompt is
+  // scrolled into view with the words above it.
+  const seek = (key) => (sought = /^(Enter|Space)$/.test(key) ? null : key);
+  let sought = null;
 
   // Announces to screen readers what is new: the name of a new screen, and new sentences. A number
   // that changes in a sentence, such as in a countdown, is not announced.
@@ -629,6 +638,6 @@ const panels = (() => {
   const start = (acts) => Object.assign(act, acts);
 
   return {
-    start, show, colour, state, leaveOut, does, pressed, repeats, make, capital, retype, settle, follow,
+    start, show, colour, state, leaveOut, does, pressed, repeats, make, capital, retype, settle, follow, seek,
   };
 })();

@@ -315,12 +315,8 @@ impl<A> Panel<A> {
         self.pinned = self.blocks.len();
     }
 
-    /// Keeps the blocks that follow visible below the scrolling blocks. An empty row is between them
-    /// in any case.
+    /// Keeps the blocks that follow visible below the scrolling blocks.
     pub(crate) fn pin_below(&mut self) {
-        while matches!(self.blocks.last(), Some(block) if matches!(block.content, Content::Gap)) {
-            self.blocks.pop();
-        }
         self.below = Some(self.blocks.len());
     }
 

@@ -299,6 +299,11 @@ impl ActiveGame {
         self.write_turn(panel);
         score::write_warning(self, panel);
         let aim = self.aimed();
+        // Above the aim, because less of the panel is visible on a phone.
+        let refusal = self.refusal(&aim);
+        if let Some(why) = &refusal {
+            panel.paragraph(why.as_str(), Role::Warn);
+        }
         let typed = self.entry.shown();
         panel.fact("aim", typed.unwrap_or_else(|| self.direction(&aim)));
         strength(&aim, panel);
@@ -321,24 +326,27 @@ impl ActiveGame {
             panel.paragraph(what, Role::Key);
         }
         panel.gap();
-        if let Some(notice) = &self.notice {
-            panel.paragraph(notice, Role::Warn);
-        } else if self.guard.is_refusing() {
-            panel.paragraph(StrikeGuard::TOO_SOON, Role::Warn);
-        } else if let Some(hinted) = &self.hint {
+        if let Some(hinted) = &self.hint {
             let is_set = aim == Aim::of(&strike(hinted.hint.stroke), self.seat());
             hint(hinted, is_set, panel);
-        } else if let Err(why) = self.game().check_place(aim.place) {
-            panel.paragraph(
-                format!("No stroke is possible from here: {why}."),
-                Role::Warn,
-            );
-        } else {
+        } else if refusal.is_none() {
             self.write_ahead(panel);
             self.write_hand(panel);
         }
         panel.gap();
         score::write(self, charset, panel);
+    }
+
+    /// Why the last action had no effect, or why no stroke is possible.
+    fn refusal(&self, aim: &Aim) -> Option<String> {
+        let blocked = || self.game().check_place(aim.place).err();
+        if self.notice.is_some() {
+            self.notice.clone()
+        } else if self.guard.is_refusing() {
+            Some(StrikeGuard::TOO_SOON.to_owned())
+        } else {
+            blocked().map(|why| format!("No stroke is possible from here: {why}."))
+        }
     }
 
     pub(super) fn direction(&self, aim: &Aim) -> String {

@@ -87,18 +87,14 @@ impl ActiveGame {
         } else if let Some(last) = self.history.moves().last() {
             last.write_rulings(panel);
         }
+        // The title shows the points, and the referee has announced those of a single board.
         if game.setup().rules == Rules::Tournament {
-            let (score, length) = (game.score(), game.setup().length);
-            // The referee has announced the points of a single board.
+            let length = game.setup().length;
             if let Some(won) = game.play().won.filter(|_| length != Length::Board) {
                 panel.fact("this board", format!("+{}", won.points));
             }
-            for team in Team::BOTH.into_iter().filter(|_| length != Length::Board) {
-                let name = self.options.team_name(team);
-                panel.fact(name, format!("{} points", score.points[team]));
-            }
             if length == Length::Match {
-                let games = words::versus(|team| score.games[team]);
+                let games = words::versus(|team| game.score().games[team]);
                 panel.fact("games before this", games);
             }
         }
@@ -121,8 +117,8 @@ impl ActiveGame {
         let next = match game.stage() {
             GameStage::MatchOver(_) if self.board_code().is_some() => "back to the boards",
             GameStage::MatchOver(_) => "a new game",
-            GameStage::GameOver(_) if game.setup().rules == Rules::Tournament => "the next game",
-            _ => "the next board",
+            GameStage::GameOver(_) if game.setup().rules == Rules::Tournament => "next game",
+            _ => "next board",
         };
         let best = { report.best }.map(|_| ("the best stroke", OverAction::WatchBest));
         let best = best.map(|(name, action)| (name, TableAction::Over(action)));

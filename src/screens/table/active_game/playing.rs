@@ -229,7 +229,8 @@ impl Playing {
         }
         phase.write(game, charset, &mut panel);
         let dragging = match phase {
-            GamePhase::Aim => Some(
+            // Whoever has played knows it, and a phone has no room to spare.
+            GamePhase::Aim if game.history.record().strokes() < 2 => Some(
                 "Touch the board to aim. Drag the striker along its base line; pull it back and \
                  let go to strike.",
             ),

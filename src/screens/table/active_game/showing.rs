@@ -139,6 +139,15 @@ impl ShownStroke {
         panel: &mut Panel<TableAction>,
     ) {
         game.write_turn(panel);
+        // Above the parts, so that it stays in its place when they appear.
+        panel.paragraph("What will happen? Predict it.", Role::Text);
+        panel.part(TableAction::Show, |panel| {
+            panel.prompts([
+                ("your call", ShowAction::CallShown),
+                ("strike", ShowAction::StrikeShown),
+            ]);
+        });
+        panel.gap();
         let aim = &self.stroke.aim;
         panel.fact("place", aim.place_words(game.game()));
         if self.parts > 1 {
@@ -152,14 +161,6 @@ impl ShownStroke {
         if let Some(hit) = hit.filter(|_| self.parts > 2) {
             first_hit(game.game(), &hit, false, panel);
         }
-        panel.gap();
-        panel.paragraph("What will happen? Predict it.", Role::Text);
-        panel.part(TableAction::Show, |panel| {
-            panel.prompts([
-                ("your call", ShowAction::CallShown),
-                ("strike", ShowAction::StrikeShown),
-            ]);
-        });
         panel.gap();
         score::write(game, charset, panel);
     }

@@ -301,8 +301,6 @@ impl StrokeReplay {
         if let Some(notice) = &game.notice {
             panel.paragraph(notice, Role::Warn);
         }
-        // After a long explanation, the score and what comes next stay visible.
-        panel.pin_below();
         if self.number + 1 == game.history.len() {
             score::write(game, charset, panel);
         }
