@@ -30,7 +30,8 @@ impl Default for StrikeGuard {
 
 impl StrikeGuard {
     /// The notice for a player whose press was ignored.
-    pub(crate) const TOO_SOON: &str = "Too soon after the last press: wait a moment, then strike.";
+    pub(crate) const TOO_SOON: &str =
+        "Too soon after the last press: wait a moment, then press again.";
 
     /// Whether a press strikes. One that does not shows that the key is still in use.
     pub(crate) fn allows(&mut self) -> bool {

@@ -117,19 +117,14 @@ impl ActiveGame {
         let next = match game.stage() {
             GameStage::MatchOver(_) if self.board_code().is_some() => "back to the boards",
             GameStage::MatchOver(_) => "a new game",
-            GameStage::GameOver(_) if game.setup().rules == Rules::Tournament => "next game",
-            _ => "next board",
+            GameStage::GameOver(_) if game.setup().rules == Rules::Tournament => "the next game",
+            _ => "the next board",
         };
-        let best = { report.best }.map(|_| ("the best stroke", OverAction::WatchBest));
-        let best = best.map(|(name, action)| (name, TableAction::Over(action)));
-        panel.prompts(
-            [
-                (next, TableAction::Over(OverAction::NextBoard)),
-                ("the strokes", TableAction::Game(GameAction::LookBack)),
-            ]
-            .into_iter()
-            .chain(best),
-        );
+        panel.prompt(next, TableAction::Over(OverAction::NextBoard));
+        let best = TableAction::Over(OverAction::WatchBest);
+        let best = report.best.map(|_| ("the best stroke", best));
+        let strokes = ("the strokes", TableAction::Game(GameAction::LookBack));
+        panel.prompts([strokes].into_iter().chain(best));
     }
 
     /// Whether the player has cleared a board for one player.
