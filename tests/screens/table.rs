@@ -857,6 +857,11 @@ fn a_stroke_that_is_too_soft_is_distinguished_from_a_miss() {
     );
     game.press("0<Enter>");
     assert!(game.screen().contains("no hit"), "{}", game.screen());
+    game.press(" ");
+    assert!(game.settle(Duration::from_secs(60)));
+    let screen = game.screen();
+    assert!(screen.contains("Space: go on."), "{screen}");
+    assert!(!screen.contains("the impacts"), "{screen}");
 }
 
 #[test]

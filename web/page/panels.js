@@ -556,7 +556,7 @@ const panels = (() => {
     const isSought = chosen && chosen !== lastChosen && !(isNew && chosen.matches(".field"));
     if (isSought && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });
     lastChosen = chosen;
-    const next = [...screen.querySelectorAll(".prompt")].find(({ item }) => item.key === sought);
+    const next = sought && [...screen.querySelectorAll(".prompt")].find(({ item }) => item.key === sought);
     if (next && !isNew && !isSeen(next)) next.scrollIntoView({ block: "nearest" });
     sought = null;
     moveFocus();

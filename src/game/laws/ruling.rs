@@ -67,11 +67,14 @@ impl Ruling {
     }
 }
 
-/// An announcement with the number of its law.
+/// An announcement with the number of its law, which belongs to the first sentence.
 pub(crate) fn announced(text: &str, law: Option<impl fmt::Display>) -> String {
-    match law {
-        Some(law) => format!("{} (law {law}).", text.trim_end_matches('.')),
-        None => text.to_owned(),
+    let Some(law) = law else {
+        return text.to_owned();
+    };
+    match text.split_once(". ") {
+        Some((first, rest)) => format!("{first} (law {law}). {rest}"),
+        None => format!("{} (law {law}).", text.trim_end_matches('.')),
     }
 }
 

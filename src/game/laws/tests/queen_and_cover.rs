@@ -45,6 +45,11 @@ fn law_68a_an_opponents_coin_with_her_gives_no_right_and_stays_down() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN, Black]);
     expect(&table, &rulings, "68a", &[QUEEN], false);
+    assert_eq!(
+        rulings[0].announced(),
+        "White had not pocketed a coin of its own before the queen, so she goes back and the turn \
+         passes (law 68a). One black coin fell and stays down."
+    );
     assert_eq!(table.on_board(Colour::Black), 8);
 }
 

@@ -309,8 +309,9 @@ impl StrokeReplay {
         let impacts = TableAction::Watch(StrokeAction::Replay(ShotAction::Impacts));
         let back = TableAction::Game(GameAction::Back);
         panel.prompts(match game.history.stroke_from(self.number + 1) {
-            Some(_) => [("the next stroke", go_on), ("back to the game", back)],
-            None => [("go on", go_on), ("the impacts", impacts)],
+            Some(_) => vec![("the next stroke", go_on), ("back to the game", back)],
+            None if self.player.impacts().is_empty() => vec![("go on", go_on)],
+            None => vec![("go on", go_on), ("the impacts", impacts)],
         });
     }
 
