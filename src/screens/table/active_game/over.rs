@@ -191,8 +191,15 @@ impl ActiveGame {
         panel.fact("strokes", both(|team| team.strokes.to_string()));
         panel.fact("pocketing", both(TeamReport::share));
         panel.fact("striker fell", both(|team| team.fouls.to_string()));
-        panel.fact("coins put back", both(|team| team.put_back.to_string()));
-        if Team::BOTH.iter().any(|team| report.teams[*team].hints > 0) {
+        let any = |count: fn(&TeamReport) -> u32| {
+            Team::BOTH
+                .iter()
+                .any(|team| count(&report.teams[*team]) > 0)
+        };
+        if any(|team| team.put_back) {
+            panel.fact("coins put back", both(|team| team.put_back.to_string()));
+        }
+        if any(|team| team.hints) {
             panel.fact("hints", both(|team| team.hints.to_string()));
         }
         if self.game().setup().rules == Rules::Tournament && report.run.len() > 1 {
