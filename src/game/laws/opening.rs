@@ -1,6 +1,6 @@
 //! When the break counts (17, 18).
 
-use super::case::{Case, Verdict};
+use super::case::{Case, Verdict, in_words};
 use super::ruling::Law;
 
 /// The number of strokes in which a player may try to touch the pack: one and "two more chances"
@@ -25,7 +25,7 @@ pub(super) fn judge(case: &Case) -> Option<Verdict> {
     } else if tries < TRIES {
         let left = match TRIES - tries {
             1 => "one more chance".to_owned(),
-            more => format!("{more} more chances"),
+            more => format!("{} more chances", in_words(more)),
         };
         Verdict::continues(
             Law::clause(18, 'a'),
