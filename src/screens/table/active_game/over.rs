@@ -178,15 +178,11 @@ impl ActiveGame {
         let names = words::versus(|team| self.options.team_name(team));
         panel.pair(("", Role::Dim), (names, Role::Title));
         if self.hand() != PlayerHand::Exact {
-<<<<<<< HEAD
-            panel.fact("people's hand", <&str>::from(self.hand()));
-=======
             let whose = match self.options.count(Player::Person) {
                 1 => "your hand",
                 _ => "your hands",
             };
             panel.fact(whose, <&str>::from(self.hand()));
->>>>>>> 43ff632e (Say at the table what fell, what goes back, and who won what)
         }
         panel.fact("strokes", both(|team| team.strokes.to_string()));
         panel.fact("pocketing", both(TeamReport::share));
