@@ -9,10 +9,9 @@ use super::student::t_beyond;
 use super::{LineFrom, Measurement, SlowingDown, Unit};
 use crate::numbers::{capital, fixed, four_figures};
 
-/// If the probability of a difference is below `DOUBTFUL`, the values neither agree nor disagree;
-/// below `IMPOSSIBLE`, they disagree. The limits correspond to two and three standard deviations.
-const DOUBTFUL: f64 = 0.05;
-const IMPOSSIBLE: f64 = 0.003;
+/// Up to the first number of standard deviations a difference is called agreement, and beyond the
+/// second disagreement. The number is rounded as it is printed.
+const LIMITS: [f64; 2] = [2.0, 3.0];
 /// From this number of standard deviations, the correlation of neighbouring residuals counts as
 /// more than chance.
 const ALIKE: f64 = 4.0;
@@ -83,23 +82,61 @@ pub(crate) fn sigmas(number: f64) -> String {
     }
 }
 
+/// Whether a measured value agrees with what is expected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Verdict {
+    Agrees,
+    Undecided,
+    Disagrees,
+}
+
+impl Verdict {
+    /// For a difference of this many standard deviations.
+    fn of_sigmas(number: f64) -> Self {
+        let printed = (10.0 * number).round() / 10.0;
+        match LIMITS.map(|limit| printed > limit) {
+            [_, true] => Self::Disagrees,
+            [true, _] => Self::Undecided,
+            _ => Self::Agrees,
+        }
+    }
+
+    /// For a difference that chance alone exceeds with this probability.
+    fn of_chance(chance: f64) -> Self {
+        Self::of_sigmas(t_beyond(chance, 1e9))
+    }
+}
+
 /// Compares a measured value with an exact one. Agreement is weak evidence if the 95 % interval
 /// extends further than `wide`.
 fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) -> String {
-    let number = |x: f64| match unit {
-        Unit::Angle => format!("{}°", fixed(unit.in_unit(x), 0)),
-        Unit::Percent => format!("{} %", fixed(unit.in_unit(x), 0)),
+    let figures = decimals(unit.in_unit(estimate.uncertainty()));
+    let rounded = |x: f64, figures: usize| match unit {
+        Unit::Angle => format!("{}°", fixed(unit.in_unit(x), figures)),
+        Unit::Percent => format!("{} %", fixed(unit.in_unit(x), figures)),
         _ => four_figures(unit.in_unit(x)),
     };
-    let (found, expected) = (printed(estimate, unit), number(exact));
-    let far = sigmas(estimate.sigmas(exact));
-    let chance = estimate.chance(exact);
-    if chance < IMPOSSIBLE {
+    let number = |x: f64| rounded(x, 0);
+    // A predicted number is as exact as the measured one beside it; 90° and 100 % are whole.
+    let whole = unit.in_unit(exact);
+    let is_whole = (whole - whole.round()).abs() < 1e-9;
+    let expected = rounded(exact, if is_whole { 0 } else { figures });
+    let found = printed(estimate, unit);
+    let ratio = estimate.sigmas(exact);
+    let far = sigmas(ratio);
+    let verdict = Verdict::of_chance(estimate.chance(exact));
+    // With few points, chance reaches further.
+    let few = match verdict < Verdict::of_sigmas(ratio) {
+        true => " with so few points",
+        false => "",
+    };
+    if verdict == Verdict::Disagrees {
         return format!("{what}: {found} disagrees with {expected} ({far}).");
     }
-    if chance < DOUBTFUL {
+    if verdict == Verdict::Undecided {
         return format!(
-            "{what}: {found} is {far} from {expected}, too far to agree and too near to disagree."
+            "{what}: {found} is {far} from {expected}, too far to agree and too near to \
+             disagree{few}."
         );
     }
     let reach = estimate.uncertainty95();
@@ -114,7 +151,7 @@ fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) 
         }
         false => String::new(),
     };
-    format!("{what}: {found} agrees with {expected} ({far}).{doubt}")
+    format!("{what}: {found} agrees with {expected}{few} ({far}).{doubt}")
 }
 
 impl Measurement {
@@ -433,9 +470,10 @@ impl Measurement {
         let far = sigmas(t_beyond(p, 1e9));
         let share = Unit::Percent.in_unit(change);
         let share = fixed(share, if share < 1.0 { 1 } else { 0 });
-        Some(if p < IMPOSSIBLE {
+        let verdict = Verdict::of_chance(p);
+        Some(if verdict == Verdict::Disagrees {
             format!("Momentum disagrees: it changed by {share} % ({far}).")
-        } else if p < DOUBTFUL {
+        } else if verdict == Verdict::Undecided {
             format!(
                 "Momentum changed by {share} %: {far}, too much to agree and too little to disagree."
             )
@@ -461,7 +499,7 @@ impl Measurement {
         let reach = ratio.deviation * t_beyond(0.1, ratio.freedom);
         let size = ratio.value.abs();
         let found = printed(&ratio, Unit::Number);
-        if ratio.chance(0.0) < DOUBTFUL {
+        if Verdict::of_chance(ratio.chance(0.0)) > Verdict::Agrees {
             let least = fixed((size - reach).max(0.0), 2);
             format!(
                 "Friction of the rims: the tangential impulse is {found} of the normal one, so the \
@@ -496,17 +534,18 @@ impl Measurement {
         };
         // With four differences, one of 2.5 σ is no surprise.
         let chance = (4.0 * largest.chance(0.0)).min(1.0);
-        let verdict = if chance < IMPOSSIBLE {
-            "disagrees with"
-        } else if chance < DOUBTFUL {
-            "is near the limit of agreement with"
-        } else {
-            "agrees with"
+        let verdict = match Verdict::of_chance(chance) {
+            Verdict::Disagrees => "disagrees with",
+            Verdict::Undecided => "is near the limit of agreement with",
+            Verdict::Agrees => "agrees with",
         };
         let e_found = self
             .estimate_of("restitution")
             .filter(|it| (0.0..=1.0).contains(&it.value));
-        let other_e = match e_found.filter(|it| it.chance(self.given.restitution) < IMPOSSIBLE) {
+        let is_other = |it: &Estimate| {
+            Verdict::of_chance(it.chance(self.given.restitution)) == Verdict::Disagrees
+        };
+        let other_e = match e_found.filter(is_other) {
             Some(found) => {
                 let [value, _] = bare(&found, Unit::Number);
                 format!(
@@ -567,7 +606,7 @@ impl Measurement {
         }
         if let Some(e) = self.estimate_of("restitution")
             && e.value > 1.0
-            && e.chance(1.0) < IMPOSSIBLE
+            && Verdict::of_chance(e.chance(1.0)) == Verdict::Disagrees
         {
             warnings.push(
                 "e is greater than 1, which no collision of two passive bodies can give: check the \
@@ -584,8 +623,8 @@ impl Measurement {
             ),
             Some(test) if !slows && test.p < 0.2 && self.given.slowing == SlowingDown::Auto => {
                 warnings.push(
-                    "A small deceleration is possible and would distort the velocities; --slowing \
-                     always allows for it, with larger uncertainties."
+                    "A small deceleration is possible and would distort the velocities. If you allow \
+                     for it (--slowing always), the uncertainties are larger."
                         .to_owned(),
                 );
             }
@@ -661,11 +700,40 @@ mod tests {
         };
         assert_eq!(words(0.3), "Angle: 89° ± 3° agrees with 90° (0.3 σ).");
         assert_eq!(words(1.0), "Angle: 87° ± 3° agrees with 90° (1.0 σ).");
+        // The rule of chapter 17: up to 2 σ, as printed.
+        assert_eq!(words(2.0), "Angle: 84° ± 3° agrees with 90° (2.0 σ).");
+        assert_eq!(words(2.04), "Angle: 84° ± 3° agrees with 90° (2.0 σ).");
         assert_eq!(
-            words(2.0),
-            "Angle: 84° ± 3° is 2.0 σ from 90°, too far to agree and too near to disagree."
+            words(2.1),
+            "Angle: 84° ± 3° is 2.1 σ from 90°, too far to agree and too near to disagree."
         );
+        assert_eq!(
+            words(3.0),
+            "Angle: 81° ± 3° is 3.0 σ from 90°, too far to agree and too near to disagree."
+        );
+        assert_eq!(words(3.1), "Angle: 81° ± 3° disagrees with 90° (3.1 σ).");
         assert_eq!(words(6.0), "Angle: 72° ± 3° disagrees with 90° (6.0 σ).");
+        let few = |value: f64| Estimate {
+            value: value.to_radians(),
+            deviation: 1_f64.to_radians(),
+            freedom: 3.0,
+        };
+        let right = 90_f64.to_radians();
+        assert_eq!(
+            compared("Angle", &few(87.2), right, Unit::Angle, 0.5),
+            "Angle: 87.2° ± 1.2° agrees with 90° with so few points (2.3 σ)."
+        );
+        assert_eq!(
+            compared("Angle", &few(86.0), right, Unit::Angle, 0.5),
+            "Angle: 86.0° ± 1.2° is 3.3 σ from 90°, too far to agree and too near to disagree with \
+             so few points."
+        );
+        let fine = estimate(70.24_f64.to_radians(), 0.2_f64.to_radians());
+        let predicted = 70.44_f64.to_radians();
+        assert_eq!(
+            compared("Angle", &fine, predicted, Unit::Angle, 0.5),
+            "Angle: 70.2° ± 0.2° agrees with 70.4° (1.0 σ)."
+        );
         let wide = estimate(1.6, 0.7);
         assert_eq!(
             compared("e", &wide, 1.0, Unit::Number, 0.3),
