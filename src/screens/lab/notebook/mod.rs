@@ -12,7 +12,7 @@ use crate::physics::CollisionSpec;
 use crate::progress::{NotedHit, utc};
 use crate::screens::{Confirmation, Context, Next};
 use crate::widgets::Outcome;
-use crate::widgets::input::{KeyTable, ListAction, ListView};
+use crate::widgets::input::{CollisionField, KeyTable, ListAction, ListView};
 
 use columns::NotebookColumn;
 pub(super) use view::view;
@@ -155,17 +155,30 @@ impl Notebook {
         Outcome::Used
     }
 
-    /// Chooses another column for an axis, from those that can be plotted.
+    /// Puts the next column that is worth plotting on an axis.
     fn turn(&mut self, axis: usize, by: isize) {
         let count = NotebookColumn::all().len() as isize;
         let mut at = self.axes[axis];
         for _ in 0..count {
             at = (at as isize + by).rem_euclid(count) as usize;
-            if NotebookColumn::all()[at].is_number() {
+            if self.is_worth_plotting(&NotebookColumn::all()[at]) {
                 break;
             }
         }
         self.axes[axis] = at;
+    }
+
+    /// Whether a column has numbers that are not the same in all hits. Where the discs meet is
+    /// always offered.
+    fn is_worth_plotting(&self, column: &NotebookColumn) -> bool {
+        use CollisionField::{ImpactAngle, Offset};
+        let differs = || {
+            let values = self.hits().iter().map(|hit| column.value(hit));
+            let firsts = std::iter::repeat(self.hits().first().and_then(|hit| column.value(hit)));
+            values.zip(firsts).any(|(value, first)| value != first)
+        };
+        let is_place = matches!(column.setting(), Some(ImpactAngle | Offset));
+        column.is_number() && (is_place || self.hits().len() < 2 || differs())
     }
 
     /// The question before the notebook is cleared.
@@ -224,3 +237,43 @@ fn link(setup: &CollisionSpec) -> String {
 
 /// The key that opens the notebook.
 pub(super) const KEY: Key = Key::Char('n');
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Otherwise a player would have to pass thirty columns to reach the one they have varied.
+    #[test]
+    fn a_column_that_is_the_same_in_all_hits_is_not_offered_for_the_plot() {
+        let hit = |link| NotedHit::new(CollisionSpec::from_link(link).unwrap(), None);
+        let mut notebook = Notebook {
+            hits: Hits::Known(vec![
+                hit("b:5,e:0.8"),
+                hit("b:12,e:0.8"),
+                hit("b:5,m2:5.5,e:0.8"),
+            ]),
+            list: ListView::at(0),
+            plots: true,
+            axes: [0, 0],
+        };
+        let mut offered = Vec::new();
+        while offered.len() < 2 || notebook.axes[0] != 0 {
+            notebook.turn(0, 1);
+            offered.push(notebook.axes()[0].id);
+        }
+        for id in [
+            "alpha_deg",
+            "m2_g",
+            "theta1_deg",
+            "v1_m_s",
+            "energy_after_mj",
+        ] {
+            assert!(offered.contains(&id), "{id}");
+        }
+        for id in ["e", "m1_g", "contact", "spin1_rad_s", "said_theta1_deg"] {
+            assert!(!offered.contains(&id), "{id}");
+        }
+        notebook.turn(0, -1);
+        assert_eq!(notebook.axes()[0].id, offered[offered.len() - 2]);
+    }
+}

@@ -123,10 +123,6 @@ fn beside_plot(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
         false,
         NotebookAction::Up(1),
     );
-    panel.prompts([
-        ("another column across", NotebookAction::Across(1)),
-        ("another column up", NotebookAction::Up(1)),
-    ]);
     let Some((at, hit)) = notebook.chosen() else {
         return;
     };
