@@ -31,10 +31,24 @@ pub(super) fn view(screen: &MeasuredScreen) -> View<'_, MeasuredAction> {
     View::drawn("points, fit and prediction", picture, panel)
 }
 
+/// A sentence without the options of the command line, which it mentions in brackets.
+fn without_options(sentence: &str) -> String {
+    let mut parts = sentence.split(" (--");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |before, part| {
+        before + part.split_once(')').map_or("", |(_, after)| after)
+    })
+}
+
+/// The sentences about the measurement.
+fn sentences(screen: &MeasuredScreen) -> impl Iterator<Item = String> {
+    let sentences = screen.measurement.sentences().into_iter();
+    sentences.map(|sentence| without_options(&sentence))
+}
+
 /// The first sentence and the main numbers.
 fn conclusion(screen: &MeasuredScreen, panel: &mut Panel<MeasuredAction>) {
-    let sentence = screen.measurement.sentences().into_iter().next();
-    panel.paragraph(sentence.unwrap_or_default(), Role::Text);
+    panel.paragraph(sentences(screen).next().unwrap_or_default(), Role::Text);
     panel.gap();
     for (name, id) in MAIN {
         // There is no room for two degree signs: "70.26 ± 0.12°".
@@ -56,7 +70,7 @@ fn summary(screen: &MeasuredScreen) -> Panel<MeasuredAction> {
         panel.gap();
     }
     for warning in warnings {
-        panel.item(warning, Role::Warn);
+        panel.item(without_options(&warning), Role::Warn);
     }
     panel
 }
@@ -64,7 +78,7 @@ fn summary(screen: &MeasuredScreen) -> Panel<MeasuredAction> {
 fn everything(screen: &MeasuredScreen) -> Panel<MeasuredAction> {
     let mut panel = Panel::new("all results");
     panel.from_top = true;
-    for sentence in screen.measurement.sentences() {
+    for sentence in sentences(screen) {
         panel.item(sentence, Role::Text);
     }
     for section in screen.measurement.sections() {
@@ -95,4 +109,26 @@ fn settings(screen: &MeasuredScreen) -> Panel<MeasuredAction> {
     panel.gap();
     panel.worth(1, |panel| conclusion(screen, panel));
     panel
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_screen_does_not_mention_the_command_line() {
+        for (sentence, shown) in [
+            (
+                "The masses are assumed to be equal: set them (--m1-g and --m2-g).",
+                "The masses are assumed to be equal: set them.",
+            ),
+            (
+                "Set e = 0.84 (--restitution 0.84) to predict with the e found here.",
+                "Set e = 0.84 to predict with the e found here.",
+            ),
+            ("It agrees with 90° (1.0 σ).", "It agrees with 90° (1.0 σ)."),
+        ] {
+            assert_eq!(without_options(sentence), shown);
+        }
+    }
 }
