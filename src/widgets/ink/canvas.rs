@@ -145,7 +145,7 @@ impl Canvas {
 
     pub(super) fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
         let (at, pen) = (self.paper(at), pen.into());
-        self.stroke.end(at, pen);
+        self.stroke.dot(at, pen);
         self.commit(pen);
     }
 

@@ -88,6 +88,22 @@ impl StrokeSamples {
         }
     }
 
+    /// Adds a dot. A single sample near the edge of a cell has no glyph in ASCII, so the dot moves to
+    /// the nearest sample that has one.
+    pub(super) fn dot(&mut self, at: DVec2, pen: Pen) {
+        let mut at = at / self.sample();
+        if !at.is_finite() {
+            return;
+        }
+        if self.is_ascii() {
+            let grid = dvec2(self.grid.0 as f64, self.grid.1 as f64);
+            let cell = (at / grid).floor() * grid;
+            let row = (at.y - cell.y).clamp(1.0, grid.y - 1.5);
+            at = cell + dvec2(grid.x / 2.0, row);
+        }
+        self.hit(at, DVec2::ZERO, pen);
+    }
+
     pub(super) fn triangle(&mut self, corners: [DVec2; 3]) {
         let [a, b, c] = corners.map(|corner| corner / self.sample());
         if !(a.is_finite() && b.is_finite() && c.is_finite()) {

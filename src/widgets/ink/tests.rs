@@ -240,6 +240,18 @@ fn a_label_without_room_is_left_out() {
 }
 
 #[test]
+fn a_point_is_visible_wherever_it_is_in_its_cell() {
+    for charset in CHARSETS {
+        for (x, y) in (0..12).flat_map(|x| (0..24).map(move |y| (x, y))) {
+            let mut canvas = canvas(charset);
+            let at = dvec2(f64::from(x) / 12.0 + 0.01, f64::from(y) / 12.0 + 0.01);
+            canvas.dot(at, Role::CoinOut);
+            assert_eq!(inked(&drawn(&canvas)).len(), 1, "{at}");
+        }
+    }
+}
+
+#[test]
 fn a_measured_point_hides_the_lines_in_its_cell_in_any_order() {
     let point = Pen::new(Role::CoinOut).on(DrawLayer::Point);
     for charset in CHARSETS {
