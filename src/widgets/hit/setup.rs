@@ -105,6 +105,12 @@ pub(super) fn about_to_meet(
         }
     }
     moving(sketch, [p1, p2], given.figures);
+    let spins = stage.collision.rims.spins;
+    for (body, place) in [p1, p2].into_iter().enumerate() {
+        if spins[body] != 0.0 {
+            sketch.spin(body, spins, place, given.figures);
+        }
+    }
 }
 
 /// The positions at which the two discs are drawn before the collision, chosen so that both discs

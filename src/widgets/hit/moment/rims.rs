@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::DVec2;
 
 use super::Moment;
-use crate::numbers::{fixed, significant, true_minus};
+use crate::numbers::{significant, true_minus};
 use crate::physics::units::g_from_kg;
 use crate::widgets::Role;
 use crate::widgets::hit::explanation_step::ExplanationStep;
@@ -62,40 +62,11 @@ impl Moment<'_> {
         );
     }
 
-    /// Draws each disc's spin as an arrow around its centre, with its value beside the disc.
+    /// Draws the spins of both discs.
     pub(super) fn spins(&self, sketch: &mut Sketch, now: [DVec2; 2]) {
-        if !self.has_marks() {
-            return;
-        }
-        let spins = self.spins_now();
-        let fastest = spins[0].abs().max(spins[1].abs());
-        for (body, spin) in spins.into_iter().enumerate() {
-            let (at, radius) = (now[body], self.stage.radius(body));
-            let name = ["ω₁", "ω₂"][body];
-            let value = true_minus(&fixed(spin, 1));
-            let outwards = self.stage.centres[body].try_normalize().unwrap_or(DVec2::X);
-            let anchor = at + radius * outwards;
-            sketch
-                .label(
-                    format!("{name} = {value} rad/s"),
-                    anchor,
-                    outwards,
-                    Role::Arc,
-                )
-                .short(format!("{name} = {value}"));
-            if spin == 0.0 {
-                continue;
-            }
-            // The arrow is on the far side from the contact, away from the velocities.
-            let middle = outwards.to_angle();
-            let turn = LONGEST_TURN * spin / fastest;
-            let (start, end) = (middle - turn / 2.0, middle + turn / 2.0);
-            let pen = Pen::new(Role::Arc);
-            sketch.picture.arc(at, TURN * radius, start, end, pen);
-            let point = |angle: f64| at + TURN * radius * DVec2::from_angle(angle);
-            sketch
-                .picture
-                .arrow(point(end - 0.35 * spin.signum()), point(end), pen);
+        if self.has_marks() {
+            let spins = self.spins_now();
+            (0..2).for_each(|body| sketch.spin(body, spins, now[body], true));
         }
     }
 
@@ -123,5 +94,47 @@ impl Moment<'_> {
                 .label(format!("Jₜ {whose} = {value} g m/s"), tip, way, role)
                 .short("Jₜ");
         }
+    }
+}
+
+impl Sketch {
+    /// Draws the spin of a disc as an arrow around its centre, in proportion to the faster of both
+    /// `spins`, with its value beside the disc.
+    pub(in crate::widgets::hit) fn spin(
+        &mut self,
+        body: usize,
+        spins: [f64; 2],
+        at: DVec2,
+        figures: bool,
+    ) {
+        let (spin, radius) = (spins[body], self.stage.radius(body));
+        let name = ["ω₁", "ω₂"][body];
+        let outwards = self.stage.centres[body].try_normalize().unwrap_or(DVec2::X);
+        let anchor = at + radius * outwards;
+        match figures {
+            true => {
+                let value = true_minus(&significant(spin));
+                self.label(
+                    format!("{name} = {value} rad/s"),
+                    anchor,
+                    outwards,
+                    Role::Arc,
+                )
+                .short(format!("{name} = {value}"));
+            }
+            false => _ = self.label(name, anchor, outwards, Role::Arc),
+        }
+        if spin == 0.0 {
+            return;
+        }
+        // The arrow is on the far side from the contact, away from the velocities.
+        let middle = outwards.to_angle();
+        let turn = LONGEST_TURN * spin / spins[0].abs().max(spins[1].abs());
+        let (start, end) = (middle - turn / 2.0, middle + turn / 2.0);
+        let pen = Pen::new(Role::Arc);
+        self.picture.arc(at, TURN * radius, start, end, pen);
+        let point = |angle: f64| at + TURN * radius * DVec2::from_angle(angle);
+        let start = point(end - 0.35 * spin.signum());
+        self.picture.arrow(start, point(end), pen);
     }
 }
