@@ -22,8 +22,8 @@ const REACH: f64 = 0.35;
 /// The time from the last frame before the contact to the contact, as a fraction of the time
 /// between two frames.
 const WITHIN: f64 = 0.37;
-/// The rows below the picture.
-const ROWS: u16 = 6;
+/// The rows below the picture, enough for the longest verdict in the narrowest figure.
+const ROWS: u16 = 7;
 
 /// The name of a setting in the line of keys.
 pub(super) fn name(setting: FilmSetting) -> &'static str {
@@ -83,8 +83,9 @@ impl FilmFigure {
         }
     }
 
-    /// How the collision was filmed.
-    fn film(&self) -> String {
+    /// How the collision was filmed. While the outcome is `hidden`, the error of the scale is too: it
+    /// is the answer to a question.
+    fn film(&self, hidden: bool) -> String {
         let Filming {
             rate,
             noise_mm,
@@ -94,12 +95,13 @@ impl FilmFigure {
         } = self.filming;
         let [rate, noise, tilt] = [rate, noise_mm, tilt_deg].map(|it| short(it, 1));
         let mut text = format!("{rate} frames/s, noise {noise} mm");
-        if scale_percent.abs() > 0.0 || self.filming.sets == FilmSetting::Scale {
+        let has_scale = scale_percent.abs() > 0.0 || self.filming.sets == FilmSetting::Scale;
+        if has_scale && !hidden {
             let sign = if scale_percent > 0.0 { "+" } else { "" };
             text += &format!(", scale {sign}{} %", short(scale_percent, 1));
         }
         if tilt_deg > 0.0 || self.filming.sets == FilmSetting::Tilt {
-            text += &format!(", tilted by {tilt}°");
+            text += &format!(", tilt {tilt}°");
         }
         text
     }
@@ -116,6 +118,16 @@ impl FilmFigure {
         lines
     }
 
+    fn write(&self, hidden: bool, lines: &mut Lines) {
+        lines.paragraph(&self.film(hidden), Role::Dim);
+        if !hidden {
+            let results = self.results();
+            results
+                .iter()
+                .for_each(|line| lines.paragraph(line, Role::Text));
+        }
+    }
+
     /// The points, the fitted and the predicted paths and the results; the points alone while the
     /// outcome is `hidden`.
     pub(super) fn lay_out(
@@ -126,14 +138,7 @@ impl FilmFigure {
         look: &Look,
     ) -> Picture {
         let [area, below] = areas::upper(area, area.height.saturating_sub(ROWS));
-        let mut lines = Lines::new(below, buf, *look);
-        lines.paragraph(&self.film(), Role::Dim);
-        if !hidden {
-            let results = self.results();
-            results
-                .iter()
-                .for_each(|line| lines.paragraph(line, Role::Text));
-        }
+        self.write(hidden, &mut Lines::new(below, buf, *look));
         match &self.measured {
             Ok(measurement) if hidden => points_picture(area, measurement),
             Ok(measurement) => measured_picture(area, measurement),
@@ -147,7 +152,7 @@ pub(super) fn in_words(collision: &Collision, filming: Filming, revealed: bool) 
     let film = FilmFigure::new(collision, filming);
     let mut lines = vec![format!(
         "Figure: the points of a striker and a coin in a simulated film ({}).",
-        film.film()
+        film.film(!revealed)
     )];
     if revealed {
         let (least, most, _) = filming.sets.range();
@@ -156,7 +161,11 @@ pub(super) fn in_words(collision: &Collision, filming: Filming, revealed: bool) 
             let mut filming = filming;
             *filming.of(filming.sets) = value;
             let film = FilmFigure::new(collision, filming);
-            lines.push(format!("{}: {}.", film.film(), film.results().join(" ")));
+            lines.push(format!(
+                "{}: {}.",
+                film.film(false),
+                film.results().join(" ")
+            ));
         }
     }
     lines
@@ -166,6 +175,7 @@ pub(super) fn in_words(collision: &Collision, filming: Filming, revealed: bool) 
 mod tests {
     use super::*;
     use crate::physics::CollisionSpec;
+    use crate::widgets::Charset;
 
     fn angle_e_u1(filming: Filming) -> [(f64, f64); 3] {
         let shot = CollisionSpec {
@@ -180,7 +190,53 @@ mod tests {
         })
     }
 
-    /// The effects of the settings that the chapter describes.
+    /// The figure beside the text of a chapter has 39 columns at 80×24.
+    #[test]
+    fn the_results_of_every_film_are_shown_whole() {
+        let area = Rect::new(0, 0, 39, ROWS);
+        let shot = |restitution| CollisionSpec {
+            speed: 1.0,
+            restitution,
+            ..CollisionSpec::default()
+        };
+        for (sets, restitution) in [
+            (FilmSetting::Rate, 1.0),
+            (FilmSetting::Noise, 1.0),
+            (FilmSetting::Noise, 0.8),
+            (FilmSetting::Scale, 1.0),
+            (FilmSetting::Tilt, 1.0),
+        ] {
+            let (least, most, step) = sets.range();
+            let mut value = least;
+            while value <= most {
+                let mut filming = Filming {
+                    noise_mm: 2.0,
+                    sets,
+                    ..Filming::default()
+                };
+                *filming.of(sets) = value;
+                let film = FilmFigure::new(&shot(restitution).collision(), filming);
+                for charset in [Charset::Ascii, Charset::Unicode] {
+                    let look = Look {
+                        charset,
+                        ..Look::default()
+                    };
+                    let mut buf = Buffer::empty(area);
+                    let mut lines = Lines::unseen(area, &mut buf, look);
+                    film.write(false, &mut lines);
+                    assert!(
+                        lines.written() <= ROWS,
+                        "{}: {:?}",
+                        film.film(false),
+                        film.results()
+                    );
+                }
+                value += step;
+            }
+        }
+    }
+
+    /// What the chapter says about each setting.
     #[test]
     fn noise_widens_more_frames_narrow_and_a_wrong_scale_changes_only_speeds() {
         let plain = Filming::default();
