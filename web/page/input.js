@@ -134,7 +134,9 @@ const input = (() => {
     key(name || letter);
   }
 
-  // Mouse movements over a picture are reported, and a finger can drag there.
+  // Mouse movements over a picture are reported, and a finger can drag there. Where nothing is
+  // dragged up or down, a finger may also scroll, so it acts only when it has moved sideways or is
+  // lifted.
   let hand = null;
 
   function tell(kind, canvas, event) {
@@ -148,19 +150,33 @@ const input = (() => {
     event.preventDefault();
     document.activeElement?.blur?.();
     canvas.setPointerCapture(event.pointerId);
-    hand = { id: event.pointerId, canvas };
-    tell("down", canvas, event);
+    const mayScroll = event.pointerType === "touch" && canvas.style.touchAction === "pan-y";
+    hand = { id: event.pointerId, canvas, first: mayScroll ? event : null };
+    if (!mayScroll) tell("down", canvas, event);
   }
 
+  function touched() {
+    if (hand.first) tell("down", hand.canvas, hand.first);
+    hand.first = null;
+  }
+
+  // How far a finger that only taps may move, in CSS pixels.
+  const TAP = 8;
+
   function moved(event) {
-    if (hand && event.pointerId === hand.id) tell("drag", hand.canvas, event);
+    if (!hand || event.pointerId !== hand.id) return;
+    if (hand.first && Math.abs(event.clientX - hand.first.clientX) < TAP) return;
+    touched();
+    tell("drag", hand.canvas, event);
   }
 
   function lifted(event) {
     if (!hand || event.pointerId !== hand.id) return;
+    const isScrolling = hand.first && event.type === "pointercancel";
+    if (!isScrolling) touched();
     const { canvas } = hand;
     hand = null;
-    tell("up", canvas, event);
+    if (!isScrolling) tell("up", canvas, event);
   }
 
   // Over a picture the game uses the wheel; with Ctrl the wheel zooms, and elsewhere it scrolls.

@@ -168,11 +168,12 @@ const panels = (() => {
     picture: () => {
       const node = make("div", "picture");
       const hint = make("p", "hint");
-      return [make("figure", "", node, hint), ([{ number, shows = [], drag = "" }]) => {
-        write(hint, drag);
+      return [make("figure", "", node, hint), ([{ number, shows = [], drag }]) => {
+        write(hint, drag || "");
         hint.hidden = !drag;
         const canvas = painter.canvas(number);
         canvas.carromShows = shows.join(" ");
+        canvas.style.touchAction = typeof drag === "string" ? "none" : "pan-y";
         if (canvas.parentNode !== node) node.replaceChildren(canvas);
       }];
     },
@@ -242,7 +243,8 @@ const panels = (() => {
           return node;
         });
         // On a narrow screen each value of a long row is shown with the name of its column.
-        const head = items.find((row) => !row.name.text && row.chosen === null);
+        const isList = items.some((row) => row.chosen !== null);
+        const head = items.find((row) => row.chosen === null && (isList || !row.name.text));
         const isWide = Boolean(head) && head.values.length > 4;
         mark(table, "wide", isWide);
         for (const row of isWide ? body.rows : []) {
@@ -551,9 +553,11 @@ const panels = (() => {
     const isNew = at !== wasAt;
     if (isNew) for (const node of [screen, left, right]) node.scrollTop = 0;
     wasAt = at;
-    const chosen = screen.querySelector(".field.chosen, .choice.chosen");
-    // A new screen is read from its top; a list scrolls to its selected item.
-    const isSought = chosen && chosen !== lastChosen && !(isNew && chosen.matches(".field"));
+    const chosen = screen.querySelector(".field.chosen, .choice.chosen, tr.chosen");
+    // A new screen is read from its top; a list scrolls to its selected item. A finger that turns
+    // rays in a picture should find it where it was.
+    const isCalm = chosen?.matches(".field") && (isNew || isTouched);
+    const isSought = chosen && chosen !== lastChosen && !isCalm;
     if (isSought && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });
     lastChosen = chosen;
     const next = sought && [...screen.querySelectorAll(".prompt")].find(({ item }) => item.key === sought);
@@ -564,7 +568,9 @@ const panels = (() => {
     announce(under);
     showLayer(over[over.length - 1]);
   }
-  let lastChosen = null;
+  let lastChosen = null, isTouched = false;
+  addEventListener("pointerdown", ({ pointerType }) => (isTouched = pointerType === "touch"), true);
+  addEventListener("keydown", () => (isTouched = false), true);
 
   // If a pressed key is offered again by a prompt, such as for the rest of a hint, the prompt is
   // scrolled into view with the words above it.

@@ -11,7 +11,7 @@ use crate::screens::View;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
-use crate::widgets::{AnswerAction, AnswerInput, Outcome, Role, draw_question};
+use crate::widgets::{AnswerAction, AnswerInput, Outcome, RayInput, Role, draw_question};
 
 /// Answers that differ by less than this, in units of the tolerance, count as the same.
 const SAME: f64 = 1e-6;
@@ -228,9 +228,11 @@ impl TeamVotes {
         let draw = move |area, buf: &mut _, look: &_| {
             draw_question(area, buf, look, question, shown.map(|booth| &booth.input));
         };
+        let rays = shown.and_then(|booth| booth.input.rays());
+        let view = play.step_view(Some(heading), question::beside(question), draw, words);
         View {
             foot: Some(foot),
-            ..play.step_view(Some(heading), question::beside(question), draw, words)
+            ..view.dragging(rays.map(|_| RayInput::DRAG))
         }
     }
 

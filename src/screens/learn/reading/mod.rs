@@ -18,7 +18,7 @@ use crate::screens::{Confirmation, Context, Next, Route, Screen, SharedAction, V
 use crate::widgets::input::{KeyTable, RayAction};
 use crate::widgets::panel::Panel;
 use crate::widgets::{
-    AnswerAction, AnswerInput, Look, Outcome, PAGE_ROWS, Role, SplitLayout, sheet,
+    AnswerAction, AnswerInput, Look, Outcome, PAGE_ROWS, RayInput, Role, SplitLayout, sheet,
 };
 
 use page::{CheckpointStage, OpenPage};
@@ -506,7 +506,8 @@ impl Screen for Reading {
             sheet::next_picture_shows(|| words::describe(&self.chapter, self.at, is_revealed));
             figure.draw(area, buf, look, rays);
         };
-        let view = View::picture(title, draw, panel).square();
+        let drag = rays.map(|_| RayInput::DRAG);
+        let view = View::picture(title, draw, panel).square().dragging(drag);
         View {
             focus: Some(open.on_figure),
             ..view

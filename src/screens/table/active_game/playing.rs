@@ -234,7 +234,10 @@ impl Playing {
                 "Touch the board to aim. Drag the striker along its base line; pull it back and \
                  let go to strike.",
             ),
+            // Without words, but a finger still drags there instead of scrolling.
+            GamePhase::Aim => Some(""),
             GamePhase::Call(_) => Some(RayInput::DRAG),
+            GamePhase::Arrange(_) => Some("Drag a coin to its place."),
             _ => None,
         };
         if phase.is_enlarged() {
