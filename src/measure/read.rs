@@ -118,6 +118,7 @@ struct TableHead<'a> {
     heads: Vec<&'a str>,
     width: usize,
     separator: u8,
+    /// The number of the line with the headings, or of the first row if there are none.
     line: usize,
     /// The number of lines before the first row.
     skipped: usize,
@@ -135,35 +136,33 @@ fn is_comment(line: &str) -> bool {
 }
 
 fn opening<'a>(source: &Source<'a>) -> Result<TableHead<'a>, FileError> {
-    let mut before: Vec<&str> = Vec::new();
-    let mut first = None;
+    let mut before: Vec<(usize, &str)> = Vec::new();
     for (skipped, (number, line)) in source.lines().take(MOST_HEADS).enumerate() {
         if line.trim().is_empty() || is_comment(line.trim_start()) || line.starts_with("sep=") {
             continue;
         }
-        first.get_or_insert((number, line));
         let Some(separator) = separator(line) else {
-            before.push(line);
+            before.push((number, line));
             continue;
         };
         let fields = |line: &'a str| fields(line, separator);
         return Ok(TableHead {
-            heads: before.last().map_or(Vec::new(), |line| fields(line)),
+            heads: before.last().map_or(Vec::new(), |(_, line)| fields(line)),
             names: match before.as_slice() {
-                [.., names, _] => fields(names),
+                [.., (_, names), _] => fields(names),
                 _ => Vec::new(),
             },
             width: fields(line).len(),
             separator,
-            line: number,
+            line: before.last().map_or(number, |(number, _)| *number),
             skipped,
         });
     }
     let message = "expected rows of a time and coordinates, separated by commas, semicolons, tabs \
                    or spaces";
-    Err(match first {
+    Err(match before.first() {
         Some((number, line)) => {
-            source.error_on(number, format!("{message}, found {}", quoted(line.trim())))
+            source.error_on(*number, format!("{message}, found {}", quoted(line.trim())))
         }
         None => source.error_on(1, format!("{message}, found none")),
     })
@@ -627,7 +626,7 @@ mod tests {
         let text = "frame;t;xA (px);yA (px);xB (px);yB (px)\n0;0;1;2;3;4\n1;1;1;2;3;4\n";
         let refused = tracks(text).unwrap_err();
         assert!(
-            refused.contains("a.txt:2: column 3 (xA (px)): expected --scale"),
+            refused.contains("a.txt:1: column 3 (xA (px)): expected --scale"),
             "{refused}"
         );
         for columns in ["", "t,xA,yA,xB,yB", "2,3,4,5,6"] {
@@ -692,15 +691,15 @@ mod tests {
             ),
             (
                 "x1,y1,x2,y2\n1,2,3,4\n".into(),
-                "a.txt:2: expected a column t",
+                "a.txt:1: expected a column t",
             ),
             (
                 "t,x1,y1,x2\n0,1,2,3\n".into(),
-                "a.txt:2: expected a column y of body 2, found only x",
+                "a.txt:1: expected a column y of body 2, found only x",
             ),
             (
                 "t,a,b,c\n0,1,2,3\n".into(),
-                "a.txt:2: expected columns x and y",
+                "a.txt:1: expected columns x and y",
             ),
             ("0,1,2,3\n".into(), "found no headings above 4 columns"),
             (
