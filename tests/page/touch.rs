@@ -248,6 +248,19 @@ impl Phone {
         self.wait();
     }
 
+    /// Moves a finger up from a point of the window; returns how far the screen has scrolled.
+    fn scroll_from(&mut self, [x, y]: [f64; 2]) -> f64 {
+        self.touch("touchStart", &[[x, y]]);
+        for step in 1..=8 {
+            self.touch("touchMove", &[[x, y - 20.0 * f64::from(step)]]);
+        }
+        self.wait();
+        self.touch("touchEnd", &[]);
+        self.wait();
+        let scrolled = "return document.getElementById('screen').scrollTop";
+        self.0.run(scrolled, &[]).as_f64().unwrap_or_default()
+    }
+
     /// Asserts that no part of the page, and no button, is cut off at a side.
     pub(crate) fn assert_fits(&mut self) {
         let script = "
@@ -484,4 +497,30 @@ fn a_board_of_carrom_is_played_by_touch_alone() {
     });
     println!("a board of {strokes} strokes by touch");
     phone.assert_fits();
+}
+
+/// A finger that scrolls may begin on a button that changes a setting, or on a picture.
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn a_finger_that_scrolls_changes_nothing() {
+    let page = page();
+    let mut phone = Phone::sized((390, 664), &page, "lab");
+    let values = "return [...document.querySelectorAll('.field input')].map((it) => it.value)";
+    let before = phone.0.run(values, &[]);
+    let less = "return [...over.querySelectorAll('.field.number button')][4]";
+    let at = phone.middle(less, "").expect("a button");
+    assert!(phone.scroll_from(at) > 50.0);
+    assert_eq!(phone.0.run(values, &[]), before);
+    let at = phone.middle(less, "").expect("a button");
+    phone.tap(at);
+    assert_ne!(phone.0.run(values, &[]), before);
+
+    phone.go_to(&page, "lesson=13:1");
+    phone.choose("Neither");
+    phone.until("Contact: 0.300 ms", Phone::go_on);
+    let at = phone.place([0.5, 0.7]);
+    assert!(phone.scroll_from(at) > 50.0);
+    phone.expect("Contact: 0.300 ms");
+    phone.drag([0.3, 0.5], [0.7, 0.5]);
+    assert!(!phone.shows("Contact: 0.300 ms"));
 }
