@@ -226,7 +226,8 @@ impl JoinForm {
             panel.paragraph(trouble, Role::Warn);
             panel.gap();
         }
-        let openly = "Everyone on this network can see names and votes. A nickname is fine.";
+        let openly = "Everyone on this network can see names and votes. A nickname is fine. If the \
+                      class gives nicknames, leave the name empty.";
         panel.paragraph(openly, Role::Dim);
     }
 }
