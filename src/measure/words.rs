@@ -110,18 +110,29 @@ impl Verdict {
 /// Compares a measured value with an exact one. Agreement is weak evidence if the 95 % interval
 /// extends further than `wide`.
 fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) -> String {
-    let figures = decimals(unit.in_unit(estimate.uncertainty()));
-    let rounded = |x: f64, figures: usize| match unit {
-        Unit::Angle => format!("{}°", fixed(unit.in_unit(x), figures)),
-        Unit::Percent => format!("{} %", fixed(unit.in_unit(x), figures)),
+    let both = [printed(estimate, unit), rounded(exact, unit)];
+    judged(what, both, estimate, exact, unit, wide)
+}
+
+/// A number that has no uncertainty.
+fn rounded(x: f64, unit: Unit) -> String {
+    match unit {
+        Unit::Angle => format!("{}°", fixed(unit.in_unit(x), 0)),
+        Unit::Percent => format!("{} %", fixed(unit.in_unit(x), 0)),
         _ => four_figures(unit.in_unit(x)),
-    };
-    let number = |x: f64| rounded(x, 0);
-    // A predicted number is as exact as the measured one beside it; 90° and 100 % are whole.
-    let whole = unit.in_unit(exact);
-    let is_whole = (whole - whole.round()).abs() < 1e-9;
-    let expected = rounded(exact, if is_whole { 0 } else { figures });
-    let found = printed(estimate, unit);
+    }
+}
+
+/// Compares what was found with what is expected, both as text. The uncertainty of `estimate` is
+/// that of their difference.
+fn judged(
+    what: &str,
+    [found, expected]: [String; 2],
+    estimate: &Estimate,
+    exact: f64,
+    unit: Unit,
+    wide: f64,
+) -> String {
     let ratio = estimate.sigmas(exact);
     let far = sigmas(ratio);
     let verdict = Verdict::of_chance(estimate.chance(exact));
@@ -145,7 +156,7 @@ fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) 
             let ends = [estimate.value - reach, estimate.value + reach];
             let [low, high] = ends.map(|end| match unit {
                 Unit::Number => fixed(end, 1),
-                _ => number(end),
+                _ => rounded(end, unit),
             });
             format!(" This test is weak: anything from {low} to {high} would agree too.")
         }
@@ -403,26 +414,26 @@ impl Measurement {
                 ));
             }
             Some((_, Ok(between))) => {
+                let angle = |[v1, v2]: [DVec2; 2]| v1.angle_to(v2).abs();
+                let expected = |state: &State| Some(angle(predicted(state, &self.known)?));
                 let missed = self.fit.estimate_angle(|state| {
-                    let [v1, v2] = predicted(state, &self.known)?;
-                    let found = |v1: DVec2, v2: DVec2| v1.angle_to(v2).abs();
-                    let [w1, w2] = [0, 1].map(|body| state.velocity(body, super::Leg::After));
-                    Some(found(w1, w2) - found(v1, v2))
+                    let found = [0, 1].map(|body| state.velocity(body, super::Leg::After));
+                    Some(angle(found) - expected(state)?)
                 });
-                if let Some(missed) = missed {
-                    let exact = Estimate {
+                if let (Some(missed), Some(expected)) = (missed, self.fit.estimate_angle(expected))
+                {
+                    let both = [
+                        printed(&between, Unit::Angle),
+                        format!("the predicted {}", printed(&expected, Unit::Angle)),
+                    ];
+                    let difference = Estimate {
                         value: between.value,
                         ..missed
                     };
-                    let expected = between.value - missed.value;
+                    let exact = between.value - missed.value;
+                    let what = "Angle between the paths";
                     let wide = 20_f64.to_radians();
-                    sentences.push(compared(
-                        "Angle between the paths",
-                        &exact,
-                        expected,
-                        Unit::Angle,
-                        wide,
-                    ));
+                    sentences.push(judged(what, both, &difference, exact, Unit::Angle, wide));
                 }
             }
             Some((_, Err(reason))) => {
@@ -727,12 +738,6 @@ mod tests {
             compared("Angle", &few(86.0), right, Unit::Angle, 0.5),
             "Angle: 86.0° ± 1.2° is 3.3 σ from 90°, too far to agree and too near to disagree with \
              so few points."
-        );
-        let fine = estimate(70.24_f64.to_radians(), 0.2_f64.to_radians());
-        let predicted = 70.44_f64.to_radians();
-        assert_eq!(
-            compared("Angle", &fine, predicted, Unit::Angle, 0.5),
-            "Angle: 70.2° ± 0.2° agrees with 70.4° (1.0 σ)."
         );
         let wide = estimate(1.6, 0.7);
         assert_eq!(
