@@ -491,7 +491,7 @@ fn a_board_of_carrom_is_played_by_touch_alone() {
         strokes += 1;
         assert!(strokes < 100, "the board does not end");
         // The hints show the target, then the direction, then the exact stroke, which is then set.
-        phone.until("Set it so", |phone| phone.button("h"));
+        phone.until("Set this stroke", |phone| phone.button("h"));
         phone.press("set this stroke");
         phone.press("strike")
     });
