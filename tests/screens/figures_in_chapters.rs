@@ -385,24 +385,25 @@ fn claims() -> Vec<Claim> {
     let impulse = after(15.0, 15.0, 4.0, 0.0, 1.0).impulse;
     let average = |seconds: f64| impulse / seconds;
     let in_grams = 1000.0 * impulse;
-    claim(13, "In SI units, J is [0.060] kg m/s", impulse);
-    claim(13, ", or [0.060] N s: one newton", impulse);
+    let slower = after(15.0, 15.0, 3.0, 0.0, 1.0).impulse;
+    claim(13, "In SI units, J is [0.045] kg m/s", slower);
+    claim(13, ", or [0.045] N s: one newton", slower);
     claim(13, "Use SI units: [0.060] N s", impulse);
-    claim(13, " and [0.0006] s. ---", 0.6 / 1000.0);
+    claim(13, " and [0.0012] s. ---", 1.2 / 1000.0);
     claim(13, "F is [0.060] N s divided", impulse);
-    claim(13, "by [0.0006] s, or", 0.6 / 1000.0);
-    claim(13, "or [100] N: the weight", average(0.6e-3));
-    claim(13, "of about [10] kg.", average(0.6e-3) / 9.80665);
+    claim(13, "by [0.0012] s, or", 1.2 / 1000.0);
+    claim(13, "or [50] N: the weight", average(1.2e-3));
+    claim(13, "of about [5] kg.", average(1.2e-3) / 9.80665);
     // The curve is half of a sine: its average is 2/π of its height.
-    let greatest = average(0.6e-3) * std::f64::consts::FRAC_PI_2;
-    claim(13, "The greatest force is [157] N.", greatest);
-    claim(13, "[half] of the time", 0.3 / 0.6);
+    let greatest = average(1.2e-3) * std::f64::consts::FRAC_PI_2;
+    claim(13, "greatest force is [78.5] N.", greatest);
+    claim(13, "[half] of the time", 0.6 / 1.2);
     claim(
         13,
         "means [twice] the force",
-        average(0.3e-3) / average(0.6e-3),
+        average(0.6e-3) / average(1.2e-3),
     );
-    claim(13, ", [200] N.", average(0.3e-3));
+    claim(13, ", [100] N.", average(0.6e-3));
     claim(13, "by [8] m/s.", 4.0 + 4.0);
     claim(13, "So the impulse is [120] g m/s", 2.0 * in_grams);
     let friction = 0.12 * 9.80665 * 0.015;
