@@ -77,7 +77,7 @@ const OF_MISCONCEPTIONS: &str = "
     no components | energy-components
     with a full rebound it is twice as large, a ball that rebounds | sticking-hits-harder
     equally hard, impulses are equal | heavier-pushes-harder
-    head-on formulas, for a head-on collision they were | one-line-formula
+    head-on formulas, enough for a head-on collision | one-line-formula
     sin alpha, cos alpha, cos^2 alpha, sin theta_1, cos theta_1, u_1n, along t | sine-cosine
     speed only sets the scale, (4 - 197)/201 | speed-opens-angle
     square of the speed | energy-as-speed
