@@ -15,13 +15,13 @@ pub(super) struct Ahead {
     /// The player whose record it is.
     player: String,
     pub(super) history: Recall,
-    /// The record, requested again; until it arrives, the earlier one is shown.
+    /// The request for the updated record; until it arrives, the earlier record is shown.
     again: Option<Recall>,
     found: Option<(NextStep, PathDone)>,
 }
 
 impl Default for Ahead {
-    /// Nothing is requested yet.
+    /// Nothing has been requested yet.
     fn default() -> Self {
         Self {
             player: String::new(),

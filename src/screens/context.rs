@@ -162,8 +162,8 @@ impl Context {
         self.asked.push(Effect::Export { name, content });
     }
 
-    /// Requests that the page for browsers be written to a file with this name, for the code of a
-    /// round as a SCORM package.
+    /// Requests that the page for browsers be written to a file with this name; if the code of a
+    /// round is given, as a SCORM package.
     pub fn export_page(&mut self, name: String, round: Option<Code>) {
         self.asked.push(Effect::ExportPage { name, round });
     }

@@ -17,7 +17,7 @@ use crate::widgets::{
     Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, scroll_keys, sheet, text,
 };
 
-/// The key actions on every screen, unless the screen uses the key for something else.
+/// What the keys do on every screen, unless the screen uses the key for something else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SharedAction {
@@ -73,8 +73,8 @@ pub trait AnyScreen {
     fn route(&self, cx: &Context) -> Route;
     /// See [`Screen::status`].
     fn status(&self, cx: &Context) -> String;
-    /// The keys that work now, as the player has set them: the screen's own, then the shared
-    /// ones.
+    /// The keys that currently work, with the player's changes: the screen's own keys, then the
+    /// shared ones.
     fn table(&self, cx: &Context) -> KeyTable<()>;
     /// See [`Screen::HELP`].
     fn help(&self) -> &'static str;
@@ -102,15 +102,15 @@ pub trait AnyScreen {
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
-/// The smallest number of rows in which an inset can draw the two discs of a collision round.
+/// The smallest number of rows at which an inset draws the two discs of a collision as circles.
 const INSET_ROWS: u16 = 5;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
 pub struct Hosted<S: Screen> {
     screen: S,
     asked: Option<S::Action>,
-    /// Whether the mouse button is still down after a click chose something: until it is released,
-    /// the picture ignores the mouse.
+    /// Whether the mouse button has been held down since a click chose something; until the button
+    /// is released, the picture ignores the mouse.
     has_chosen: bool,
     scrolled: Vec<Scrolled>,
 }

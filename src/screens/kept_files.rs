@@ -8,7 +8,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role, text};
 
-/// The key actions on a list of saved files.
+/// What the keys do on a list of saved files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum KeptAction {
@@ -25,7 +25,7 @@ pub(super) struct KeptKind {
     pub(super) one: &'static str,
     /// The plural: "saved games".
     pub(super) all: &'static str,
-    /// A sentence that says when such a file is saved.
+    /// A sentence that says when carrom saves files of this kind.
     pub(super) saved: &'static str,
     /// Requests the list of files.
     pub(super) list: StoreRequest,

@@ -1,4 +1,4 @@
-//! The screens: one folder each, with the state and its updates, and the view in a file of its own.
+//! The screens: one folder each, with the state and its updates, and a separate file for the view.
 
 mod ahead;
 mod context;

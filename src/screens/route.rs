@@ -70,7 +70,7 @@ pub enum Route {
         /// Whether carrom gives nicknames to the devices instead of asking for names.
         nicknames: bool,
     },
-    /// What a teacher prepares and evaluates.
+    /// The screen on which a teacher prepares lessons and evaluates their results.
     Teacher,
     /// A pupil's device in a class.
     Join {
@@ -78,7 +78,7 @@ pub enum Route {
         address: Option<String>,
         /// The class's join code, if it is known.
         code: Option<JoinCode>,
-        /// Whether the pupil had joined before and rejoins without being asked.
+        /// Whether the pupil has already joined once and is rejoining without the form.
         again: bool,
     },
     /// The foil: beams of many particles.
@@ -105,7 +105,7 @@ pub enum Route {
         /// The measurement.
         measurement: Arc<Measurement>,
     },
-    /// What the player has done so far.
+    /// The player's progress.
     Progress,
     /// The player's settings.
     Settings,

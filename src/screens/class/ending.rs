@@ -28,7 +28,7 @@ pub(super) enum EndPage {
     Items,
 }
 
-/// The key actions after the last question.
+/// What the keys do after the last question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum EndAction {
@@ -43,7 +43,7 @@ impl EndPage {
         keys.by([Key::Left, Key::Right], EndAction::TurnPage, [-1, 1], "")
     }
 
-    /// The page `by` pages further, or the first or last one.
+    /// The page that is `by` pages further on, or else the first or the last page.
     pub(super) fn turned(self, by: isize) -> Self {
         let to = (self as usize).saturating_add_signed(by);
         Self::from_repr(to).unwrap_or(Self::Items)

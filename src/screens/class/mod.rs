@@ -1,7 +1,7 @@
 //! A round for a class in front of one screen: one keyboard, a projector, teams.
 //!
 //! A question goes through the `ClassStep`s of [`crate::class`]; `play` runs them, and each step
-//! with actions of its own has a module.
+//! with its own actions has its own module.
 
 mod earlier;
 mod ending;
@@ -47,8 +47,8 @@ use tally::CountAction;
 use unfinished::{Unfinished, UnfinishedEnd};
 use vote::VoteAction;
 
-/// The key actions in a class round. Each page has actions of its own, and so does each step at
-/// which there is something to do.
+/// What the keys do in a class round. Each page has its own actions, and so does each step at which
+/// the class can do more than continue.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ClassAction {
     SetUp(SetUpAction),
@@ -58,17 +58,17 @@ pub(crate) enum ClassAction {
     Hosting(HostingAction),
     /// At any step.
     Round(RoundAction),
-    /// While teams vote.
+    /// While teams are voting.
     Vote(VoteAction),
-    /// While votes are counted.
+    /// While votes are being counted.
     Count(CountAction),
-    /// While the collision is replayed.
+    /// While the collision is being replayed.
     Watch(WatchAction),
     /// After the last question.
     End(EndAction),
 }
 
-/// The key actions at any step of a class round.
+/// What the keys do at any step of a class round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum RoundAction {

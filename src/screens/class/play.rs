@@ -44,10 +44,10 @@ pub(super) struct ClassPlay {
     pub(super) host_page: Option<HostPage>,
 }
 
-/// What there is to do at the current step.
+/// What the class can do at the current step.
 #[derive(Debug, Clone)]
 enum ClassPhase {
-    /// Nothing but to continue.
+    /// The class can only continue.
     Look,
     Vote(TeamVotes),
     Tally(Tally),
@@ -216,15 +216,15 @@ impl ClassPlay {
         }
     }
 
-    /// The question `by` questions further; the end of the round comes after the last question.
-    /// `None` if it has not been reached yet.
+    /// The index of the question `by` questions further on; the end of the round comes after the
+    /// last question. `None` if it has not been reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
         let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
         (to <= self.furthest).then_some(to)
     }
 
-    /// Goes to the question `by` questions further, at the step where it was left.
+    /// Goes to the question `by` questions further on, at the step where it was left.
     fn leap(&mut self, by: isize, cx: &mut Context) {
         match self.leads_to(by).map(|to| (to, self.steps.get(to))) {
             Some((question, Some(step))) => self.go(question, *step, cx),

@@ -47,7 +47,7 @@ fn in_short(question: &Question, choice: &Response) -> String {
 }
 
 /// The choices of a question. If hands or cards are counted and a question has no choices, its
-/// possible answers take their place.
+/// possible answers are used instead.
 fn choices(play: &Stage, question: &Question) -> Vec<Response> {
     let has_any = matches!(question.form, Form::Choice { .. });
     match has_any || play.round().way() == WayOfVoting::Tally {

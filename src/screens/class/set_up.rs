@@ -15,7 +15,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
 /// The message for an invalid code.
 const NO_CODE: &str = "expected the code of a round, such as mixed-7, or 7 for ten hits";
-/// The largest number of letters in a name or a code while it is typed.
+/// The maximum number of letters in a name or a code while it is being typed.
 const LONGEST: usize = 2 * LONGEST_NAME;
 
 /// The page on which a round is set up.
@@ -71,7 +71,7 @@ pub(super) enum RoundKind {
     Code,
 }
 
-/// The key actions on the set-up page.
+/// What the keys do on the set-up page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SetUpAction {
@@ -136,8 +136,7 @@ impl SetUp {
         self.list.choose(at.unwrap_or(self.teams.len()));
     }
 
-    /// The available kinds of round; the teacher's own questions are included only if there are
-    /// any.
+    /// The available kinds of round; the teacher's own questions are included only if they exist.
     pub(super) fn kinds(&self) -> Vec<RoundKind> {
         let mut kinds = RoundKind::VARIANTS.to_vec();
         kinds.retain(|kind| *kind != RoundKind::Own || !self.own.concepts.is_empty());
@@ -352,7 +351,7 @@ impl SetUp {
     fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<SetUpEnd> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
-            // Counted hands have no names, and pupils on devices enter their own.
+            // Counted hands are anonymous, and pupils on devices enter their names themselves.
             Err(_) if at != SetUpRow::Start => Vec::new(),
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));

@@ -46,7 +46,7 @@ impl Stage {
     }
 
     /// A panel for the text of the current step. While the class votes and talks, its first page
-    /// shows all choices; a page that was turned stays turned.
+    /// shows all choices; once a page has been turned, it stays turned.
     pub(super) fn words(&self) -> Panel<ClassAction> {
         let mut panel = Panel::new("");
         panel.open = true;

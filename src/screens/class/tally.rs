@@ -27,7 +27,7 @@ pub(super) struct Tally {
     field: TextField,
 }
 
-/// The key actions while votes are counted.
+/// What the keys do while votes are being counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum CountAction {
@@ -66,7 +66,7 @@ impl Tally {
         self.field.text().trim().is_empty()
     }
 
-    /// The typed counts, one per choice; `None` while nothing is typed.
+    /// The typed counts, one per choice; `None` if nothing has been typed.
     ///
     /// # Errors
     /// What is wrong with the counts.

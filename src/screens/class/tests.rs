@@ -136,7 +136,7 @@ fn a_long_scoreboard_can_be_scrolled_to_its_end() {
     }
 }
 
-/// The screens on which it is measured how many questions show all choices at once.
+/// The screen sizes for which the test counts the questions that show all choices at once.
 const SCREENS: [(u16, u16); 3] = [(80, 24), (100, 30), (120, 40)];
 
 /// How many pages were laid out, and on how many of them the first page shows all choices with

@@ -41,7 +41,7 @@ pub(super) enum UnfinishedEnd {
 }
 
 impl Unfinished {
-    /// Looks for an interrupted round: with this code and of this class, if they are given.
+    /// Looks for an interrupted round that has this code and is for this class, if they are given.
     pub(super) fn ask(code: Option<Code>, name: &str, nicknames: bool, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {

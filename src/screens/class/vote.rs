@@ -34,7 +34,7 @@ struct Booth {
     is_open: bool,
 }
 
-/// The key actions while teams vote.
+/// What the keys do while teams vote.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum VoteAction {

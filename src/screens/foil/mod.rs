@@ -30,7 +30,7 @@ use field::{FoilFields, OFFSET};
 use run::BeamRun;
 use setup::Obstacle::{Hard, Nucleus};
 
-/// The key actions at the foil.
+/// What the keys do at the foil.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilAction {

@@ -24,7 +24,7 @@ const SEED: u64 = 1913;
 /// The number of steps by which `<` and `>` change the offset.
 const LEAP: i8 = 10;
 
-/// The key actions on a page of the foil that is shown as a figure.
+/// What the keys do on a page of the foil that is shown as a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilFigureAction {
@@ -160,7 +160,7 @@ mod tests {
     use super::super::beam_page::expected_at;
     use super::*;
 
-    /// The curve agrees with what chapter 10 and the quiz say about a small screen.
+    /// The curve agrees with the statements in chapter 10 and in the quiz about a small screen.
     #[test]
     fn on_a_small_screen_the_counts_decrease_as_the_texts_say() {
         let figure = FoilFigure::new(FoilPage::Counts, false, false);

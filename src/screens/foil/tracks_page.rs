@@ -81,7 +81,7 @@ fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     }
 }
 
-/// A straight line to the touching distance 1, then away like light reflected by a mirror.
+/// A straight line to the touching distance 1, then reflected like light by a mirror.
 fn hard_path(offset: f64, reach: f64) -> Path {
     let start = dvec2(-reach, offset);
     if offset.abs() > 1.0 {

@@ -54,7 +54,7 @@ impl Screen for GlossaryScreen {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<GlossaryAction> {
-        // Enter has an action of its own: in plain mode, choosing a term must not open the page at
+        // Enter has its own action here: in plain mode, choosing a term must not open the page at
         // once.
         KeyTable::new("glossary")
             .on(Key::Enter, GlossaryAction::Read, "read")

@@ -23,7 +23,7 @@ pub(super) struct JoinedClass {
     pub(super) doing: Doing,
 }
 
-/// What the pupil is doing.
+/// What the pupil is currently doing.
 #[derive(Debug, Clone)]
 pub(super) enum Doing {
     Look,

@@ -64,7 +64,7 @@ pub(crate) struct Join {
     form: JoinForm,
     link: Option<Link>,
     joined: Option<JoinedClass>,
-    /// The answers that the pupil gave on their own; they are requested once the pupil has joined.
+    /// The answers that the pupil gave while playing alone, requested once the pupil has joined.
     history: Recall,
 }
 
@@ -140,7 +140,7 @@ impl Join {
         self.joined = None;
     }
 
-    /// Hands in all answers that the pupil gave on their own.
+    /// Hands in all answers that the pupil gave while playing alone.
     fn hand_in(&mut self, cx: &mut Context) {
         let (Some(history), Some(link)) = (self.history.history(), &mut self.link) else {
             return;

@@ -41,7 +41,7 @@ pub(crate) struct Lab {
     lent: bool,
     /// Whether a link hides the outcome until the player has predicted it.
     hidden: bool,
-    /// What the player saw in the hit that is being explained, if they were asked.
+    /// What the player saw in the hit that is being explained, if carrom asked.
     observed: Option<Observation>,
 }
 
@@ -59,7 +59,7 @@ enum LabPhase {
     Notebook(Box<Notebook>),
 }
 
-/// The key actions in the lab.
+/// What the keys do in the lab.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LabAction {

@@ -7,7 +7,7 @@ use crate::widgets::Role;
 use crate::widgets::input::{CollisionField, EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::panel::Panel;
 
-/// The smallest mass of a mystery coin and the step to the next one, in g, and the number of
+/// The smallest mass of a mystery coin in g, the step to the next mass in g, and the number of
 /// masses.
 const LIGHTEST_G: f64 = 4.0;
 const STEP_G: f64 = 0.5;

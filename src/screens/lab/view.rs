@@ -62,7 +62,7 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
 
 const DRAG: &str = "Drag the coin up or down to set the offset.";
 
-/// The note in a lab whose outcome a link hides.
+/// The note shown in the lab if a link hides the outcome.
 const HIDDEN: &str = "The outcome of this hit is hidden until you have predicted it.";
 
 /// The smallest number of rows of a picture with room for the curves.

@@ -18,7 +18,7 @@ use settings::MeasuredSettings;
 /// The name of the exported report.
 const FILE: &str = "measured-collision.html";
 
-/// The key actions on the screen.
+/// What the keys do on the screen of a measured collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum MeasuredAction {

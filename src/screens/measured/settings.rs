@@ -5,7 +5,7 @@ use crate::numbers::short;
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 use crate::widgets::input::{Field, FieldRow, FieldValue, FormFields};
 
-/// The settings, in the units of the form; 0 is not set.
+/// The settings, in the units of the form; 0 means that a value is not set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MeasuredSettings {
     masses_g: [f64; 2],
@@ -24,7 +24,7 @@ impl MeasuredSettings {
         }
     }
 
-    /// What is given with these settings.
+    /// The given values after applying these settings.
     pub(super) fn given(&self, before: &Given) -> Given {
         let both = |values: [f64; 2], si: fn(f64) -> f64| {
             values.iter().all(|it| *it > 0.0).then(|| values.map(si))

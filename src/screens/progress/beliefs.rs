@@ -56,7 +56,7 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
     panel.paragraph(legend, Role::Dim);
 }
 
-/// The strongest belief that is not gone.
+/// The strongest belief that the player still holds.
 fn held(history: &History) -> Option<HeldBelief> {
     { beliefs(&history.attempts).into_iter() }.find(|belief| belief.trend() != Trend::Gone)
 }

@@ -245,7 +245,7 @@ impl Quiz {
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Records what the player saw, if they said it, and explains the collision.
+    /// Records what the player saw, if they answered, and explains the collision.
     fn explain(&mut self, seen: Option<Rays>, cx: &mut Context) {
         let QuizPhase::See(open) = &self.phase else {
             return;

@@ -10,7 +10,7 @@ use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, SplitLayout};
 
-/// The key actions on the page.
+/// What the keys do on the page of rules.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum RulesAction {

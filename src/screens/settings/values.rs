@@ -29,12 +29,12 @@ pub struct Settings {
     /// The number of times the player has predicted both paths correctly in the lab, up to the
     /// number that unlocks the live picture.
     pub predicted: u8,
-    /// Whether the player is asked now and then what they saw in a hit.
+    /// Whether carrom sometimes asks the player what they saw in a hit.
     pub observe: bool,
     /// The number of predicted hits that the player has watched, counted only as far as is needed
     /// to decide when to ask what they saw.
     pub watched: u8,
-    /// Whether somebody watches the pictures: not in plain lines and tapes.
+    /// Whether somebody is watching the pictures; nobody is in plain lines and in tapes.
     pub sees: bool,
     /// The player's name, as shown.
     pub player: String,
@@ -68,7 +68,7 @@ impl Settings {
     /// The number of correct predictions of both paths that unlocks the lab's live picture.
     pub(crate) const ENOUGH_PREDICTED: u8 = 3;
 
-    /// The number of hits with a prediction, from the first, in which the player is asked what they
+    /// The number of predicted hits, from the first, after which carrom always asks what the player
     /// saw.
     const FIRST_OBSERVED: u8 = 3;
     /// The largest value of [`Self::watched`]: in the tenth hit after each question, the player is

@@ -29,7 +29,7 @@ pub(super) struct BoardPage {
     notice: Option<String>,
 }
 
-/// The key actions on the page.
+/// What the keys do on the page of a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum BoardAction {

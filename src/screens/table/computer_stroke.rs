@@ -35,7 +35,7 @@ impl ComputerStroke {
         }
     }
 
-    /// The stroke as the hand makes it; then the intended stroke, in case the first cannot be
+    /// The stroke with the error of the hand, then the intended stroke, in case the first cannot be
     /// played.
     pub(super) fn strikes(&self) -> [Strike; 2] {
         [self.decision.struck(), self.decision.meant].map(strike)

@@ -51,7 +51,7 @@ enum TablePage {
     Playing(Box<Playing>),
 }
 
-/// The key actions at the table: each page and each phase of a game has actions of its own.
+/// What the keys do at the table: each page and each phase of a game has its own actions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TableAction {
     /// On the page of a new game.
@@ -64,13 +64,13 @@ pub enum TableAction {
     Game(GameAction),
     /// While aiming.
     Aim(AimAction),
-    /// While the computer's aim is shown.
+    /// While the computer's aim is being shown.
     Show(ShowAction),
-    /// While the player makes a call.
+    /// While the player is making a call.
     Call(RayAction),
-    /// While a stroke is watched.
+    /// While a stroke is being watched.
     Watch(StrokeAction),
-    /// While coins are arranged.
+    /// While coins are being arranged.
     Arrange(ArrangeAction),
     /// At the end of a board.
     Over(OverAction),

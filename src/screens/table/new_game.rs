@@ -42,7 +42,7 @@ enum OptionRow {
 /// The resulting options, their text and their description.
 type Choice = (Options, String, Cow<'static, str>);
 
-/// The key actions on the page.
+/// What the keys do on the page of a new game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NewGameAction {
@@ -307,7 +307,7 @@ fn rows(now: &Options) -> Vec<OptionRow> {
     rows
 }
 
-/// The possible players at a seat.
+/// The players that can be chosen for a seat.
 fn players(seat: Seat, now: &Options) -> Vec<Choice> {
     let mut person = now.clone();
     person.set_player(seat, Player::Person);
@@ -328,7 +328,7 @@ fn players(seat: Seat, now: &Options) -> Vec<Choice> {
     choices
 }
 
-/// A hand of the people, with the size of its errors.
+/// The choice of this steadiness for the people's hands, with the size of its errors.
 fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
     let about = match hand.errors() {
         None => "Every stroke is played exactly as you aim it.".into(),

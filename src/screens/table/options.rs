@@ -29,7 +29,7 @@ pub struct Options {
     pub set: PieceSet,
     /// Coefficient of restitution of two discs.
     pub restitution: f64,
-    /// The hand of the people.
+    /// How steady the people's hands are.
     pub hand: PlayerHand,
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
@@ -90,7 +90,7 @@ impl Options {
         }
     }
 
-    /// The options with which a game was saved.
+    /// The options of a saved game.
     pub fn of(saved: &SavedGame) -> Self {
         let (setup, company) = (saved.record.setup(), &saved.company);
         Self {

@@ -33,7 +33,7 @@ pub(super) struct SavedGames {
     watch: Option<u64>,
 }
 
-/// The key actions on the page of saved games.
+/// What the keys do on the page of saved games.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SavedGamesAction {

@@ -1,4 +1,5 @@
-//! What a teacher prepares and evaluates, without the command line.
+//! The screen on which a teacher prepares lessons and evaluates their results, without the command
+//! line.
 
 mod view;
 

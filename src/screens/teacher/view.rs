@@ -128,7 +128,7 @@ pub(super) fn view(teacher: &Teacher) -> View<'_, TeacherAction> {
     View::panels(list, panel).laid_out(layout)
 }
 
-/// What the teacher sets for the chosen task.
+/// Writes the values that the teacher can set for the chosen task.
 fn write_choice(teacher: &Teacher, panel: &mut Panel<TeacherAction>) {
     match teacher.task() {
         TeacherTask::Class | TeacherTask::Page => {}

@@ -15,7 +15,7 @@ use crate::widgets::SplitLayout;
 use crate::widgets::input::{KeyTable, ListAction};
 use people::People;
 
-/// The key actions for pupils on their own devices.
+/// What the keys do on the pages about pupils on their own devices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum HostingAction {

@@ -41,7 +41,7 @@ enum Hits {
     Known(Vec<NotedHit>),
 }
 
-/// The key actions in the notebook.
+/// What the keys do in the notebook.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum NotebookAction {

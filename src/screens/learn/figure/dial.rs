@@ -46,13 +46,13 @@ impl FigureDial {
         self.value + f64::from(by) * self.step
     }
 
-    /// The value at a share of the way from the smallest to the largest.
+    /// The value at the fraction `share` of the range.
     pub(super) fn at(&self, share: f64) -> f64 {
         let (least, most) = self.ends;
         least + share * (most - least)
     }
 
-    /// The possible value nearest to this one.
+    /// The value on the steps that is nearest to this one.
     pub(super) fn nearest(&self, value: f64) -> f64 {
         let (least, most) = self.ends;
         tidy((value / self.step).round() * self.step).clamp(least, most)

@@ -42,7 +42,7 @@ use worked::WorkedFigure;
 /// The number of steps, or of degrees, by which `<` and `>` change a setting.
 const LEAP: i8 = 10;
 
-/// The key actions for the figure of a page.
+/// What the keys do to the figure of a page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FigureAction {
@@ -79,7 +79,7 @@ pub(super) struct LiveFigure {
 enum FigureState {
     /// The collision that is replayed, in one frame or in two.
     Hits(Vec<Watch>),
-    /// Nothing but the collision.
+    /// The figure has no state besides the collision.
     Plain,
     Worked(WorkedFigure),
     /// A page of the foil.
@@ -241,7 +241,7 @@ impl LiveFigure {
         drawn_against_it && !self.hidden
     }
 
-    /// What the student sets in this figure, if it is not α.
+    /// The setting other than α that the student controls in this figure, if there is one.
     fn dial(&self) -> Option<FigureDial> {
         FigureDial::of(self.figure.kind, &self.collision).filter(|_| !self.hidden)
     }

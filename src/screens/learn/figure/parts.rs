@@ -17,7 +17,7 @@ const BARS: [(f64, f64); 2] = [(0.8, 4.4), (5.6, 9.2)];
 /// The parts in millijoules.
 pub(super) struct EnergyParts {
     pub(super) of_centre: f64,
-    /// Before and after the collision.
+    /// The energy of the relative motion before and after the collision.
     pub(super) relative: [f64; 2],
 }
 

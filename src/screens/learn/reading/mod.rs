@@ -23,7 +23,7 @@ use crate::widgets::{
 
 use page::{CheckpointStage, OpenPage};
 
-/// The key actions in a chapter.
+/// What the keys do in a chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ReadingAction {

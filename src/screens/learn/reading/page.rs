@@ -29,7 +29,7 @@ pub(super) struct PageQuestion {
 /// The state of a question.
 #[derive(Debug, Clone)]
 pub(super) enum CheckpointStage {
-    /// The question waits for an answer or, after a hint, for a second one.
+    /// The question is waiting for an answer or, after a hint, for a second answer.
     Asking(AnswerInput),
     /// The question was answered, and the right answer is shown.
     Answered(Response),
@@ -129,7 +129,7 @@ impl OpenPage {
         self.input()?.rays()
     }
 
-    /// Whether a question waits for its answer.
+    /// Whether a question is waiting for its answer.
     pub(super) fn is_asking(&self) -> bool {
         self.input().is_some()
     }

@@ -15,7 +15,7 @@ pub(crate) struct Levels {
     moved: bool,
 }
 
-/// The key actions in the list of levels.
+/// What the keys do in the list of levels.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelsAction {

@@ -42,7 +42,7 @@ pub(super) fn view<'s>(shelf: &Shelf) -> View<'s, LevelsAction> {
     View::panels(list(shelf), about).laid_out(layout)
 }
 
-/// All levels, pack by pack, and after them the files left out.
+/// All levels, grouped by pack, followed by the files that were left out.
 fn list(shelf: &Shelf) -> Panel<LevelsAction> {
     let mut panel = Panel::new("levels");
     let mut number = 0;

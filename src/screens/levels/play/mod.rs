@@ -70,7 +70,7 @@ struct PendingShot {
     impact: ShotImpact,
 }
 
-/// The key actions in a level.
+/// What the keys do in a level.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelAction {
@@ -180,7 +180,7 @@ impl LevelPlay {
         MadeShot::new(self.level(), shot, count, to_say, said, watched)
     }
 
-    /// Plays the stored solution. The player's own aim stays as it is.
+    /// Plays the stored solution, without changing the player's own aim.
     fn show(&mut self, cx: &Context) {
         let solution = self.level().aimed(&self.level().solution);
         if let Ok(shot) = solution.play(Patience::AKey) {

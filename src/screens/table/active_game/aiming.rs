@@ -27,7 +27,7 @@ const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
 /// The step of the direction, in degrees.
 const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
 
-/// The key actions while aiming.
+/// What the keys do while aiming.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum AimAction {
@@ -94,7 +94,7 @@ impl ActiveGame {
         // A long hint is scrolled with the page keys.
         let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
         let back = if self.is_pulling() { "cancel" } else { "" };
-        // While a number is typed, the bottom line begins with the keys that set it.
+        // While a number is being typed, the bottom line begins with the keys that set it.
         let entry = self.entry.keys();
         let is_digit = |it| matches!(it, EntryAction::Type(_));
         let (first, last) = match typing {

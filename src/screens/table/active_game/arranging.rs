@@ -31,7 +31,7 @@ pub(in crate::screens::table) struct Arrange {
     held: Option<usize>,
 }
 
-/// The key actions while coins are arranged.
+/// What the keys do while the player is arranging coins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ArrangeAction {

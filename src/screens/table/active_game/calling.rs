@@ -23,7 +23,7 @@ use crate::widgets::{Outcome, RayInput, Role};
 pub(in crate::screens::table) struct Calling {
     hit: FirstHit,
     rays: RayInput,
-    /// The computer's stroke, if the call is about one.
+    /// The computer's stroke, if the call predicts one.
     of: Option<ComputerStroke>,
 }
 

@@ -209,7 +209,7 @@ impl ActiveGame {
     }
 
     /// The next phase after a replay of the past. If it is the computer's turn, the end of the last
-    /// stroke is shown until the player goes on.
+    /// stroke is shown until the player continues.
     fn turn_after_replay(&mut self, cx: &Context) -> GamePhase {
         if self.game().stage() == GameStage::Playing
             && self.is_computers_turn()

@@ -15,7 +15,7 @@ use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 
-/// The key actions at the end of a board.
+/// What the keys do at the end of a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum OverAction {

@@ -34,17 +34,17 @@ const PARTS: [Duration; 3] = [
     Duration::from_millis(700),
 ];
 
-/// The computer's next stroke, while it is shown.
+/// The computer's next stroke, while it is being shown.
 #[derive(Debug, Clone)]
 pub(super) struct ShownStroke {
     pub(super) stroke: ComputerStroke,
     /// How many of its parts are visible: the position, the direction, the strength.
     pub(super) parts: usize,
-    /// The time until the next part, or the stroke; `None` if carrom waits for a key.
+    /// The time until the next part, or the stroke; `None` if carrom is waiting for a key.
     left: Option<Duration>,
 }
 
-/// The key actions while the computer's aim is shown.
+/// What the keys do while the computer is showing its aim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShowAction {
@@ -166,8 +166,8 @@ impl ShownStroke {
     }
 }
 
-/// How long a stroke is shown while this many of its parts are visible. Players who predict strokes
-/// get more time; a faster replay speed also shortens this.
+/// How long a stroke is shown after this many of its parts have become visible. Players who predict
+/// strokes get more time; a faster replay speed shortens the time.
 fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
     let waits = options.call && options.count(Player::Person) > 0;
     if waits && parts == PARTS.len() {
@@ -251,7 +251,7 @@ impl ActiveGame {
         seed.rotate_left(32) ^ number as u64
     }
 
-    /// How steady the hand of the people is; in a practice game, strokes are exact.
+    /// How steady the people's hands are; in a practice game, strokes are exact.
     pub(super) fn hand(&self) -> PlayerHand {
         match self.is_practice() {
             true => PlayerHand::Exact,

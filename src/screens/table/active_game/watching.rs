@@ -42,12 +42,12 @@ pub(super) struct FallingPiece {
 
 #[derive(Debug, Clone)]
 pub(super) struct StrokeReplay {
-    /// The number of its move in the game.
+    /// The number of the stroke's move in the game.
     pub(super) number: usize,
     /// Whether the stroke was just made: then the game waits for its end, and going back means
     /// leaving the game.
     pub(super) live: bool,
-    /// How long the end has been shown without waiting for a key.
+    /// How long the end has been visible without waiting for a key.
     end_seen: Duration,
     /// The piece of each disc in the shot.
     pub(super) pieces: Vec<Piece>,
@@ -57,7 +57,7 @@ pub(super) struct StrokeReplay {
     pub(super) player: ShotPlayer,
 }
 
-/// The actions of keys while a stroke is being watched.
+/// What the keys do while the player is watching a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum StrokeAction {
@@ -156,7 +156,7 @@ impl StrokeReplay {
         }
     }
 
-    /// Controls the clock or the list of impacts; the replay continues.
+    /// Controls the clock or the list of impacts; the replay does not end.
     pub(super) fn work(&mut self, action: ShotAction, cx: &mut Context) -> Option<GamePhase> {
         let settings = &mut cx.settings;
         let pace = settings.pace();
@@ -172,7 +172,7 @@ impl StrokeReplay {
         watching.unwrap_or_else(|| game.turn(cx))
     }
 
-    /// Handles a click on the picture: the replay continues.
+    /// Handles a click on the picture; the replay does not end.
     pub(super) fn click(&mut self, game: &mut ActiveGame, cx: &mut Context) -> After {
         match self.player.clicked() {
             Some(action) => self.work(action, cx).into(),
