@@ -99,7 +99,7 @@ impl Classroom {
         }
     }
 
-    /// The code for joining, once joining is possible.
+    /// The code for joining, once pupils can join.
     pub fn code(&self) -> Option<JoinCode> {
         self.code
     }

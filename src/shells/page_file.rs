@@ -1,4 +1,4 @@
-//! carrom as one HTML file: as it is, with a teacher's own files, or in a package for a learning
+//! carrom as one HTML file: unchanged, with a teacher's own files, or in a package for a learning
 //! platform.
 
 use std::borrow::Cow;
@@ -69,7 +69,7 @@ impl PageFile {
         &self.text
     }
 
-    /// The page with the teacher's files, as HTML, or, for the code of a round, in a SCORM 1.2
+    /// The page with the teacher's files, as HTML; if the code of a round is given, as a SCORM 1.2
     /// package that opens this round.
     ///
     /// # Errors

@@ -11,13 +11,13 @@ use crate::measure::{Known, Leg, LineFrom, Measurement, line};
 const MOST_POINTS: usize = 150;
 /// The margin as a share of the diagonal.
 const MARGIN: f64 = 0.06;
-/// The roles of each body: its points before and after, and itself.
+/// The roles of each body: those of its points before and after the contact, and its own.
 const ROLES: [[Role; 3]; 2] = [
     [Role::Incoming, Role::StrikerOut, Role::Striker],
     [Role::CoinOut, Role::CoinOut, Role::Coin],
 ];
 
-/// The rows of a picture with this many columns, so that it is filled.
+/// The number of rows that a picture with this many columns needs, so that no space is left empty.
 pub(crate) fn measured_rows(columns: u16, measurement: &Measurement) -> u16 {
     let [low, high] = corners(measurement);
     let size = high - low;

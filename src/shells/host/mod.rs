@@ -1,4 +1,4 @@
-//! A server on the local network, with which the teacher's carrom serves the pupils' devices.
+//! A server on the local network, through which the teacher's carrom serves the pupils' devices.
 //!
 //! The server starts listening when a screen requests it ([`HostCall::Open`]), serves the page to
 //! browsers and communicates with pupils by WebSocket. It knows the code of the class and the
@@ -108,8 +108,8 @@ impl Host {
         }
     }
 
-    /// The page as a file for a teacher: with their own files, or, for the code of a round, as a
-    /// SCORM package.
+    /// The page as a file for a teacher, with the teacher's own files; if the code of a round is
+    /// given, the file is a SCORM package.
     ///
     /// # Errors
     /// If there is no page.

@@ -1,5 +1,5 @@
-//! The page as it is served. The content security policy in the file allows no connections; the
-//! policy in the served copy allows connections to the server.
+//! The page that the host serves. The content security policy in the file allows no connections;
+//! the policy in the served copy allows connections to the server.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, Write};
@@ -15,7 +15,7 @@ const ROOT: [&str; 2] = ["<html lang=\"en\">", "<html lang=\"en\" data-class=\"\
 /// The text before the policy in the file.
 const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";
 
-/// The page as it is served.
+/// The page that the host serves.
 #[derive(Debug)]
 pub(super) struct ServedPage {
     text: String,

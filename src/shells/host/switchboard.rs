@@ -23,7 +23,7 @@ pub(super) struct Switchboard {
     /// The seat tokens of all devices that have joined.
     seats: Mutex<HashSet<SeatToken>>,
     opened: Instant,
-    /// The port on which the server listens.
+    /// The port that the server listens on.
     pub(super) port: u16,
     pub(super) page: Option<ServedPage>,
     wake: Arc<dyn Fn() + Send + Sync>,
@@ -39,7 +39,7 @@ pub(super) struct Connection {
     /// The address of the device.
     pub(super) address: IpAddr,
     pub(super) stream: TcpStream,
-    /// A lock that is held while a frame is written.
+    /// A lock that is held while a frame is being written.
     pub(super) writing: Mutex<()>,
     joined: AtomicBool,
     outbox: Mutex<Outbox>,
@@ -162,7 +162,7 @@ impl Switchboard {
         }
     }
 
-    /// Tells a pupil why the connection ends.
+    /// Tells a pupil why the connection is being closed.
     pub(super) fn refuse(&self, id: ConnectionId, why: Refusal) {
         if let Some(connection) = self.connection(id) {
             lock(&connection.outbox).last = Some(HostMessage::No { why }.to_text());

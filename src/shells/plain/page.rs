@@ -1,5 +1,5 @@
 //! A screen in lines, and its possible inputs. Both are made from the blocks that are recorded
-//! while the screen is drawn.
+//! while the screen is being drawn.
 
 use super::by_words::{KEY, by_words};
 use super::formula::aloud;
@@ -56,7 +56,7 @@ pub(super) struct PlainSection {
     pub lines: Vec<String>,
 }
 
-/// Something that can be chosen.
+/// An option of a screen.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PlainOption {
     /// The label that chooses it; empty if only its name does.
@@ -65,7 +65,7 @@ pub(super) struct PlainOption {
     pub words: String,
     /// Its kind.
     pub kind: OptionKind,
-    /// The cell on which a click chooses it.
+    /// The cell to click in order to choose it.
     pub cell: Option<(u16, u16)>,
     /// The key that chooses it.
     pub key: Option<Key>,
@@ -73,7 +73,7 @@ pub(super) struct PlainOption {
     pub(crate) is_chosen: bool,
 }
 
-/// What can be chosen.
+/// The kind of an option.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum OptionKind {
     /// An answer, or an entry of a list.
@@ -86,16 +86,16 @@ pub(super) enum OptionKind {
     Deed,
 }
 
-/// How an input line that is not a choice is read.
+/// What carrom expects in an input line that is not a choice.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) enum Asked {
     #[default]
     Nothing,
-    /// As a number with this name and unit.
+    /// A number with this name and unit.
     Number(String, String),
-    /// As an angle with this name, for a disc that may stay still.
+    /// An angle with this name, or none if the disc stays still.
     Angle(String),
-    /// As text with this name.
+    /// Text with this name.
     Text(String),
 }
 
@@ -326,8 +326,8 @@ fn own_label(words: &str) -> (String, String) {
     }
 }
 
-/// Gives back the first word of entries that begin with the article "A", which looks like the letter
-/// of a choice; but choices are at least A and B.
+/// Restores the first word of entries that begin with the article "A" and therefore look as if they
+/// had the letter of a choice. In real choices, at least A and B occur.
 fn unlabel_articles(options: &mut [PlainOption]) {
     if options.iter().any(|it| it.label == "B") {
         return;

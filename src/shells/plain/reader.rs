@@ -569,7 +569,7 @@ impl PlainReader {
     }
 }
 
-/// The changes since the previous page; lines `said` recently are not repeated.
+/// The changes since the previous page; lines that were recently written (`said`) are not repeated.
 fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     let is_new = before.title != now.title || before.layer != now.layer;
@@ -617,7 +617,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     lines
 }
 
-/// A line with each number replaced with one character.
+/// The line, but with one character in place of each number.
 fn without_figures(line: &str) -> String {
     let mut text: String = line
         .chars()
@@ -643,7 +643,7 @@ fn is_number(shown: &str) -> bool {
     shown.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '−' | OPEN))
 }
 
-/// A number as it is typed, in at most [`SIGNS`] characters.
+/// A number in the form in which it is typed, in at most [`SIGNS`] characters.
 fn digits(value: f64) -> String {
     let places = (0..=6).rev().map(|places| format!("{value:.places$}"));
     let mut exact = std::iter::once(format!("{value}")).chain(places);

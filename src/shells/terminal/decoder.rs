@@ -139,7 +139,7 @@ impl Decoder {
         let is_whole = match self.pending.as_slice() {
             [] => byte < 0x80 && byte != ESCAPE,
             [ESCAPE] if byte == ESCAPE => {
-                // The first Escape was a key of its own.
+                // The first Escape was a separate key.
                 events.push_back(pressed(KeyCode::Esc, KeyModifiers::NONE));
                 return;
             }

@@ -56,10 +56,10 @@ pub enum TerminalError {
     /// The terminal could not be switched to raw mode or the alternate screen.
     #[error("cannot set up the terminal: {0}")]
     SetUp(#[source] io::Error),
-    /// A frame could not be written to it.
+    /// A frame could not be written to the terminal.
     #[error("cannot write to the terminal: {0}")]
     Write(#[source] io::Error),
-    /// Nothing can be read from it any more.
+    /// Nothing more can be read from the terminal.
     #[error("cannot read from the terminal: {0}")]
     Read(#[source] io::Error),
 }

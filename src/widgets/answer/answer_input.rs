@@ -31,7 +31,7 @@ pub enum AnswerInput {
     Shot(NumberInput),
 }
 
-/// The key actions for entering an answer.
+/// What the keys do while an answer is being entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum AnswerAction {

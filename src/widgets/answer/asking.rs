@@ -18,7 +18,7 @@ pub(crate) struct Asking {
     sure: Option<Confidence>,
 }
 
-/// The key actions for a question being answered.
+/// What the keys do while a question is being answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum AskingAction {

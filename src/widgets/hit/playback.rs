@@ -258,7 +258,7 @@ impl Playback {
         self.stage = PlaybackStage::Approach(0.0);
     }
 
-    /// Moves this many steps forwards or backwards: at the contact these are steps of the
+    /// Moves forwards or backwards by this many steps: at the contact these are steps of the
     /// explanation, otherwise small steps in time.
     pub(crate) fn step(&mut self, by: i8) {
         let next = match self.stage {

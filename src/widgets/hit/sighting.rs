@@ -32,7 +32,7 @@ pub(crate) struct Sighting {
     is_over: bool,
 }
 
-/// The key actions while the player describes what they see.
+/// What the keys do while the player is describing what they saw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SightingAction {

@@ -36,7 +36,7 @@ pub(crate) struct Watch {
     switched: Option<Overlay>,
 }
 
-/// The key actions for a collision that is being watched.
+/// What the keys do while a collision is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WatchAction {

@@ -24,13 +24,12 @@ pub(crate) struct Field {
     pub value: FieldValue,
     /// A one-line description, shown while the field is selected.
     pub about: Cow<'static, str>,
-    /// Why the field cannot be changed at present.
+    /// The reason why the field cannot be changed at present.
     pub locked: Option<&'static str>,
 }
 
 impl Field {
-    /// A field that can be changed, given by its name, its value as text, its value, and its
-    /// description.
+    /// Creates a field that can be changed.
     pub(crate) fn new(
         name: impl Into<Cow<'static, str>>,
         shown: String,
@@ -100,7 +99,7 @@ impl FieldValue {
             Self::Number { value, step, .. } => {
                 let size = step.abs() * steps.abs().min(1.0);
                 let by = steps * step / size;
-                // A value within a thousandth of a step of a whole multiple counts as that
+                // A value that is within a thousandth of a step of a whole multiple counts as that
                 // multiple.
                 let onto = match by > 0.0 {
                     true => (value / size + by + 1e-3).floor(),
@@ -164,7 +163,7 @@ pub(crate) trait FormFields {
     fn set_text(&mut self, _at: usize, _text: &str) {}
 }
 
-/// The key actions on a form.
+/// What the keys do on a form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum FormAction {

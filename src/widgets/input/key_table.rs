@@ -155,7 +155,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Removes the last row unless `holds` is true.
+    /// Removes the last row unless the condition `holds`.
     pub fn when(mut self, holds: bool) -> Self {
         if !holds && std::mem::take(&mut self.added) {
             self.rows.pop();
@@ -244,7 +244,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// The same keys, with their actions mapped to others.
+    /// This table with each action converted to another one.
     pub fn map<B>(self, action: impl Fn(A) -> B) -> KeyTable<B> {
         let map = |keys: Vec<(Key, A)>| keys.into_iter().map(|(key, a)| (key, action(a))).collect();
         let rows = self.rows.into_iter().map(|row| KeyRow {

@@ -8,7 +8,7 @@ use crate::messages::Key;
 /// The number of lines by which a page key moves the selection.
 const PAGE: isize = 10;
 
-/// The key actions on a list.
+/// What the keys do on a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ListAction {

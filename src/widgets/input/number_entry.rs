@@ -14,7 +14,7 @@ pub(crate) struct NumberEntry {
     text: String,
 }
 
-/// The key actions for a number being typed.
+/// What the keys do while a number is being typed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum EntryAction {

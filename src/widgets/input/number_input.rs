@@ -20,7 +20,7 @@ pub struct NumberInput {
     refused: bool,
 }
 
-/// The key actions for a number being entered.
+/// What the keys do while a number is being entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum NumberAction {
@@ -35,9 +35,9 @@ pub(crate) enum NumberAction {
 /// A step up or down made with an arrow key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DialStep {
-    /// This many small steps.
+    /// A change by this many small steps.
     Small(i8),
-    /// This many large steps.
+    /// A change by this many large steps.
     Large(i8),
 }
 

@@ -33,7 +33,7 @@ pub struct RayInput {
     refused: bool,
 }
 
-/// The key actions for a prediction.
+/// What the keys do while a prediction is being entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum RayAction {

@@ -640,7 +640,7 @@ const MOST_ROWS: usize = 3;
 /// The minimum number of rows for the text that scrolls beside fixed blocks.
 const LEAST: u16 = 6;
 
-/// The indentation, in columns, of a formula and of the continuation of a line of working.
+/// The indentation, in columns, of formulas and of continued lines of working.
 const FORMULA: u16 = 2;
 const WORKING: u16 = 4;
 /// The maximum width of a gauge, in columns.
@@ -662,7 +662,7 @@ const ENTRY: usize = 15;
 /// The minimum width, in columns, of a panel in which a table has gaps between its columns.
 const WIDE_TABLE: u16 = 72;
 
-/// Writes a table: its headings, then one line per row. If there is room, there are gaps before
+/// Writes a table: its headings, then one line per row. If there is room, it puts gaps before
 /// numbers, and between numbers and the text after them. A table that `leaves` some rows free shows
 /// only the part around its selected row.
 fn write_table(

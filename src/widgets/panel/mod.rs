@@ -61,8 +61,8 @@ enum Content {
     Gap,
     /// A heading for the blocks that follow, in a single row.
     Heading(String),
-    /// Short text in large letters, if the panel has at least this many rows: the first of these
-    /// strings that fits.
+    /// Short text in large letters if the panel has at least this many rows; carrom uses the first
+    /// of these strings that fits.
     Large(Vec<String>, Role, u16),
     /// Text in the largest letters that fit.
     LargeText(LargeText),

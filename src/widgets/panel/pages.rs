@@ -18,16 +18,17 @@ use crate::widgets::big::{BigPages, BigParagraph, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
-/// The number of rows between two paragraphs: normally, and if that would take more pages.
+/// The number of rows between two paragraphs: the usual one, and the one that is used to save
+/// pages.
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and on the right of the text.
 const APART: u16 = 1;
 /// How much smaller a picture may be on a page that has to show everything, in tenths of its full
-/// size, in the order in which it is tried.
+/// size; the sizes are tried in this order.
 const SMALLER: [u16; 2] = [0, 2];
 /// The minimum width of text beside a picture, in columns.
 const LEAST: u16 = 24;
-/// The number of rows of the screen that are not part of its body.
+/// The number of screen rows outside the body.
 const CHROME: u16 = 2;
 
 /// The kind of picture beside the text.
@@ -333,8 +334,8 @@ struct PageSetting<'l> {
 
 /// Sets a question with its choices so that the first page shows all choices, in letters that are
 /// just large enough if necessary: with the picture if possible, otherwise with the question or
-/// only its last sentence. The rest follows on later pages. Other text is set on one page
-/// with its picture. `None` if that is not possible.
+/// only its last sentence. Further pages show whatever does not fit on the first. Other text is set
+/// on one page with its picture. `None` if that is not possible.
 fn on_one_page<'p>(
     texts: &[PagedParagraph<'p>],
     setting: PageSetting,

@@ -103,12 +103,12 @@ impl SplitLayout {
         }
     }
 
-    /// Lays out a picture and a panel with this many columns, including the panel's frame.
+    /// Lays out a picture, and a panel that has this many columns including its frame.
     pub(crate) fn with_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         Self::of(areas::picture_and_panel(room.into(), panel_width))
     }
 
-    /// Lays out a picture and a panel with this many columns and no frame.
+    /// Lays out a picture, and a panel that has this many columns and no frame.
     pub(crate) fn with_open_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         let [picture, panel] = areas::picture_and_panel(room.into(), panel_width);
         Self {

@@ -27,7 +27,7 @@ impl WatchRate {
         2.0_f64.powi(self.0)
     }
 
-    /// The speed this many steps faster.
+    /// The speed that is this many steps faster.
     #[must_use]
     pub(crate) fn faster(self, steps: i8) -> Self {
         Self((self.0 + i32::from(steps)).clamp(-4, 2))

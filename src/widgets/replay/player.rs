@@ -45,7 +45,7 @@ enum Showing {
     Impact(Box<Watch>),
 }
 
-/// The key actions for a shot that is being watched.
+/// What the keys do while a shot is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShotAction {
@@ -196,8 +196,8 @@ impl ShotPlayer {
         }
     }
 
-    /// The action triggered by clicking the picture: that of the space bar, but none in the list of
-    /// impacts.
+    /// The action triggered by clicking the picture: the same as for the space bar, but none in the
+    /// list of impacts.
     pub(crate) fn clicked(&self) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => None,

@@ -30,7 +30,7 @@ impl From<Rect> for Room {
     }
 }
 
-/// The area of a framed picture of this size in the corner of an area, and the columns beside it.
+/// The area of a framed picture with this size, in the corner of `area`, and the columns beside it.
 pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> [Rect; 2] {
     let [picture, panel] = left(area, columns.saturating_add(2));
     let [picture, _] = upper(picture, rows.saturating_add(2));

@@ -9,7 +9,7 @@ use strum::{EnumString, VariantNames};
 )]
 #[strum(serialize_all = "lowercase")]
 pub enum Blocks {
-    /// Two columns and two rows in each cell. Every font has them.
+    /// Two columns and two rows in each cell. Every font has these characters.
     #[default]
     Quadrants,
     /// Two columns and three rows in each cell, from Unicode 13.

@@ -123,7 +123,7 @@ impl<'a> Lines<'a> {
         self.standing = around;
     }
 
-    /// Writes something that is recorded as `words`, however its rows are written.
+    /// Writes something that is recorded as `words`, regardless of how its rows are written.
     pub(crate) fn written_as(
         &mut self,
         words: impl FnOnce(Charset) -> Words,

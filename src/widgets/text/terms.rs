@@ -112,7 +112,7 @@ fn split(
     }
 }
 
-/// For each word, how strongly it is held to the word before it.
+/// For each word, how strongly it is bound to the word before it.
 fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
     let mut depth = 0_usize;
     let mut before = "";

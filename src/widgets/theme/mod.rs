@@ -71,7 +71,7 @@ pub enum Depth {
 pub struct Theme {
     /// The set of colours.
     pub palette: Palette,
-    /// The available colours.
+    /// The number of colours available.
     pub depth: Depth,
 }
 

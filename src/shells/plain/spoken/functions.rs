@@ -2,7 +2,7 @@
 
 use super::signs::power;
 
-/// The functions as they are written in text, with their spoken names.
+/// The written and the spoken names of functions.
 const FUNCTIONS: [(&str, &str); 5] = [
     ("arcsin", "arc sine"),
     ("sin", "sine"),

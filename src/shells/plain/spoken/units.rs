@@ -1,6 +1,6 @@
 //! Units as they are read aloud and as they are typed.
 
-/// The units as they are written in text, with their singular and plural names.
+/// The written units, with their singular and plural names in speech.
 const UNITS: [(&str, &str, &str); 20] = [
     ("m/s", "metre per second", "metres per second"),
     ("rad/s", "radian per second", "radians per second"),

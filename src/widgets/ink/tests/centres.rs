@@ -13,7 +13,7 @@ use crate::widgets::{Blocks, Charset, Look, Role, Theme};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Drawn {
     Token,
-    /// As a circle or a block.
+    /// The disc is drawn as a circle or a block.
     Round,
 }
 

@@ -88,7 +88,7 @@ impl Big {
         Self::of_one_size(texts, LetterSize::of_name(charset), columns, charset, fits)
     }
 
-    /// Sets all strings in the largest letters in which they are narrow enough and `fit` returns
+    /// Sets all strings in the largest letters for which they are narrow enough and `fit` returns
     /// true.
     fn of_one_size(
         texts: &[&str],
