@@ -32,7 +32,7 @@ pub(crate) fn four_figures(x: f64) -> String {
     figures(x, 4)
 }
 
-/// The same to another number of significant figures, at least 1.
+/// Like [`four_figures`], but to `count` significant figures, at least 1.
 pub(crate) fn figures(x: f64, count: u8) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
@@ -112,7 +112,7 @@ impl Intermediate {
         Self::leading_to(x, text, |read| read, result)
     }
 
-    /// The same for an angle in radians, printed in degrees without a unit.
+    /// Like [`Self::new`], but for an angle in radians that is printed in degrees without a unit.
     pub(crate) fn angle<T: PartialEq>(angle: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(angle.to_degrees(), 1 + more);
         Self::leading_to(angle, text, f64::to_radians, result)
@@ -158,7 +158,7 @@ pub(crate) fn bare_millimetres(length_mm: f64) -> String {
     }
 }
 
-/// The same with the unit: "36.55 mm".
+/// Like [`bare_millimetres`], but with the unit: "36.55 mm".
 pub(crate) fn millimetres(length_mm: f64) -> String {
     with_unit(&bare_millimetres(length_mm), "mm")
 }

@@ -154,7 +154,7 @@ fn writing(app: &App) -> Writing {
     }
 }
 
-/// The number of lines by which the help page can be scrolled.
+/// How many lines the help page can be scrolled.
 pub(super) fn help_overflow(app: &App) -> u16 {
     let inside = centred(app.context.body).inner(Margin::new(1, 1));
     let writing = writing(app);
@@ -212,7 +212,7 @@ fn clear(area: Rect, buf: &mut Buffer, look: Look) {
     buf.set_style(area, look.theme.base());
 }
 
-/// Ensures that a screen in ASCII contains only ASCII characters: names and text from outside may
+/// Ensures that a screen in ASCII contains only ASCII characters: names and external text may
 /// contain other characters.
 fn keep_ascii(area: Rect, buf: &mut Buffer) {
     for position in area.positions() {

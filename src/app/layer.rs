@@ -12,7 +12,7 @@ use crate::widgets::input::{KeyTable, Rebound};
 pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
-        /// The number of lines by which the page is scrolled.
+        /// How many lines the page has been scrolled.
         scrolled: u16,
         /// The rules of the game that is on the screen.
         rules: Option<Rules>,
@@ -24,7 +24,7 @@ pub(super) enum AppLayer {
     Leave(Confirmation),
 }
 
-/// The key actions of a layer.
+/// What the keys do in a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum LayerAction {

@@ -102,7 +102,7 @@ impl Data {
     }
 }
 
-/// The last part of a link to a hit in the lab whose outcome is hidden.
+/// The suffix of a link to a hit in the lab whose outcome is hidden.
 const HIDE: &str = "hide";
 
 /// The rules in a link: the first word of their name.
@@ -111,7 +111,7 @@ fn rules_in_link(rules: Rules) -> &'static str {
     name.split(' ').next().unwrap_or(name)
 }
 
-/// The code of a board for one player.
+/// How a message describes the code of a board for one player.
 const BOARD: &str = "the code of a board: a day such as 2026-11-26, or a number up to 999999";
 
 /// The separator between the address of a round and the answers given in the round.

@@ -22,7 +22,7 @@ pub enum CountedFor {
 }
 
 impl CountedFor {
-    /// The other unit.
+    /// The other one of the two units.
     #[must_use]
     pub fn other(self) -> Self {
         match self {

@@ -46,7 +46,7 @@ pub struct CountsFault {
 /// The counts of 1913, from the largest angle to the smallest.
 ///
 /// # Errors
-/// Only if the built-in table is damaged.
+/// Fails only if the built-in table is damaged.
 pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
     read(TABLE)
 }

@@ -28,13 +28,13 @@ pub struct AskedQuestion {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum AskedForm {
-    /// By two rays; `side` is the target's side, and `target` its name.
+    /// The answer is two rays; `side` is the target's side, and `target` is its name.
     Rays { side: f64, target: String },
-    /// By a number; `measure` is the name of its quantity in files.
+    /// The answer is a number; `measure` is the name of its quantity in files.
     Number { measure: String },
-    /// By choosing an option.
+    /// The answer is one of these options.
     Choice { options: Vec<String> },
-    /// By a shot that sends the striker or the target in this direction, in radians.
+    /// The answer is a shot that sends the striker or the target in this direction, in radians.
     Shot {
         hit: AskedHit,
         striker: bool,

@@ -21,7 +21,7 @@ pub(crate) struct ClassBelief {
 /// The class's misconceptions, ordered by the number of teams that hold them and, in a tie, by the
 /// evidence.
 pub(crate) fn beliefs(round: &ClassRound) -> Vec<ClassBelief> {
-    // Counted hands have no names, so their evidence is weighed question by question.
+    // Counted hands are anonymous, so their evidence is weighed question by question.
     let all = match round.way() {
         WayOfVoting::Tally => round.questions().len(),
         WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),

@@ -50,17 +50,17 @@ pub enum ClassChange {
         /// Their new name.
         name: String,
     },
-    /// A participant was removed with all their votes and stays out; later participants move up.
+    /// A participant and all their votes were removed; later participants' indices shift by one.
     Remove {
         /// The participant.
         person: usize,
     },
     /// A removed participant may join again.
     Readmit {
-        /// The index among those who were removed.
+        /// Their index among the removed participants.
         removed: usize,
     },
-    /// A participant's seat was freed, and they may join again; later participants move up.
+    /// A participant's seat was freed, and they may rejoin; later participants' indices shift.
     Vacate {
         /// The participant.
         person: usize,

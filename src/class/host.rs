@@ -33,7 +33,7 @@ pub enum HostCall {
 pub enum HostNews {
     /// Pupils can join, or the reason why they cannot.
     Opened(Result<JoinDetails, String>),
-    /// A pupil with the right code asks to join.
+    /// A pupil who has the right code is asking to join.
     Came {
         /// The connection.
         connection: ConnectionId,
@@ -48,7 +48,7 @@ pub enum HostNews {
         /// The time since a fixed moment.
         at: Duration,
     },
-    /// A pupil votes.
+    /// A pupil has voted.
     Voted {
         /// The connection.
         connection: ConnectionId,
@@ -61,7 +61,7 @@ pub enum HostNews {
         /// The number of the vote.
         n: u64,
     },
-    /// A pupil hands in the answers that they gave on their own.
+    /// A pupil has handed in the answers that they gave while playing alone.
     HandedIn {
         /// The connection.
         connection: ConnectionId,
@@ -101,7 +101,7 @@ impl HostNews {
 pub struct JoinDetails {
     /// The code for joining.
     pub code: JoinCode,
-    /// The addresses at which the server listens, the best first.
+    /// The addresses that the server listens on, best first.
     pub addresses: Vec<SocketAddrV4>,
     /// `Ok` if the page is served at these addresses; otherwise the reason why it is not, and then
     /// only pupils who have installed carrom can join.

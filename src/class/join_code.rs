@@ -19,7 +19,7 @@ impl JoinCode {
     /// The number of letters.
     pub const LENGTH: usize = 6;
 
-    /// The code for a random number. There are 20⁶ codes, 64 million.
+    /// The code made from a random number. There are 20⁶ codes, 64 million.
     pub fn of(mut random: u64) -> Self {
         Self(std::array::from_fn(|_| {
             let letter = LETTERS[(random % LETTERS.len() as u64) as usize];
@@ -82,7 +82,7 @@ impl From<JoinCode> for String {
 pub struct SeatToken(u128);
 
 impl SeatToken {
-    /// The token for a random number.
+    /// The token made from a random number.
     pub const fn of(random: u128) -> Self {
         Self(random)
     }

@@ -50,7 +50,7 @@ pub struct Allowance {
 pub struct Bucket {
     allowance: Allowance,
     left: f64,
-    /// The time at which this much was left.
+    /// The time for which `left` was calculated.
     since: Duration,
 }
 
@@ -70,7 +70,7 @@ impl Bucket {
         (self.left + back).min(self.allowance.at_once)
     }
 
-    /// Whether at least one is left.
+    /// Whether the allowance is enough for one more.
     fn has_one(&self, now: Duration) -> bool {
         self.left(now) >= 1.0
     }
@@ -102,7 +102,7 @@ impl Addresses {
         }
     }
 
-    /// The unused allowance of an address.
+    /// The bucket of an address.
     fn of(&mut self, address: IpAddr, now: Duration) -> &mut Bucket {
         if self.known.len() >= self.most {
             let at_once = self.allowance.at_once;
@@ -150,7 +150,7 @@ pub struct GuardedCode {
 pub enum CodeVerdict {
     /// The code is right.
     Right,
-    /// The code is wrong; the reply is delayed for this long.
+    /// The code is wrong; the reply must be delayed by this duration.
     Wrong(Duration),
     /// The code was not checked: there were too many wrong codes.
     Unseen,

@@ -3,11 +3,11 @@
 //!
 //! Each question is asked twice: everyone predicts in silence and votes; then the class discusses
 //! the question and may change its votes (E. Mazur, *Peer Instruction*, 1997). Both votes are
-//! saved; the second one is scored, by how close it is and never by speed.
+//! saved; the second one is scored, always by accuracy and never by speed.
 //!
 //! A class votes in one of three ways ([`WayOfVoting`]): up to eight teams at one keyboard; hands
 //! or cards that are counted (a tally: counts for the choices of [`ClassRound::choices`], taken by
-//! [`ClassRound::count`]); or up to 250 people on devices of their own. The methods on votes
+//! [`ClassRound::count`]); or up to 250 people on their own devices. The methods on votes
 //! ([`ClassRound::said`], [`ClassRound::results`], [`ClassRound::clues`], [`ClassRound::voted`])
 //! are the same for all three: a counted hand is a vote like any other. A tally lacks only what
 //! requires a name (ballots, points, standings).
@@ -15,7 +15,7 @@
 //! Every change is a [`ClassChange`] ([`ClassRound::change`]). A file of a round contains an
 //! earlier state and the changes since then, so a vote is saved by appending a line.
 //!
-//! This module does not use the network: people on devices join and leave through changes.
+//! This module does not use the network: people join and leave through changes.
 
 mod advice;
 mod asked;

@@ -11,7 +11,7 @@ use crate::files::{NO_NAME, is_blank_name, short_name};
 /// The largest number of teams at one keyboard.
 pub const MOST_TEAMS: usize = 8;
 
-/// The largest number of people on devices of their own.
+/// The largest number of people who join on their own devices.
 pub const MOST_PEOPLE: usize = 250;
 
 /// The largest number of letters in a name.
@@ -31,7 +31,7 @@ pub enum NameTrouble {
     Twice(String),
 }
 
-/// Names of teams as they are shown and stored: tidied, without empty ones.
+/// Tidies the names of teams for display and storage, and leaves out empty ones.
 ///
 /// # Errors
 /// If no team is left, if there are more than [`MOST_TEAMS`], or if two differ only in case.
@@ -44,7 +44,7 @@ pub fn team_names<'a>(
     }
 }
 
-/// Names as they are shown and stored, for this way of voting; the list may be empty.
+/// Tidies names for display and storage, for this way of voting; the list may be empty.
 ///
 /// # Errors
 /// If there are too many, or if two differ only in case.
@@ -77,8 +77,8 @@ pub(crate) fn is_same_class(one: &str, other: &str) -> bool {
     folded(&tidy(one)) == folded(&tidy(other))
 }
 
-/// A name as it is shown and stored: only visible letters, no blanks at the ends, at most
-/// [`LONGEST_NAME`] letters.
+/// Tidies a name for display and storage: keeps only visible letters, at most [`LONGEST_NAME`] of
+/// them, and removes blanks at the ends.
 pub(super) fn tidy(name: &str) -> String {
     short_name(name, LONGEST_NAME)
 }

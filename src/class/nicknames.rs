@@ -28,8 +28,9 @@ pub(crate) fn is_nickname(name: &str) -> bool {
     is_known && rest.next().unwrap_or(true) && rest.next().is_none()
 }
 
-/// A nickname that is not `taken`, unless all are: `asked`, the one that the device had before, if
-/// it is a free nickname; otherwise one that the random token determines.
+/// Chooses a nickname that is not `taken`, unless all are. A device that already had a nickname
+/// asks for it (`asked`) and gets it if it is free; otherwise the random token determines the
+/// nickname.
 pub(super) fn for_device(asked: &str, token: SeatToken, taken: impl Fn(&str) -> bool) -> String {
     if is_nickname(asked) && !taken(asked) {
         return asked.to_owned();

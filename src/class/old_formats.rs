@@ -1,5 +1,5 @@
 //! Files of formats 1 to 5, as earlier versions wrote them: names in a list, votes in one table per
-//! question, and changes in a syntax of their own. They must always open, so this module never
+//! question, and changes in a separate syntax. They must always open, so this module never
 //! changes.
 
 use super::ballot::{Said, Vote};

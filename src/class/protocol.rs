@@ -1,13 +1,14 @@
 //! The messages between a pupil's device and the host, in JSON.
 //!
 //! Every message from the host is the pupil's whole state, so voting, joining late, reconnecting
+//! Every message from the host is the pupil's whole state, so voting, joining late, reconnecting
 //! and going back a question all work the same way. A device shows the latest state. `n` is a
 //! number that a device increments with each vote and receives back with its state: a state whose
 //! `n` is at least as large confirms that the vote is on the host's disk or, with `misfit`, that
 //! the vote does not fit the question and was not counted. `rev` counts the states of one
-//! connection. A pupil can also hand in the answers that they gave on their own: a file with an `n`
-//! of its own, which comes back in `handed` once the file is on the host's disk, or with the reason
-//! why it is not.
+//! connection. A pupil can also hand in the answers that they gave while playing alone: the file
+//! has its own `n`, which comes back in `handed` once the file is on the host's disk, or with the
+//! reason why it is not.
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
@@ -64,7 +65,7 @@ pub enum ClientMessage {
         /// The number of the vote, larger than that of every earlier vote.
         n: u64,
     },
-    /// The answers that the pupil gave on their own, for the teacher.
+    /// The answers that the pupil gave while playing alone, for the teacher.
     HandIn {
         /// The number of the hand-in, larger than that of every earlier one.
         n: u64,

@@ -20,7 +20,7 @@ pub(super) struct PupilView<'r> {
 }
 
 impl<'r> PupilView<'r> {
-    /// The common state at a step, once this many questions have points.
+    /// The common state at a step; `with_points` questions have points so far.
     pub(super) fn new(round: &'r ClassRound, step: PupilStep, with_points: usize) -> Self {
         let number = round.place().question;
         let question = round.questions().get(number);

@@ -13,7 +13,7 @@ use super::way::WayOfVoting;
 use crate::progress::Tally;
 use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question, Response, Round};
 
-/// A participant: a team, or a pupil on a device of their own.
+/// A participant: a team, or a pupil on their own device.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Participant {
     name: String,
@@ -61,7 +61,7 @@ pub struct ClassRound {
     pub(super) participants: Vec<Participant>,
     /// For each question, the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
-    /// How pupils join on devices of their own; `None` once they can no longer return.
+    /// How pupils join on their own devices; `None` once they can no longer return.
     pub(super) joining: Option<Joining>,
     place: ClassPlace,
     /// The name of the class; may be empty.
@@ -77,7 +77,7 @@ pub(super) struct Joining {
     pub(super) code: JoinCode,
     /// The address at which pupils' devices last found the round.
     pub(super) address: Option<SocketAddrV4>,
-    /// The participants who were removed and have not been let in again.
+    /// The participants who were removed and have not been readmitted.
     pub(super) removed: Vec<Removed>,
 }
 
@@ -135,14 +135,14 @@ impl ClassRound {
         });
     }
 
-    /// The same round for a class of this name, which is tidied and may be empty.
+    /// Sets the name of the class, which is tidied and may be empty.
     #[must_use]
     pub fn of_class(self, name: &str) -> Self {
         let class = tidy(name);
         Self { class, ..self }
     }
 
-    /// The same round, in which carrom gives nicknames to pupils' devices, or asks for names.
+    /// Sets whether carrom gives nicknames to pupils' devices instead of asking for names.
     #[must_use]
     pub fn with_nicknames(self, nicknames: bool) -> Self {
         Self { nicknames, ..self }
@@ -174,7 +174,7 @@ impl ClassRound {
         self.way
     }
 
-    /// The code for joining on devices, while joining is possible.
+    /// The code for joining on devices, while pupils can join.
     pub fn join_code(&self) -> Option<JoinCode> {
         self.joining.as_ref().map(|joining| joining.code)
     }
@@ -184,7 +184,7 @@ impl ClassRound {
         self.joining.as_ref()?.address
     }
 
-    /// Makes joining possible, with this code and at this address. An existing code is kept.
+    /// Lets pupils join, with this code and at this address. An existing code is kept.
     pub fn open(&mut self, code: JoinCode, address: Option<SocketAddrV4>) {
         let joining = self.joining.get_or_insert(Joining {
             code,
@@ -194,7 +194,7 @@ impl ClassRound {
         joining.address = address;
     }
 
-    /// Ends joining and forgets all seat tokens; names and votes are kept.
+    /// Stops pupils from joining and forgets all seat tokens; names and votes are kept.
     pub fn close(&mut self) {
         self.joining = None;
         self.participants.iter_mut().for_each(|it| it.seat = None);
@@ -206,13 +206,13 @@ impl ClassRound {
         all.position(|it| it.seat == Some(token))
     }
 
-    /// The names of those who were removed and have not been let in again.
+    /// The names of the participants who were removed and have not been readmitted.
     pub fn removed(&self) -> impl Iterator<Item = &str> {
         let removed = self.joining.iter().flat_map(|joining| &joining.removed);
         removed.map(|it| it.name.as_str())
     }
 
-    /// Whether a participant with this token or name was removed and has not been let in again.
+    /// Whether a participant with this token or name was removed and has not been readmitted.
     pub fn is_removed(&self, token: Option<SeatToken>, name: &str) -> bool {
         let name = folded(&tidy(name));
         let mut removed = self.joining.iter().flat_map(|joining| &joining.removed);
@@ -257,7 +257,7 @@ impl ClassRound {
         found.ok_or_else(|| format!("expected one of {count} participants"))
     }
 
-    /// Adds a participant with a unique name. A seat token requires that joining is possible.
+    /// Adds a participant with a unique name. A seat token is accepted only while pupils can join.
     pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
         if self.participants.len() >= self.way.most() {
             return Err(format!("expected at most {} participants", self.way.most()));
@@ -280,7 +280,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Removes a participant with all their votes; they stay out until they are let in again.
+    /// Removes a participant and all their votes; only after being readmitted can they rejoin.
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
         let Participant { seat, name, .. } = self.participant(person)?.clone();
         self.vacate(person)?;
@@ -422,7 +422,8 @@ impl ClassRound {
         self.answers(question, vote).into_iter().map(|it| it.said)
     }
 
-    /// Like [`Self::said`], but as [`Answer`]s, with the confidence if it was asked.
+    /// Like [`Self::said`], but as [`Answer`]s, including the confidence of voters who were asked
+    /// for it.
     fn answers(&self, question: usize, vote: Vote) -> Vec<Answer> {
         match self.way {
             WayOfVoting::Tally => self.counted(question, vote).map(unsure).collect(),

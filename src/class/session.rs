@@ -49,7 +49,7 @@ pub struct Session {
     handed_bytes: usize,
     handed_in_where: Option<String>,
     new_seats: NewSeats,
-    /// How long joining has been possible without anybody joining.
+    /// How long pupils have been able to join without anybody joining.
     waited: Duration,
     effects: Vec<SessionEffect>,
 }
@@ -152,7 +152,7 @@ impl Session {
         }
     }
 
-    /// Whether everyone votes on a device of their own.
+    /// Whether everyone votes on their own device.
     pub fn is_hosted(&self) -> bool {
         self.round.way() == WayOfVoting::Devices
     }
@@ -663,7 +663,7 @@ impl Session {
         (self.waits() && !left.is_zero()).then_some(left)
     }
 
-    /// Whether joining is possible and nobody has joined yet.
+    /// Whether pupils can join but nobody has joined yet.
     fn waits(&self) -> bool {
         matches!(self.hosting, HostingState::Open(_)) && self.round.participants().is_empty()
     }

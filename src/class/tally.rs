@@ -6,7 +6,7 @@ use super::round::ClassRound;
 use super::way::WayOfVoting;
 use crate::quiz::{Form, Response};
 
-/// The largest number of choices for a question without choices of its own: the number of cards on
+/// The largest number of choices for a question that has no list of choices: the number of cards on
 /// a sheet.
 const MOST_CHOICES: usize = 4;
 

@@ -4,13 +4,13 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 
 /// A way in which a class votes. In files, it has a name such as "devices".
 ///
-/// - **Teams** type their votes one after the other at the teacher's keyboard. Each has a
-///   name and a [`Ballot`](super::Ballot) of its own.
+/// - **Teams** type their votes one after the other at the teacher's keyboard. Each has its
+///   own name and [`Ballot`](super::Ballot).
 /// - A **tally** is for a class without devices: hands or printed cards are counted, and the
 ///   teacher types the number of votes for each choice. There are no names; the counts are those of
 ///   [`ClassRound::tally`](super::ClassRound::tally), for the choices of
 ///   [`ClassRound::choices`](super::ClassRound::choices).
-/// - With **devices** everyone votes on a device of their own; people join by
+/// - With **devices** everyone votes on their own device; people join by
 ///   [`ClassChange::Join`](super::ClassChange::Join), each with a name and a ballot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
@@ -20,7 +20,7 @@ pub enum WayOfVoting {
     Teams,
     /// Counted hands or cards.
     Tally,
-    /// Everyone on a device of their own.
+    /// Everyone votes on their own device.
     Devices,
 }
 
@@ -35,7 +35,7 @@ impl WayOfVoting {
         }
     }
 
-    /// The largest number of teams or people with a ballot of their own.
+    /// The largest number of teams or people who each have a ballot.
     pub const fn most(self) -> usize {
         match self {
             Self::Teams => super::MOST_TEAMS,

@@ -79,7 +79,7 @@ pub(super) struct Args {
     yes: bool,
 }
 
-/// The options that belong to a round on the screen.
+/// The options that make sense only for opening a round on the screen.
 const OPENING: [&str; 8] = [
     "host",
     "port",

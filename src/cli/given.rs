@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use super::{Failure, GlobalOptions, print_text};
 use crate::files::{self, FileError, FileErrors, FileLibrary};
 
-/// Reads a file; `-` is standard input. `read` is given the file's name, for messages, and its
-/// bytes: at most one more than `most`.
+/// Reads a file; `-` is standard input. `read` receives the file's name, for messages, and at most
+/// `most` + 1 of its bytes.
 pub(super) fn read<T>(
     path: &Path,
     most: usize,

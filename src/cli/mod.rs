@@ -336,7 +336,7 @@ fn named(data: &Data, name: &str, value: Option<&str>) -> Result<Route, String> 
     route.map_err(|expected| format!("expected {expected}, found {}", quoted(value)))
 }
 
-/// The app with these options, at a screen (`None`: the home screen).
+/// The app with these options, opened at a screen, or at the home screen if that is `None`.
 ///
 /// # Errors
 /// What is wrong with the arguments.
@@ -516,8 +516,7 @@ pub fn open(arguments: &str) -> Result<App, String> {
     open_within(arguments, &GlobalOptions::default()).map(|(app, _)| app)
 }
 
-/// Like [`open`], with `outer` for options that the arguments do not give; also returns the
-/// options.
+/// Like [`open`], but takes missing options from `outer`, and also returns the options.
 fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOptions), String> {
     let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
     let odd: Vec<_> = words.iter().filter(|it| is_odd(it)).cloned().collect();

@@ -187,7 +187,7 @@ impl GlobalOptions {
         Arc::new(Library::default().with(&self.concepts))
     }
 
-    /// The same, with the set in this file.
+    /// Like [`Self::own`], but with the set in this file added.
     ///
     /// # Errors
     /// All errors in the file of the set.

@@ -16,7 +16,7 @@ const LONGEST_MESSAGE: usize = 400;
 /// The words before the quoted part of a message.
 const FOUND: &str = ", found ";
 
-/// The maximum number of characters that a message quotes from outside text.
+/// The maximum number of characters that a message quotes from external text.
 pub const LONGEST_QUOTE: usize = 200;
 
 /// An error in a file.
@@ -142,7 +142,7 @@ pub(crate) fn brief(message: &str) -> String {
     escape_control(&message, LONGEST_MESSAGE)
 }
 
-/// Text from outside in quotation marks, for a message: without control characters, and with at
+/// External text in quotation marks, for a message: without control characters, and with at
 /// most [`LONGEST_QUOTE`] characters.
 pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTE) {
@@ -151,7 +151,7 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
-/// Text from outside on one line, truncated and without control characters, so that a message
+/// External text on one line, truncated and without control characters, so that a message
 /// cannot control the terminal.
 pub fn escape_control(text: &str, most: usize) -> String {
     let mut kept = String::new();

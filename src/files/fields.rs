@@ -1,4 +1,4 @@
-//! Reads TOML from outside field by field, so that every error names the file, the line and the
+//! Reads external TOML field by field, so that every error names the file, the line and the
 //! field, what was expected and what was found.
 //!
 //! Errors are noted and reading continues: the caller gets `None` for an invalid value, still reads
@@ -298,7 +298,8 @@ impl<'a> Fields<'a> {
         Some(table.only(known))
     }
 
-    /// This many tables with the same name and these known fields.
+    /// A list of tables with the same name and these known fields; `count` is the permitted length
+    /// of the list.
     pub(crate) fn tables(
         &self,
         name: &str,
@@ -327,7 +328,7 @@ impl<'a> Fields<'a> {
         Some(Self::new(self.source, &path, value.span().start, table))
     }
 
-    /// A list of this many items.
+    /// A list whose length must be within `count`.
     fn list<T>(
         &self,
         name: &str,
@@ -381,7 +382,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// A list of this many different whole numbers below `end`.
+    /// A list of different whole numbers below `end`; `count` is the permitted length of the list.
     pub(crate) fn different(
         &self,
         name: &str,
@@ -403,7 +404,7 @@ impl<'a> Fields<'a> {
         self.value(name, &expected, |value| text(value.get_ref(), most))
     }
 
-    /// A list of this many strings, without surrounding spaces.
+    /// A list of strings, without surrounding spaces; `count` is the permitted length of the list.
     pub(crate) fn texts(
         &self,
         name: &str,

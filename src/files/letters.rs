@@ -1,4 +1,4 @@
-//! Decides which characters in text from outside are visible and which are unsafe.
+//! Decides which characters in external text are visible and which are unsafe.
 
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;

@@ -1,4 +1,4 @@
-//! Reads files from outside, reports their errors, and writes files atomically.
+//! Reads external files, reports their errors, and writes files atomically.
 
 mod csv_table;
 mod draft;

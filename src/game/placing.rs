@@ -49,16 +49,16 @@ pub struct BaseLines<'a> {
 /// The striker's position between the base lines, as seen on the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stand {
-    /// In the middle, to the millimetre.
+    /// The striker is in the middle, to the millimetre.
     Middle,
-    /// On a base circle: "left" or "upper".
+    /// The striker is on this base circle: "left" or "upper".
     Circle(&'static str),
-    /// This many millimetres from the middle: "left" or "above".
+    /// The striker is this many millimetres "left" of the middle, "above" it, and so on.
     Beside(f64, &'static str),
 }
 
 impl Stand {
-    /// In short: "12 mm left".
+    /// A short description: "12 mm left".
     pub(crate) fn words(self) -> String {
         match self {
             Self::Middle => "the middle".into(),
@@ -67,7 +67,7 @@ impl Stand {
         }
     }
 
-    /// In a sentence: "place the striker 12 mm left of the middle".
+    /// The description as a clause: "place the striker 12 mm left of the middle".
     pub(crate) fn phrase(self) -> String {
         match self {
             Self::Middle => "in the middle".into(),
@@ -165,7 +165,8 @@ impl<'a> BaseLines<'a> {
         self.nearest_of(ends.into_iter().chain(self.barred().flatten()), at)
     }
 
-    /// The legal one of `places` (metres along the base lines) that is nearest to `at`.
+    /// The position nearest to `at` among those of `places` (metres along the base lines) that are
+    /// legal.
     pub(super) fn nearest_of(&self, places: impl Iterator<Item = f64>, at: DVec2) -> Option<DVec2> {
         let wanted = self.along(at);
         let apart = |along: &f64| (along - wanted).abs();

@@ -34,7 +34,7 @@ pub struct BoardInPlay {
     pub won: Option<BoardWon>,
 }
 
-/// The facts that do not change while a board is played.
+/// The facts that do not change while a board is being played.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Terms {
     pub(super) rules: Rules,
@@ -160,7 +160,7 @@ impl BoardInPlay {
         }
     }
 
-    /// Carries out a verdict: puts back what comes back, and passes the turn or ends the board.
+    /// Carries out a verdict: puts pieces back, and passes the turn or ends the board.
     pub(super) fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
         let team = terms.hands.team(self.seat);
         let colour = terms.colour(team);

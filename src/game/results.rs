@@ -8,12 +8,12 @@ use super::{
 };
 use crate::game::score::Score;
 
-/// The results of one player against the computer. Only games count in which this player is the
-/// only person and the computer plays on the other side; practice does not count.
+/// The results of one player against the computer. A game counts only if this player is the only
+/// person in it and the computer plays on the other side; practice does not count.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(crate) struct Results {
-    /// One row for each combination of rules, strength of the computer and hand of the player, the
-    /// latest first.
+    /// One row for each combination of rules, strength of the computer and steadiness of the
+    /// player's hand, the latest first.
     #[serde(rename = "results")]
     pub(crate) rows: Vec<ResultsRow>,
     /// The most pieces that the player pocketed in one turn.

@@ -14,11 +14,11 @@ pub enum Seat {
     /// Below the board, facing up.
     #[default]
     South,
-    /// On the right.
+    /// On the right of the board.
     East,
-    /// Above.
+    /// Above the board.
     North,
-    /// On the left.
+    /// On the left of the board.
     West,
 }
 

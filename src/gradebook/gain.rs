@@ -24,7 +24,7 @@ pub struct NormalizedGain {
 pub enum NoGain {
     /// There are too few matched pupils.
     TooFew,
-    /// So little was wrong before that the confidence interval of the gain has no bounds.
+    /// So few answers were wrong before that the confidence interval of the gain is unbounded.
     NothingToLearn,
 }
 
@@ -36,7 +36,7 @@ impl NormalizedGain {
     /// which does not require a large class.
     ///
     /// # Errors
-    /// Why nothing can be said.
+    /// The reason why nothing can be said about the class.
     pub fn of(scores: &[[f64; 2]]) -> Result<Self, NoGain> {
         let n = scores.len() as f64;
         if scores.len() < FEWEST {

@@ -101,7 +101,7 @@ impl HandIn {
     /// The contents of the file, for sending.
     ///
     /// # Errors
-    /// As for [`Self::text`].
+    /// The same as for [`Self::text`].
     pub fn value(&self) -> Result<Value, String> {
         serde_json::to_value(self.written()).map_err(|error| error.to_string())
     }
@@ -152,7 +152,7 @@ impl HandIn {
     /// Reads a hand-in that was sent.
     ///
     /// # Errors
-    /// As for [`Self::read`].
+    /// The same as for [`Self::read`].
     pub(crate) fn of_value(value: Value) -> Result<Self, String> {
         let kind = value.get("carrom").and_then(Value::as_str);
         let format = value.get("format").and_then(Value::as_u64);

@@ -150,7 +150,7 @@ impl Book {
         mark.is_some_and(|mark| mark.is_done(chapter))
     }
 
-    /// The number of chapters that are done, and the number of all chapters: "2 of 12".
+    /// The number of completed chapters and the total number: "2 of 12".
     pub fn done(&self) -> String {
         let chapters = &self.library().chapters;
         let done = chapters.iter().filter(|chapter| self.is_done(chapter));

@@ -50,7 +50,7 @@ pub enum FigureKind {
         /// shot are the other pieces.
         third_g: Option<f64>,
     },
-    /// The energy of the motion of the centre of mass and that of the relative motion, as bars.
+    /// Two bars: the energy of the centre-of-mass motion, and that of the relative motion.
     Parts,
     /// A simulated film of the collision, measured as `carrom measure` does.
     Film {
@@ -83,7 +83,7 @@ pub struct Filming {
     pub rate: f64,
     /// The standard deviation of a point, in millimetres.
     pub noise_mm: f64,
-    /// The percentage by which all lengths are too large.
+    /// How much too large all lengths are, in per cent.
     pub scale_percent: f64,
     /// The tilt of the camera in degrees, which makes lengths along y seem shorter.
     pub tilt_deg: f64,

@@ -37,7 +37,7 @@ fn film(random: &mut Pcg64Mcg) -> Film {
         0 => DVec2::ZERO,
         _ => dvec2(-0.3, 0.5),
     };
-    // A film of 720 to 1440 rows of a board of 0.7 m.
+    // The film has 720 to 1440 rows, and the board in it is 0.7 m wide.
     let pixel = random.random_range(0.0005..0.001);
     let unequal = [1.0, 1.0, 1.4][random.random_range(0..3)];
     Film {
@@ -134,7 +134,7 @@ fn wrong(all: &[Covered], points: f64) -> Vec<&'static str> {
         .collect()
 }
 
-/// The same on surfaces that slow both bodies by one of these rates.
+/// Films like those of [`film`], but on surfaces that slow both bodies at one of these rates.
 fn slowed(rates: &'static [f64]) -> impl Fn(&mut Pcg64Mcg) -> Film {
     move |random| Film {
         slowing: rates[random.random_range(0..rates.len())],

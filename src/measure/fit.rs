@@ -76,7 +76,7 @@ impl Estimate {
 pub struct SlowingTest {
     /// The F ratio.
     pub f: f64,
-    /// The probability of a ratio this large by chance.
+    /// The probability that a ratio this large occurs by chance.
     pub p: f64,
     /// Whether both bodies slow down as fitted (and not speed up).
     pub is_slowing: bool,
@@ -352,7 +352,7 @@ impl TracksFit {
         self.propagate(of, |difference| difference)
     }
 
-    /// The same for an angle in radians, which may pass ±π.
+    /// Like [`Self::estimate`], but for an angle in radians, which may wrap around at ±π.
     pub(super) fn estimate_angle(&self, of: impl Fn(&State) -> Option<f64>) -> Option<Estimate> {
         self.propagate(of, |difference| (difference + PI).rem_euclid(2.0 * PI) - PI)
     }

@@ -16,7 +16,7 @@ struct PrintedQuantity {
 }
 
 impl Measurement {
-    /// Everything as JSON. For a quantity that is not defined, there is only the reason, as
+    /// The whole measurement as JSON. If a quantity is not defined, only the reason is given, as
     /// `unknown`.
     pub fn json(&self) -> Value {
         let mut quantities = Map::new();

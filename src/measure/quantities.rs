@@ -10,7 +10,7 @@ use crate::numbers::fixed;
 use crate::physics::impact::{Contact, kinetic_energy};
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
-/// What a quantity is measured in.
+/// The unit of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unit {
     Seconds,
@@ -55,7 +55,7 @@ impl Unit {
         }
     }
 
-    /// A value in SI units, in this unit.
+    /// Converts a value from SI units to this unit.
     pub(crate) fn in_unit(self, value: f64) -> f64 {
         match self {
             Self::Length => mm_from_m(value),

@@ -1,4 +1,4 @@
-//! Reads tracks: what Tracker exports or copies, and any other table of numbers.
+//! Reads tracks from tables that Tracker exports or copies, or from any other table of numbers.
 //!
 //! Tracker (physlets.org/tracker) writes one track as a line with its name, a line with the
 //! headings `t`, `x`, `y`, and rows separated by tabs. A file with several tracks begins with
@@ -225,7 +225,7 @@ fn head(text: &str) -> (String, Option<String>) {
     )
 }
 
-/// The metres of a unit of length; 0 for pixels, whose size is not in the file.
+/// The length of a unit in metres; 0 for pixels, because the file does not say how large they are.
 fn length_unit(unit: &str) -> Option<f64> {
     Some(match unit {
         "m" => 1.0,
@@ -245,8 +245,7 @@ fn time_unit(unit: &str) -> Option<f64> {
     }
 }
 
-/// What a column contains according to its heading; `name` is the name of the body in the line
-/// above.
+/// What a column contains according to its heading; `name` is the body's name from the line above.
 fn role(plain: &str, name: &str) -> Option<ColumnRole> {
     if matches!(
         plain,

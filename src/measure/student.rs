@@ -80,7 +80,7 @@ fn ln_gamma(x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// From printed tables of both distributions.
+    /// Compares the results with printed tables of both distributions.
     #[test]
     fn quantiles_agree_with_the_tables() {
         for (dof, t) in [(1.0, 12.706), (5.0, 2.571), (10.0, 2.228), (120.0, 1.980)] {

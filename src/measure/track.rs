@@ -2,14 +2,14 @@
 
 use glam::DVec2;
 
-/// A body at one time.
+/// The position of a body at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// The time in seconds.
     pub t: f64,
     /// The position in metres.
     pub at: DVec2,
-    /// The number of rows of which the point is the mean.
+    /// The number of rows that were averaged to give the point.
     pub weight: f64,
     /// The line of the file.
     pub line: u32,
@@ -27,9 +27,9 @@ pub struct Track {
 /// A part of a track: before or after the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Leg {
-    /// Before the contact.
+    /// The part before the contact.
     Before,
-    /// After the contact.
+    /// The part after the contact.
     After,
 }
 

@@ -16,7 +16,7 @@ const LIMITS: [f64; 2] = [2.0, 3.0];
 /// more than chance.
 const ALIKE: f64 = 4.0;
 
-/// A name and what was found.
+/// The name of a quantity, and its result as text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReportRow {
     /// What was measured.
@@ -644,7 +644,7 @@ impl Measurement {
         warnings
     }
 
-    /// Everything as text.
+    /// The whole measurement as text.
     pub fn text(&self) -> String {
         let mut text = String::new();
         for section in self.sections() {
@@ -669,7 +669,7 @@ impl Measurement {
     }
 }
 
-/// Two significant figures.
+/// Rounds to two significant figures.
 fn round2(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
 }

@@ -1,4 +1,4 @@
-//! Names and titles from outside, made safe for a line of a document.
+//! Makes external names and titles safe for a line of a document.
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 

@@ -120,7 +120,7 @@ fn by_columns(
     html! { h2 { (title) } @for table in tables { (table) } }
 }
 
-/// What the class has learnt, by the forms before and after a unit.
+/// What the class has learnt, as shown by the forms before and after a unit.
 fn learnt(forms: &[Learning<'_>]) -> Markup {
     html! {
         @for of in forms {

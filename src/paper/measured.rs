@@ -21,7 +21,7 @@ li { margin: 1mm 0 }
 const COLUMNS: u16 = 90;
 const FEWEST_ROWS: u16 = 10;
 const MOST_ROWS: u16 = 36;
-/// The maximum number of columns of the name of a file.
+/// The maximum width of a file name, in columns.
 const NAME: usize = 80;
 
 /// The report on a measurement of these files as HTML.

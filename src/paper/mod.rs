@@ -5,7 +5,7 @@
 //! drawn as vectors, each as an `Svg`. They work in black and white too: every mark with a meaning
 //! has a name, a dash pattern or a width in addition to its colour.
 //!
-//! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which escapes its
+//! External text is safe everywhere: HTML is written with [`maud::html!`], which escapes its
 //! input, and [`Markdown`] and pictures do the same. [`clean()`] removes what escaping cannot fix:
 //! control characters, direction marks and very long names.
 //!

@@ -46,7 +46,7 @@ pub struct PathSoFar<'a> {
     pub shelf: &'a Shelf,
 }
 
-/// Something to do next.
+/// A step that the path can suggest.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Step {
     /// Read the page about a misconception.
@@ -88,14 +88,14 @@ pub struct NextStep {
     pub why: String,
 }
 
-/// How much is done, and how much there is in total.
+/// How much of the path is done, and how long it is in total.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PathDone {
-    /// The number of chapters that are finished or known, and of all chapters.
+    /// The number of chapters that are finished or known, and the total number.
     pub chapters: (usize, usize),
-    /// The number of named misconceptions that are settled, and of all named ones.
+    /// The number of named misconceptions that are settled, and the total number of named ones.
     pub beliefs: (usize, usize),
-    /// The number of packs in which every level has been won, and of all packs.
+    /// The number of packs in which every level has been won, and the total number.
     pub packs: (usize, usize),
 }
 

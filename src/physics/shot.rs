@@ -120,11 +120,11 @@ pub struct Leg {
 /// The start of a new motion of a disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LegStart {
-    /// When, in seconds since the start of the shot.
+    /// The time in seconds since the start of the shot.
     time: f64,
     /// The motion from then on.
     motion: Motion,
-    /// Whether the disc fell into a pocket then.
+    /// Whether the disc fell into a pocket at that time.
     pocketed: bool,
 }
 
@@ -230,8 +230,8 @@ impl Shot {
         self.legs[disc][0].motion
     }
 
-    /// Where a disc is at a time in seconds. Times before 0 count as the start, times after
-    /// `Shot::duration` as the end; at the time of an event the disc is in the state after it.
+    /// The state of a disc at a time in seconds. Times before 0 count as the start, times after
+    /// `Shot::duration` as the end; at the time of an event, this is the state after the event.
     pub fn at(&self, disc: usize, time: f64) -> Sample {
         let time = time.min(self.duration);
         if let Some(capture) = self.capture.as_ref().filter(|c| time >= c.time) {

@@ -1,4 +1,4 @@
-//! The player's record: all answers, and what follows from them.
+//! The player's record: all answers, and the conclusions that carrom draws from them.
 //!
 //! An [`Attempt`] is one answer with everything known about it. Everything else in this module is
 //! derived from the attempts of a player, in order, and is never stored: a [`Tally`] of any of

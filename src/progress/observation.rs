@@ -34,9 +34,9 @@ pub struct Observation {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ObservationPlace {
-    /// In the lab.
+    /// The player saw the hit in the lab.
     Lab,
-    /// In the quiz.
+    /// The player saw the hit in the quiz.
     Quiz,
 }
 

@@ -79,7 +79,7 @@ impl Review {
     }
 }
 
-/// The next review of each topic, with the earliest first. Attempts without a time are left out.
+/// The next review of each topic, earliest first. Attempts without a time are left out.
 pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
     let mut reviews: IndexMap<&str, Review> = IndexMap::new();
     for attempt in attempts {

@@ -1,4 +1,4 @@
-//! Deletes everything that is kept about a class.
+//! Deletes everything that is stored about a class.
 //!
 //! Files are recognized by their contents, not by their names, so that copies made by an editor,
 //! tables and gradebooks that a teacher has written into the data folder, and unfinished files of a
@@ -21,7 +21,7 @@ const LARGEST: u64 = 1 << 26;
 /// How many folders deep the data folder is examined.
 const DEEPEST: usize = 4;
 
-/// The files that are kept about a class.
+/// The files that are stored about a class.
 #[derive(Debug)]
 pub(crate) struct Forgetting {
     folder: PathBuf,
@@ -30,7 +30,7 @@ pub(crate) struct Forgetting {
 }
 
 impl Forgetting {
-    /// Finds what is kept about a class in a data folder.
+    /// Finds the data about a class that a data folder contains.
     ///
     /// # Errors
     /// If the folder cannot be read.

@@ -153,7 +153,8 @@ impl Store {
         }
     }
 
-    /// The same store with a teacher's own questions, so that rounds of them can be continued.
+    /// The same store with a teacher's own questions, so that rounds with these questions can be
+    /// resumed.
     pub fn with_own(mut self, own: &Arc<Library>) -> Self {
         let own = Arc::clone(own);
         self.classes
@@ -161,8 +162,8 @@ impl Store {
         self
     }
 
-    /// The same store, except that reading changes no file, not even to repair it. For commands
-    /// that only print.
+    /// The same store, except that reading changes no file, not even to repair it. This is for
+    /// commands that only print.
     pub fn only_looking(mut self) -> Self {
         self.progress.only_look();
         self

@@ -1,4 +1,4 @@
-//! The hand of a player: random errors in direction and speed.
+//! How unsteady a player's hand is: random errors in direction and speed.
 
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};

@@ -96,8 +96,8 @@ pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
 }
 
 /// The best stroke for the player whose turn it is. The search is the champion's, but with the
-/// errors of the player's hand. For an exact hand, a stroke is tried exactly once and otherwise
-/// with the errors of a club player. `None` as for [`think`].
+/// errors of the player's hand. For an exact hand, a stroke is tried once without errors; all other
+/// tries have the errors of a club player. `None` as for [`think`].
 ///
 /// A plain cut is preferred, because players can learn most from it; other shots are chosen only if
 /// no cut works in at least half of the tries.

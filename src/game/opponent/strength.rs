@@ -55,7 +55,7 @@ pub(super) struct Skill {
     pub(super) knocks: usize,
     /// How many of the best strokes are tried with an unsteady hand.
     pub(super) finalists: usize,
-    /// The number of random errors with which each of these strokes is tried.
+    /// How many times each of these strokes is tried, each time with a different random error.
     pub(super) slips: usize,
     /// The number of small changes to the best stroke that are tried in the same way.
     pub(super) refinements: usize,
@@ -160,7 +160,7 @@ impl Skill {
     }
 }
 
-/// The hand of the players at the keyboard; as text, one word such as "club".
+/// How steady the players at the keyboard are; as text, one word such as "club".
 #[derive(
     Debug,
     Clone,

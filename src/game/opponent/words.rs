@@ -14,13 +14,13 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 /// Below this angle, in radians (1.5°), a hit is called full and a path straight.
 const FULL: f64 = 0.026;
 
-/// Below this fraction of its speed the striker is said to stop.
+/// Below this fraction of its speed, a sentence says that the striker stops.
 const NEARLY_STOPPED: f64 = 0.05;
 
 /// The smallest error in direction that is mentioned, in radians: it rounds to 0.1°.
 const SMALLEST_SLIP: f64 = 0.05 * PI / 180.0;
 
-/// The person in which the stroke is described.
+/// The grammatical person that describes the stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Teller {
     /// First person: the opponent describes its own stroke.

@@ -38,7 +38,7 @@ impl Default for Aids {
     }
 }
 
-/// The players and their aids. Together with its setup, a game needs these to continue as before.
+/// The players and their aids. A saved game contains them so that it continues as before.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Company {
     /// The player at each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
@@ -47,7 +47,8 @@ pub struct Company {
     pub strengths: [Strength; 4],
     /// The names of two people who share the keyboard.
     pub names: SeatNames,
-    /// The hand of the people: its errors are part of the strokes in the record.
+    /// How steady the people's hands are; the resulting errors are already part of the recorded
+    /// strokes.
     pub hand: PlayerHand,
     /// Whether the players predict the first impact before each stroke.
     pub call: bool,

@@ -70,10 +70,9 @@ pub struct Report<'a> {
     seen: Vec<String>,
     /// The number of topics that are solid.
     solid: usize,
-    /// The number of chapters that are completely read and answered, and the number of all
-    /// chapters.
+    /// The number of chapters that have been completely read and answered, and the total number.
     done: (usize, usize),
-    /// The number of stars won, and the total number of stars.
+    /// The number of stars won, and the number that can be won.
     stars: (usize, usize),
 }
 

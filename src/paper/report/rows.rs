@@ -33,9 +33,9 @@ impl<T> Cut<T> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ChapterRow {
     pub(super) title: String,
-    /// The number of pages seen, and the number of all pages.
+    /// The number of pages seen, and the total number of pages.
     pub(super) read: (usize, usize),
-    /// The number of questions whose latest answer was right, and the number of all questions.
+    /// The number of questions whose latest answer was right, and the total number of questions.
     pub(super) right: (usize, usize),
     /// Whether the chapter has been read and answered completely.
     pub(super) done: bool,

@@ -29,7 +29,7 @@ struct KnownAnswer {
 #[derive(Default)]
 struct AnswerField(Vec<KnownAnswer>);
 
-/// The file with the questions of these worksheets, each worksheet in a category of its own.
+/// The file with the questions of these worksheets, each worksheet in a separate category.
 pub(super) fn file(worksheets: &[Worksheet]) -> String {
     let quiz = html! {
         quiz {

@@ -30,7 +30,7 @@ impl WorksheetPicture {
 const QUESTION: &str = "question-";
 const ANSWER: &str = "answer-";
 
-/// The size, in columns and rows, of a picture in which students do not draw.
+/// The size, in columns and rows, of a picture that students do not draw in.
 const AREA: Rect = Rect::new(0, 0, 44, 18);
 
 /// The name of the picture of the question with this number, counted from 1.
@@ -59,7 +59,7 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
     picture(question, true)
 }
 
-/// The same picture without a protractor, for a screen.
+/// Like [`of_question`], but without a protractor, for a screen.
 pub(super) fn on_screen(question: &Question) -> Option<Svg> {
     picture(question, false)
 }
@@ -89,7 +89,7 @@ fn picture(question: &Question, with_protractor: bool) -> Option<Svg> {
     Some(svg(&words, &picture))
 }
 
-/// The picture of a question as it is asked on a screen.
+/// The picture that a screen shows with a question.
 pub(crate) fn asked(question: &Question) -> Option<Svg> {
     let picture = question_picture(AREA, question, None)?;
     let words = match &question.picture {

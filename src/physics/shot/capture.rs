@@ -45,7 +45,7 @@ impl StuckPair {
         }
     }
 
-    /// Motion of the centre of one of the discs at a time after the contact.
+    /// The motion of one disc's centre at a time after the contact.
     pub(super) fn at(&self, disc: usize, time: f64) -> Motion {
         let since = time - self.time;
         let arm = DVec2::from_angle(self.omega * since).rotate(self.arms[disc]);

@@ -65,7 +65,7 @@ fn of_no_hit(mut constant: Constant, fields: &[(&str, &str)]) -> Result<Option<f
     Ok(constant.value())
 }
 
-/// A quantity of the hit after setting these fields, and the number of decimal places with which
+/// A quantity of the hit after setting these fields, and the number of decimal places to which
 /// the quantity is printed.
 fn of_hit(
     name: &str,

@@ -20,9 +20,9 @@ pub struct QuestionSet {
 pub struct ChosenQuestion {
     /// The question.
     pub question: Question,
-    /// Where it comes from: "speeds-7, question 3", or the id of a question in words.
+    /// The source of the question: "speeds-7, question 3", or the id of a question in words.
     pub source: String,
-    /// Why it is in the set.
+    /// The reason why the question is in the set.
     pub reason: Option<String>,
     /// The question in words that was chosen by its id.
     pub(in crate::quiz) concept: Option<Concept>,

@@ -35,7 +35,8 @@ pub(super) enum HitKind {
     LossyMarbles,
 }
 
-/// The kinds of hit in a round at each difficulty. A kind occurs as often as it is listed.
+/// The kinds of hit in a round at each difficulty. The more often a kind is listed, the more often
+/// it occurs.
 pub(super) const KINDS: [&[HitKind]; 3] = {
     use HitKind::*;
     [

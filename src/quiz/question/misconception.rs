@@ -158,9 +158,9 @@ impl Misconception {
         Self::FramesMixed,
     ];
 
-    /// The misconception as which this one counts in the codes of rounds, so that a code still
-    /// gives the same questions even though `upside-down` has been split; `None` for misconceptions
-    /// that were added later.
+    /// The misconception that this one counts as in the codes of rounds, so that a code still gives
+    /// the same questions even though `upside-down` has been split; `None` for misconceptions that
+    /// were added later.
     pub fn in_codes(self) -> Option<Self> {
         match self {
             Self::HeavyRebounds

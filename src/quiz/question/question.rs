@@ -57,7 +57,7 @@ pub struct WrongAnswer {
 }
 
 impl WrongAnswer {
-    /// The misconception as which this answer counts in the codes of rounds: see
+    /// The misconception that this answer counts as in the codes of rounds: see
     /// [`Misconception::in_codes`]. This is also `None` for a choice that showed no known
     /// misconception when the codes were fixed.
     pub fn in_codes(&self) -> Option<Misconception> {

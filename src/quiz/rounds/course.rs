@@ -50,8 +50,8 @@ pub enum CourseKind {
     Exam,
     /// Questions before a unit.
     Before,
-    /// The parallel questions after the unit: the same seed gives other questions that test the
-    /// same.
+    /// The parallel questions after the unit: with the same seed, these are different questions
+    /// that test the same ideas.
     After,
     /// Questions of one family.
     Topic(Family),

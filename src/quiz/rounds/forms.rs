@@ -1,4 +1,4 @@
-//! Parallel forms: questions before a unit, and others after it that test the same.
+//! Parallel forms: questions before a unit, and different ones after it that test the same ideas.
 
 use std::mem::discriminant;
 
@@ -49,8 +49,8 @@ fn replacement(families: &[Family], difficulty: Difficulty, dice: &mut Dice) -> 
     Some(family.ask(difficulty, dice)?.0)
 }
 
-/// A question of the same family, topic, difficulty and form that asks for the same and can show
-/// the same misconceptions, but with other numbers.
+/// A question of the same family, topic, difficulty and form that asks for the same quantity and
+/// can show the same misconceptions, but with other numbers.
 fn parallel(asked: &Question, forms: &[Vec<Question>; 2], dice: &mut Dice) -> Option<Question> {
     (0..DRAWS).find_map(|_| {
         let (drawn, _) = asked.family.ask(asked.difficulty, dice)?;
@@ -67,7 +67,7 @@ fn parallel(asked: &Question, forms: &[Vec<Question>; 2], dice: &mut Dice) -> Op
     })
 }
 
-/// Whether two questions have the same text, or have the same answer but for the side.
+/// Whether two questions have the same text, or the same answer apart from its side.
 fn is_alike(one: &Question, other: &Question) -> bool {
     if one.text == other.text {
         return true;

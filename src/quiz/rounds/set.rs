@@ -112,7 +112,7 @@ fn chosen(fields: &Fields, own: &Library, rounds: &mut Rounds) -> Option<ChosenQ
     })
 }
 
-/// A question, where it comes from, and the question in words that was chosen by its id.
+/// A question, its source, and the question in words that was chosen by its id.
 type Found = (Question, String, Option<concepts::Concept>);
 
 /// A question of a built-in round.
@@ -129,7 +129,7 @@ fn with_code(fields: &Fields, rounds: &mut Rounds) -> Option<Found> {
         }
     });
     let Some(code) = code else {
-        // The number is checked as far as possible, so that all errors are reported.
+        // Checks the number as far as possible, so that all errors are reported.
         let most = Course::MOST;
         fields.whole("number", &format!("a number from 1 to {most}"), 1..=most);
         return None;

@@ -19,7 +19,7 @@ pub(super) enum DatabaseError {
     /// The file is not a carrom database, for this reason.
     #[error("it is not a carrom database: {0}")]
     NotOurs(String),
-    /// Something that is not a file has its name.
+    /// Something that is not a file has the name of the database.
     #[error("{0}")]
     NoFile(String),
     /// A newer version of carrom has written it.
@@ -28,7 +28,7 @@ pub(super) enum DatabaseError {
          it is left unchanged"
     )]
     Newer(i64),
-    /// Part of the data is in its log, and nothing can be written.
+    /// Part of the data is in the database's log, and nothing can be written.
     #[error(
         "the latest data is in {0}, which cannot be read in a read-only folder; copy the folder to \
          one that can be written to"

@@ -67,7 +67,7 @@ pub(super) struct Database {
 }
 
 enum Location {
-    /// In memory, and therefore lost when the process ends; opened when it is first needed.
+    /// A database in memory, which is lost when the process ends; it is opened when first needed.
     Memory(Option<Connection>),
     /// `progress.db` in this folder.
     Folder(PathBuf),
@@ -99,7 +99,7 @@ impl Database {
         }
     }
 
-    /// Only reads from now on; nothing is changed.
+    /// Makes the database read-only from now on: nothing is changed.
     pub(super) fn only_look(&mut self) {
         self.only_looks = true;
     }
@@ -251,7 +251,7 @@ impl Database {
         }
     }
 
-    /// Reads something without changing anything.
+    /// Reads something, and changes nothing.
     fn look_up_in<T>(
         &mut self,
         folder: &Path,
@@ -287,8 +287,8 @@ impl Database {
     }
 }
 
-/// Whether the first call, at `since`, was less than `patience` ago. The clock is read only
-/// here, because a browser has none.
+/// Whether the first call was less than `patience` ago; `since` keeps the time of that call. Only
+/// this function reads the clock, because a browser has none.
 fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience
 }

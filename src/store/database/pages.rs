@@ -14,7 +14,7 @@ use rusqlite::types::ValueRef;
 const PAGE: usize = 4096;
 /// The size of the file's header, which precedes the header of the first page.
 const FILE_HEADER: usize = 100;
-/// The position in the file's header of the number of the first page in the list of unused pages.
+/// Where the file's header stores the number of the first page in the list of unused pages.
 const UNUSED: usize = 32;
 /// The most bytes that are read, as a multiple of the file's size, so that overlapping cells and
 /// merging chains do not multiply the work. An undamaged file is read twice.

@@ -153,7 +153,7 @@ pub(super) fn put_back(rulings: &[Ruling]) -> Vec<Piece> {
         .collect()
 }
 
-/// Asserts the law that decided, what came back and who strikes next.
+/// Asserts which law decided, which pieces were put back and who strikes next.
 #[track_caller]
 pub(super) fn expect(
     table: &Table,
@@ -168,7 +168,7 @@ pub(super) fn expect(
     assert_eq!(table.0.play().won, None);
 }
 
-/// Asserts the law that decided the board, who won it and by how much.
+/// Asserts which law decided the board, who won it and by how much.
 #[track_caller]
 pub(super) fn expect_end(rulings: &[Ruling], law: &str, winner: Team, points: u8) {
     assert_eq!(cited(rulings)[0], law, "{}", rulings[0].text);

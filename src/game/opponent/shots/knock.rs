@@ -10,8 +10,9 @@ use rand_pcg::Pcg64;
 use super::super::sight::Sight;
 use crate::physics::Motion;
 
-/// `count` strokes at coins: from any of `places`, at any coin, anywhere between its two edges, at
-/// a speed in m/s from `speeds`. If there is no coin, they go straight ahead.
+/// `count` strokes at coins. Each starts from one of `places`, aims at any coin, anywhere between
+/// its two edges, and has a speed in m/s from `speeds`. If there is no coin, they go straight
+/// ahead.
 pub(in super::super) fn knocks(
     sight: &Sight,
     places: &[DVec2],

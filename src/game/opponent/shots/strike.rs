@@ -1,4 +1,4 @@
-//! The strokes with which the striker gives a coin its course.
+//! The strokes that send a coin along its course.
 
 use glam::DVec2;
 

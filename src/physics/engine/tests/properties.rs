@@ -209,7 +209,7 @@ fn a_crowd_obeys_the_laws() {
     }
 }
 
-/// Without friction no energy is lost at e = 1, however long the shot lasts.
+/// Without friction no energy is lost at e = 1, regardless of how long the shot lasts.
 #[test]
 fn without_friction_energy_is_conserved() {
     let board = Board {
