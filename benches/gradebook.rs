@@ -1,5 +1,5 @@
-//! Measures the time to make a gradebook, and whether this time grows no faster than the class:
-//! `cargo bench --bench gradebook`.
+//! Measures how long it takes to make a gradebook, and shows whether this time grows no faster than
+//! the class: `cargo bench --bench gradebook`.
 //!
 //! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is timed
 //! the way `carrom gather` works, from the bytes of the files to the finished document; the last

@@ -4,9 +4,9 @@
 //! player that shoots at random, then measures how long it takes to choose one stroke.
 //! `-- 20` plays 20 boards per pair instead of 200.
 //!
-//! `-- 400 hands` plays the hints with each hand of a player against each strength instead;
-//! `-- 40 lengths` plays games between equals with each set of rules, for the estimates on the page
-//! of a new game.
+//! `-- 400 hands` instead lets a player follow the hints, with each [`PlayerHand`], against each
+//! strength; `-- 40 lengths` plays games between equals with each set of rules, for the estimates
+//! on the page of a new game.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
@@ -26,7 +26,7 @@ const MOST_STROKES: u64 = 3000;
 #[derive(Clone, Copy)]
 enum Player {
     Strength(Strength),
-    /// Follows the hints with this hand.
+    /// Follows the hints, with the errors of this hand.
     Hinted(PlayerHand),
     /// Shoots from any legal position, in any forward direction, at any speed.
     Random,

@@ -88,7 +88,7 @@ impl Belief {
 
 pub(crate) struct Student {
     pub(crate) belief: Belief,
-    /// Whether they know the answer if their belief gives none; otherwise they guess.
+    /// Whether they know the answer when their belief gives none; otherwise they guess.
     pub(crate) knows_elsewhere: bool,
     pub(crate) dice: Pcg64,
 }

@@ -114,7 +114,7 @@ fn add(models: &mut Vec<Model>, kind: Kind, folder: &Path, ending: &str) -> std:
     Ok(())
 }
 
-/// Damages the file with this number and reads it; if `told`, prints it.
+/// Damages the file with this number and reads it; prints it if `told`.
 pub(crate) fn damage(
     number: u64,
     models: &[Vec<Model>],

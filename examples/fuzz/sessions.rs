@@ -26,7 +26,7 @@ const DRAWN: u64 = 100;
 const CAUGHT_UP: u64 = 10;
 
 /// Plays the session with this number; returns the number of inputs, and the fault if there was
-/// one. If `told`, prints each input, and a screen with forbidden text.
+/// one. Prints each input, and any screen with forbidden text, if `told`.
 pub(crate) fn play(number: u64, told: bool) -> (u64, Option<Fault>) {
     let mut inputs = 0;
     let played = watched_steps(number, told, &mut inputs);

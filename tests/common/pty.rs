@@ -13,7 +13,7 @@ use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, SlavePty, native_p
 use rustix::process::{Pid, Signal, kill_process};
 use vt100::MouseProtocolMode;
 
-/// How long a test waits for anything before it fails; far longer than necessary.
+/// How long a test waits for anything before it fails; this is far longer than necessary.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 pub(crate) struct Pty {

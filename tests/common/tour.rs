@@ -1,4 +1,4 @@
-//! A tour of all moments that have a key table of their own.
+//! A tour of all moments at which carrom has a different key table.
 
 use carrom::app::App;
 use carrom::game::{BoardCode, Rules};
@@ -9,8 +9,8 @@ use carrom::screens::{Route, Settings};
 use carrom::shells::classroom::Who;
 use carrom::shells::{Classroom, Headless};
 
-/// One moment: the screen at which the game is opened, and the keys that lead from there to the
-/// moment.
+/// One moment: the screen at which the game is opened, and the keys that lead from that screen to
+/// the moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct TourStop {
     /// The name of the moment.
@@ -42,7 +42,7 @@ impl TourStop {
     }
 }
 
-/// A class round of two questions with the largest number of teams, each with its own key.
+/// A class round of two questions with the largest number of teams, each of which has its own key.
 const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens";
 /// A class on its own devices.
 const DEVICES: &str = "host";

@@ -6,7 +6,7 @@ use carrom::game::{BoardCode, Fingerprint, Game, Move};
 use jiff::ToSpan;
 use jiff::civil::Date;
 
-/// The boards of a hundred days.
+/// The boards for a hundred days.
 fn hundred() -> impl Iterator<Item = BoardCode> {
     let first = Date::constant(2026, 11, 26);
     (0..100).map(move |days| BoardCode::of_day(first + days.days()).unwrap())

@@ -258,7 +258,7 @@ struct StiffContact<'a> {
     /// Stiffness k in N/m.
     stiffness: f64,
     normal: DVec2,
-    /// The part of the force law that applies now.
+    /// The current part of the force law.
     phase: Phase,
 }
 
@@ -297,7 +297,7 @@ impl StiffContact<'_> {
         (line.normalize(), -grown / (reach + line.length()))
     }
 
-    /// How fast the overlap grows.
+    /// How fast the overlap is growing.
     fn closing(&self, state: &State) -> f64 {
         (state.v[0] - state.v[1]).dot(self.place(state).0)
     }

@@ -1,4 +1,4 @@
-//! The page as a pupil's device: a host serves it, the pupil joins and votes, and the page returns
+//! The page on a pupil's device: a host serves it, the pupil joins and votes, and the page returns
 //! to its state after a reload or a lost connection.
 
 use std::fs;
@@ -50,7 +50,7 @@ fn a_phone_joins_votes_and_comes_back() {
         .rays()
         .unwrap();
     assert!((said.striker.unwrap().abs().to_degrees() - 60.0).abs() < 1e-9);
-    // The page is reloaded, as happens on a phone that was put away.
+    // The page is reloaded, as happens when a phone has been put away.
     phone.0.run("location.reload()", &[]);
     thread::sleep(Duration::from_millis(500));
     wait_until_ready(&mut phone.0);

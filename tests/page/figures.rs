@@ -36,7 +36,7 @@ fn gaps(times: &[f64]) -> Vec<f64> {
     pairs.take_while(|gap| *gap < REST).collect()
 }
 
-/// The milliseconds of work for each of a series of frames.
+/// Measures how many milliseconds of work each frame of a series takes.
 const WORK: &str = "
     return Array.from({ length: 45 }, () => {
       const start = performance.now();

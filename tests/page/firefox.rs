@@ -1,4 +1,4 @@
-//! Firefox, controlled through its Marionette protocol: JSON preceded by its length.
+//! Firefox, controlled through its Marionette protocol, which sends JSON preceded by its length.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;

@@ -17,7 +17,7 @@ use crate::folder::Folder;
 /// The bytes of the page's `progress.db` as numbers.
 const PROGRESS: &str = "return [...window.carrom.call({ do: 'progress' }).bytes]";
 
-/// How many answers the page has reported to the player as saved.
+/// How many answers the page has reported to the player as saved so far.
 const TOLD: &str = "return window.carrom.told()";
 
 /// The answers in the bytes of a database, as the program reads them from a file.
@@ -128,7 +128,7 @@ fn no_answer_reported_as_saved_is_lost_when_a_tab_is_closed() {
     );
 }
 
-/// Plays two questions when nothing can be saved, and returns how many times the page reported
+/// Plays two questions while nothing can be saved, and returns how many times the page reported
 /// that.
 fn times_told(chromium: &mut Chromium) -> usize {
     let mut times = 0;

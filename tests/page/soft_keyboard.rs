@@ -1,6 +1,6 @@
-//! The keyboard on a phone's screen, tested with real taps and with the kind of text input that it
-//! sends. It composes words and may change them, its keys have no names, and it stays open only
-//! while a field has the focus.
+//! Tests the on-screen keyboard of a phone with real taps and with the text input that such a
+//! keyboard sends. It composes words and may change them, its keys have no names, and it stays open
+//! only while a field has the focus.
 
 use std::fs;
 use std::thread;
@@ -89,7 +89,7 @@ impl Phone {
     }
 }
 
-/// A teacher in the lobby, and a phone that has opened the page at the class's address.
+/// A teacher in the lobby, and a phone on which the page is open at the class's address.
 fn at_the_door(name: &str) -> (Folder, Teacher, Phone) {
     let page = page();
     let page = fs::read_to_string(page.trim_start_matches("file://")).unwrap();

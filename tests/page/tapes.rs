@@ -56,7 +56,7 @@ fn tapes() -> Vec<PathBuf> {
         .map(|file| file.unwrap().path());
     let mut tapes: Vec<_> = files
         .filter(|path| path.extension().is_some_and(|it| it == "tape"))
-        // A page is a single device.
+        // The page is a single device, so it cannot play tapes that use several.
         .filter(|path| !fs::read_to_string(path).unwrap().contains("\nAt \""))
         .collect();
     tapes.sort();
@@ -81,13 +81,13 @@ fn tape(path: &Path, charset: &str, size: &str) -> Tape {
     Tape::parse(&lines.join("\n")).unwrap_or_else(|error| panic!("{path:?}:{error}"))
 }
 
-/// The contents of a screen: the letter of each cell, and the texts of its blocks.
+/// What a screen shows: the letter of each cell, and the texts of its blocks.
 struct Shown {
     cells: String,
     texts: Vec<String>,
 }
 
-/// The screens of a tape in the native program.
+/// The screens that the native program shows for a tape.
 fn here(tape: &Tape) -> Vec<Shown> {
     let screens = play(tape, cli::open).unwrap_or_else(|error| panic!("{error}"));
     let lines = |cells: &ratatui::buffer::Buffer| {

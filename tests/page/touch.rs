@@ -8,7 +8,7 @@ use crate::chromium::Chromium;
 /// A phone on which the page is open, used with a finger.
 pub(crate) struct Phone(pub(crate) Chromium);
 
-/// Window sizes of phones, upright and on their side, of a tablet and of a computer.
+/// Window sizes of phones held upright and sideways, of a tablet and of a computer.
 const SIZES: [(u32, u32); 6] = [
     (320, 568),
     (390, 664),
@@ -17,7 +17,7 @@ const SIZES: [(u32, u32); 6] = [
     (768, 1024),
     (1366, 650),
 ];
-/// A phone held upright.
+/// The size of a phone held upright.
 const UPRIGHT: (u32, u32) = (390, 844);
 
 impl Phone {
@@ -122,7 +122,7 @@ impl Phone {
 
     /// Taps the main button; returns whether there is one.
     pub(crate) fn go_on(&mut self) -> bool {
-        // The visits do not describe what they saw.
+        // The visits skip the question about what they saw.
         if self.shows("Go on without it") {
             return self.button("Go on without it");
         }
@@ -288,7 +288,8 @@ impl Phone {
     }
 }
 
-/// On every screen, upright and on its side, nothing is cut off, including the buttons.
+/// On every screen, nothing is cut off, including the buttons, whether the phone is upright or on
+/// its side.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn no_screen_scrolls_sideways() {

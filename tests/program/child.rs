@@ -35,7 +35,7 @@ impl Player {
         Self { child, said }
     }
 
-    /// The next number that it reports; `None` at the end of its output.
+    /// The next number that the process reports; `None` at the end of its output.
     pub(crate) fn next(&mut self) -> Option<usize> {
         loop {
             let mut line = String::new();
@@ -48,7 +48,8 @@ impl Player {
         }
     }
 
-    /// Kills it shortly after this many numbers, and returns the last number that it reported.
+    /// Kills the process shortly after this many numbers, and returns the last number that it
+    /// reported.
     pub(crate) fn kill(mut self, numbers: usize, chance: &mut Pcg64) -> Option<usize> {
         let mut last = None;
         for _ in 0..numbers {
@@ -61,7 +62,7 @@ impl Player {
         self.rest().or(last)
     }
 
-    /// Waits until it ends, and returns the last number that it reported.
+    /// Waits until the process ends, and returns the last number that it reported.
     pub(crate) fn end(mut self) -> Option<usize> {
         let last = self.rest();
         assert!(self.child.wait().unwrap().success());

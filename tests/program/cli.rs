@@ -325,7 +325,7 @@ fn an_exported_game_is_replayed_bit_for_bit() {
     assert!(game.contains(end));
     assert!(out(&text).contains(end));
     assert!(report.get("names").is_none());
-    // Two people who have given names are called by their names.
+    // If the two people have names, the output uses these names.
     let names = "names = { south = \"Ada\", north = \"\" }\ncall = ";
     let named = game.replacen("call = ", names, 1);
     let folder = Folder::new("replay-names");

@@ -43,7 +43,7 @@ fn kept(folder: &Path) -> ClassRound {
 const DOOR: &str = "BCDFGH";
 
 /// Stores a stopped round with this code and one pupil, who does not come back. A host offers to
-/// continue it, and the class has a known code.
+/// continue this round, so the code of the class is known.
 fn stop_a_round(folder: &Path, code: &str) {
     let mut round = ClassRound::with_devices(Code::parse(code).unwrap()).of_class("10b");
     round.open(DOOR.parse().unwrap(), None);
@@ -101,7 +101,7 @@ fn vote_on(state: &serde_json::Value, chance: &mut Pcg64) -> String {
     }
 }
 
-/// A good device, which votes after a moment whenever it can, and reports.
+/// A well-behaved device, which votes after a moment whenever it can, and reports.
 fn good(port: u16, number: u8, spread: Duration, reports: &Sender<Report>) {
     let mut chance = Pcg64::seed_from_u64(number.into());
     let start = Instant::now();
@@ -130,7 +130,7 @@ fn good(port: u16, number: u8, spread: Duration, reports: &Sender<Report>) {
     }
 }
 
-/// A device that joins and then reads one byte now and then, or nothing.
+/// A device that joins and then reads only one byte now and then, or nothing at all.
 fn slow(port: u16, name: &str, reads: bool, over: &AtomicBool) {
     let Ok(mut pupil) = Pupil::join_from(2, port, DOOR, name, None) else {
         return;
@@ -230,8 +230,8 @@ impl SeenTimes {
     }
 }
 
-/// Plays the round with this many good devices, and with bad ones if `bad`; prints the measured
-/// times.
+/// Plays the round with this many well-behaved devices, and with misbehaving ones if `bad`; prints
+/// the measured times.
 fn play(devices: u8, bad: bool) {
     let folder = Folder::new("crowd");
     let port = free_port();
@@ -389,7 +389,7 @@ fn a_few_devices_vote_alongside_slow_and_hostile_ones() {
     play(12, true);
 }
 
-/// Devices that vote while their host is killed.
+/// The number of devices that are voting when their host is killed.
 const VOTERS: usize = 12;
 /// A vote's number is sent as an angle in thousandths of a degree, because angles are limited.
 const COUNTS_PER_DEGREE: f64 = 1000.0;

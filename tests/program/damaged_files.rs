@@ -1,6 +1,6 @@
 //! Damaged files of every kind that carrom opens: each is read, or refused with a message.
-//! `cargo test --test program damaged_files -- --nocapture` prints how many of each kind;
-//! `--include-ignored` adds a run with 1,300 files.
+//! `cargo test --test program damaged_files -- --nocapture` prints how many files of each kind were
+//! read and refused; `--include-ignored` adds a run with 1,300 files.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -30,7 +30,7 @@ struct Kind {
     open: fn(&Folder, &[u8]) -> Refusal,
 }
 
-/// All files below a folder of the project whose names end with `ending` and contain `part`.
+/// All files below a folder of the project whose names end in `ending` and contain `part`.
 fn files(folder: &str, ending: &str, part: &str) -> Vec<Vec<u8>> {
     fn add(found: &mut Vec<Vec<u8>>, folder: &Path, ending: &str, part: &str) {
         let entries = fs::read_dir(folder).unwrap();

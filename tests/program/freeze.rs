@@ -1,5 +1,5 @@
-//! Cases that once blocked the keys for a minute: it must always be possible to quit. How long that
-//! takes is printed, not asserted: `cargo test --test program freeze -- --nocapture`.
+//! Cases in which the keys were once blocked for a minute: the player must always be able to quit.
+//! How long that takes is printed, not asserted: `cargo test --test program freeze -- --nocapture`.
 
 use std::fmt::Write;
 use std::process::{Command, Stdio};
@@ -36,7 +36,7 @@ fn heavy_work() -> Folder {
     folder
 }
 
-/// Quits carrom in this `way`, and waits until it has ended and the terminal is restored.
+/// Quits carrom in this `way`, and waits until it has ended and restored the terminal.
 fn leave(mut pty: Pty, when: &str, way: impl FnOnce(&mut Pty), status: u32) {
     let start = Instant::now();
     way(&mut pty);

@@ -1,5 +1,5 @@
-//! carrom is killed at any moment. A game loses at most the stroke in motion, and a class's round
-//! loses no vote that was shown as saved.
+//! carrom is killed at random moments. A game loses at most the stroke that is in motion, and a
+//! class's round loses no vote that carrom has shown as saved.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -51,7 +51,7 @@ fn games(folder: &Path) -> BTreeMap<String, SavedGame> {
     read.collect()
 }
 
-/// The number in `stroke 7 of 7` on the screen, while the last stroke is shown.
+/// The number in `stroke 7 of 7` on the screen, while carrom is showing the last stroke.
 fn stroke(screen: &str) -> Option<usize> {
     let after = screen.split("- stroke ").nth(1)?;
     let mut words = after.split_whitespace();

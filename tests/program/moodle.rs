@@ -15,7 +15,7 @@ use scraper::Html;
 use crate::folder::Folder;
 use crate::worksheet::{err, rounds, worksheet};
 
-/// An answer that Moodle compares with.
+/// An answer that Moodle compares the student's answer with.
 struct Known {
     fraction: f64,
     said: String,
@@ -161,7 +161,7 @@ fn graded(question: &Question, node: Node, said: &Response) -> (f64, String) {
     }
 }
 
-/// The same for numbers and sides in fields.
+/// Like [`graded`], but for numbers and sides in fields.
 fn in_fields(node: Node, said: &[(f64, usize)]) -> (f64, String) {
     let fields = fields(&text(node, "questiontext"));
     assert_eq!(fields.len(), 2 * said.len());

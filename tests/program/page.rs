@@ -159,7 +159,7 @@ fn a_scorm_package_contains_a_manifest_and_the_page_with_its_round() {
     }
 }
 
-/// What the screen for teachers writes without a command line is what the commands write.
+/// The screen for teachers writes, without a command line, the same files as the commands.
 #[test]
 fn the_screen_for_teachers_writes_the_same_page_and_package() {
     let folder = Folder::new("teacher-page");

@@ -1,4 +1,4 @@
-//! What a teacher starts with: the examples, a new file, and the guides.
+//! What a teacher begins with: the examples, a new file, and the guides.
 
 use std::fs;
 use std::io::Write;

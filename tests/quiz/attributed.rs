@@ -35,7 +35,7 @@ fn is_about_the_student(sentence: &str) -> bool {
     words.any(|word| matches!(word.to_lowercase().as_str(), "you" | "your"))
 }
 
-/// The first number that a sentence attributes to the student without reason.
+/// The first number that a sentence wrongly attributes to the student.
 fn invented<'t>(sentence: &'t str, said: &str, given: &str) -> Option<&'t str> {
     let holds = |text: &str, number: f64| {
         let all = numbers(text);

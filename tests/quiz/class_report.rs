@@ -43,7 +43,7 @@ fn text(element: &ElementRef<'_>) -> String {
     element.text().collect::<Vec<_>>().join(" ")
 }
 
-/// If `CARROM_REPORTS` is set to a folder, the reports are written there for inspection.
+/// If `CARROM_REPORTS` is set to a folder, the test writes the reports there for inspection.
 #[test]
 fn a_report_shows_each_question_with_its_votes_and_what_to_teach_next() {
     for code in ["quick-7", "mixed-3", "concept-2"] {

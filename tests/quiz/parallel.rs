@@ -57,7 +57,7 @@ fn each_question_after_is_parallel_to_the_one_before() {
     }
 }
 
-/// The share of right answers of many students of one kind.
+/// The share of right answers that many students of one kind give.
 fn share_right(round: &Round, belief: Belief, knows: bool) -> f64 {
     const STUDENTS: u64 = 60;
     let mut right = 0;

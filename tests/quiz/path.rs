@@ -30,8 +30,8 @@ struct Somebody {
 }
 
 impl Somebody {
-    /// Answers the round of a code: like a student who holds a misconception or, without one,
-    /// all right or all wrong.
+    /// Answers the round of a code like a student who holds a misconception or, if there is none,
+    /// answers all questions right or all wrong.
     fn answers(&mut self, code: &str, holding: Option<Misconception>, right: bool) {
         let round = Round::of(Code::parse(code).unwrap());
         for (number, question) in (1..).zip(round.questions()) {
@@ -73,7 +73,7 @@ impl Somebody {
         self.so_far(|it| it.next_step().step)
     }
 
-    /// Sees a page, without moving the bookmark there.
+    /// Records that the player saw a page, without moving the bookmark there.
     fn sees(&mut self, chapter: usize, page: usize) {
         let of_it = self.book.library().chapters[chapter].clone();
         let mark = Bookmark {

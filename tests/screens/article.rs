@@ -1,5 +1,5 @@
-//! The chapters are complete: every number in the article that they follow, and every equation that
-//! it lacks, is shown on a page, and the engine computes each number.
+//! The chapters are complete: every number in the article on which they are based, and every
+//! equation that the article lacks, is shown on a page, and the engine computes each number.
 
 use std::collections::BTreeMap;
 
@@ -226,7 +226,7 @@ const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     ),
 ];
 
-/// What a page shows before and after its question is answered.
+/// The text that a page shows before and after its question is answered.
 #[derive(Default)]
 struct Seen {
     /// The text in one line.

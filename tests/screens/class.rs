@@ -184,7 +184,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
         (before[0] - 10.0).abs() < 1e-9 && before[1] < 1.0,
         "{before:?}"
     );
-    // These keys lead back from the second question to the first vote on the first question.
+    // From the next question, these keys lead back to the first vote on the first question.
     game.press("<Enter>");
     assert!(game.screen().contains("question 2 of 2"));
     game.press("[");
@@ -493,7 +493,8 @@ fn escape_asks_for_confirmation_once_there_is_a_vote() {
     assert!(game.screen().contains("carrom : home"));
 }
 
-/// The teacher sees the questions of a round before it begins, and it begins with them.
+/// The teacher sees the questions of a round before it begins, and the round then asks exactly
+/// these questions.
 #[test]
 fn a_round_begins_with_the_questions_that_were_seen() {
     let folder = Folder::new("class-preview");
@@ -631,7 +632,7 @@ fn a_long_code_is_never_shown_in_part() {
 }
 
 /// A class of 32 votes with cards: the teacher only counts them and types the numbers. The tables
-/// agree.
+/// contain the same numbers.
 #[test]
 fn a_class_of_32_votes_with_cards_by_keys_alone() {
     let folder = Folder::new("class-cards");
@@ -727,7 +728,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
         let about = fs::metadata(folder.path().join("exports").join(table)).unwrap();
         assert_eq!(about.permissions().mode() & 0o777, 0o600, "{table}");
     }
-    // Counted hands have no names and therefore no rows.
+    // Counted hands are anonymous and therefore have no rows.
     assert!(records(&exported(folder.path(), "class-answers-1.csv")).is_empty());
     let kept = kept(folder.path());
     assert_eq!((kept.len(), kept[0].voted(0, Vote::Second)), (1, 32));

@@ -71,8 +71,8 @@ fn pupil(name: &str, class: &Classroom) -> App {
     App::new(place, settings, 7)
 }
 
-/// A class in its lobby, saved in `folder`, and a pupil who has answered a question alone, has come
-/// back and has not handed the answer in.
+/// A class in its lobby, saved in `folder`, and a pupil who has answered a question alone and has
+/// come back without handing the answer in.
 fn answered_alone(folder: &Folder) -> (Classroom, Who) {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
@@ -224,7 +224,7 @@ fn with_nicknames_a_device_does_not_choose_its_name() {
     assert!(!class.game(Who::Host).screen().contains("Zwetschga"));
 }
 
-/// The set-up has a row for nicknames, which the round then shows.
+/// The set-up has a row for nicknames, and the round uses the choice made there.
 #[test]
 fn nicknames_are_chosen_in_the_set_up() {
     let place = Route::Class {

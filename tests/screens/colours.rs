@@ -28,7 +28,7 @@ impl Legend {
         found.map_or(MIXED, |(_, letter)| letter)
     }
 
-    /// The roles and the colour that a letter stands for.
+    /// Which roles and which colour a letter stands for.
     fn meaning(&self, letter: char) -> String {
         let roles = Role::ALL.iter().copied().zip(LETTERS.chars());
         let first = roles.clone().find(|(_, other)| *other == letter);

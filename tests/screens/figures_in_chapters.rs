@@ -657,7 +657,7 @@ fn parted(text: &str, [open, close]: [&str; 2]) -> (String, String) {
     (outside + rest, inside)
 }
 
-/// The text without the number after this word, as in "chapter 3".
+/// The text without any number that follows this word, as in "chapter 3".
 fn unnumbered(text: &str, word: &str) -> String {
     let mut parts = text.split(word);
     let mut kept = parts.next().unwrap_or_default().to_owned();

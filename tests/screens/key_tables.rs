@@ -82,8 +82,8 @@ fn the_computer_aims() -> Headless {
     game
 }
 
-/// The visible state of a game: its cells with their colours, its keys and settings, and whether it
-/// was left or wrote anything.
+/// The visible state of a game: its cells with their colours, its keys and settings, whether the
+/// player has quit, and how many files were exported.
 pub(crate) type Seen = (Buffer, Vec<String>, Settings, bool, usize);
 
 pub(crate) fn seen(game: &mut Headless) -> Seen {
@@ -245,7 +245,7 @@ fn every_list_behaves_the_same_way() {
     let (mut lists, mut clicked) = (0, 0);
     for moment in moments() {
         let table = moment.game().app().keys();
-        // While a name is typed, Home and End go to its ends.
+        // While a name is being typed, Home and End go to its ends.
         let has = |id: &str| table.rows().iter().any(|row| row.id == id);
         if !has("list.choose") || !has("list.end") {
             continue;

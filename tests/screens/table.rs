@@ -43,7 +43,7 @@ fn whole_match() -> Options {
     }
 }
 
-/// The game after a pause in which no key is pressed, so that the next press strikes.
+/// The game after a pause in which no key was pressed, so that the next press strikes.
 fn rested(mut game: Headless) -> Headless {
     game.pass(Duration::from_secs(2));
     game
@@ -1211,7 +1211,7 @@ fn an_unsteady_hand_slips_the_same_way_in_every_replay_and_saved_game() {
         std::fs::read_to_string(again.path().join("games/game-1.toml")).unwrap(),
         text
     );
-    // An exact hand strikes as it aims.
+    // With an exact hand, the stroke goes exactly where it was aimed.
     let mut exact = at_the_table(
         Options {
             hand: PlayerHand::Exact,

@@ -1,4 +1,4 @@
-//! A click beside a picture activates the target that is drawn there, on a screen of any size.
+//! On a screen of any size, a click beside a picture activates the target that is drawn there.
 
 use std::cell::Cell;
 

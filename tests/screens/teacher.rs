@@ -1,4 +1,4 @@
-//! The screen for teachers writes what the commands write.
+//! The screen for teachers writes the same files as the commands.
 
 use std::fs;
 

@@ -101,7 +101,7 @@ const address = (() => {
     show(told);
   }
 
-  // The link to what is shown.
+  // The link to the current screen.
   const link = () => {
     write();
     return location.href;

@@ -64,7 +64,7 @@ const input = (() => {
     }
   }
 
-  // Carries out a key that moves on or away from a field, and moves the focus with it.
+  // Carries out the action of a key that leaves a field, and moves the focus accordingly.
   function leave(name) {
     panels.follow();
     key(name);

@@ -4,7 +4,7 @@
 // number other than its own reads the other tab's files first.
 
 const keeper = (() => {
-  // The number of changes that the program knows; unknown before it has received the files.
+  // The number of changes that the program knows of; unknown before it has received the files.
   const UNKNOWN = -1;
   let base = null;
   let known = UNKNOWN;
@@ -49,7 +49,7 @@ const keeper = (() => {
     };
   }
 
-  // The files in one buffer, with their lengths.
+  // The files in one buffer, and their lengths.
   function packed(all) {
     const files = all.map(([path, bytes]) => ({ path, bytes: bytes.length }));
     const bytes = new Uint8Array(all.reduce((sum, [, bytes]) => sum + bytes.length, 0));

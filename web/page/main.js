@@ -156,7 +156,7 @@ const page = (() => {
 
   let last = { wake_ms: null };
 
-  // Screens that show saved data and lose nothing when they are opened again.
+  // Screens that show saved data and lose nothing when they are reopened.
   const SHOWS_SAVED = /^(|learn|levels|progress|quiz)$/;
 
   // Whether another tab has saved, or an opened file has added, something that this tab does not

@@ -482,7 +482,7 @@ const panels = (() => {
     document.activeElement?.closest(".field")?.settle?.();
   }
 
-  // Moves the focus with the game to the field that is chosen next, or away if there is none.
+  // Moves the focus to the field that the game chooses next, or away if it chooses none.
   const follow = () => (isFollowing = true);
   let isFollowing = false;
 

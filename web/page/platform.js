@@ -124,7 +124,7 @@ const platform = (() => {
     ask("LMSFinish", "");
   }
 
-  // What the pupil should know about the platform; empty if everything is in order.
+  // What the pupil should know about the platform; empty if everything is working.
   const warning = () => {
     if (!place || (api && !isForReview)) return "";
     return api

@@ -32,7 +32,7 @@ const program = (() => {
     return bytes;
   }
 
-  // Compiles the program while it is unpacked.
+  // Compiles the program while it is being unpacked.
   async function load() {
     const packed = bytesOf(document.getElementById("program").textContent.trim());
     const unpacking = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));

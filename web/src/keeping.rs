@@ -42,7 +42,7 @@ struct Pending {
     change: Change,
     /// The answer to pass on once the change is saved.
     answer: StoreAnswer,
-    /// Whether the app has been told that the browser could not save it.
+    /// Whether the app has been notified that the browser could not save it.
     is_refused: bool,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct PageStorage {
     early: Vec<StoreCall>,
     /// Unsaved changes, in the order in which they were made.
     pending: Vec<Pending>,
-    /// How many of the unsaved changes are in the files that are being saved at the moment.
+    /// How many of the unsaved changes are in the files that the browser is currently saving.
     under_way: usize,
     /// A teacher's own files, and the settings.
     own: Vec<FileBytes>,
@@ -161,7 +161,7 @@ impl PageStorage {
         self.own.push(file);
     }
 
-    /// Whether there are changes that the browser has not been asked to save yet.
+    /// Whether there are changes that the page has not yet asked the browser to save.
     pub(crate) fn is_to_keep(&self) -> bool {
         let mut next = self.pending.iter().skip(self.under_way);
         next.any(|it| !it.is_refused)

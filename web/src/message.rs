@@ -61,9 +61,9 @@ pub enum Command {
     },
     /// The preferences of the player's system have changed.
     Prefer {
-        /// Whether it prefers a light theme.
+        /// Whether the system prefers a light theme.
         light: bool,
-        /// Whether it prefers reduced motion.
+        /// Whether the system prefers reduced motion.
         still: bool,
     },
     /// Draw the screen.

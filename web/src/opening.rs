@@ -1,4 +1,5 @@
-//! Opens what a link names: `#quiz=mixed-7&player=Ana`, with the names used on the command line.
+//! Opens the screen that a link names: `#quiz=mixed-7&player=Ana`. The names in the link are the
+//! same as on the command line.
 
 use carrom::app::{App, Data};
 use carrom::class::team_names;

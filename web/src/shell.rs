@@ -25,7 +25,7 @@ use crate::message::{
 };
 use crate::{message, opening, own, report};
 
-/// The bit of a cell that a picture replaces.
+/// The bit that marks a cell that a picture replaces.
 const VECTOR: u32 = 1 << 16;
 
 /// An instance of carrom in a page.
@@ -380,7 +380,7 @@ impl Shell {
         Some(keys)
     }
 
-    /// The current keys. A layer over a screen has keys of its own, or closes at any key.
+    /// The current keys. A layer over a screen either has its own keys or closes at any key.
     fn keys(&self) -> Vec<Keys> {
         let table = self.app.keys();
         let rows = table.rows().iter();

@@ -12,7 +12,8 @@ use carrom::widgets::text::wrap;
 /// How many seeds are tried at each difficulty.
 pub(crate) const SEEDS: u64 = 2_000;
 
-/// The most draws a question may take; `Family::ask` gives up after twenty times as many.
+/// The largest number of draws that a question may take; `Family::ask` gives up after twenty times
+/// as many.
 const DRAWS: usize = 1_000;
 
 /// If a family shuffles its choices, the right choice must be in each of at least two positions at

@@ -1,5 +1,5 @@
-//! Weighing by what can be seen after the collision: the mass follows from the figures in the text,
-//! as a player reads them.
+//! Finding masses from what can be seen after the collision: the mass follows from the figures in
+//! the text, as a player reads them.
 
 use carrom::quiz::{Family, Illustration, Measure, Question};
 
