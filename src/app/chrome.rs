@@ -154,7 +154,7 @@ fn writing(app: &App) -> Writing {
     }
 }
 
-/// How many lines the help page can be scrolled.
+/// How far the help page can be scrolled, in lines.
 pub(super) fn help_overflow(app: &App) -> u16 {
     let inside = centred(app.context.body).inner(Margin::new(1, 1));
     let writing = writing(app);

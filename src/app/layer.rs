@@ -12,7 +12,7 @@ use crate::widgets::input::{KeyTable, Rebound};
 pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
-        /// How many lines the page has been scrolled.
+        /// How far the page has been scrolled, in lines.
         scrolled: u16,
         /// The rules of the game that is on the screen.
         rules: Option<Rules>,

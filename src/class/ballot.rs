@@ -1,4 +1,4 @@
-//! The answers of one voter to a question, in each of its two votes.
+//! One voter's answers to a question, one in each of the two votes.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};

@@ -520,7 +520,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// All items, if none is `None`. They are collected first, so that every item is read.
+/// All items, or `None` if any is `None`. All are collected first, so that every item is read.
 pub(crate) fn all<T>(items: Vec<Option<T>>) -> Option<Vec<T>> {
     items.into_iter().collect()
 }

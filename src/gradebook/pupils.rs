@@ -69,7 +69,7 @@ pub struct Gradebook {
 const ENDING: &str = "json";
 
 impl Gradebook {
-    /// The hand-ins in a folder, only those of one class if it is given.
+    /// The hand-ins in a folder; if a class is given, only those of that class.
     ///
     /// # Errors
     /// If the folder cannot be read. Files that cannot be read are noted instead.

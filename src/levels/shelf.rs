@@ -20,7 +20,7 @@ pub struct Shelf {
 }
 
 impl Shelf {
-    /// Creates a shelf with the levels of this library, of which none has been won yet.
+    /// Creates a shelf with the levels of this library, none of which has been won yet.
     pub fn new(library: LevelLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),

@@ -118,7 +118,7 @@ pub struct StoreAnswer {
 pub enum StoreReply {
     /// The game or the class round has been saved.
     Saved(Result<(), String>),
-    /// The saved games, with the newest first.
+    /// The saved games, newest first.
     Listed(Result<Vec<KeptGame>, String>),
     /// The game that was loaded.
     Loaded(Result<Box<SavedGame>, String>),
@@ -130,7 +130,7 @@ pub enum StoreReply {
     HandedIn(Result<String, String>),
     /// The gradebook.
     Gathered(Result<Box<GatheredBook>, String>),
-    /// The saved class rounds, with the newest first.
+    /// The saved class rounds, newest first.
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The class round that was loaded.
     Class(Result<Box<ClassRound>, String>),

@@ -41,7 +41,7 @@ impl Calibrated {
     }
 }
 
-/// The results for each confidence level, with the least sure first.
+/// The results for each confidence level, least sure first.
 pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     Confidence::ALL.map(|confidence| Calibrated {
         confidence,
@@ -53,7 +53,7 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     })
 }
 
-/// The fraction of right answers over time, for each confidence level, with the least sure first.
+/// The fraction of right answers over time, for each confidence level, least sure first.
 /// Each point has the number of an answer with that level (counted from 1 among all attempts), and
 /// the fraction of right answers among the last `reach` answers with that level. The first point is
 /// at answer [`ENOUGH`].

@@ -130,7 +130,7 @@ impl<'a> Summary<'a> {
         format!("{counted} {verdict}").trim_end().to_owned()
     }
 
-    /// The misconceptions that the answers show, with the strongest evidence first.
+    /// The misconceptions that the answers show, strongest evidence first.
     pub fn named(&self) -> Vec<Evidence> {
         let clues: Vec<Clue> = self.attempts.iter().map(Attempt::clue).collect();
         named(&clues)
@@ -216,7 +216,7 @@ impl<'a> Summary<'a> {
         shown.map(|it| it.misconception.name()).collect()
     }
 
-    /// A comment on whether the misconception that the round checks still shows.
+    /// A comment on whether the answers still show the misconception that the round checks.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {

@@ -12,7 +12,7 @@ use crate::widgets::panel::Panel;
 /// The player's record, and the next step once the whole record is known.
 #[derive(Debug, Clone)]
 pub(super) struct Ahead {
-    /// The player whose record it is.
+    /// The player whose record this is.
     player: String,
     pub(super) history: Recall,
     /// The request for the updated record; until it arrives, the earlier record is shown.

@@ -84,7 +84,7 @@ pub struct Store {
     pages: Box<dyn TextStore>,
     handed_in: Box<dyn TextStore>,
     progress: Database,
-    /// Files that are kept but not used: damaged databases.
+    /// Files that carrom keeps but does not use: damaged databases.
     aside: Vec<FileBytes>,
     /// The notice that the next answer will carry, such as one about a damaged database.
     notice: Option<String>,
@@ -474,7 +474,7 @@ impl Store {
 /// A folder outside the store; `None` for the store's own hand-ins.
 ///
 /// # Errors
-/// If there is no such folder here.
+/// If this platform has no such folder.
 fn common_folder(folder: HandInFolder) -> Result<Option<PathBuf>, String> {
     let name = match folder {
         HandInFolder::Devices => return Ok(None),

@@ -383,7 +383,7 @@ fn two_hundred_devices_vote_alongside_slow_and_hostile_ones() {
     play(198, true);
 }
 
-/// A small crowd, so that this runs with every change.
+/// The crowd is small, so that this test can run with every change.
 #[test]
 fn a_few_devices_vote_alongside_slow_and_hostile_ones() {
     play(12, true);

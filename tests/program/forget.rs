@@ -1,4 +1,4 @@
-//! Everything that is kept about a class can be deleted.
+//! Everything that is stored about a class can be deleted.
 
 use std::fs;
 use std::path::Path;

@@ -568,7 +568,7 @@ fn with_nicknames_no_typed_name_is_kept_and_a_device_returns_to_its_nickname() {
         assert_eq!(name.split(' ').count(), 2, "{name}");
         assert!(!nicknames[..i].contains(name), "{nicknames:?}");
     }
-    // A device returns by its seat, whatever its name is now.
+    // A returning device is recognized by its seat, whatever its name is now.
     let seat = pupils[0].text("seat");
     let again = Pupil::join(teacher.port, &teacher.code, "Eve", Some(&seat)).unwrap();
     assert_eq!(again.text("name"), nicknames[0]);

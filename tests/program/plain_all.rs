@@ -15,7 +15,7 @@ use crate::folder::Folder;
 /// How long a reply may take on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The program, used line by line.
+/// The program, controlled line by line.
 struct Talk {
     child: Child,
     input: ChildStdin,

@@ -309,7 +309,7 @@ fn another_version_keeps_the_kind_of_each_question() {
     let round = teacher.round();
     let other = round.version(2);
     assert_ne!(texts(round.questions())[0], texts(other.questions())[0]);
-    // A question in words that was chosen by its id stays.
+    // A question in words that was chosen by its id does not change.
     for at in [1, 3] {
         assert_eq!(round.questions()[at].text, other.questions()[at].text);
     }

@@ -100,7 +100,7 @@ fn a_board_is_cleared_and_its_result_is_kept() {
     assert!(said.contains("Nothing fell, six coins to go."), "{said}");
     drop(game);
 
-    // In another session the board, the attempt and the best result are found again.
+    // After a restart, the board, the attempt and the best result are still there.
     let mut game = board("2026-11-26", store());
     assert!(words(&mut game).contains(&best), "{}", game.screen());
     let mut other = App::new(Route::Board { code: None }, Settings::default(), 1);

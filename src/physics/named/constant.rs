@@ -81,7 +81,7 @@ pub(crate) struct Constant {
 }
 
 impl Constant {
-    /// The constant of this name, with its default fields.
+    /// The constant with this name, with its default fields.
     pub(crate) fn named(name: &str) -> Option<Self> {
         let (_, of) = ALL.into_iter().find(|(known, _)| *known == name)?;
         Some(Self {

@@ -88,7 +88,7 @@ impl Outline {
         self
     }
 
-    /// Makes the answer this number.
+    /// Sets the answer to this number.
     pub(super) fn number(mut self, quantity: Measure, truth: f64) -> Self {
         self.question.form = Form::Number { quantity, truth };
         self

@@ -144,7 +144,7 @@ impl Evidence {
         self.weight <= -NAMED_ODDS.ln()
     }
 
-    /// Compares evidence, with the stronger evidence first; weights are rounded to a millionth.
+    /// Compares evidence, stronger evidence first; weights are rounded to a millionth.
     pub(crate) fn stronger_first(&self, other: &Self) -> Ordering {
         let rank = |it: &Self| (1e6 * it.weight).round() as i64;
         rank(other).cmp(&rank(self))
@@ -173,7 +173,7 @@ pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     all
 }
 
-/// The misconceptions named by these answers, with the strongest evidence first.
+/// The misconceptions named by these answers, strongest evidence first.
 pub fn named(clues: &[Clue]) -> Vec<Evidence> {
     let mut all = evidence(clues);
     all.retain(Evidence::names);

@@ -192,7 +192,7 @@ fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look:
         Lines::new(area, buf, *look).paragraph("Nobody has voted.", Role::Text);
         return;
     }
-    // Some room on both sides, even if all answers are equal.
+    // Leaves some room on both sides, even if all answers are equal.
     let margin = (0.15 * (largest - least)).max(0.1 * largest.abs()).max(0.5);
     let votes = format!("your votes ({unit})");
     let x = Axis::linear(votes, least - margin, largest + margin);

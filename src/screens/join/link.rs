@@ -230,7 +230,7 @@ impl Link {
         self.pending = Some(message);
     }
 
-    /// Leaves permanently.
+    /// Leaves the class permanently.
     pub(super) fn hang_up(&mut self, cx: &mut Context) {
         if self.is_in() {
             cx.join(JoinCall::Say(ClientMessage::Leave.to_text()));

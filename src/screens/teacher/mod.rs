@@ -74,7 +74,7 @@ pub(crate) struct Teacher {
     sheets: usize,
     /// The index in [`HandInFolder::ALL`].
     folder: usize,
-    /// The saved class rounds, with the newest first.
+    /// The saved class rounds, newest first.
     rounds: Vec<Kept<ClassRound>>,
     round: usize,
     /// The index in [`GUIDES`].

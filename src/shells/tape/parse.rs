@@ -226,7 +226,7 @@ fn quoted(part: &Token, expected: &str) -> Result<String, String> {
     }
 }
 
-/// A whole number from 0 to `most`, in digits alone.
+/// A whole number from 0 to `most`, written only in digits.
 fn within<N: FromStr + PartialOrd + Copy>(digits: &str, most: N) -> Option<N> {
     let number = digits
         .bytes()

@@ -58,7 +58,7 @@ struct Paste {
 /// A device control string that has not ended yet.
 #[derive(Debug, Default)]
 struct ControlString {
-    /// Its first bytes.
+    /// The first bytes of the string.
     text: Vec<u8>,
     /// Whether the last byte was Escape, which begins the end marker.
     is_ending: bool,

@@ -85,7 +85,7 @@ impl<A: Copy> KeyRow<A> {
     }
 }
 
-/// The current keys, with the most useful first.
+/// The current keys, most useful first.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct KeyTable<A> {

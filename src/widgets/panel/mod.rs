@@ -694,7 +694,7 @@ impl<A> Panel<A> {
         self.prompts([(words, action)]);
     }
 
-    /// Adds several possible next actions, with the most likely first.
+    /// Adds several possible next actions, most likely first.
     pub(crate) fn prompts<W: Into<String>>(&mut self, prompts: impl IntoIterator<Item = (W, A)>) {
         let prompts = prompts.into_iter();
         let (words, actions): (_, Vec<A>) = prompts

@@ -16,7 +16,7 @@ const AIRY_FROM: u16 = 30;
 /// A heading with a line of instructions below it.
 #[derive(Debug, Clone)]
 pub(crate) struct Heading {
-    /// The possible wordings, with the best first; the first one that fits is used.
+    /// The possible wordings, best first; the first one that fits is used.
     texts: Vec<String>,
     line: String,
 }

@@ -1,4 +1,4 @@
-//! Two columns of the notebook against each other, over the exact curve.
+//! A plot of one column of the notebook against another, over the exact curve.
 
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;

@@ -59,7 +59,7 @@ enum ChoosingPage {
 /// The largest number of characters that can be typed; every code is shorter.
 const LONGEST: usize = 40;
 
-/// A kind of round to choose.
+/// A kind of round that can be chosen.
 #[derive(Debug)]
 enum RoundChoice {
     /// A kind that is always available.

@@ -33,7 +33,7 @@ pub(crate) enum LetterSize {
 }
 
 impl LetterSize {
-    /// The sizes for long text in a charset, with the largest first.
+    /// The sizes for long text in a charset, largest first.
     pub(super) const fn of_text(charset: Charset) -> &'static [Self] {
         match charset {
             Charset::Ascii => &[Self::Large, Self::Middle, Self::Strokes],
@@ -63,7 +63,7 @@ impl LetterSize {
     }
 
     /// The sizes that are large enough for a page that has to show everything at once, on a screen
-    /// with this many rows, with the largest first.
+    /// with this many rows, largest first.
     pub(crate) fn for_one_page(charset: Charset, screen_rows: u16) -> Vec<Self> {
         let sizes = Self::of_text(charset).iter().chain([&Self::Plain]);
         let sizes = sizes.filter(|size| size.is_large_enough(screen_rows));
