@@ -150,7 +150,7 @@ pub struct GuardedCode {
 pub enum CodeVerdict {
     /// The code is right.
     Right,
-    /// The code is wrong; the reply must be delayed by this duration.
+    /// The code is wrong; the reply is delayed for this long.
     Wrong(Duration),
     /// The code was not checked: there were too many wrong codes.
     Unseen,

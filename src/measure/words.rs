@@ -9,8 +9,8 @@ use super::student::t_beyond;
 use super::{LineFrom, Measurement, SlowingDown, Unit};
 use crate::numbers::{capital, fixed, four_figures};
 
-/// Up to the first number of standard deviations a difference is called agreement, and beyond the
-/// second disagreement. The number is rounded as it is printed.
+/// A difference counts as agreement up to the first of these numbers of standard deviations, and as
+/// disagreement beyond the second. The number is rounded as it is printed.
 const LIMITS: [f64; 2] = [2.0, 3.0];
 /// From this number of standard deviations, the correlation of neighbouring residuals counts as
 /// more than chance.
@@ -91,7 +91,7 @@ enum Verdict {
 }
 
 impl Verdict {
-    /// For a difference of this many standard deviations.
+    /// The verdict on a difference of this many standard deviations.
     fn of_sigmas(number: f64) -> Self {
         let printed = (10.0 * number).round() / 10.0;
         match LIMITS.map(|limit| printed > limit) {
@@ -114,7 +114,7 @@ fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) 
     judged(what, both, estimate, exact, unit, wide)
 }
 
-/// A number that has no uncertainty.
+/// A number without an uncertainty.
 fn rounded(x: f64, unit: Unit) -> String {
     match unit {
         Unit::Angle => format!("{}°", fixed(unit.in_unit(x), 0)),
@@ -123,8 +123,8 @@ fn rounded(x: f64, unit: Unit) -> String {
     }
 }
 
-/// Compares what was found with what is expected, both as text. The uncertainty of `estimate` is
-/// that of their difference.
+/// Compares a result with the expected value; both are text. The uncertainty of `estimate` is that
+/// of their difference.
 fn judged(
     what: &str,
     [found, expected]: [String; 2],
@@ -136,7 +136,7 @@ fn judged(
     let ratio = estimate.sigmas(exact);
     let far = sigmas(ratio);
     let verdict = Verdict::of_chance(estimate.chance(exact));
-    // With few points, chance reaches further.
+    // With few points, chance causes larger differences.
     let few = match verdict < Verdict::of_sigmas(ratio) {
         true => " with so few points",
         false => "",

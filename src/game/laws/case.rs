@@ -158,7 +158,7 @@ impl Verdict {
         Self { dues: 1, ..self }
     }
 
-    /// The verdict with the coins of the other side, if any fell: they stay down.
+    /// The verdict, with any coins of the other side that fell: these stay in the pockets.
     pub(super) fn with_others(mut self, case: &Case) -> Self {
         let number = case.other.fell;
         if number > 0 {

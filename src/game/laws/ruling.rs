@@ -67,7 +67,7 @@ impl Ruling {
     }
 }
 
-/// An announcement with the number of its law, which belongs to the first sentence.
+/// An announcement with the number of its law, which ends the first sentence.
 pub(crate) fn announced(text: &str, law: Option<impl fmt::Display>) -> String {
     let Some(law) = law else {
         return text.to_owned();

@@ -72,7 +72,7 @@ pub struct Report<'a> {
     solid: usize,
     /// The number of chapters that have been completely read and answered, and the total number.
     done: (usize, usize),
-    /// The number of stars won, and the number that can be won.
+    /// The number of stars won, and the total number of stars.
     stars: (usize, usize),
 }
 

@@ -45,7 +45,7 @@ const SCALES: (f64, f64) = (0.001, 1_000.0);
 const OF_BOTH: &str = "Without both masses, equal masses are assumed.";
 const OF_RADII: &str = "With both radii, the line of impact comes from the centres.";
 
-/// A number in any case, so that a page shows a field for a number.
+/// Always begins with a number, so that a page shows a field for a number.
 fn shown(value: f64, unit: &str) -> String {
     let note = if value > 0.0 { "" } else { " (not set)" };
     format!("{}{unit}{note}", short(value, 4))

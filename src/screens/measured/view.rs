@@ -31,7 +31,7 @@ pub(super) fn view(screen: &MeasuredScreen) -> View<'_, MeasuredAction> {
     View::drawn("points, fit and prediction", picture, panel)
 }
 
-/// A sentence without the options of the command line, which it mentions in brackets.
+/// Removes the options of the command line, which are in brackets, from a sentence.
 fn without_options(sentence: &str) -> String {
     let mut parts = sentence.split(" (--");
     let first = parts.next().unwrap_or_default().to_owned();

@@ -198,8 +198,8 @@ impl Options {
         }
     }
 
-    /// The boards that the teams have won, between their names. It counts a board as soon as it is
-    /// over.
+    /// The numbers of boards that the teams have won, between their names. A board counts as soon
+    /// as it is over.
     pub(super) fn boards_won(&self, game: &Game) -> String {
         let games = game.score().games;
         let last = match game.stage() {

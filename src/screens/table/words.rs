@@ -45,7 +45,7 @@ pub(super) fn player(name: &str) -> &str {
     }
 }
 
-/// A name with a verb, as in "South plays" but "you play" and "S + N play".
+/// A name followed by its verb: "South plays" but "you play" and "S + N play".
 pub(super) fn does(name: &str, third_person: &str) -> String {
     let verb = match name {
         "you" | "S + N" | "E + W" => third_person.strip_suffix('s').unwrap_or(third_person),
@@ -54,7 +54,7 @@ pub(super) fn does(name: &str, third_person: &str) -> String {
     format!("{name} {verb}")
 }
 
-/// Something of a player, as in "South's calls" but "your calls".
+/// Something that belongs to a player: "South's calls" but "your calls".
 pub(super) fn whose(name: &str, what: &str) -> String {
     match name {
         "you" => format!("your {what}"),

@@ -136,7 +136,7 @@ pub fn play<G: Into<Headless>>(
     Ok(screenshots)
 }
 
-/// Adds a pupil whose device has opened the page and has the teacher's settings.
+/// Adds a pupil whose device has opened the page and uses the teacher's settings.
 fn come(class: &mut Classroom, name: &str) -> Who {
     let code = class.code();
     let host = class.game(Who::Host);

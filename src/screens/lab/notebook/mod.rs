@@ -155,7 +155,7 @@ impl Notebook {
         Outcome::Used
     }
 
-    /// Puts the next column that is worth plotting on an axis.
+    /// Plots the next useful column on an axis.
     fn turn(&mut self, axis: usize, by: isize) {
         let count = NotebookColumn::all().len() as isize;
         let mut at = self.axes[axis];
@@ -168,8 +168,8 @@ impl Notebook {
         self.axes[axis] = at;
     }
 
-    /// Whether a column has numbers that are not the same in all hits. Where the discs meet is
-    /// always offered.
+    /// Whether a column has numbers that differ between hits. The columns for where the discs meet
+    /// are always available.
     fn is_worth_plotting(&self, column: &NotebookColumn) -> bool {
         use CollisionField::{ImpactAngle, Offset};
         let differs = || {

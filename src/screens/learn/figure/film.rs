@@ -83,8 +83,8 @@ impl FilmFigure {
         }
     }
 
-    /// How the collision was filmed. While the outcome is `hidden`, the error of the scale is too: it
-    /// is the answer to a question.
+    /// How the collision was filmed. While the outcome is `hidden`, so is the error of the scale,
+    /// because it is the answer to a question.
     fn film(&self, hidden: bool) -> String {
         let Filming {
             rate,

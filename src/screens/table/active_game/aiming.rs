@@ -299,7 +299,7 @@ impl ActiveGame {
         self.write_turn(panel);
         score::write_warning(self, panel);
         let aim = self.aimed();
-        // Above the aim, because less of the panel is visible on a phone.
+        // This is above the aim, because less of the panel is visible on a phone.
         let refusal = self.refusal(&aim);
         if let Some(why) = &refusal {
             panel.paragraph(why.as_str(), Role::Warn);

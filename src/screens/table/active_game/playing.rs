@@ -229,12 +229,12 @@ impl Playing {
         }
         phase.write(game, charset, &mut panel);
         let dragging = match phase {
-            // Whoever has played knows it, and a phone has no room to spare.
+            // Anyone who has played before knows this, and a phone has little room.
             GamePhase::Aim if game.history.record().strokes() < 2 => Some(
                 "Touch the board to aim. Drag the striker along its base line; pull it back and \
                  let go to strike.",
             ),
-            // Without words, but a finger still drags there instead of scrolling.
+            // No words are shown, but a finger still drags there instead of scrolling.
             GamePhase::Aim => Some(""),
             GamePhase::Call(_) => Some(RayInput::DRAG),
             GamePhase::Arrange(_) => Some("Drag a coin to its place."),

@@ -27,11 +27,12 @@ const STEADY: f64 = 1.73;
 /// The largest angle from straight back at which a drag pulls the striker rather than moving it,
 /// in radians (45°), if the striker may be moved anywhere.
 const BACKWARDS: f64 = 0.79;
-/// The largest angle between a drag and straight back at which the striker stays where it was taken
-/// hold of, so that a pull does not move it first (25°).
+/// The largest angle between a drag and the direction straight back for which the striker does not
+/// move, so that a pull does not shift it first (25°).
 const STRAIGHT_BACK: f64 = 0.44;
-/// The least slope of an aim for that, as the sine of its angle with the base lines (35°): the drags
-/// that move the striker are too close to flatter ones.
+/// The smallest slope of an aim to which [`STRAIGHT_BACK`] applies, as the sine of its angle with
+/// the base lines (35°). With flatter aims, drags that are meant to move the striker are too
+/// similar.
 const STEEP: f64 = 0.57;
 
 /// What the mouse is dragging.
@@ -44,7 +45,7 @@ pub(super) enum Grip {
     Aim,
     /// The striker.
     Striker {
-        /// The aim when the striker was taken hold of.
+        /// The aim at the moment when the drag of the striker began.
         before: Aim,
     },
     /// The striker, pulled back.
@@ -124,8 +125,8 @@ impl ActiveGame {
         }
     }
 
-    /// Whether a drag of the striker to this point goes straight back from where it was taken hold
-    /// of. In a practice game such a drag always pulls.
+    /// Whether a drag of the striker to this point goes straight back from where the drag began. In
+    /// a practice game such a drag always pulls.
     fn is_straight_back(&self, at: DVec2, before: &Aim) -> bool {
         let seat = self.seat();
         let heading = before.heading(seat);
@@ -221,7 +222,7 @@ mod tests {
         }
         assert!(game.is_drawn());
         game.let_slip();
-        // A drag to the side moves the striker, and a pull after it starts from there.
+        // A drag to the side moves the striker, and a later pull starts from its new position.
         game.take_hold(aimed.place);
         for (x, y) in [(0.02, 0.0), (0.06, 0.0), (0.06, -0.05), (0.06, -0.1)] {
             game.lead(aimed.place + DVec2::new(x, y));

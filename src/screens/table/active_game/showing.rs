@@ -139,7 +139,7 @@ impl ShownStroke {
         panel: &mut Panel<TableAction>,
     ) {
         game.write_turn(panel);
-        // Above the parts, so that it stays in its place when they appear.
+        // This is above the parts, so that it does not move when they appear.
         panel.paragraph("What will happen? Predict it.", Role::Text);
         panel.part(TableAction::Show, |panel| {
             panel.prompts([
