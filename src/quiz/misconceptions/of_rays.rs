@@ -122,7 +122,7 @@ impl Misconception {
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "Your angles fit α close to {}, proportional to the offset.",
+                "Your angles fit α close to {}, in proportion to the offset.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(
