@@ -84,13 +84,13 @@ pub(crate) fn sigmas(number: f64) -> String {
 
 /// Whether a measured value agrees with what is expected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Verdict {
+enum Agreement {
     Agrees,
     Undecided,
     Disagrees,
 }
 
-impl Verdict {
+impl Agreement {
     /// The verdict on a difference of this many standard deviations.
     fn of_sigmas(number: f64) -> Self {
         let printed = (10.0 * number).round() / 10.0;
@@ -135,16 +135,16 @@ fn judged(
 ) -> String {
     let ratio = estimate.sigmas(exact);
     let far = sigmas(ratio);
-    let verdict = Verdict::of_chance(estimate.chance(exact));
+    let verdict = Agreement::of_chance(estimate.chance(exact));
     // With few points, chance causes larger differences.
-    let few = match verdict < Verdict::of_sigmas(ratio) {
+    let few = match verdict < Agreement::of_sigmas(ratio) {
         true => " with so few points",
         false => "",
     };
-    if verdict == Verdict::Disagrees {
+    if verdict == Agreement::Disagrees {
         return format!("{what}: {found} disagrees with {expected} ({far}).");
     }
-    if verdict == Verdict::Undecided {
+    if verdict == Agreement::Undecided {
         return format!(
             "{what}: {found} is {far} from {expected}, too far to agree and too near to \
              disagree{few}."
@@ -481,10 +481,10 @@ impl Measurement {
         let far = sigmas(t_beyond(p, 1e9));
         let share = Unit::Percent.in_unit(change);
         let share = fixed(share, if share < 1.0 { 1 } else { 0 });
-        let verdict = Verdict::of_chance(p);
-        Some(if verdict == Verdict::Disagrees {
+        let verdict = Agreement::of_chance(p);
+        Some(if verdict == Agreement::Disagrees {
             format!("Momentum disagrees: it changed by {share} % ({far}).")
-        } else if verdict == Verdict::Undecided {
+        } else if verdict == Agreement::Undecided {
             format!(
                 "Momentum changed by {share} %: {far}, too much to agree and too little to disagree."
             )
@@ -510,7 +510,7 @@ impl Measurement {
         let reach = ratio.deviation * t_beyond(0.1, ratio.freedom);
         let size = ratio.value.abs();
         let found = printed(&ratio, Unit::Number);
-        if Verdict::of_chance(ratio.chance(0.0)) > Verdict::Agrees {
+        if Agreement::of_chance(ratio.chance(0.0)) > Agreement::Agrees {
             let least = fixed((size - reach).max(0.0), 2);
             format!(
                 "Friction of the rims: the tangential impulse is {found} of the normal one, so the \
@@ -545,16 +545,16 @@ impl Measurement {
         };
         // With four differences, one of 2.5 σ is no surprise.
         let chance = (4.0 * largest.chance(0.0)).min(1.0);
-        let verdict = match Verdict::of_chance(chance) {
-            Verdict::Disagrees => "disagrees with",
-            Verdict::Undecided => "is near the limit of agreement with",
-            Verdict::Agrees => "agrees with",
+        let verdict = match Agreement::of_chance(chance) {
+            Agreement::Disagrees => "disagrees with",
+            Agreement::Undecided => "is near the limit of agreement with",
+            Agreement::Agrees => "agrees with",
         };
         let e_found = self
             .estimate_of("restitution")
             .filter(|it| (0.0..=1.0).contains(&it.value));
         let is_other = |it: &Estimate| {
-            Verdict::of_chance(it.chance(self.given.restitution)) == Verdict::Disagrees
+            Agreement::of_chance(it.chance(self.given.restitution)) == Agreement::Disagrees
         };
         let other_e = match e_found.filter(is_other) {
             Some(found) => {
@@ -617,7 +617,7 @@ impl Measurement {
         }
         if let Some(e) = self.estimate_of("restitution")
             && e.value > 1.0
-            && Verdict::of_chance(e.chance(1.0)) == Verdict::Disagrees
+            && Agreement::of_chance(e.chance(1.0)) == Agreement::Disagrees
         {
             warnings.push(
                 "e is greater than 1, which no collision of two passive bodies can give: check the \
