@@ -113,7 +113,7 @@ const OF_MISCONCEPTIONS: &str = "
     never between the two | reduced-as-mean
     at right angles to n | friction-only-slows
     neither disc spins | no-spin-from-rest
-    in another direction | careful-is-exact
+    in a different direction | careful-is-exact
     how many uncertainties | any-difference-disproves
     more frames do not help | frames-cure-scale
     keeps its shape | scale-turns-angles
