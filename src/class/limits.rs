@@ -23,8 +23,9 @@ const ALL_WRONG_CODES: Allowance = Allowance {
     at_once: 400.0,
     per_s: 1.5,
 };
-/// Wrong codes from one address that do not count towards the limit of all addresses, so that
-/// guessing from many addresses does not keep out a pupil who has just arrived.
+/// The number of wrong codes from each address that do not count towards the limit for all
+/// addresses together, so that guessing from many addresses does not keep out a pupil who has
+/// just arrived.
 const FIRST_WRONG_CODES: Allowance = Allowance {
     at_once: 2.0,
     per_s: 1.0 / 1800.0,

@@ -209,7 +209,7 @@ impl TracksFit {
                 .collect();
             slow = Self::best(&starts, &model, points).filter(|it| it.freedom() >= 1.0);
             let mut slowing = (0..2).filter(|body| model.slows[*body][0]);
-            // Straight lines that are fitted to slowing bodies make a body at rest seem to move.
+            // If straight lines are fitted to the paths of slowing bodies, a body at rest seems to move.
             let at_rest = match &slow {
                 Some(fit) => slowing.find(|body| !moves(fit, *body, Leg::Before)),
                 None => slowing.min_by(|a, b| {

@@ -63,7 +63,7 @@ impl PageFile {
         Ok(Self::new(text, own))
     }
 
-    /// The page without the files of the teacher. This copy is served to the devices of a class:
+    /// The page without the teacher's files. This copy is served to the devices of a class:
     /// the files may contain the answers to the questions of the class.
     pub(super) fn text(&self) -> &str {
         &self.text

@@ -220,7 +220,7 @@ fn an_example_worked_by_hand() {
         after.separation.unwrap().to_degrees(),
         90.0 - 0.05_f64.atan().to_degrees(),
     );
-    // The engine's record leaves with the same velocities.
+    // In the engine's record, the discs leave with the same velocities.
     let shot = c.shot(0.02, 0.05).unwrap();
     assert!((shot.at(0, 0.04).velocity - after.v1).length() < 1e-12);
     assert!((shot.at(1, 0.04).velocity - after.v2).length() < 1e-12);

@@ -24,7 +24,7 @@ const FILMS: [(&str, &str); 3] = [
     ),
 ];
 
-/// The screen after opening a file as the page does: without masses, radii and scale.
+/// The screen after a file has been opened as in the page: without masses, radii and scale.
 fn opened(folder: &Folder, film: usize, size: (u16, u16), charset: Charset) -> Headless {
     let (name, text) = FILMS[film];
     let reading = Reading {

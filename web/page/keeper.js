@@ -1,5 +1,5 @@
-// The saved data: files by their paths in a database of the browser, the same files that carrom
-// keeps in a folder on other systems. Everything is read and written in transactions with a
+// The saved data: the same files that carrom keeps in a folder on other systems, here in a database of the
+// browser, by their paths. Everything is read and written in transactions with a
 // number that counts the changes, so two tabs never overwrite each other: a tab that finds a
 // number other than its own reads the other tab's files first.
 

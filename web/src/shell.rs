@@ -412,7 +412,7 @@ impl Shell {
     }
 }
 
-/// The request to the page that carries out a call of the pupil's app.
+/// The request to the page with which the shell carries out a call of the pupil's app.
 fn call(call: JoinCall) -> ClassCall {
     match call {
         JoinCall::Dial(_) => ClassCall::Dial,

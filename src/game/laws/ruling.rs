@@ -67,7 +67,7 @@ impl Ruling {
     }
 }
 
-/// An announcement with the number of its law, which ends the first sentence.
+/// An announcement whose first sentence ends with the number of the law.
 pub(crate) fn announced(text: &str, law: Option<impl fmt::Display>) -> String {
     let Some(law) = law else {
         return text.to_owned();

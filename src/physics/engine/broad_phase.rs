@@ -104,7 +104,7 @@ pub(super) struct Scan<'a> {
     pub(super) seeker: &'a Seeker,
     /// The seeker's number.
     pub(super) disc: usize,
-    /// Discs to be skipped, because they have already scanned for the seeker.
+    /// Discs to skip, because they have already been compared with the seeker.
     pub(super) have_looked: &'a [usize],
     pub(super) bodies: &'a [Body],
     /// The forecast times of all discs, padded to whole blocks.

@@ -10,7 +10,7 @@ pub struct QuestionSet {
     pub title: String,
     /// The questions, each different.
     pub questions: Vec<ChosenQuestion>,
-    /// The number in the code of the set's round. It follows from the choice and the order of the
+    /// The number at the end of the set's code. It follows from the choice and the order of the
     /// questions, so that a round can tell whether its set is still the same.
     pub seed: u64,
 }

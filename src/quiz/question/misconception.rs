@@ -127,7 +127,7 @@ pub enum Misconception {
     LossByFrame,
     /// The reduced mass is assumed to be between the two masses.
     ReducedAsMean,
-    /// Friction is taken only to slow things down, never to change a direction.
+    /// The belief that friction only slows things down and never changes a direction.
     FrictionOnlySlows,
     /// Discs without spin are taken to leave without spin.
     NoSpinFromRest,

@@ -184,7 +184,7 @@ pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
     if level.is_of_the_first_hit()
         && let Some(impact) = player.impacts().first().filter(|impact| impact.time < now)
     {
-        // The arrows are at the contact, because discs that leave are soon out of the picture.
+        // The arrows begin at the contact, because the discs soon leave the picture.
         for disc in impact.discs {
             let at = shot.at(disc, impact.time).position;
             let radius = shot.discs().get(disc).map_or(0.0, |disc| disc.radius);

@@ -19,7 +19,7 @@ use crate::widgets::{Charset, Role};
 /// The small step of the hand, in metres.
 const STEP: f64 = 0.002;
 
-/// The notice if there is no coin to pick up.
+/// The notice that is shown if there is no coin to pick up.
 const NO_COIN: &str = "There is no coin under the hand.";
 
 /// A hand over the board, which may hold a coin; at first it is empty and over the middle.

@@ -52,7 +52,7 @@ fn after(game: &mut ActiveGame, aim: Aim, action: AimAction, cx: &Context) -> Ai
     game.aim
 }
 
-/// Types a number and the key after it. Returns the number of presses if that sets the aim.
+/// Types a number, then presses the given key. Returns the number of presses if that sets the aim.
 fn typed(
     game: &mut ActiveGame,
     number: &str,
