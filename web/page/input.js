@@ -222,7 +222,7 @@ const input = (() => {
     node.type = "button";
     node.dataset.key = name;
     named(node, help || label, below);
-    if (below) node.append(panels.make("small", "", below));
+    if (below) node.append(" ", panels.make("small", "", below));
     if (below || name in ARROWS) panels.repeats(node, () => key(name));
     else {
       panels.pressed(node, () => {
@@ -234,10 +234,15 @@ const input = (() => {
   }
 
   // The accessible name of a button is its text if it contains words; the help is its description.
+  // Otherwise the name begins with what can be read on the button.
   function named(node, help, below = "") {
     const isWords = /\p{L}{2}/u.test(node.textContent);
     if (isWords && !below) node.title = help;
-    else node.setAttribute("aria-label", below && !help.includes(below) ? `${below}: ${help}` : help);
+    else {
+      const sign = /[\p{L}\p{N}]/u.test(node.textContent) ? node.textContent : "";
+      const seen = `${sign} ${below}`.trim();
+      node.setAttribute("aria-label", help.includes(seen) ? help : `${seen}: ${help}`);
+    }
   }
 
   function doing(kind, label, help, act) {
@@ -307,7 +312,7 @@ const input = (() => {
         const pair = panels.make("span", "pair");
         const isNamed = words.length === letters.length;
         const signs = isNamed ? words : letters.length === 2 ? ["‹", "›"] : letters;
-        const said = (i) => (isNamed ? `${words[i]}, ${name}` : help || name);
+        const said = (i) => (isNamed ? `${words[i]} ${name}` : help || name);
         pair.append(...letters.map((it, i) => button(it, signs[i], said(i), name)));
         rest.push(pair);
       }
