@@ -426,7 +426,10 @@ fn a_hint_on_a_small_phone_is_scrolled_into_view_with_its_next_step() {
     let mut phone = Phone::sized((390, 664), &page, "table&seed=3");
     phone.press("play");
     phone.expect("You break");
-    for (step, next) in [("hint", "Tell me more"), ("tell me more", "Set this stroke")] {
+    for (step, next) in [
+        ("hint", "Tell me more"),
+        ("tell me more", "Set this stroke"),
+    ] {
         phone.press(step);
         phone.expect(next);
         let script = "
