@@ -35,11 +35,11 @@ fn a_phone_joins_votes_and_comes_back() {
     phone.expect("You are in, Ada.");
     teacher.press("<Enter><Enter>", "0 of 1 have voted");
     phone.expect("Where will they go?");
-    for angle in ["60", "30"] {
+    for (angle, next) in [("60", "Next, how sure?"), ("30", "How sure are you?")] {
         phone.type_in(angle);
         phone.go_on();
+        phone.expect(next);
     }
-    phone.expect("How sure are you?");
     phone.go_on();
     phone.expect("Your vote is in.");
     teacher.wait_for("1 of 1 have voted");

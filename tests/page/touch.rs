@@ -40,9 +40,12 @@ impl Phone {
         self.wait();
     }
 
-    /// Waits for a few frames.
+    /// Waits until the last event must have been drawn, even on a busy machine.
     pub(crate) fn wait(&mut self) {
         std::thread::sleep(std::time::Duration::from_millis(120));
+        let drawn = "return new Promise((done) =>
+            requestAnimationFrame(() => requestAnimationFrame(() => done(true))));";
+        self.0.run(drawn, &[]);
     }
 
     /// The text on the screen, line by line.
