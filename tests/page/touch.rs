@@ -43,6 +43,11 @@ impl Phone {
     /// Waits until the last event must have been drawn, even on a busy machine.
     pub(crate) fn wait(&mut self) {
         std::thread::sleep(std::time::Duration::from_millis(120));
+        self.draw();
+    }
+
+    /// Waits for two frames.
+    fn draw(&mut self) {
         let drawn = "return new Promise((done) =>
             requestAnimationFrame(() => requestAnimationFrame(() => done(true))));";
         self.0.run(drawn, &[]);
@@ -88,7 +93,8 @@ impl Phone {
         self.wait();
     }
 
-    /// The centre of the element that a script finds, scrolled into view.
+    /// The centre of the element that a script finds, scrolled into view, once it is at rest: a
+    /// person would not tap something that is still moving.
     fn middle(&mut self, script: &str, words: &str) -> Option<[f64; 2]> {
         let script = format!(
             "const seen = (it) => it.getClientRects().length > 0;
@@ -97,19 +103,21 @@ impl Phone {
             const over = document.querySelector('dialog[open]') || document.getElementById('game');
             const found = (() => {{ {script} }})();
             if (!found) return null;
-            const before = found.getBoundingClientRect().top;
             found.scrollIntoView({{ block: 'nearest', inline: 'nearest' }});
             const box = found.getBoundingClientRect();
-            return [box.left + box.width / 2, box.top + box.height / 2, box.top - before];"
+            return [box.left + box.width / 2, box.top + box.height / 2];"
         );
-        let place = self.0.run(&script, &[Value::from(words)]);
-        let [x, y, scrolled] = [0, 1, 2].map(|i| place[i].as_f64());
-        if scrolled != Some(0.0) {
-            // A person would tap only after the scrolling has ended.
-            self.wait();
-            self.wait();
+        let mut last = None;
+        for _ in 0..20 {
+            let place = self.0.run(&script, &[Value::from(words)]);
+            let place = Some([place[0].as_f64()?, place[1].as_f64()?]);
+            if place == last {
+                return place;
+            }
+            last = place;
+            self.draw();
         }
-        Some([x?, y?])
+        last
     }
 
     /// Taps the button with this text or key; returns whether there is one.
