@@ -131,7 +131,7 @@ pub enum FoilPage {
 }
 
 impl FoilPage {
-    /// All pages, in their order.
+    /// All pages, in the order of their tabs.
     pub const ALL: [Self; 3] = [Self::Tracks, Self::Counts, Self::Measured];
 
     /// Its name on the tab.

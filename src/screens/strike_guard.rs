@@ -1,4 +1,4 @@
-//! Prevents a key press that was meant to continue from striking.
+//! Ignores a press of the strike key that was only meant to go on from the last stroke.
 
 use std::time::Duration;
 
@@ -33,7 +33,8 @@ impl StrikeGuard {
     pub(crate) const TOO_SOON: &str =
         "Too soon after the last press: wait a moment, then press again.";
 
-    /// Whether a press strikes. One that does not shows that the key is still in use.
+    /// Whether a press of the strike key strikes. A press that does not strike restarts the wait,
+    /// because it shows that the key is still in use.
     pub(crate) fn allows(&mut self) -> bool {
         self.has_refused = !self.left.is_zero();
         if self.has_refused {

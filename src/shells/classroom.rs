@@ -46,7 +46,7 @@ impl PupilDevice {
 pub enum Who {
     /// The teacher.
     Host,
-    /// A pupil, by the order of joining.
+    /// A pupil, by the index in the order in which the pupils were added.
     Pupil(usize),
 }
 

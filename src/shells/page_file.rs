@@ -113,7 +113,7 @@ fn package(code: &str, page: &str) -> anyhow::Result<Vec<u8>> {
 "#
     );
     let mut package = ZipWriter::new(Cursor::new(Vec::new()));
-    // Without a time: the same page gives the same package.
+    // No time is stored, so the same page always gives the same package.
     let options = SimpleFileOptions::default();
     for (name, text) in [("imsmanifest.xml", manifest.as_str()), ("index.html", page)] {
         package.start_file(name, options)?;

@@ -167,8 +167,8 @@ impl TextStore for Disk {
                 .write_all(added.as_bytes())
                 .and_then(|()| file.sync_data());
             if written.is_err() {
-                // Remove the partial text; otherwise the file would no longer match what this store
-                // knows. This works on a full disk too.
+                // Remove the partial text; otherwise the file would no longer match the text that
+                // this store remembers. This works on a full disk too.
                 let _ = file.set_len(old.len() as u64);
             }
             written.map(|()| true)

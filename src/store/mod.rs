@@ -59,7 +59,8 @@ const TABLE: &str = ".csv";
 /// The suffix of pages for a browser.
 const PAGE: &str = ".html";
 
-/// Whether this request stores an action of the player, which must be stored in order.
+/// Whether this request stores an action of the player. These actions are stored in the order in
+/// which they were done.
 fn is_note(request: &StoreRequest) -> bool {
     matches!(
         request,
@@ -414,7 +415,7 @@ impl Store {
     fn recall(&mut self, player: Option<&str>) -> Result<Box<History>, String> {
         let mut attempts = self.progress.attempts(player)?;
         let mut observations = self.progress.observations(player)?;
-        // Those that are not stored yet count too.
+        // The answers and observations that are not stored yet count too.
         let is_of = |name: &str| player.is_none_or(|player| player == name);
         for note in &self.unsaved {
             match note {
@@ -471,7 +472,7 @@ impl Store {
     }
 }
 
-/// A folder outside the store; `None` for the store's own hand-ins.
+/// A folder outside the store; `None` for the store's own folder of hand-ins.
 ///
 /// # Errors
 /// If this platform has no such folder.

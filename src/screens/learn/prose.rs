@@ -25,7 +25,7 @@ impl Prose<'_> {
         self.write_in(Some(Role::Dim), blocks, panel);
     }
 
-    /// Writes blocks of text, each word in its own style or all of them in `one`.
+    /// Writes blocks of text, each word in its own style, or all words in the style `one`.
     fn write_in<A>(self, one: Option<Role>, blocks: &[TextBlock], panel: &mut Panel<A>) {
         let runs = |pieces: &[Inline]| {
             let mut runs = self.runs(pieces, Role::Text);

@@ -42,10 +42,10 @@ impl MeasuredSettings {
 const MASSES: (f64, f64) = (0.0, 10_000.0);
 const RADII: (f64, f64) = (0.0, 1_000.0);
 const SCALES: (f64, f64) = (0.001, 1_000.0);
-const OF_BOTH: &str = "Without both masses, equal masses are assumed.";
-const OF_RADII: &str = "With both radii, the line of impact comes from the centres.";
+const OF_BOTH: &str = "Unless both masses are set, equal masses are assumed.";
+const OF_RADII: &str = "If both radii are set, the line of impact is found from the centres.";
 
-/// Always begins with a number, so that a page shows a field for a number.
+/// Begins with a number even if no value is set, so that a browser page shows a number field.
 fn shown(value: f64, unit: &str) -> String {
     let note = if value > 0.0 { "" } else { " (not set)" };
     format!("{}{unit}{note}", short(value, 4))

@@ -8,7 +8,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::text::sheet;
 use crate::widgets::{Role, measured_picture, measured_words};
 
-/// The main numbers, with their names in a narrow panel.
+/// The main numbers: the name of each, short enough for a narrow panel, and its id.
 const MAIN: [(&str, &str); 6] = [
     ("u₁", "u1"),
     ("v₁", "v1"),
@@ -51,7 +51,7 @@ fn conclusion(screen: &MeasuredScreen, panel: &mut Panel<MeasuredAction>) {
     panel.paragraph(sentences(screen).next().unwrap_or_default(), Role::Text);
     panel.gap();
     for (name, id) in MAIN {
-        // There is no room for two degree signs: "70.26 ± 0.12°".
+        // There is room for only one degree sign: "70.26 ± 0.12°".
         panel.fact(name, screen.measurement.printed(id).replacen('°', "", 1));
     }
 }

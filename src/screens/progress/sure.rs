@@ -12,7 +12,7 @@ use crate::widgets::picture::Picture;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
-/// The number of answers with one confidence from which each share is calculated.
+/// The number of answers from which each share is calculated, all with the same confidence.
 const REACH: usize = 10;
 /// The number of recent answers that are shown.
 const SHOWN: usize = 200;

@@ -127,7 +127,7 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     );
 }
 
-/// Lists the first of these names, and the number of others.
+/// Lists the first few of these names, and how many more there are.
 fn listed(names: Vec<String>, panel: &mut Panel<ProgressAction>) {
     let more = names.len().saturating_sub(LISTED);
     for name in names.into_iter().take(LISTED) {

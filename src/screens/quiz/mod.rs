@@ -29,8 +29,8 @@ use crate::widgets::hit::{Overlays, Reveal, Sighting, SightingAction, Watch, Wat
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
-/// For this long, Enter does not close a verdict that appears at once: a player who presses a digit
-/// for the confidence and then Enter means to confirm the digit.
+/// If the verdict appears as soon as a confidence is chosen, Enter does not close it for this long:
+/// a player who presses a digit for the confidence and then Enter means to confirm the digit.
 const SETTLING: Duration = Duration::from_millis(500);
 
 /// Returns to choosing a round.
@@ -154,7 +154,7 @@ impl Quiz {
 
     /// The round with this code, resumed after these answers, which are already saved.
     /// `is_explained` means that the last answer is still being explained. The first answer that
-    /// does not fit its question is dropped, with all that follow.
+    /// does not fit its question is dropped, together with all that follow it.
     pub(crate) fn left_at(
         code: Code,
         answers: &[Answer],
@@ -439,7 +439,8 @@ impl AnsweredQuestion {
     }
 }
 
-/// The collision to observe, if the answer predicts both rays and it is time to ask.
+/// The collision to observe, if the answer predicts both rays and it is time to ask what the player
+/// sees.
 fn sighting(question: &Question, answer: &Answer, cx: &mut Context) -> Option<Sighting> {
     let (Illustration::Before { collision, shown }, Form::Rays { .. }) =
         (&question.picture, &question.form)

@@ -24,7 +24,7 @@ pub struct KeptSettings {
 }
 
 impl KeptSettings {
-    /// The name of its file in the data folder.
+    /// The name of the settings file in the data folder.
     pub const FILE: &str = "settings.toml";
 
     /// Records the settings that differ from `before`; returns whether any do.

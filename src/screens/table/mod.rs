@@ -101,7 +101,7 @@ impl Table {
     }
 }
 
-/// The page of a new game, with the options of the last one.
+/// The page of a new game, with the options of the last game.
 fn agreeing(options: Options, cx: &mut Context) -> TablePage {
     TablePage::NewGame(Box::new(NewGame::ask(Some(options), cx)))
 }

@@ -39,7 +39,7 @@ enum OptionRow {
     Restitution,
 }
 
-/// The resulting options, their text and their description.
+/// A choice on a line: the options that result from it, its text and its description.
 type Choice = (Options, String, Cow<'static, str>);
 
 /// What the keys do on the page of a new game.
@@ -328,7 +328,7 @@ fn players(seat: Seat, now: &Options) -> Vec<Choice> {
     choices
 }
 
-/// The choice of this steadiness for the people's hands, with the size of its errors.
+/// The choice of this hand for the people who play, with the size of its errors.
 fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
     let about = match hand.errors() {
         None => "Every stroke is played exactly as you aim it.".into(),

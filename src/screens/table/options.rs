@@ -25,7 +25,7 @@ pub struct Options {
     pub strengths: [Strength; 4],
     /// The names of two people who share the keyboard.
     pub names: SeatNames,
-    /// The pieces.
+    /// The set of pieces.
     pub set: PieceSet,
     /// Coefficient of restitution of two discs.
     pub restitution: f64,
@@ -33,7 +33,7 @@ pub struct Options {
     pub hand: PlayerHand,
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
-    /// Aids while aiming.
+    /// The aids that are shown while aiming.
     pub aids: Aids,
 }
 

@@ -79,7 +79,7 @@ pub(crate) struct Teacher {
     round: usize,
     /// The index in [`GUIDES`].
     guide: usize,
-    /// What was written since the task was chosen, or why it was not.
+    /// The files written since the task was chosen, or the reasons why they were not written.
     written: Vec<(String, Role)>,
 }
 

@@ -208,7 +208,8 @@ fn talk(board: &Arc<Switchboard>, connection: &Arc<Connection>, rest: Vec<u8>) {
     }
 }
 
-/// The next message, or the reason why there is none; `None` if the connection is lost.
+/// The next message; otherwise the reason for refusing the device, or `Err(None)` if the connection
+/// is lost.
 fn next(socket: &mut WebSocket<ServerStream>) -> Result<ClientMessage, Option<Refusal>> {
     loop {
         match socket.read() {

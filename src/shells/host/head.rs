@@ -96,7 +96,7 @@ fn requested(request: &httparse::Request, port: u16) -> HttpRequest {
     }
 }
 
-/// Whether a `Host` is this server, by an address or as localhost.
+/// Whether a `Host` header names this server: any IP address or localhost, with this port.
 fn is_own(host: &str, port: u16) -> bool {
     let (name, its_port) = match host.rsplit_once(':') {
         Some((name, its_port)) if !host.ends_with(']') => (name, its_port.parse().ok()),

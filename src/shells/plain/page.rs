@@ -20,7 +20,7 @@ const BY_OTHER_MEANS: [&str; 9] = [
 /// The rows in those parts that are offered nevertheless.
 const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
 
-/// The row of the key for the next question.
+/// The id of the row of the key for the next question.
 pub(super) const ON: &str = "quiz.go-on";
 
 /// The placeholder in an empty text field.
@@ -143,8 +143,8 @@ impl PlainPage {
             names.push(option.words.clone());
             is_new
         });
-        // On a screen with that row, a line may already answer the next question, so nothing gets a
-        // label.
+        // If Enter goes on to the next question, a line may already answer that question, so
+        // nothing gets a label.
         if !rows.iter().any(|row| row.id == ON) {
             let are_set = options
                 .iter()

@@ -441,7 +441,7 @@ impl PlainReader {
                 if now.to_lowercase().starts_with(&value) {
                     return Ok(Vec::new());
                 }
-                // The last value has been reached, or the first one again.
+                // The last value has been reached, or the values have started again from the first.
                 if last.as_ref() == Some(&now) || key == Key::Right && seen.contains(&now) {
                     break;
                 }

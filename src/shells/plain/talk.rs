@@ -52,7 +52,7 @@ impl<'a> Talk<'a> {
     pub fn say(&mut self, text: &str) -> Result<(), Leave> {
         for line in text.lines() {
             let line = spoken(line);
-            // A line of the working that continues the line before it.
+            // This line of the working continues the line before it.
             let line = match line.strip_prefix("equals ") {
                 Some(rest) => format!("This equals {rest}"),
                 None => line,
@@ -80,7 +80,7 @@ impl<'a> Talk<'a> {
 
     /// Writes the `lead` lines and a question, and repeats the question until an answer is
     /// understood. `help` explains how to answer. `read` gets a trimmed line, which may be empty;
-    /// it returns the answer, or a friendly line that explains what was expected.
+    /// it returns the answer, or a line that explains what was expected.
     ///
     /// # Errors
     /// If the player quits, or the input ends.

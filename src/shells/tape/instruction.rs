@@ -26,7 +26,8 @@ pub enum Instruction {
     Scroll(MouseKind, u32, Option<(u16, u16)>),
     /// Advance simulated time.
     Sleep(Duration),
-    /// Switch to a device in a class: a pupil's, by name, who joins if necessary, or the teacher's.
+    /// Switch to a device in a class: that of the pupil with this name, who joins if necessary, or
+    /// with `None` the teacher's.
     At(Option<String>),
     /// Disconnect a pupil's device from the host (`false`), or connect it again.
     Reach(String, bool),
@@ -47,6 +48,6 @@ pub enum ScreenSetting {
     Charset(Charset),
     /// The number of colours.
     Color(Depth),
-    /// The time in seconds since the start of 1970: noon on a day, UTC.
+    /// Noon (UTC) on a day, in seconds since the start of 1970.
     Day(i64),
 }

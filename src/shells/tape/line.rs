@@ -4,7 +4,8 @@ use std::fmt;
 
 use crate::files::{LONGEST_QUOTE, escape_control, quoted};
 
-/// A part of a line: a bare word or a string in quotes. `Display` writes it as messages quote it.
+/// A part of a line: a bare word or a string in quotes. `Display` writes it as it is quoted in
+/// messages.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Token {
     /// A run of characters without a space.

@@ -158,7 +158,8 @@ fn come(class: &mut Classroom, name: &str) -> Who {
     class.add(name, app, size.width, size.height)
 }
 
-/// Fails unless the screen shows `text` (`wanted`) or does not show it (not `wanted`).
+/// Fails if `text` is `wanted` and the screen does not show it, or if it is not wanted and the
+/// screen shows it.
 fn judge(line: usize, game: &mut Headless, text: &str, wanted: bool) -> Result<(), PlayError> {
     let screen = game.screen();
     if screen.contains(text) == wanted {

@@ -14,8 +14,8 @@ use crate::files::UnplacedFile;
 const FILE: &str = "crash.log";
 
 /// Makes a panic write a report to `crash.log` in `folder`, if there is one; the folder is created
-/// if it does not exist. A panic of the calling thread, which should be the drawing thread, also
-/// restores the terminal and prints one line to standard error. A panic of any other thread does
+/// if it does not exist. A panic in the calling thread, which should be the drawing thread, also
+/// restores the terminal and prints one line to standard error. A panic in any other thread does
 /// not touch the screen.
 pub fn report_crashes(folder: Option<PathBuf>) {
     let drawing = thread::current().id();

@@ -25,8 +25,8 @@ const LONGEST_SEQUENCE: usize = 64;
 const AFTER_ESCAPE: Duration = Duration::from_millis(10);
 /// The pause in a paste after which the paste counts as ended.
 const WITHIN_PASTE: Duration = Duration::from_secs(1);
-/// The pause in a control string after which it counts as cut off. A terminal sends it at once, but
-/// a slow connection may split it.
+/// The pause in a control string after which it counts as cut off. A terminal sends the string in
+/// one piece, but a slow connection may split it.
 const WITHIN_STRING: Duration = Duration::from_millis(100);
 /// The start of the control string with the terminal's name and version, after its introducer.
 const VERSION: &[u8] = b">|";
@@ -321,7 +321,7 @@ fn control_sequence(sequence: &[u8]) -> Option<Event> {
             letter => KeyCode::Char(letter),
         },
         b'Z' => KeyCode::BackTab,
-        // With numbers, it reports the cursor's position.
+        // With numbers, this sequence reports the cursor's position.
         b'R' if !first.is_empty() => return None,
         last => cursor_key(*last)?,
     };
@@ -553,11 +553,11 @@ mod tests {
             b"\x1bPkitty(0.40.0)\x1b\\",
             b"\x1bP>|kitty\xff(0.40.0)\x1b\\",
             b"\x1bP1$r0m\x1b\\",
-            // It never ends.
+            // The string never ends.
             b"\x1bP>|kitty(0.40.0)",
             b"\x1bP>|kitty(0.40.0)\x1b",
             &long[..long.len() - 2],
-            // Another sequence or a control character is in it.
+            // The string contains another sequence or a control character.
             b"\x1bP>|kitty\x1b[I",
             b"\x1bP>|kitty\x00",
             b"\x1bP>|kitty\x1bP>|\xff\x1b\\",

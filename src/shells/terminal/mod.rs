@@ -137,7 +137,7 @@ pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, Terminal
     .play()
 }
 
-/// A game in progress.
+/// The app, and what its run in the terminal needs.
 struct TerminalRun {
     app: App,
     screen: FixedTerminal,
@@ -237,7 +237,7 @@ impl TerminalRun {
 
     /// Passes on the result of an export.
     fn exported(&self, result: Result<String, String>) {
-        // If nobody receives it, nobody is waiting for it.
+        // There is no receiver only when carrom is quitting anyway.
         let _ = self.sender.send(Message::Input(Input::Exported(result)));
     }
 

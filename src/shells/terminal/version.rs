@@ -12,8 +12,8 @@ pub(super) const REQUEST: &str = "\x1b[>q";
 /// The first two numbers of a version.
 type Version = [u32; 2];
 
-/// Terminals that draw sextants and octants themselves, whatever the font, with the first versions
-/// that are known to draw sextants, and octants.
+/// Terminals that draw sextants and octants themselves, whatever the font, each with the first
+/// version that is known to draw sextants, and the first that is known to draw octants.
 ///
 /// Terminals that draw these characters only if the font has them, such as Konsole, are not listed.
 /// Nor is Windows Terminal, which has drawn sextants itself only since July 2026
@@ -22,16 +22,17 @@ const TERMINALS: [(&str, Version, Version); 5] = [
     // Sextants: notcurses, src/lib/termdesc.c. Octants: the changelog of kitty 0.40.0.
     ("kitty", [0, 20], [0, 40]),
     // ghostty-org/ghostty, pull request 5433 of January 2025, adds octants beside sextants; for the
-    // version, breferrari/vigia, issue 324.
+    // version, see breferrari/vigia, issue 324.
     ("ghostty", [1, 1], [1, 2]),
     // Sextants: foot's author in pull request 1403 of notcurses. Octants: breferrari/vigia, issue 324.
     ("foot", [1, 7], [1, 20]),
-    // One number: 8002 is 0.80.2. Sextants: notcurses in 2021. Octants: breferrari/vigia, issue 324,
-    // names 0.78. VTE itself does not confirm it, so here it is one version later.
+    // VTE reports one number: 8002 is 0.80.2. Sextants: notcurses in 2021. Octants:
+    // breferrari/vigia, issue 324, names 0.78. VTE itself does not confirm this, so the version
+    // after that is listed here.
     ("VTE", [6600, 0], [8000, 0]),
-    // The day of a build. Sextants: notcurses. Octants: wezterm/wezterm, pull request 6502 of December
-    // 2024, which the changelog lists after the release of 2024. The day of the merge is not known,
-    // so here it is a year later.
+    // WezTerm reports the day of the build. Sextants: notcurses. Octants: wezterm/wezterm, pull
+    // request 6502 of December 2024, which the changelog lists after the release of 2024. The day
+    // of the merge is not known, so a day about a year later is listed here.
     ("WezTerm", [20_210_610, 0], [20_260_101, 0]),
 ];
 

@@ -33,7 +33,7 @@ pub(super) fn keep(
     let draft = Draft::beside(&path, DRAFT)?;
     let mut copy = Connection::open(draft.path())?;
     Backup::new(connection, &mut copy)?.step(-1)?;
-    // A single file that can be opened without a log.
+    // This makes the copy a single file that can be opened without a log.
     copy.pragma_update(None, "journal_mode", "DELETE")?;
     drop(copy);
     fs::rename(draft.path(), &path)?;

@@ -72,7 +72,7 @@ impl Database {
         })
     }
 
-    /// Adds everything that this database does not have from another database, given as bytes.
+    /// Adds everything from another database, given as bytes, that this database does not have yet.
     ///
     /// # Errors
     /// If the bytes are damaged, not carrom's, or from a newer version; then nothing is added.

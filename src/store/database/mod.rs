@@ -7,9 +7,9 @@
 //! - each request is one transaction, which is on the disk when the request is done (write-ahead
 //!   log, `synchronous = FULL`);
 //! - if the database is busy, carrom waits and tries again;
-//! - it is checked once a day and whenever carrom starts. An undamaged database is copied; a
-//!   damaged one is repaired: its readable rows go into a new file, and the damaged file is
-//!   kept under another name;
+//! - the database is checked once a day and whenever carrom starts. An undamaged database is
+//!   copied; a damaged one is repaired: its readable rows go into a new file, and the damaged file
+//!   is kept under another name;
 //! - a database that a newer version of carrom has written, or a file that is not a carrom
 //!   database, is refused and not changed at all;
 //! - a read-only database, such as a copy on a read-only disk, can be read, and reading
@@ -123,7 +123,7 @@ impl Database {
         }
     }
 
-    /// Reads something; the default if there is no database.
+    /// Reads something; returns the default if there is no database.
     fn look_up<T: Default>(
         &mut self,
         look: impl Fn(&Transaction) -> rusqlite::Result<T>,
@@ -293,9 +293,9 @@ fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience
 }
 
-/// Fails if the path leads to something that this version of carrom cannot use as a database. It is
-/// read as an ordinary file, because SQLite would wait for a pipe, and would create files beside a
-/// file that is not a database.
+/// Fails if the path leads to something that this version of carrom cannot use as a database. The
+/// file is read as an ordinary file, because SQLite would wait for a pipe, and would create files
+/// beside a file that is not a database.
 fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
     match fs::metadata(path) {
         Ok(about) if !about.is_file() => {

@@ -213,7 +213,7 @@ struct Payload<'a> {
 }
 
 impl Page {
-    /// The start of each cell; `None` if it is impossible.
+    /// The start of each cell; `None` if the stored position is impossible.
     fn starts(&self) -> impl Iterator<Item = Option<usize>> {
         let count = short_at(&self.bytes, self.header + 3).unwrap_or_default();
         let list = self.header + if self.is_bottom { 8 } else { 12 };

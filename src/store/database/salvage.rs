@@ -157,7 +157,7 @@ impl SalvagedTable {
         mut values: Vec<ValueRef>,
         new: &Connection,
     ) -> rusqlite::Result<usize> {
-        // A row that is older than a column has no value for it.
+        // A row that is older than a column has no value for that column.
         let names = match self.columns.names.get(..values.len()) {
             Some(names) if !names.is_empty() => names,
             _ => return Ok(0),
@@ -192,7 +192,7 @@ fn table_names(connection: &Connection) -> rusqlite::Result<Vec<String>> {
 }
 
 pub(super) struct Columns {
-    /// Their names, in the order of the values in a row.
+    /// The names of the columns, in the order of the values in a row.
     pub(super) names: Vec<String>,
     /// The index of the column that is the row's id.
     id: Option<usize>,
@@ -228,7 +228,7 @@ impl Columns {
 
 impl Saved {
     /// Counts the lost answers: those that are only in the list, and, if the list cannot be read
-    /// either, the gaps between the saved ones.
+    /// either, the gaps between the ids of the saved ones.
     fn count_lost_answers<F: Read + Seek>(
         &mut self,
         list: &Tree,

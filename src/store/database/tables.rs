@@ -159,7 +159,7 @@ impl FromSql for LossyText {
 
 fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
     let text = |name| row.get::<_, LossyText>(name).map(|text| text.0);
-    // An answer without the question's numbers is still valid; one without the given answer is not.
+    // A row without the question's numbers is still valid; one without the given answer is not.
     let figures = |name| text(name).map(|text| read_figures(&text).unwrap_or_default());
     let answer = text("answer")?;
     let answer = read_figures(&answer).map_err(|error| {

@@ -756,7 +756,7 @@ const PINNED_1: &str = "
     INSERT INTO star VALUES ('Ada', 'first', 'a', 3);
     PRAGMA user_version = 1;";
 
-/// The additions of the second format; it must always open.
+/// The additions of the second format; a database with them must always open.
 const PINNED_2: &str = "
     CREATE TABLE bookmark (
         player TEXT NOT NULL, chapter TEXT NOT NULL, page TEXT, alpha_deg REAL,

@@ -187,7 +187,7 @@ impl<'a> StepWords<'a> {
         let [limit_text, stops_text] = [limit, stops].map(|it| significant(g_from_kg(it)));
         let end = match collision.rub_stops() {
             true => format!("So the slip stops: Jₜ = {stops_text} g m/s."),
-            false => format!("So Jₜ = {limit_text} g m/s, and the rims slip to the end."),
+            false => format!("So Jₜ = {limit_text} g m/s, and the rims slip throughout."),
         };
         let [one, other] = outcome.spins.map(|spin| significant(spin.abs()));
         let spins = match one == other {

@@ -1,5 +1,5 @@
-//! The momenta of two discs that coalesce, and of the pieces of an explosion, which is the same
-//! collision in reverse. The arrows have the same sum before and after.
+//! The momenta of two discs that coalesce, and those of the pieces of an explosion, which is a
+//! collision of that kind in reverse. The sum of the momenta is the same before and after.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
@@ -28,8 +28,9 @@ pub(super) fn moving_to_the_right(mut collision: Collision) -> Collision {
     collision
 }
 
-/// The angle that the student sets: between the two discs, or, in an explosion into two pieces,
-/// between the first piece and the original direction, in the centre-of-mass frame.
+/// The angle that the student sets: the angle between the velocities of the two discs or, in an
+/// explosion into two pieces, the angle in the centre-of-mass frame between the velocity of the
+/// first piece and the original direction.
 pub(super) fn angle_deg(kind: FigureKind, collision: &Collision) -> f64 {
     let Collision { u1, u2, .. } = collision;
     let angle = match kind {
@@ -39,14 +40,14 @@ pub(super) fn angle_deg(kind: FigureKind, collision: &Collision) -> f64 {
     deg_from_rad(angle.abs())
 }
 
-/// Turns the velocity of the second disc to this angle from that of the first.
+/// Turns the velocity of the second disc until it makes this angle with that of the first.
 pub(super) fn turn_second(collision: &mut Collision, angle_deg: f64) {
     let turn = DVec2::from_angle(rad_from_deg(angle_deg));
     let ahead = collision.u1.normalize_or(DVec2::X);
     collision.u2 = collision.u2.length() * turn.rotate(ahead);
 }
 
-/// Turns both pieces in the centre-of-mass frame.
+/// Turns the velocities of both pieces in the centre-of-mass frame, the first one to this angle.
 pub(super) fn turn_pieces(collision: &mut Collision, angle_deg: f64) {
     let drift = collision.centre_of_mass_velocity();
     let apart = (collision.u1 - collision.u2).length() * DVec2::from_angle(rad_from_deg(angle_deg));
@@ -68,7 +69,7 @@ struct Arrow {
     to: DVec2,
     name: &'static str,
     role: Role,
-    /// Whether it is hidden until the page's question is answered.
+    /// Whether the arrow is hidden until the page's question is answered.
     is_asked: bool,
 }
 
@@ -108,7 +109,7 @@ fn arrows(kind: FigureKind, collision: &Collision) -> Vec<Arrow> {
     }
 }
 
-/// Whether an explosion has two pieces.
+/// Whether this is an explosion into only two pieces.
 fn third_is_absent(kind: FigureKind) -> bool {
     kind == FigureKind::Explosion { third_g: None }
 }
@@ -117,7 +118,7 @@ fn third_is_absent(kind: FigureKind) -> bool {
 fn view(kind: FigureKind, collision: &Collision, area: Rect) -> View {
     let [p1, p2] = of_both(collision);
     let sum = p1 + p2;
-    // The joint of the arrows, or the end of the second, moves on a circle.
+    // The point where the arrows meet, or the tip of the second one, moves on a circle.
     let (centre, radius) = match kind {
         FigureKind::Explosion { third_g: None } => {
             let [m1, m2] = [collision.striker.mass, collision.target.mass];
@@ -134,7 +135,7 @@ fn view(kind: FigureKind, collision: &Collision, area: Rect) -> View {
     View::fit(area, low - edge, high + edge)
 }
 
-/// The momenta with their sizes, and below them the words in three lines, or only the first line
+/// The arrows with their magnitudes, and below them three lines of text, or only the first line
 /// while the result is `hidden`.
 pub(super) fn lay_out(
     kind: FigureKind,
@@ -175,7 +176,7 @@ pub(super) fn lay_out(
     picture
 }
 
-/// What is given, the result, and the energy.
+/// Three lines of text: what is given, the result, and the energy.
 pub(super) fn words(kind: FigureKind, collision: &Collision) -> [String; 3] {
     let Collision { u1, u2, .. } = *collision;
     let sum = of_both(collision).into_iter().sum::<DVec2>().length();

@@ -11,10 +11,10 @@ use crate::physics::{Bond, Collision};
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role, areas};
 
-/// The left and the right edge of each bar, in a picture that is 10 wide.
+/// The left and right edges of each bar, in a picture 10 units wide.
 const BARS: [(f64, f64); 2] = [(0.8, 4.4), (5.6, 9.2)];
 
-/// The parts in millijoules.
+/// The two parts of the kinetic energy, in millijoules.
 pub(super) struct EnergyParts {
     pub(super) of_centre: f64,
     /// The energy of the relative motion before and after the collision.
@@ -34,7 +34,7 @@ impl EnergyParts {
         }
     }
 
-    /// The parts, and what the collision loses.
+    /// The two parts in words, and the energy that is lost in the collision.
     fn words(&self, collision: &Collision) -> [String; 3] {
         let [before, after] = self.relative.map(significant);
         let lost = significant(self.relative[0] - self.relative[1]);
@@ -111,7 +111,7 @@ mod tests {
     use super::*;
     use crate::physics::CollisionSpec;
 
-    /// In a head-on collision the relative part falls to e² of its value.
+    /// In a head-on collision the energy of the relative motion falls to e² times its value.
     #[test]
     fn only_the_relative_part_is_lost() {
         for restitution in [0.0, 0.5, 1.0] {

@@ -25,8 +25,8 @@ pub(super) fn title(space: bool) -> &'static str {
     }
 }
 
-/// The shots, evenly spread. With an angle `beyond`, in radians, those deflected by more than that
-/// are highlighted, with their number below.
+/// Evenly spread shots. With an angle `beyond`, in radians, the shots deflected by more than this
+/// angle are highlighted, and their number is given below.
 pub(super) fn lay_out(
     space: bool,
     beyond: Option<f64>,
@@ -83,7 +83,7 @@ fn face(near: Option<f64>, area: Rect) -> Picture {
     let mut picture = Picture::new(view);
     picture.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
     for at in in_space() {
-        // A disc of this radius is drawn as a mark.
+        // A disc with such a small radius is drawn as a mark.
         let counted = near.is_some_and(|near| at.length() < near);
         let role = if counted { Role::Marble } else { Role::Coin };
         picture.disc(at, 1e-3, role, ' ');
@@ -97,14 +97,14 @@ fn face(near: Option<f64>, area: Rect) -> Picture {
     picture
 }
 
-/// Offsets evenly spread over a line.
+/// Offsets evenly spread over the line from −1 to 1.
 fn on_board() -> Vec<DVec2> {
     let offset = |i| (2.0 * f64::from(i) + 1.0) / f64::from(ON_BOARD) - 1.0;
     (0..ON_BOARD).map(|i| dvec2(0.0, offset(i))).collect()
 }
 
-/// Offsets evenly spread over a disc: rings of equal area have equal numbers, and the golden angle
-/// separates neighbours (H. Vogel, 1979, on sunflower heads).
+/// Offsets evenly spread over a disc: rings of equal area contain equal numbers of points, and the
+/// golden angle separates neighbours (H. Vogel, 1979, on sunflower heads).
 fn in_space() -> Vec<DVec2> {
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let at = |i| {

@@ -48,7 +48,7 @@ fn view(collision: &Collision, step: u8, area: Rect) -> View {
     View::fit(area, low, high)
 }
 
-/// The angle α, in degrees, at which the common point of v₁ and v₂ is nearest to a cell.
+/// The impact angle α, in degrees, at which the tip of v₁ is nearest to this cell.
 pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
     let collision = shown.collision();
     let FigureKind::Triangle { step } = shown.figure.kind else {
@@ -56,7 +56,7 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
     };
     let [picture, _] = rooms(area);
     let at = view(collision, step, picture).world_at(column, row);
-    // v₂ runs from that point to the end of u, at α below u.
+    // v₂ runs from that point to the tip of u, at an angle α below u.
     let left = collision.u1 - at;
     picture
         .contains((column, row).into())
@@ -161,7 +161,8 @@ fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> String {
     }
 }
 
-/// The difference between the square of u and the squares of the other two sides.
+/// The difference between the square of u and the sum of the squares of the other two sides, as a
+/// signed term; empty if it rounds to zero.
 fn spare(both: f64) -> String {
     if both.abs() < 0.005 {
         String::new()

@@ -1,4 +1,4 @@
-//! The figure of a page in words, computed by the engine.
+//! Describes the figure of a page in words, with numbers computed by the engine.
 
 use glam::DVec2;
 
@@ -14,8 +14,8 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// The figure of a page in sentences. The outcome is left out until the page's question is
-/// `answered`, and also afterwards if a later page asks for it.
+/// Describes the figure of a page in sentences. The outcome is left out until the page's question
+/// is `answered`, and even afterwards if a later page asks for it.
 pub(in crate::screens::learn) fn describe(
     chapter: &Chapter,
     at: usize,
@@ -34,8 +34,8 @@ pub(in crate::screens::learn) fn describe(
     let collision = figure.shot.collision();
     match figure.kind {
         FigureKind::Foil { .. } => vec![
-            "The figure sends many particles towards a repulsive centre and counts their \
-             directions. carrom foil shows this on a screen."
+            "The figure sends many particles towards a repulsive centre and counts how many leave in \
+             each direction. carrom foil shows this on a screen."
                 .into(),
         ],
         FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, revealed),
@@ -60,7 +60,7 @@ pub(in crate::screens::learn) fn describe(
     }
 }
 
-/// Whether one of these pages asks for the outcome of a shot.
+/// Whether one of these pages asks for the outcome of this shot.
 fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     later.iter().any(|page| {
         let figure = page.figure.as_ref();
@@ -77,8 +77,8 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     })
 }
 
-/// The outcome of a collision, as a figure of this kind shows it; only the drawn geometry if a
-/// later page asks for the outcome (`is_asked`).
+/// The outcome of a collision, as a figure of this kind shows it; only the geometry drawn in the
+/// figure if a later page asks for the outcome (`is_asked`).
 fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
     match kind {
         FigureKind::Split { lines } => split(collision, lines),
@@ -121,7 +121,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     }
 }
 
-/// Unaimed shots between equal discs.
+/// Unaimed shots at a disc at rest, with equal discs.
 fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
     let (beam, over) = if space {
         (Beam::Space, "a round target of radius r₁ + r₂")
@@ -139,7 +139,8 @@ fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
     lines
 }
 
-/// The force of a contact against time, and the average force in shorter and longer ones.
+/// The force during a contact as a function of time, and the average forces of shorter and longer
+/// contacts.
 fn force(collision: &Collision, time_ms: f64, revealed: bool) -> Vec<String> {
     let time = |ms: f64| with_unit(&significant(ms), "ms");
     let mut lines = vec![format!(
@@ -163,12 +164,12 @@ fn force(collision: &Collision, time_ms: f64, revealed: bool) -> Vec<String> {
     lines
 }
 
-/// The momenta that are given, and their sum at several angles.
+/// The given momenta and, for discs that coalesce, the final speed at several angles between them.
 fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> Vec<String> {
     let [given, result, energy] = momenta::words(kind, collision);
     let about = match kind {
         FigureKind::Explosion { .. } => "the momenta of the pieces of a body that explodes",
-        _ => "the momenta of two discs before they coalesce, and of both together",
+        _ => "the momenta of two discs before they coalesce, and their sum",
     };
     let mut lines = vec![format!("Figure: {about}, as arrows tip to tail. {given}.")];
     if revealed {
@@ -247,7 +248,7 @@ fn weighed(collision: &Collision) -> String {
     format!("The first has a mass of {m1}, the other {m2}. {contact}{rims}")
 }
 
-/// The friction between the rims and the spins, if there are any.
+/// The coefficient of friction between the rims, and the spins; empty for rims without friction.
 fn rims(collision: &Collision) -> String {
     if collision.rims.is_plain() {
         return String::new();

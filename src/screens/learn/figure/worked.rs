@@ -13,9 +13,9 @@ use crate::widgets::panel::Panel;
 /// A worked solution, open at a step.
 #[derive(Debug, Clone)]
 pub(super) struct WorkedFigure {
-    /// The step, from 0.
+    /// The current step, counted from 0.
     step: usize,
-    /// The first step, from 1, whose results are blank until they are shown.
+    /// The first step with blank results, counted from 1; `None` once the results are shown.
     blank: Option<usize>,
     /// The settings, if the student sets the numbers.
     form: Option<SettingsForm>,
@@ -59,8 +59,8 @@ fn last(collision: &Collision) -> usize {
 }
 
 impl WorkedFigure {
-    /// A solution to read. With a step `blank`, it opens at that step and leaves the results out
-    /// from there on while `hidden`.
+    /// A solution to read. If a step `blank`, counted from 1, is given, the solution opens at that
+    /// step and, while `hidden`, leaves the results out from that step on.
     pub(super) fn given(blank: Option<usize>, hidden: bool) -> Self {
         Self {
             step: blank.map_or(0, |step| step - 1),
@@ -102,12 +102,12 @@ impl WorkedFigure {
         // Tab and the page keys are left to the page.
         let page = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         let set = form.keys(&numbers(collision)).without_keys(&page);
-        // On a small screen the steps have priority over the typed number.
+        // On a small screen the keys for the steps have priority over those for typing a number.
         let set = set.renamed("set", |action| matches!(action, FormAction::Step(_)));
         let set = set.renamed("", |action| matches!(action, FormAction::Number(_)));
         let set = set.map(FigureAction::Set);
         let steps_by = [',', '.'].map(Key::Char);
-        // While a number is being typed, a point is part of it.
+        // While a number is being typed, a point belongs to the number.
         let set = match form.is_typing() {
             true => set,
             false => set.without_keys(&steps_by),
@@ -177,7 +177,7 @@ const GAP: &str = "____";
 fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
     let value = equality().find(|at| is_value(&line[at + 1..]));
-    // A line such as `θ₁: undefined`, or the angle between the paths.
+    // In a line such as `θ₁: undefined`, the result follows a colon.
     let revealed = line
         .find(": ")
         .filter(|at| value.is_none_or(|value| *at < value));

@@ -58,7 +58,7 @@ pub(crate) struct Reading {
     number: usize,
     chapter: Chapter,
     at: usize,
-    /// The page; none is open until the bookmark is known.
+    /// The open page; `None` until the bookmark is known.
     open: Option<OpenPage>,
     /// The impact angle in degrees, if it was set since the bookmark was last moved.
     alpha_deg: Option<f64>,
@@ -67,7 +67,7 @@ pub(crate) struct Reading {
     visited: Option<usize>,
 }
 
-/// Why a figure is not shown completely yet.
+/// Why the figure cannot be opened full-size yet.
 const SAY_FIRST: &str = "Give your answer first.";
 
 impl Reading {
@@ -310,7 +310,7 @@ impl Reading {
         }
     }
 
-    /// The keys that give an answer. Enter chooses the other ray, because Tab goes to the figure.
+    /// The keys for answering. Enter switches to the other ray, because Tab switches to the figure.
     fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
         // On a small screen the key that leads back to the contents has priority.
         let spare = |action| {

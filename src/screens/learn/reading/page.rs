@@ -70,8 +70,8 @@ impl PageQuestion {
 }
 
 impl OpenPage {
-    /// A newly opened page. `tries` holds the answer given to its question, and the wrong answer
-    /// before it; `alpha_deg` is the impact angle that the student set last.
+    /// A newly opened page. `tries` holds the final answer to its question and the wrong first
+    /// answer, if there was one; `alpha_deg` is the impact angle that the student set last.
     pub(super) fn new(
         page: &ChapterPage,
         alpha_deg: Option<f64>,

@@ -1,4 +1,4 @@
-//! The list of levels: all levels, those that have been won, and the next one.
+//! The list of levels, which shows which of them have been won and which comes next.
 
 mod view;
 
@@ -8,7 +8,7 @@ use crate::screens::{Context, Next, Route, Screen, View};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
-/// The list of levels. The [`Shelf`] records which one is chosen.
+/// The list of levels. The [`Shelf`] records which level is chosen.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Levels {
     /// Whether the player has moved the mark.

@@ -20,8 +20,8 @@ const RAY: f64 = 0.14;
 /// Length of a predicted ray in an enlarged picture of the discs, in metres.
 const NEAR_RAY: f64 = 0.055;
 
-/// Space around the discs if only the first collision matters, in metres, so that they can be seen
-/// leaving.
+/// Space around the discs, in metres, for levels in which only the first collision matters, so that
+/// the discs can be seen leaving.
 const MARGIN: f64 = 0.02;
 
 /// The part of the board that is shown: the whole board, or an enlarged part with the discs if only
@@ -70,7 +70,7 @@ fn ground(level: &Level, area: Rect) -> Picture {
     picture
 }
 
-/// Labels the circles, and discs of the same kind.
+/// Labels the circles, and numbers the discs if there are several of one kind.
 fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
     let circles: Vec<_> = level
         .goals
@@ -150,7 +150,7 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FirstMet {
     at: DVec2,
-    /// The impact, if it meets another disc.
+    /// The impact, if the disc meets another disc.
     pub(super) impact: Option<ShotImpact>,
 }
 
@@ -338,8 +338,8 @@ mod tests {
         let library = LevelLibrary::embedded();
         let levels = library.packs.iter().flat_map(|pack| &pack.levels);
         for (number, level) in (1..).zip(levels) {
-            // The limits are in degrees. The smaller the discs are drawn, the larger the angle for
-            // a quarter of a cell.
+            // The limits are in degrees. The smaller the discs are drawn, the larger the angle that
+            // a quarter of a cell makes.
             for (area, most) in AREAS.into_iter().zip([16.0, 6.0, 6.0, 6.0]) {
                 let picture = of_aim(level, &level.scene, None, area);
                 let discs = centre_errors(&picture, Charset::Unicode);

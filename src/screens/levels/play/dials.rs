@@ -98,7 +98,7 @@ impl Dials {
         set.collect::<Vec<_>>().join(", ")
     }
 
-    /// The names of all dials, each with its value in an aim.
+    /// The names of all dials, each with its value in this aim.
     pub(super) fn words_of(&self, aim: &LevelAim) -> String {
         let set = self.fields_of(aim).into_iter();
         let set = set.map(|field| format!("{} {}", field.name, field.shown));
@@ -112,9 +112,9 @@ impl Dials {
         form.step_at(self.place(Dial::Speed).unwrap_or(chosen), up, self);
     }
 
-    /// Handles the mouse button at a point on the board, where it was `pressed` or moved while
-    /// down. Drags the disc along its line if the button was pressed on the disc, otherwise aims
-    /// the shot at that point.
+    /// Handles the mouse at a point on the board, where the button was `pressed` or, if not, the
+    /// mouse was moved with the button down. Drags the disc along its line if the button was
+    /// pressed on the disc, otherwise aims the shot at that point.
     pub(super) fn drag(&mut self, form: &mut SettingsForm, at: DVec2, near: f64, pressed: bool) {
         let scene = self.level.aimed(&self.aim);
         let Some(piece) = scene.pieces.get(scene.stroke.disc) else {

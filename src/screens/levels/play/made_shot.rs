@@ -30,7 +30,8 @@ pub(super) fn asked(said: &RayInput) -> impl Iterator<Item = Ray> + '_ {
 }
 
 /// The speed in m/s below which nobody sees a disc move: on the board it stops within half a
-/// millimetre. Predicting that such a disc stays still is right; its true direction is also right.
+/// millimetre. For such a disc, both the prediction that it stays still and its true direction
+/// count as right.
 const UNSEEN: f64 = 0.03;
 
 /// Whether all predicted rays are right.
@@ -65,8 +66,9 @@ pub(super) struct MadeShot {
 }
 
 impl MadeShot {
-    /// The shot with this number, counted from 1, made after this many hints; replayed at `rate`,
-    /// if the player has chosen one. `to_say` says whether a prediction was possible.
+    /// A shot: its `number` in this level, counted from 1, and the number of hints shown before it.
+    /// The replay runs at `rate`, if the player has chosen one. `to_say` says whether a prediction
+    /// was possible.
     pub(super) fn new(
         level: &Level,
         shot: Shot,
@@ -108,7 +110,7 @@ impl MadeShot {
         }
     }
 
-    /// The shot as one that carrom plays to show a solution.
+    /// Marks the shot as one that carrom plays to show a solution.
     pub(super) fn shown(self) -> Self {
         Self {
             win: None,
@@ -169,7 +171,7 @@ impl MadeShot {
         }
     }
 
-    /// The result: the first goal that was missed.
+    /// The result in short: the first goal that was missed or, if none was, the first goal.
     pub(super) fn in_short(&self) -> Option<String> {
         let findings = &self.verdict.findings;
         let unmet = findings.iter().find(|finding| !finding.met);
@@ -185,7 +187,7 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    /// At α = 0.2° the striker moves on at 4 m/s × sin 0.2° = 0.014 m/s; at 2° at 0.14 m/s.
+    /// At α = 0.2° the striker moves on at 4 m/s × sin 0.2° = 0.014 m/s; at α = 2°, at 0.14 m/s.
     #[test]
     fn a_disc_too_slow_to_be_seen_may_be_predicted_to_stay_still() {
         let disc = Disc::from_g_mm(15.0, 15.0);

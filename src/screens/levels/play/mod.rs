@@ -58,7 +58,7 @@ struct EarlierShot {
     /// The number of the shot, counted from 1.
     number: u32,
     set: String,
-    /// The result: the first goal that was missed.
+    /// The result in short: the first goal that was missed or, if none was, the first goal.
     watched: String,
 }
 

@@ -69,7 +69,7 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
         RoundChoice::Topic => of(
             "one topic",
             format!("{} to choose from", CourseKind::topics().count()),
-            "Six questions of one kind that get harder: good when you have just read about it. Then return to mixed rounds.",
+            "Six questions on one topic, getting harder: good when you have just read about that topic. Then return to mixed rounds.",
         ),
         RoundChoice::Read => of(
             "what you have read",

@@ -108,7 +108,7 @@ impl ActiveGame {
         };
         let (coin, turn, place) = match typing {
             true => ("", "", "mm left or right"),
-            // In a practice game these names leave no room for the others.
+            // In a practice game the bottom line has no room for all three names.
             false if practice => ("", "aim", "place"),
             false => ("coin", "aim", "place"),
         };
@@ -299,7 +299,7 @@ impl ActiveGame {
         self.write_turn(panel);
         score::write_warning(self, panel);
         let aim = self.aimed();
-        // This is above the aim, because less of the panel is visible on a phone.
+        // The refusal is above the aim, because a phone shows only the top of the panel.
         let refusal = self.refusal(&aim);
         if let Some(why) = &refusal {
             panel.paragraph(why.as_str(), Role::Warn);
@@ -353,8 +353,8 @@ impl ActiveGame {
         format!("{:.1}°", aim.shown_deg(self.seat()))
     }
 
-    /// Writes whose turn it is, and the colour; on a board for one player, the number of the stroke
-    /// and the par.
+    /// Writes whose turn it is, and that player's colour; on a board for one player, the number of
+    /// the stroke and the par.
     pub(super) fn write_turn<A>(&self, panel: &mut Panel<A>) {
         if self.is_practice() {
             return;

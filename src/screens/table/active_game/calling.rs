@@ -61,8 +61,8 @@ impl Calling {
         Some(phase)
     }
 
-    /// Whether the aim can still be changed. With an unsteady hand the picture has revealed the
-    /// error of the player's stroke.
+    /// Whether the aim can still be changed. If the hand is unsteady, the picture has already
+    /// revealed the error of this stroke.
     pub(super) fn can_be_left(&self, game: &ActiveGame) -> bool {
         self.of.is_some() || game.hand().errors().is_none()
     }

@@ -1,5 +1,6 @@
 //! A game in progress at the table. Each phase has its own file: aiming, showing the computer's
-//! aim, calling, watching a stroke and examining its impacts, arranging coins, the end of a board.
+//! aim, calling, watching a stroke and examining its impacts, arranging coins, and the end of a
+//! board.
 
 mod aiming;
 mod arranging;
@@ -83,7 +84,7 @@ enum GamePhase {
     Over,
 }
 
-/// Actions in more than one phase of a game.
+/// Actions that are available in more than one phase of a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum GameAction {
@@ -110,7 +111,7 @@ enum After {
     Screen(Next),
 }
 
-/// Another phase; `None` stays in the current one.
+/// Another phase; with `None` the current one continues.
 impl From<Option<GamePhase>> for After {
     fn from(phase: Option<GamePhase>) -> Self {
         phase.map_or(Self::Same, Self::Phase)

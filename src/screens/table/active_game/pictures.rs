@@ -237,7 +237,7 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
 fn answer(picture: &mut Picture, share: f64, corner: usize) {
     let board = Board::default();
     if let Some(pocket) = board::pocket(&board, corner).filter(|_| (0.0..1.0).contains(&share)) {
-        // A shade lasts for several frames, so that most of them repaint nothing.
+        // A shade lasts for several frames, so that most frames repaint nothing.
         let age = (share * RING_SHADES).floor() / RING_SHADES;
         let pen = Pen::new(Role::Good).bold().aged(age);
         let radius = board.pocket_radius();

@@ -24,7 +24,8 @@ pub(in crate::screens::table) struct Playing {
 }
 
 impl From<ActiveGame> for Playing {
-    /// A game that begins or is resumed; the computer decides as soon as time passes.
+    /// A game that begins or is resumed; if it is the computer's turn, it decides on its stroke as
+    /// soon as time passes.
     fn from(game: ActiveGame) -> Self {
         let phase = match game.game().stage() {
             GameStage::Playing => GamePhase::Aim,
@@ -234,7 +235,8 @@ impl Playing {
                 "Touch the board to aim. Drag the striker along its base line; pull it back and \
                  let go to strike.",
             ),
-            // No words are shown, but a finger still drags there instead of scrolling.
+            // No words are shown, but dragging a finger on the picture still does not scroll the
+            // page.
             GamePhase::Aim => Some(""),
             GamePhase::Call(_) => Some(RayInput::DRAG),
             GamePhase::Arrange(_) => Some("Drag a coin to its place."),

@@ -129,7 +129,8 @@ fn presses(game: &mut ActiveGame, meant: &Strike, cx: &Context) -> [usize; 3] {
     let typed = (shortest(along.abs().round()), last);
     let place = set(game, &PLACES, typed, reached, cx);
 
-    // On a straight path to a disc, the point of contact is intended; off a cushion, the direction.
+    // With a straight path to a disc, the player intends a point of contact; off a cushion, a
+    // direction.
     let preview = Preview::of(meant, game.game());
     let contact = preview
         .filter(|it| it.way.len() == 2)

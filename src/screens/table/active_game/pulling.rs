@@ -17,10 +17,11 @@ const FULL_PULL: f64 = 0.15;
 /// How much harder a stroke becomes if the mouse is to the right of the aim, and how much softer if
 /// it is to the left: the additional pull per square of the distance, per metre.
 ///
-/// A terminal reports only the cell of the mouse, so straight down there are only as many strengths
-/// as rows below the striker. The square is needed because with a multiple of the distance, there
-/// would be aims for which a step to the next column does not change the strength. With this value
-/// every aim has at least 25 strengths at 80x24 (tried for each degree and centimetre).
+/// A terminal reports only the cell of the mouse, so a pull straight down offers only as many
+/// strengths as there are rows below the striker. The square is needed because, if the additional
+/// pull were proportional to the distance, a step to the next column would not change the strength
+/// for some aims. With this value every aim has at least 25 strengths at 80x24 (checked for each
+/// degree and centimetre).
 const SIDEWAYS: f64 = 1.5;
 /// The tangent of the largest angle between a pull and the aim that does not change the aim (60°).
 const STEADY: f64 = 1.73;
@@ -31,8 +32,8 @@ const BACKWARDS: f64 = 0.79;
 /// move, so that a pull does not shift it first (25°).
 const STRAIGHT_BACK: f64 = 0.44;
 /// The smallest slope of an aim to which [`STRAIGHT_BACK`] applies, as the sine of its angle with
-/// the base lines (35°). With flatter aims, drags that are meant to move the striker are too
-/// similar.
+/// the base lines (35°). With flatter aims, a drag that is meant to move the striker looks too much
+/// like a pull.
 const STEEP: f64 = 0.57;
 
 /// What the mouse is dragging.
@@ -137,7 +138,8 @@ impl ActiveGame {
     }
 
     /// Whether a drag of the striker to this point pulls it back rather than moving it: in a game
-    /// if the point is behind the base lines, in a practice game if it is opposite to the aim.
+    /// if the point is behind the base lines, in a practice game if the drag is opposite to the
+    /// aim.
     fn pulls(&self, at: DVec2) -> bool {
         let seat = self.seat();
         let way = at - self.aim.place;

@@ -1,8 +1,8 @@
 //! The computer's stroke before it is played: position, aim and strength, so that the player can
 //! predict the result; and hints for the player.
 //!
-//! Neither search uses a thread: nothing moves on the board meanwhile, and a search takes
-//! too little time to be noticed (`docs/performance.md`).
+//! Neither the search for a stroke nor the search for a hint uses a thread: nothing moves on the
+//! board meanwhile, and a search takes too little time to be noticed (`docs/performance.md`).
 
 use std::time::Duration;
 
@@ -139,7 +139,7 @@ impl ShownStroke {
         panel: &mut Panel<TableAction>,
     ) {
         game.write_turn(panel);
-        // This is above the parts, so that it does not move when they appear.
+        // The question is above the parts, so that it does not move when they appear.
         panel.paragraph("What will happen? Predict it.", Role::Text);
         panel.part(TableAction::Show, |panel| {
             panel.prompts([

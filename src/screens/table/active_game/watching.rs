@@ -47,7 +47,7 @@ pub(super) struct StrokeReplay {
     /// Whether the stroke was just made: then the game waits for its end, and going back means
     /// leaving the game.
     pub(super) live: bool,
-    /// How long the end has been visible without waiting for a key.
+    /// How long the end has been visible; counted only while carrom does not wait for a key.
     end_seen: Duration,
     /// The piece of each disc in the shot.
     pub(super) pieces: Vec<Piece>,

@@ -100,7 +100,7 @@ pub(in crate::shells::plain) fn means_unit(typed: &str, unit: &str) -> bool {
     names.iter().any(|name| usual(name) == usual(typed))
 }
 
-/// Singular or plural, if a token is a number, after which a unit may follow.
+/// Whether a unit after this token is singular or plural; `None` if the token is not a number.
 fn counted(token: &str) -> Option<Count> {
     // The last number in a pair also counts: "(60, 0) g m/s".
     let number = token

@@ -98,8 +98,8 @@ impl Moment<'_> {
 }
 
 impl Sketch {
-    /// Draws the spin of a disc as an arrow around its centre, in proportion to the faster of both
-    /// `spins`, with its value beside the disc.
+    /// Draws the spin of a disc as an arrow around its centre, and the value of the spin beside the
+    /// disc. The length of the arrow is relative to the faster of the two `spins`.
     pub(in crate::widgets::hit) fn spin(
         &mut self,
         body: usize,
@@ -127,7 +127,7 @@ impl Sketch {
         if spin == 0.0 {
             return;
         }
-        // The arrow is on the far side from the contact, away from the velocities.
+        // The arrow is on the side opposite to the contact, away from the velocities.
         let middle = outwards.to_angle();
         let turn = LONGEST_TURN * spin / spins[0].abs().max(spins[1].abs());
         let (start, end) = (middle - turn / 2.0, middle + turn / 2.0);
