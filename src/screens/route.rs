@@ -121,7 +121,7 @@ pub enum Route {
 /// A page of the foil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FoilPage {
-    /// One particle, with some others beside it.
+    /// The path of one particle, with those of some others.
     #[default]
     Tracks,
     /// A beam, with its particles counted by angle.

@@ -120,8 +120,9 @@ impl<'s, A> View<'s, A> {
         }
     }
 
-    /// This view with a small picture under a title below the panel, if the panel leaves enough
-    /// cells. A browser, whose pictures are not made of cells, does not need the small picture.
+    /// This view with a small picture, which has a title, below the panel if the panel leaves
+    /// enough cells. A browser, whose pictures are not made of cells, does not need the small
+    /// picture.
     pub(super) fn with_inset(
         self,
         title: &'static str,
@@ -168,8 +169,8 @@ impl<'s, A> View<'s, A> {
     {
         let under = |small: bool| self.placed_under(small, room, writing, key);
         let large = under(false);
-        // A small heading leaves more rows for the pages. The large one is used only if the pages
-        // look as good with it.
+        // A small heading leaves more rows for the pages. The large heading is used only if the
+        // pages look just as good with it.
         if !matches!(self.layout, Layout::ForTheBackRow(_)) || self.heading.is_none() {
             return large;
         }

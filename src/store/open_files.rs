@@ -85,7 +85,7 @@ impl<T> OpenFiles<T> {
         if let Some(before) = self.open.insert(ticket, OpenFile { name, text }) {
             self.notice = Some(format!(
                 "{} has changed since it was saved here; another copy of carrom may have it \
-                 open. From now on, yours is saved in {place}.",
+                 open. From now on, your version is saved in {place}.",
                 self.texts.place(&before.name),
             ));
         }

@@ -53,7 +53,7 @@ impl Prose<'_> {
         }
     }
 
-    /// Whether two blocks have no empty row between them.
+    /// Whether two blocks are written without an empty row between them.
     fn belong_together(self, before: &TextBlock, after: &TextBlock) -> bool {
         let low = |formula| formula::set(formula, self.charset).len() == 1;
         match (before, after) {

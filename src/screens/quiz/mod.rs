@@ -319,7 +319,7 @@ impl Quiz {
         }
     }
 
-    /// The number of the current question, from 1.
+    /// The number of the current question, counted from 1.
     fn number(&self) -> usize {
         match &self.phase {
             QuizPhase::Asked(_) => self.answers.len() + 1,

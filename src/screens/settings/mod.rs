@@ -22,7 +22,7 @@ use crate::widgets::input::{
 use crate::widgets::panel::Panel;
 use field::PLAYER;
 
-/// The largest number of characters of a name.
+/// The largest number of characters in a name.
 const LONGEST: usize = 40;
 
 #[derive(Debug, Clone, Default)]
@@ -41,11 +41,11 @@ pub(crate) struct SettingsScreen {
 pub(crate) enum SettingsAction {
     /// choose a setting and change it
     Set(FormAction),
-    /// go to the next value; for the player, choose one
+    /// go to the next value or, for the player, open the list of players
     Enter,
     /// choose a player, or add one
     Players(ListAction),
-    /// use the typed name; a new player is confirmed
+    /// use the typed name; carrom asks before it adds a new player
     Take,
     /// go back; discard a name that is being typed
     Back,
@@ -76,7 +76,7 @@ impl SettingsScreen {
         }
     }
 
-    /// Changes to the chosen player; the line after the last is for a new one.
+    /// Switches to the chosen player; the line after the last player is for a new one.
     fn choose(&mut self, action: ListAction, cx: &mut Context) -> Next {
         let Some(list) = &mut self.choosing else {
             return Next::Ignored;

@@ -83,7 +83,8 @@ impl Aim {
     }
 
     fn set_direction(&mut self, degrees: f64) {
-        // Rounded to a hundredth, so that the rounding errors of steps do not add up.
+        // The direction is rounded to a hundredth of a degree, so that the rounding errors of steps
+        // do not add up.
         let hundredths = (degrees * 100.0).round().rem_euclid(36_000.0);
         self.direction_deg = hundredths / 100.0;
     }

@@ -17,7 +17,8 @@ impl Called {
     /// The largest number of points for a call.
     pub(super) const MOST: u32 = 10;
 
-    /// The call of a stroke compared with its shot; `None` if there was no call or no collision.
+    /// The call made for a stroke, with the first collision of its shot; `None` if there was no
+    /// call or no collision.
     pub(super) fn new(strike: &Strike, shot: &Shot) -> Option<Self> {
         let said = rays(&strike.call?);
         let collision = first_hit(shot)?.impact.collision;

@@ -34,7 +34,7 @@ pub(super) struct Past {
     pub(super) fallen: Vec<Piece>,
     /// The story of the move, if it was a stroke.
     pub(super) story: Option<Story>,
-    /// The computer's intention, if the computer played it in this session.
+    /// The computer's intention, if the computer made the move in this session.
     pub(super) meant: Option<Box<ComputerStroke>>,
 }
 

@@ -43,7 +43,7 @@ fn is_named(node: &Node) -> bool {
     }
 }
 
-/// Whether the node is a factor after another factor: anything but an operator.
+/// Whether the node can be a factor, as everything but an operator can.
 fn is_factor(node: &Node) -> bool {
     match node {
         Node::Word(word) => word.starts_with(char::is_alphanumeric),

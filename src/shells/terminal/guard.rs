@@ -85,8 +85,8 @@ pub(super) fn restore() {
     if !HELD.swap(false, Ordering::SeqCst) {
         return;
     }
-    // Raw mode is left first because that cannot block. A terminal that accepts no more output
-    // would otherwise stay in raw mode.
+    // Raw mode is left first because leaving it cannot block. A terminal that accepts no more
+    // output would otherwise stay in raw mode.
     let _ = disable_raw_mode();
     if let Ok(mut out) = unlocked_stdout() {
         let _ = queue!(

@@ -364,8 +364,8 @@ mod tests {
         }
     }
 
-    /// Each of 1,200 cells is the same row. The row is as long as the file, and the page on which
-    /// it continues refers to itself.
+    /// The page has 1,200 cell pointers, which all lead to the same row. The row is as long as the
+    /// file, and the page on which it continues refers to itself.
     #[test]
     fn overlapping_cells_and_endless_chains_do_not_multiply_the_work() {
         let mut bytes = vec![0; 256 * PAGE];

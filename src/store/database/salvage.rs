@@ -20,7 +20,7 @@ pub(super) type RowCounts = Vec<(String, usize)>;
 
 #[derive(Debug, Default)]
 pub(super) struct Saved {
-    /// The rows saved from each table, in the order in which the tables were created.
+    /// The number of rows saved from each table, in the order in which the tables were created.
     tables: RowCounts,
     /// The tables that have lost rows.
     pub(super) damaged: Vec<String>,
@@ -28,7 +28,7 @@ pub(super) struct Saved {
     lost_answers: usize,
     /// Whether more answers may be lost.
     or_more: bool,
-    /// The copy from which rows were restored, and how many for each table.
+    /// The copy from which rows were restored, and how many of each table.
     pub(super) copy: Option<(String, RowCounts)>,
 }
 

@@ -35,8 +35,8 @@ pub(crate) fn setup_picture(
 /// The title of [`contact_picture`].
 pub(crate) const CONTACT: &str = "the contact, enlarged";
 
-/// The striker's path to the target and its outline at the point of contact, which show the aim
-/// when the discs on the board are small.
+/// The striker's path to the target and the striker's outline at contact, which show the aim when
+/// the discs on the board are small.
 pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collision) -> Picture {
     let [striker, target]: [DVec2; 2] = collision.placed_at_contact().into();
     let [r1, r2] = [collision.striker, collision.target].map(|disc| disc.radius);

@@ -146,8 +146,8 @@ impl Sighting {
         }
     }
 
-    /// The picture of the collision; once the collision is over, the picture before it, with the
-    /// rays.
+    /// The picture of the collision; once the collision is over, the picture before the collision,
+    /// with the rays.
     pub(crate) fn picture(&self, area: Rect) -> Picture {
         match self.is_over {
             true => {
@@ -165,7 +165,7 @@ impl Sighting {
             panel.heading("Watch where they go");
             let text = "In a moment carrom asks what you saw, before it shows any angle.";
             panel.paragraph(text, Role::Text);
-            return panel.prompt("go on without it", SightingAction::Skip);
+            return panel.prompt("go on without answering", SightingAction::Skip);
         }
         panel.heading("What did you see?");
         panel.part(SightingAction::Say, |panel| self.rays.write(panel, target));
@@ -182,7 +182,7 @@ impl Sighting {
         });
         panel.prompts([
             ("see it again", SightingAction::Again),
-            ("go on without it", SightingAction::Skip),
+            ("go on without answering", SightingAction::Skip),
         ]);
     }
 }

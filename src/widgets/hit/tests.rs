@@ -217,7 +217,7 @@ fn cells(picture: &Picture, look: &Look) -> Buffer {
 }
 
 /// The distances from the tail, in columns along an arrow, of the cells that show the arrow's
-/// colour on top of something different.
+/// colour on a background of another colour.
 fn seen_along(
     buffer: &Buffer,
     picture: &Picture,

@@ -264,7 +264,7 @@ impl Watch {
         false
     }
 
-    /// The text for the current step of the explanation; after the contact it has a heading.
+    /// The text for the current step of the explanation; from the contact on, it has a heading.
     pub(crate) fn explanation(&self) -> (Option<String>, String) {
         let words = StepWords::new(&self.collision, &self.outcome, self.frame, self.faces);
         match self.step() {

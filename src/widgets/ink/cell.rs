@@ -37,8 +37,8 @@ impl DiscCover {
         faint: false,
     };
 
-    /// Covers parts of a cell and takes the first place among them, which replaces the smallest
-    /// part.
+    /// Puts this cover first among the `parts` of a cell, in place of the smallest one, and removes
+    /// the area that it covers from the others.
     pub(super) fn cover<const N: usize>(self, parts: &mut [Self; N]) {
         if self.bits == u64::MAX {
             *parts = [Self::NONE; N];

@@ -76,8 +76,8 @@ impl Canvas {
         self.rows_of_smallest(bodies) >= fewest_rows
     }
 
-    /// Whether a disc among others is drawn as a block: the soft edge of the smallest would be larger
-    /// than the rest of it, and the disc itself would not look round.
+    /// Whether a disc among others is drawn as a block, which is the case if the soft edge of the
+    /// smallest disc would be larger than the rest of that disc and this disc would not look round.
     pub(super) fn is_block(&self, body: &Body, bodies: &[Body]) -> bool {
         let is_soft = self.charset == Charset::Unicode && self.has_shades;
         is_soft && self.rows_of_smallest(bodies) < BLOCK_ROWS && self.is_token(body)

@@ -112,21 +112,21 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "coin mass",
-        about: "the coin's mass; equal masses leave at 90°",
+        about: "the coin's mass; equal masses leave at 90° to each other",
         value: |spec| FieldValue::number(spec.m2_g, within("m2_g"), 0.5, " g"),
         shown: |spec| fixed(spec.m2_g, 1) + " g",
         put: |spec, grams| spec.m2_g = grams,
     },
     Row {
         name: "striker radius",
-        about: "added to the coin's radius: the largest offset",
+        about: "the striker's radius; the discs touch if b is at most r₁ + r₂",
         value: |spec| FieldValue::number(spec.r1_mm, within("r1_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r1_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r1_mm = radius_mm,
     },
     Row {
         name: "coin radius",
-        about: "added to the striker's radius: the largest offset",
+        about: "the coin's radius; the discs touch if b is at most r₁ + r₂",
         value: |spec| FieldValue::number(spec.r2_mm, within("r2_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r2_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r2_mm = radius_mm,
@@ -206,7 +206,7 @@ pub(crate) fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
 /// The range of a direction: every number is valid.
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-/// The range that a field may have in files.
+/// The range of values that a field may have in a file.
 fn within(name: &str) -> (f64, f64) {
     let range = CollisionSpec::RANGES.iter().find(|it| it.name == name);
     range.map_or(ANY, |range| (range.least, range.most))

@@ -159,7 +159,7 @@ pub(crate) trait FormFields {
     /// choice.
     fn set(&mut self, at: usize, value: f64);
 
-    /// Sets the text at an index.
+    /// Sets the text of the field at an index.
     fn set_text(&mut self, _at: usize, _text: &str) {}
 }
 

@@ -90,7 +90,8 @@ fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<Strin
     }
 }
 
-/// The quantities that a figure plots against the impact angle, regardless of the page's question.
+/// The values that a figure plots against the impact angle, whether or not the page's question has
+/// been answered.
 fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     match kind {
         FigureKind::Curves => every_ten(collision, |alpha_deg, outcome| {

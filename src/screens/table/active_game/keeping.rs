@@ -8,7 +8,7 @@ use crate::screens::table::game_history::GameHistory;
 use crate::screens::table::options::Options;
 use crate::screens::table::words;
 
-/// The state of saving a game.
+/// Whether the game is saved, and with which ticket.
 #[derive(Debug, Clone, Default)]
 pub(super) struct GameKeeping {
     /// The ticket with which the game is saved, once it has been saved.

@@ -209,8 +209,8 @@ impl ActiveGame {
         }
     }
 
-    /// The next phase after a replay of the past. If it is the computer's turn, the end of the last
-    /// stroke is shown until the player continues.
+    /// The next phase after earlier strokes have been watched. If it is the computer's turn, the
+    /// end of the last stroke is shown until the player continues.
     fn turn_after_replay(&mut self, cx: &Context) -> GamePhase {
         if self.game().stage() == GameStage::Playing
             && self.is_computers_turn()

@@ -201,7 +201,7 @@ impl Playing {
         }
     }
 
-    /// Continues as required by the result of an action, and saves the game.
+    /// Changes the phase or the screen as the result of an action requires, and saves the game.
     fn follow(&mut self, after: After, cx: &mut Context) -> Next {
         let next = match after {
             After::Ignored => Next::Ignored,

@@ -245,7 +245,7 @@ impl ActiveGame {
         self.seed_of(self.history.len())
     }
 
-    /// The seed of the stroke that is the move with this number.
+    /// The seed of the stroke with this move number.
     fn seed_of(&self, number: usize) -> u64 {
         let seed = self.game().setup().seed.unwrap_or(0);
         seed.rotate_left(32) ^ number as u64

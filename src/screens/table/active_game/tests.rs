@@ -40,8 +40,8 @@ fn press(playing: &mut Playing, keys: &str, cx: &mut Context) {
     }
 }
 
-/// Asserts that the record replays to the game on the table, to the last bit, also after a round
-/// trip through a file.
+/// Asserts that the record replays to the game on the table, bit for bit, even after it has been
+/// written to a file and read back.
 fn assert_recorded(active: &ActiveGame, cx: &Context) {
     let text = active.saved(cx).text().unwrap();
     let (read, game) = SavedGame::read("a game", text.as_bytes()).unwrap();

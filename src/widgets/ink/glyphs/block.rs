@@ -113,8 +113,8 @@ impl Finer {
 /// character covers.
 ///
 /// If the cell has two colours, the best of the finer blocks separates the parts with more of a
-/// colour from those with less; for three colours this is nearly true. So only a few need to be
-/// tried.
+/// colour from those with less; for three colours this is nearly true. So only a few blocks need to
+/// be tried.
 pub(in super::super) fn shapes<const COLOURS: usize>(
     set: Blocks,
     colours: [u64; COLOURS],
