@@ -50,8 +50,8 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
     panel.gap();
     let legend = format!(
         "How many answers fitted each misconception, out of the questions that could have shown \
-         it: in the first half of your answers, and since. A misconception is listed once it explains \
-         the answers {NAMED_ODDS} times better than guessing does."
+         it: in the first half of your answers, and since. A misconception is listed once it \
+         explains the answers {NAMED_ODDS} times better than guessing does."
     );
     panel.paragraph(legend, Role::Dim);
 }

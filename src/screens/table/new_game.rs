@@ -328,7 +328,7 @@ fn players(seat: Seat, now: &Options) -> Vec<Choice> {
     choices
 }
 
-/// The choice of this hand for the people who play, with the size of its errors.
+/// The choice of hands with this steadiness for the people who play, with the size of the errors.
 fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
     let about = match hand.errors() {
         None => "Every stroke is played exactly as you aim it.".into(),

@@ -50,7 +50,7 @@ const BY_HAND: [&str; 9] = [
 /// Whether a sentence names a key or a mouse action.
 fn is_for_hands(sentence: &str) -> bool {
     FOR_HANDS.iter().any(|it| sentence.starts_with(it))
-        // Such a sentence begins with a key whose name is a single character.
+        // A sentence such as "u switches it", in which the name of the key is a single character.
         || sentence.get(1..).is_some_and(|it| it.starts_with(" switches it"))
         || BY_HAND.iter().any(|it| sentence.contains(it))
 }

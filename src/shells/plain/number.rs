@@ -5,8 +5,9 @@ use super::spoken::{means_unit, unit_name};
 /// Reads a number from `least` to `most`. Its `unit` may follow; the unit of a pure number is
 /// empty.
 ///
-/// # Errors A line that explains what was expected. carrom does not guess: it does not accept 1/2,
-/// 1 000, or 5 cm for a length in millimetres.
+/// # Errors
+/// A line that explains what was expected. carrom does not guess: it does not accept 1/2, 1 000, or
+/// 5 cm for a length in millimetres.
 pub(super) fn number(heard: &str, unit: &str, least: f64, most: f64) -> Result<f64, String> {
     let typed = heard.replace('−', "-");
     let (number, behind) = split(&typed).ok_or("Please type a number, such as 2.5.")?;

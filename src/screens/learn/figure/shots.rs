@@ -83,7 +83,7 @@ fn face(near: Option<f64>, area: Rect) -> Picture {
     let mut picture = Picture::new(view);
     picture.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
     for at in in_space() {
-        // A disc with such a small radius is drawn as a mark.
+        // A disc this small is drawn as a mark.
         let counted = near.is_some_and(|near| at.length() < near);
         let role = if counted { Role::Marble } else { Role::Coin };
         picture.disc(at, 1e-3, role, ' ');

@@ -34,8 +34,8 @@ pub(in crate::screens::learn) fn describe(
     let collision = figure.shot.collision();
     match figure.kind {
         FigureKind::Foil { .. } => vec![
-            "The figure sends many particles towards a repulsive centre and counts how many leave in \
-             each direction. carrom foil shows this on a screen."
+            "The figure sends many particles towards a repulsive centre and counts how many \
+             leave in each direction. carrom foil shows this on a screen."
                 .into(),
         ],
         FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, revealed),
@@ -122,7 +122,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     }
 }
 
-/// Unaimed shots at a disc at rest, with equal discs.
+/// Unaimed shots at a disc at rest; all discs are equal.
 fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
     let (beam, over) = if space {
         (Beam::Space, "a round target of radius r₁ + r₂")
@@ -165,7 +165,8 @@ fn force(collision: &Collision, time_ms: f64, revealed: bool) -> Vec<String> {
     lines
 }
 
-/// The given momenta and, for discs that coalesce, the final speed at several angles between them.
+/// The given momenta and, for discs that coalesce, the final speed at several angles between the
+/// two momenta.
 fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> Vec<String> {
     let [given, result, energy] = momenta::words(kind, collision);
     let about = match kind {
@@ -249,7 +250,8 @@ fn weighed(collision: &Collision) -> String {
     format!("The first has a mass of {m1}, the other {m2}. {contact}{rims}")
 }
 
-/// The coefficient of friction between the rims, and the spins; empty for rims without friction.
+/// The coefficient of friction between the rims, and the spins; empty if there is neither friction
+/// nor spin.
 fn rims(collision: &Collision) -> String {
     if collision.rims.is_plain() {
         return String::new();

@@ -67,7 +67,7 @@ pub(crate) struct Reading {
     visited: Option<usize>,
 }
 
-/// Why the figure cannot be opened full-size yet.
+/// Why the figure cannot be opened full-size or exported yet.
 const SAY_FIRST: &str = "Give your answer first.";
 
 impl Reading {

@@ -1,4 +1,4 @@
-//! The list of levels, which shows which of them have been won and which comes next.
+//! The list of levels: those that have been won, and the one to win next, are marked.
 
 mod view;
 

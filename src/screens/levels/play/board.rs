@@ -338,8 +338,8 @@ mod tests {
         let library = LevelLibrary::embedded();
         let levels = library.packs.iter().flat_map(|pack| &pack.levels);
         for (number, level) in (1..).zip(levels) {
-            // The limits are in degrees. The smaller the discs are drawn, the larger the angle that
-            // a quarter of a cell makes.
+            // The limits are in degrees. The smaller the discs are drawn, the larger the angle to
+            // which a quarter of a cell corresponds.
             for (area, most) in AREAS.into_iter().zip([16.0, 6.0, 6.0, 6.0]) {
                 let picture = of_aim(level, &level.scene, None, area);
                 let discs = centre_errors(&picture, Charset::Unicode);

@@ -66,9 +66,9 @@ pub(super) struct MadeShot {
 }
 
 impl MadeShot {
-    /// A shot: its `number` in this level, counted from 1, and the number of hints shown before it.
-    /// The replay runs at `rate`, if the player has chosen one. `to_say` says whether a prediction
-    /// was possible.
+    /// The shot with this `number` since the level was opened, counted from 1; `hints` is the
+    /// number of hints shown before it. The replay runs at `rate`, if the player has chosen one.
+    /// `to_say` says whether a prediction was possible.
     pub(super) fn new(
         level: &Level,
         shot: Shot,

@@ -24,8 +24,8 @@ pub(in crate::screens::table) struct Playing {
 }
 
 impl From<ActiveGame> for Playing {
-    /// A game that begins or is resumed; if it is the computer's turn, it decides on its stroke as
-    /// soon as time passes.
+    /// A game that begins or is resumed; if it is the computer's turn, the computer chooses its
+    /// stroke as soon as time passes.
     fn from(game: ActiveGame) -> Self {
         let phase = match game.game().stage() {
             GameStage::Playing => GamePhase::Aim,
