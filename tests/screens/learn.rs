@@ -120,7 +120,7 @@ fn the_bookmark_is_saved_and_can_be_reset() {
     game.press("Ry");
     let screen = game.screen();
     assert!(
-        screen.contains("page 1 of 5") && screen.contains("starts over"),
+        screen.contains("page 1 of 5") && screen.contains("starts again"),
         "{screen}"
     );
     let mark = game.app().book().mark(&chapter.id);

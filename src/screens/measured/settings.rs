@@ -70,7 +70,7 @@ static ROWS: [FieldRow<MeasuredSettings>; 6] = [
     row!("radius r₂", OF_RADII, radii_mm[1], RADII, 0.5, " mm"),
     row!(
         "scale",
-        "All lengths are multiplied by this. If the file is in pixels: millimetres per pixel.",
+        "All lengths are multiplied by this number. For a file in pixels, set the millimetres per pixel.",
         scale,
         SCALES,
         0.01,

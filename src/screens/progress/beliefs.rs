@@ -72,7 +72,7 @@ const fn how_it_fades(origin: Origin) -> &'static str {
             "This is a slip, not a belief. Checking the result in an extreme case reveals it."
         }
         Origin::Ours => {
-            "Such an idea fades when you predict and then see that the collision disagrees."
+            "An idea like this fades when you predict and then see that the collision disagrees."
         }
     }
 }

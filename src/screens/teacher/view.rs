@@ -30,7 +30,7 @@ impl TeacherTask {
         match self {
             Self::Class => {
                 "Teams at one keyboard, raised hands, paper cards, or each pupil on a device of \
-                 their own. Without internet."
+                 their own. No internet is needed."
             }
             Self::Worksheet => {
                 "Two HTML files to print: the questions with space for answers, and the worked \
@@ -50,8 +50,8 @@ impl TeacherTask {
                  receives the score, the time and each answer. In Moodle: Add an activity, SCORM package."
             }
             Self::Page => {
-                "All of carrom in one HTML file, for phones, tablets and computers, also without \
-                 internet: send it to pupils or put it on the school's server. It includes your own levels, \
+                "All of carrom in one HTML file for phones, tablets and computers. It works without \
+                 internet: send it to pupils, or put it on the school's server. It includes your own levels, \
                  chapters and questions, if carrom was started with them."
             }
             Self::Report => {
@@ -59,8 +59,8 @@ impl TeacherTask {
                  wrong answers suggest, and what to teach next."
             }
             Self::Gradebook => {
-                "An HTML page with the results of all pupils from the files they have handed in: \
-                 each pupil, each round, each question, and what they believe."
+                "An HTML page with the results of all pupils, from the files that they have handed in: \
+                 by pupil, by round and by question, and what the pupils believe."
             }
             Self::Guide => {
                 "How to run a class, how to write questions, what is simulated, and more. HTML files to read or print."

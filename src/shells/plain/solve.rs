@@ -29,7 +29,7 @@ fn ask(talk: &mut Talk) -> Result<Vec<WorkedStep>, Leave> {
     talk.say("carrom solves a collision. Enter alone accepts the proposed value.")?;
     let mut one = |what: &str, unit: &str, proposed: f64, least: f64, most: f64| {
         let asked = format!("{what}? Proposed: {proposed}.");
-        let help = "Type a number, or Enter alone for the proposed value.";
+        let help = "Type a number, or press Enter alone to accept the proposed value.";
         talk.ask_for(&[], &asked, help, |heard| match heard {
             "" => Ok(proposed),
             heard => number(heard, unit, least, most),

@@ -242,7 +242,7 @@ impl AnswerInput {
             (Self::Rays(rays), Form::Rays { target, .. }) => rays.about(target),
             (Self::Number(number), _) => number.about(),
             (Self::Shot(_), _) => {
-                "The offset: millimetres from the striker's path to the coin's centre, negative to the left.".into()
+                "The offset is the distance in millimetres from the striker's path to the coin's centre, negative to the left.".into()
             }
             _ => "Choose one answer.".into(),
         }

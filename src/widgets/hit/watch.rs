@@ -256,8 +256,8 @@ impl Watch {
                 "Here the discs always move in opposite directions: the total momentum is zero."
             }
             Frame::Target => {
-                "In this frame body 2 is at rest before the collision: the rules for a coin at \
-                 rest hold."
+                "In this frame the target is at rest before the collision, so the rules for a \
+                 target at rest apply."
             }
         };
         panel.paragraph(seen, Role::Text);

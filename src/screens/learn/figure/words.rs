@@ -205,7 +205,10 @@ fn parts_in_words(collision: &Collision, revealed: bool) -> Vec<String> {
                 ..*collision
             }));
             let e = significant(restitution);
-            format!("At e = {e}, {kept} mJ and {before} mJ become {kept} mJ and {after} mJ.")
+            format!(
+                "At e = {e}, {after} mJ of the {before} mJ of the relative motion remain, and all \
+                 {kept} mJ of the motion of the centre of mass."
+            )
         }));
     }
     lines
@@ -247,7 +250,7 @@ fn weighed(collision: &Collision) -> String {
         Bond::Slip => "No energy is lost.".to_owned(),
     };
     let rims = rims(collision);
-    format!("The first has a mass of {m1}, the other {m2}. {contact}{rims}")
+    format!("The first disc has a mass of {m1}, the other {m2}. {contact}{rims}")
 }
 
 /// The coefficient of friction between the rims, and the spins; empty if there is neither friction

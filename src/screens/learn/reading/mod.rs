@@ -221,7 +221,7 @@ impl Reading {
         cx.forget(Forget::Chapter(self.chapter.id.clone()));
         self.alpha_deg = None;
         self.open(0, cx);
-        self.notice = Some("The chapter starts over.");
+        self.notice = Some("The chapter starts again.");
     }
 
     /// Records the impact angle that the student has set.
@@ -444,8 +444,8 @@ impl Screen for Reading {
             ReadingAction::AskAgain => self.ask_again(cx),
             ReadingAction::Forget => {
                 return Next::Confirm(Confirmation::new(
-                    "Forget your answers in this chapter, and start it over?",
-                    "start it over",
+                    "Forget your answers in this chapter, and start it again?",
+                    "start it again",
                     "keep them",
                 ));
             }

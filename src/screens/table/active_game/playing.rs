@@ -338,7 +338,7 @@ impl GamePhase {
 /// The confirmation before the player leaves the game.
 fn parting(game: &ActiveGame) -> Confirmation {
     let kept = match game.keeping.saved {
-        Some(true) => " It is saved, and can be resumed from the page of a new game.",
+        Some(true) => " It is saved, and you can resume it later from the list of saved games.",
         _ => "",
     };
     Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
