@@ -17,7 +17,7 @@ pub(super) struct Disk {
     folder: PathBuf,
     /// The suffix of the files' names.
     ending: &'static str,
-    /// The most bytes that are read from a file.
+    /// The largest number of bytes that are read from a file.
     largest: usize,
     /// Whether only this user can read the files.
     private: bool,

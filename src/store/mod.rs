@@ -47,7 +47,7 @@ use memory::Memory;
 use open_files::OpenFiles;
 use text_store::TextStore;
 
-/// The suffix of texts that carrom reads again.
+/// The suffix of the texts that carrom reads back.
 const TEXT: &str = ".toml";
 /// The error if no data folder is known.
 const NOWHERE: &str = "no data folder is known; set one with --data-dir";
@@ -189,7 +189,7 @@ impl Store {
     }
 
     /// Builds a store. `texts` makes a store of texts from the folder's name, the suffix of the
-    /// names and the most bytes that are read from a text.
+    /// names and the largest number of bytes that are read from a text.
     fn of(
         progress: Database,
         texts: impl Fn(&'static str, &'static str, usize) -> Box<dyn TextStore>,

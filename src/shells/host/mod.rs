@@ -229,7 +229,7 @@ fn random() -> io::Result<u128> {
     Ok(u128::from_le_bytes(bytes))
 }
 
-/// Raises the limit on open files, because each pupil needs one.
+/// Raises the limit on open files, because each pupil's connection needs one.
 fn raise_limit() {
     #[cfg(unix)]
     {

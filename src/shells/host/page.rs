@@ -9,8 +9,8 @@ use flate2::write::GzEncoder;
 
 /// The policy of the file, and that of the served copy.
 const CONNECT: [&str; 2] = ["connect-src 'none'", "connect-src 'self'"];
-/// The root element of the file, and that of the served copy, whose attribute shows that a class
-/// has served the page.
+/// The root element of the file, and that of the served copy, in which an attribute shows that a
+/// class serves the page.
 const ROOT: [&str; 2] = ["<html lang=\"en\">", "<html lang=\"en\" data-class=\"\">"];
 /// The text before the policy in the file.
 const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";
@@ -20,7 +20,8 @@ const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";
 pub(super) struct ServedPage {
     text: String,
     packed: Vec<u8>,
-    /// Changes with the contents, so that browsers do not show an outdated page.
+    /// The tag of the contents (`ETag`). It changes with them, so that browsers do not show an
+    /// outdated page.
     tag: String,
     policy: String,
 }

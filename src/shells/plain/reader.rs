@@ -73,7 +73,7 @@ pub struct PlainReader {
 }
 
 impl PlainReader {
-    /// Starts with an app, on a screen that is large enough for everything.
+    /// Creates a reader for an app, with a screen that is large enough for everything.
     pub fn new(app: &mut App) -> Self {
         app.set_pictures(Some(PICTURES));
         app.settings_mut().charset = crate::widgets::Charset::Unicode;
@@ -87,7 +87,7 @@ impl PlainReader {
         }
     }
 
-    /// The first lines.
+    /// The first lines of the output.
     pub fn begin(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         holder.input(&Input::Resize(SIZE.0, SIZE.1));
         let mut lines =
@@ -96,7 +96,7 @@ impl PlainReader {
         lines
     }
 
-    /// The changes since the last output, without an input.
+    /// The changes that have happened by themselves since the last output.
     pub fn news(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         let mut lines = self.settle(holder);
         if !lines.is_empty() {
@@ -243,7 +243,8 @@ impl PlainReader {
         found.map(|(option, _)| option.clone())
     }
 
-    /// The key for a step in words: "more", "much less", "strength more", "back", "next".
+    /// The key for a step that is typed in words: "more", "much less", "strength more", "back",
+    /// "next".
     fn moved(&self, words: &str, app: &App) -> Option<Key> {
         let table = app.keys();
         let (name, last) = words.rsplit_once(' ').unwrap_or(("", words));

@@ -59,7 +59,7 @@ pub fn run(
     talked.and(kept)
 }
 
-/// Reads a line only on demand, so that a program that writes too fast has to wait.
+/// Reads each line only on demand, so that a program that sends lines too fast has to wait.
 fn listen(mut input: impl BufRead, wanted: &Receiver<()>, sender: &Sender<Heard>) {
     while wanted.recv().is_ok() {
         let heard = hear(&mut input)

@@ -12,13 +12,13 @@ use crossterm::event::{
     Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
 };
 
-/// The most bytes of a paste that are used. No input field can hold more.
+/// The largest number of bytes of a paste that are used. No input field can hold more.
 pub(super) const LARGEST_PASTE: usize = 1 << 16;
 /// The start of a paste, after the control sequence introducer, and its end.
 const PASTE: &[u8] = b"200~";
 const PASTE_END: &[u8] = b"\x1b[201~";
-/// The most bytes of a control sequence that are kept. The longest sequence that a terminal sends
-/// has about 20 bytes.
+/// The largest number of bytes of a control sequence that are kept. The longest sequence that a
+/// terminal sends has about 20 bytes.
 const LONGEST_SEQUENCE: usize = 64;
 /// How long a single Escape waits for more bytes. Every sequence begins with Escape, and a slow
 /// connection may split a sequence.
@@ -34,7 +34,7 @@ const VERSION: &[u8] = b">|";
 const ESCAPE: u8 = 0x1b;
 const CTRL_C: u8 = 0x03;
 
-/// The bytes of an incomplete sequence.
+/// Decodes bytes, and holds those of an incomplete sequence.
 #[derive(Debug, Default)]
 pub(super) struct Decoder {
     /// The bytes of a character or of a control sequence.

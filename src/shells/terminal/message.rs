@@ -9,7 +9,8 @@ use crate::messages::{Input, Key};
 #[cfg(unix)]
 use crate::widgets::Blocks;
 
-/// The most keys that may wait. Nobody types that many between two frames.
+/// The largest number of keys that may wait to be handled. Nobody types that many between two
+/// frames.
 const MOST_WAITING: usize = 1000;
 
 /// Sends messages from the keyboard and from signals, and counts those not yet received.

@@ -15,8 +15,8 @@ use crate::store::Store;
 /// not wait for votes from devices; a pupil's device confirms a vote once it is saved.)
 const PATIENCE: Duration = Duration::from_millis(500);
 /// How long the screen waits for an answer to be saved before it shows the explanation, so that no
-/// answer that was explained is lost. If the disk is faulty or another program has locked the
-/// database, the screen shows that the answer is being saved, and the player can continue.
+/// answer is lost once it has been explained. If the disk is faulty or another program has locked
+/// the database, the screen shows that the answer is being saved, and the player can continue.
 const ANSWER_PATIENCE: Duration = Duration::from_secs(1);
 
 /// A thread that carries out requests to the store, one after the other.

@@ -13,7 +13,7 @@ use crossterm::event::Event;
 use super::decoder::Decoder;
 use super::spawn;
 
-/// The most blocks of input that are read ahead of the decoder.
+/// The largest number of blocks of input that are read ahead of the decoder.
 const READ_AHEAD: usize = 16;
 
 /// Something that the terminal has sent.

@@ -1,5 +1,5 @@
-//! Limits for an untrusted database: its schema cannot run code, and no statement runs longer than
-//! a file of its size requires.
+//! Limits for an untrusted database: its schema cannot run code, and no statement can do more work
+//! than a file of its size requires.
 
 use rusqlite::Connection;
 use rusqlite::config::DbConfig;

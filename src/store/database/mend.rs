@@ -207,7 +207,7 @@ fn put_in_place(damaged: &Path, draft: &Path) -> io::Result<PathBuf> {
     Ok(kept)
 }
 
-/// An unused path beside a damaged database, for keeping it.
+/// An unused path beside a damaged database, under which it will be kept.
 fn free_place(damaged: &Path) -> PathBuf {
     let place = |number: u32| damaged.with_file_name(format!("progress-damaged-{number}.db"));
     let is_free = |place: &PathBuf| !matches!(fs::exists(place), Ok(true));

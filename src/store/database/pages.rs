@@ -16,8 +16,8 @@ const PAGE: usize = 4096;
 const FILE_HEADER: usize = 100;
 /// Where the file's header stores the number of the first page in the list of unused pages.
 const UNUSED: usize = 32;
-/// The most bytes that are read, as a multiple of the file's size, so that overlapping cells and
-/// merging chains do not multiply the work. An undamaged file is read twice.
+/// The limit on the number of bytes that are read, as a multiple of the file's size, so that
+/// overlapping cells and merging chains do not multiply the work. An undamaged file is read twice.
 const READINGS: u64 = 16;
 
 /// The layout of the pages of a tree.

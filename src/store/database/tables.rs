@@ -23,7 +23,8 @@ const PLAYERS: &str = "SELECT player, max(time_s) AS last_s FROM \
                        GROUP BY player ORDER BY last_s DESC, player";
 
 impl Database {
-    /// Everyone who has done something, with the time of the last answer, the latest first.
+    /// All players about whom anything is stored, each with the time of their last answer, the most
+    /// recent first.
     pub(in crate::store) fn players(&mut self) -> Result<Vec<(String, Option<i64>)>, String> {
         self.look_up(|transaction| {
             let mut statement = transaction.prepare(PLAYERS)?;

@@ -53,7 +53,7 @@ impl Asking {
         self.sure
     }
 
-    /// Returns from the confidence level to the answer; the result is whether that was possible.
+    /// Goes back from the confidence level to the answer; returns whether that was possible.
     pub(crate) fn back(&mut self) -> bool {
         self.sure.take().is_some()
     }

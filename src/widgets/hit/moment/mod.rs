@@ -16,7 +16,7 @@ use crate::physics::{Bond, Frame};
 use crate::widgets::Role;
 use crate::widgets::picture::{self, Pen, Picture};
 
-/// The point where the rims touch.
+/// The mark at the point where the rims touch.
 const CONTACT: &str = "●";
 
 /// The data needed to draw one moment of a collision.
