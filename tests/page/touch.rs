@@ -134,8 +134,8 @@ impl Phone {
     /// Taps the main button; returns whether there is one.
     pub(crate) fn go_on(&mut self) -> bool {
         // The visits skip the question about what they saw.
-        if self.shows("Go on without it") {
-            return self.button("Go on without it");
+        if self.shows("Go on without answering") {
+            return self.button("Go on without answering");
         }
         let script = "
             const all = over.querySelectorAll('#keys .primary, .answers button');

@@ -122,7 +122,7 @@ impl Visit {
     /// Takes the main action.
     fn go_on(&mut self) -> bool {
         if self.has_keyboard {
-            let skips = self.phone.shows("Go on without it");
+            let skips = self.phone.shows("Go on without answering");
             self.keys(if skips { "s" } else { "<Enter>" });
             return true;
         }
