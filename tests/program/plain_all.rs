@@ -1,6 +1,7 @@
 //! All screens in plain lines, as a blind pupil uses them: from the first screen to a shot in the
 //! lab, a level that is won, a stroke at the table and a vote in a class.
 
+use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::net::SocketAddr;
 use std::process::{Child, ChildStdin, Command, Stdio};
@@ -29,6 +30,7 @@ impl Talk {
             .args(arguments)
             .args(["--plain", "--data-dir"])
             .arg(folder.path())
+            .current_dir(folder.path())
             .env("TERM", "dumb")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -135,6 +137,18 @@ fn a_level_is_won() {
     let mut talk = Talk::begin(&["levels"], &folder);
     talk.hears("1 of 65 won");
     talk.leaves();
+}
+
+#[test]
+fn choosing_the_chosen_line_again_opens_it_once() {
+    let folder = Folder::new("plain-teacher");
+    let mut talk = Talk::begin(&["teacher"], &folder);
+    talk.goes(&[("Which one?", "3"), ("cards.html", "3")]);
+    talk.hears("cards-2.html");
+    talk.leaves();
+    let written = fs::read_dir(folder.path()).unwrap();
+    let names = written.map(|it| it.unwrap().file_name().into_string().unwrap());
+    assert_eq!(names.filter(|it| it.ends_with(".html")).count(), 2);
 }
 
 #[test]

@@ -63,6 +63,13 @@ fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
     Ok(Vec::new())
 }
 
+/// Whether Enter carries out one of these actions.
+fn enters(holder: &dyn AppHolder, ids: &[&str]) -> bool {
+    let table = holder.app().keys();
+    let mut rows = table.rows().iter();
+    rows.any(|row| ids.contains(&row.id.as_str()) && row.all_keys().any(|it| it == Key::Enter))
+}
+
 /// The app in plain lines.
 pub struct PlainReader {
     screen: Terminal<TestBackend>,
@@ -307,8 +314,13 @@ impl PlainReader {
     }
 
     fn choose(&mut self, option: &PlainOption, holder: &mut dyn AppHolder) -> LineAnswer {
+        let opens = ["answer.enter", "list.open"];
+        let is_entry = option.kind == OptionKind::Entry;
+        // A click on a chosen entry would open it, and then Enter would open it again.
+        let is_clicked = !(is_entry && option.is_chosen && enters(holder, &opens));
         match (option.key, option.cell) {
             (Some(key), _) => holder.input(&key.into()),
+            _ if !is_clicked => {}
             (None, Some(cell)) => {
                 for kind in [MouseKind::Down, MouseKind::Up] {
                     holder.input(&Input::Mouse(Mouse::over(kind, cell)));
@@ -321,8 +333,8 @@ impl PlainReader {
         }
         // A click may have chosen the entry without opening it.
         let is_same = |it: &PlainOption| it.words == option.words && it.is_chosen;
-        if option.kind == OptionKind::Entry && self.look(holder.app()).options.iter().any(is_same) {
-            self.enter(holder, &["answer.enter", "list.open"]);
+        if is_entry && self.look(holder.app()).options.iter().any(is_same) {
+            self.enter(holder, &opens);
         }
         Ok(option
             .is_field()
@@ -333,12 +345,7 @@ impl PlainReader {
 
     /// Presses Enter if Enter carries out one of these actions.
     fn enter(&mut self, holder: &mut dyn AppHolder, ids: &[&str]) {
-        let table = holder.app().keys();
-        let mut rows = table.rows().iter();
-        if rows
-            .any(|row| ids.contains(&row.id.as_str()) && row.all_keys().any(|it| it == Key::Enter))
-            && self.is_the_same(holder)
-        {
+        if enters(holder, ids) && self.is_the_same(holder) {
             holder.input(&Key::Enter.into());
         }
     }
