@@ -155,7 +155,7 @@ fn claims() -> Vec<Claim> {
     // The friction of the table, during a contact of a millisecond.
     let slowing = 0.12 * 9.80665;
     claim(1, "may slow a puck by [1.2] m/s every second.", slowing);
-    claim(1, "that is only [0.0012] m/s.", slowing / 1000.0);
+    claim(1, "the loss is only [0.0012] m/s.", slowing / 1000.0);
     claim(
         2,
         "[60]° and 30° make a right angle",
