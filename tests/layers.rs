@@ -70,7 +70,7 @@ impl Map {
         self.floors.iter().position(rooms)
     }
 
-    /// The module in a path that this map can contain.
+    /// The name in a path that can be a module of this map.
     fn place<'a>(&self, path: &'a [String]) -> Option<&'a str> {
         let inner = match path {
             [room, inner @ ..] if !self.room.is_empty() && *room == self.room => inner,
@@ -260,7 +260,7 @@ impl Files {
         let code = &self.code[module];
         let mut used = Vec::new();
         paths(code, module, &mut used);
-        // Modules inside this one need neither `crate` nor `super`.
+        // Paths to modules inside this one begin with neither `crate` nor `super`.
         for below in self.code.keys().filter(|it| it.starts_with(module)) {
             if let [name] = &below[module.len()..] {
                 let name = format!("{name}::");
@@ -357,7 +357,7 @@ fn maps() -> Vec<Map> {
     rooms.map(Map::read).collect()
 }
 
-/// Cells are made safe in one file, so only that file writes tables.
+/// The cells of tables are made safe in one file, so no other file may write tables.
 #[test]
 fn only_one_file_writes_comma_separated_values() {
     let mut found = Vec::new();

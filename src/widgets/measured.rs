@@ -9,15 +9,16 @@ use crate::measure::{Known, Leg, LineFrom, Measurement, line};
 
 /// The maximum number of points of a leg that are drawn.
 const MOST_POINTS: usize = 150;
-/// The margin as a share of the diagonal.
+/// The width of the margin, as a fraction of the diagonal of what is drawn.
 const MARGIN: f64 = 0.06;
-/// The roles of each body: those of its points before and after the contact, and its own.
+/// The roles for each body: for its points before the contact, for its points after the contact,
+/// and for the body itself.
 const ROLES: [[Role; 3]; 2] = [
     [Role::Incoming, Role::StrikerOut, Role::Striker],
     [Role::CoinOut, Role::CoinOut, Role::Coin],
 ];
 
-/// The number of rows that a picture with this many columns needs, so that no space is left empty.
+/// The height, in rows, at which a picture `columns` wide leaves no space empty.
 pub(crate) fn measured_rows(columns: u16, measurement: &Measurement) -> u16 {
     let [low, high] = corners(measurement);
     let size = high - low;
@@ -43,7 +44,7 @@ fn corners(measurement: &Measurement) -> [DVec2; 2] {
     [low - margin, high + margin]
 }
 
-/// The measured points alone, in an area.
+/// A picture of the measured points alone, which fills an area.
 pub(crate) fn points_picture(area: Rect, measurement: &Measurement) -> Picture {
     let [low, high] = corners(measurement);
     let mut picture = Picture::new(View::fit(area, low, high));
@@ -58,7 +59,7 @@ pub(crate) fn points_picture(area: Rect, measurement: &Measurement) -> Picture {
     picture
 }
 
-/// The picture of a measurement in an area.
+/// The picture of a measurement, which fills an area.
 pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture {
     let fit = &measurement.fit;
     let (state, model) = (&fit.state, &fit.model);
@@ -116,7 +117,7 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
     picture
 }
 
-/// The picture in words.
+/// The text alternative of the picture.
 pub(crate) fn measured_words(measurement: &Measurement) -> String {
     let [first, second] = measurement.names();
     format!(

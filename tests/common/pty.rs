@@ -103,7 +103,7 @@ impl Pty {
         }
     }
 
-    /// Types these bytes.
+    /// Sends `keys` to the program unchanged, including any escape sequences.
     pub(crate) fn press(&mut self, keys: &str) {
         let writer = self.writer.as_mut().unwrap();
         writer.write_all(keys.as_bytes()).unwrap();

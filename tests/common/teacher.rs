@@ -1,4 +1,4 @@
-//! The teacher of a class whose pupils use their own devices, without a terminal: the app, and the
+//! A teacher without a terminal, for a class whose pupils use their own devices: the app, and the
 //! server that it starts.
 
 use std::fs;

@@ -1,4 +1,4 @@
-//! A tour of all moments at which carrom has a different key table.
+//! A tour of every moment at which carrom has a key table of its own.
 
 use carrom::app::App;
 use carrom::game::{BoardCode, Rules};
@@ -44,13 +44,13 @@ impl TourStop {
 
 /// A class round of two questions with the largest number of teams, each of which has its own key.
 const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens";
-/// A class on its own devices.
+/// A class whose pupils use their own devices.
 const DEVICES: &str = "host";
-/// The round on devices, unless another code follows a colon.
+/// The code of the round on devices, unless the place gives another code after a colon.
 const ON_DEVICES: &str = "from-angle2-7";
 /// The row of South's name on the page of a new game between two people.
 const TO_A_NAME: &str = "<Down><Down><Down><Left><Left><Down>";
-/// Two strokes of practice.
+/// Plays two strokes of a practice game.
 const TWO_STROKES: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>";
 const STROKE_BEFORE: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>p";
 /// Answers two questions of a round.
@@ -74,7 +74,7 @@ const SEEN: &str = "<Enter>60<Enter>30<Enter><Enter><Enter>";
 /// Predicts both paths correctly three times, then opens the live picture.
 const THREE_RIGHT: &str = "<Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape>v";
 
-/// A moment in every phase of every screen.
+/// At least one moment in every phase of every screen.
 pub(crate) const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),

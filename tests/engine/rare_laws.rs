@@ -3,8 +3,8 @@
 
 use carrom::game::{BoardWon, Game, RulingEffect, SavedGame, Team};
 
-/// The games before and after the last move of a file, the laws that the referee cited for it, and
-/// the end of the board.
+/// The games before and after the last move of a file, the laws that the referee cited for this
+/// move, and the end of the board.
 fn end_of(name: &str, bytes: &[u8]) -> (Game, Game, Vec<String>, BoardWon) {
     let (saved, after) = SavedGame::read(name, bytes).unwrap();
     let mut last = None;

@@ -15,7 +15,7 @@ fn scene(restitution: &str) -> Scene {
     Scene::read("scene.toml", text.as_bytes()).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-/// The energy lost in the first impact in joules, and ½μu_n².
+/// The energy lost in the first impact, and ½μu_n², both in joules.
 fn first_impact(scene: &Scene) -> (f64, f64) {
     let shot = play(
         &scene.board,

@@ -1,4 +1,4 @@
-//! The functions of every browser under test.
+//! The interface of every browser under test, and functions that use it.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -13,8 +13,8 @@ pub(crate) trait Browser {
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value;
 }
 
-/// The visible text of the page and the values of its fields, without the text for screen readers
-/// only, which may be out of date.
+/// The visible text of the page and the values of its fields, without the text that is only for
+/// screen readers, which may be out of date.
 pub(crate) const SCREEN: &str = "
     const values = [...document.querySelectorAll('#screen input')].map((it) => it.value);
     const isSeen = (it) => it.id !== 'news' && it.getClientRects().length > 0;

@@ -15,7 +15,7 @@ pub(crate) struct Chromium {
 }
 
 impl Chromium {
-    /// Opens a window of this size in CSS pixels; if `finger` is set, it is a phone's window.
+    /// Opens a window of this size in CSS pixels; if `finger` is set, the window is a phone's.
     pub(crate) fn start(size: (u32, u32), finger: bool) -> Self {
         Self::start_as(size, finger, &json!({}))
     }
@@ -110,7 +110,8 @@ impl Chromium {
         self.in_session("window", &json!({ "handle": window }));
     }
 
-    /// Runs scripts in the first frame of the page from now on, or in the page itself.
+    /// From now on, runs scripts in the first frame of the page if `is_frame`, otherwise in the
+    /// page itself.
     pub(crate) fn go_to_frame(&mut self, is_frame: bool) {
         let frame = if is_frame { json!(0) } else { Value::Null };
         self.in_session("frame", &json!({ "id": frame }));

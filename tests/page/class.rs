@@ -81,7 +81,7 @@ fn press(browser: &mut Chromium, keys: &str, shows: &str) {
     }
 }
 
-/// How many questions are answered on each page.
+/// The number of questions answered on each page.
 const ALONE: usize = 3;
 
 /// A page served by the host on which a pupil answers the first questions of mixed-7 alone, all
@@ -97,7 +97,8 @@ fn answered_alone(teacher: &Teacher, name: &str) -> Chromium {
         let keys = said(&question.form, &question.form.truth());
         press(&mut browser, &keys, "How sure are you?");
         press(&mut browser, "3<End>", "points");
-        // Enter right after the digit only confirms it: see `SETTLING` in the quiz.
+        // Enter pressed right after the digit would only confirm the digit (see `SETTLING` in the
+        // quiz), so wait first.
         thread::sleep(Duration::from_secs(1));
         press(
             &mut browser,

@@ -104,10 +104,10 @@ fn figures_of_the_page() {
     a_break(&mut chromium);
 }
 
-/// How many breaks are timed together, because a page's clock is coarse.
+/// The number of breaks timed together, because a page's clock is coarse.
 const TOGETHER: usize = 20;
 
-/// Times a break, which the engine plays natively and in the page.
+/// Times the same break in the page and natively.
 fn a_break(chromium: &mut Chromium) {
     let script = "
         return Array.from({ length: 15 }, () => {

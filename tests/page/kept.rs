@@ -17,7 +17,7 @@ use crate::folder::Folder;
 /// The bytes of the page's `progress.db` as numbers.
 const PROGRESS: &str = "return [...window.carrom.call({ do: 'progress' }).bytes]";
 
-/// How many answers the page has reported to the player as saved so far.
+/// The number of answers that the page has reported to the player as saved so far.
 const TOLD: &str = "return window.carrom.told()";
 
 /// The answers in the bytes of a database, as the program reads them from a file.

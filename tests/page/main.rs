@@ -1,6 +1,6 @@
-//! The page in real browsers: `target/carrom.html`, opened from its file. `CARROM_TEST_PAGE` names
-//! it. Each test that needs the page is ignored unless `-- --include-ignored` is given, and then
-//! fails if there is no page or no browser.
+//! The page in real browsers: `target/carrom.html`, opened from its file. `CARROM_TEST_PAGE` is the
+//! path of the page. Each test that needs the page is ignored unless `-- --include-ignored` is
+//! given, and then fails if there is no page or no browser.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -28,7 +28,8 @@ fn no_network_request_is_sent() {
         asked.retain(|it| !it.starts_with("data:") && !it.starts_with("blob:"));
         assert_eq!(asked, std::slice::from_ref(&page), "{place}");
     }
-    // The log must show a request, otherwise the assertion above would prove nothing.
+    // A request that is sent must appear in the log, otherwise the assertion above would prove
+    // nothing.
     chromium.run("new Image().src = 'http://127.0.0.1:9/seen'", &[]);
     thread::sleep(Duration::from_millis(300));
     let policy = "return document.querySelector('meta[http-equiv]').content";
@@ -121,7 +122,7 @@ fn a_screen_reader_gets_every_question_and_answer_as_text() {
                 answers >= 10,
                 "{answers} answers with their truths: {texts:?}"
             );
-            println!("a round of {said} lines by the accessibility tree");
+            println!("a round of {said} lines, played with the accessibility tree alone");
             return;
         }
         let is_field = |(role, name): &(String, String)| role == "textbox" && name == "Your line";

@@ -12,7 +12,8 @@ use std::{env, fs, thread};
 use crate::browser::{Browser, SCREEN, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// A static server for a folder, which no longer responds once `down` is set.
+/// Serves the files of a folder. Returns the port, and a flag: once the flag is set, the server no
+/// longer responds.
 pub(crate) fn serve(folder: PathBuf) -> (u16, Arc<AtomicBool>) {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();

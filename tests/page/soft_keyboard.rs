@@ -1,6 +1,6 @@
 //! Tests the on-screen keyboard of a phone with real taps and with the text input that such a
-//! keyboard sends. It composes words and may change them, its keys have no names, and it stays open
-//! only while a field has the focus.
+//! keyboard sends. The keyboard composes words and may change them, its keys have no names, and it
+//! stays open only while a field has the focus.
 
 use std::fs;
 use std::thread;

@@ -16,7 +16,7 @@ use crate::chromium::Chromium;
 use crate::firefox::Firefox;
 
 /// Runs the commands one after the other. For each screen painted it returns the letters of its
-/// cells, its blocks, and the text of the elements that the page makes of them.
+/// cells, its blocks, and the text of the elements that the page makes of these blocks.
 const PLAY: &str = "
     const screens = [];
     const shown = ['title', 'status', 'screen', 'layer'].map((id) => document.getElementById(id));
@@ -124,7 +124,8 @@ fn texts(blocks: &Value) -> Vec<String> {
     }
 }
 
-/// Only the letters and digits, because the page capitalises and spaces its elements differently.
+/// The letters and digits of a text; nothing else is compared, because the page capitalises and
+/// spaces its elements differently.
 fn letters(text: &str) -> String {
     let letters = text.chars().filter(|letter| letter.is_alphanumeric());
     letters.flat_map(char::to_lowercase).collect()
@@ -208,7 +209,7 @@ fn commands(tape: &Tape) -> Vec<Value> {
     commands
 }
 
-/// The part after # of the page's address for these command-line arguments.
+/// The part of the page's address after `#` that corresponds to these command-line arguments.
 fn fragment(arguments: &str) -> String {
     let mut parts: Vec<String> = vec!["charset=ascii".into(), "color=none".into()];
     let mut seed = None;

@@ -133,7 +133,7 @@ impl Phone {
 
     /// Taps the main button; returns whether there is one.
     pub(crate) fn go_on(&mut self) -> bool {
-        // The visits skip the question about what they saw.
+        // The visits skip the question about what the player saw.
         if self.shows("Go on without answering") {
             return self.button("Go on without answering");
         }
@@ -299,8 +299,8 @@ impl Phone {
     }
 }
 
-/// On every screen, nothing is cut off, including the buttons, whether the phone is upright or on
-/// its side.
+/// On every screen, nothing is cut off, not even a button, whether the phone is upright or on its
+/// side.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn no_screen_scrolls_sideways() {

@@ -119,7 +119,7 @@ impl Visit {
         }
     }
 
-    /// Takes the main action.
+    /// Carries out the main action; returns whether there is one.
     fn go_on(&mut self) -> bool {
         if self.has_keyboard {
             let skips = self.phone.shows("Go on without answering");

@@ -78,7 +78,7 @@ pub(crate) fn message(output: &Output) -> String {
     text.strip_prefix("carrom: ").unwrap_or(text).to_owned()
 }
 
-/// The number of files with these errors.
+/// The number of files in which these errors were found.
 pub(crate) fn files(errors: &[FileError]) -> usize {
     let files: BTreeSet<_> = errors.iter().map(|error| &error.file).collect();
     files.len()

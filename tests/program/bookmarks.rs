@@ -116,7 +116,7 @@ fn each_player_has_bookmarks_of_their_own() {
     shows(&mut open(folder.path(), "Ada", Some(2)), "page 3 of 5");
     shows(&mut open(folder.path(), "Bo", Some(2)), "page 2 of 5");
     shows(&mut open(folder.path(), "球", Some(2)), "page 1 of 5");
-    // Deleting one player's bookmarks leaves the other's.
+    // Deleting one player's bookmarks does not delete the other player's.
     open(folder.path(), "Ada", None).press("Ay");
     shows(&mut open(folder.path(), "Ada", Some(2)), "page 1 of 5");
     shows(&mut open(folder.path(), "Bo", Some(2)), "page 2 of 5");
@@ -352,7 +352,7 @@ fn marks(
 #[test]
 fn four_readers_at_once_lose_nothing() {
     let folder = Folder::new("bookmarks-four");
-    // Three of them are the same player: one in another chapter, two in the same chapter.
+    // Three of the readers are the same player: two read the same chapter, and one reads another.
     let readers = [("Ada", "1"), ("Ada", "2"), ("Ada", "2"), ("球", "2")];
     let start = |(name, chapter)| {
         Player::start(

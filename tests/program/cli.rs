@@ -22,12 +22,12 @@ fn err(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
-/// The path of this name in a folder.
+/// The path of the entry with this name in a folder.
 fn within(folder: &Folder, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().into()
 }
 
-/// The names of everything in a folder.
+/// The names of all entries of a folder.
 fn names(folder: &Folder) -> Vec<String> {
     let mut names: Vec<_> = fs::read_dir(folder.path())
         .unwrap()

@@ -1,6 +1,6 @@
-//! A whole school at one host: the real program in a terminal, a `carrom join` in another terminal,
-//! a page in Chromium if `CARROM_TEST_PAGE` names one, and about two hundred well-behaved and
-//! misbehaving devices. The test prints what it measures: `cargo test --test program crowd --
+//! A whole school connected to one host: the real program in a terminal, a `carrom join` in another
+//! terminal, a page in Chromium if `CARROM_TEST_PAGE` names one, and about two hundred well-behaved
+//! and misbehaving devices. The test prints what it measures: `cargo test --test program crowd --
 //! --ignored --nocapture`.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -448,8 +448,8 @@ fn number_in(said: &str) -> Option<u32> {
     Some((COUNTS_PER_DEGREE * angle).round() as u32)
 }
 
-/// Continues from this step to the next vote, if there is one; returns the number of its question,
-/// and its title on devices.
+/// Continues from this step to the next vote, if there is one; returns the number of the question,
+/// and the title of the vote on devices.
 fn to_the_next_vote(
     pty: &mut Pty,
     from: ClassPlace,
@@ -471,7 +471,7 @@ fn to_the_next_vote(
 }
 
 /// The host is killed `CARROM_KILLS` times during a round, and restarted each time as in
-/// docs/class.md: `carrom class --host`, Enter. It still has every acknowledged vote, and all
+/// docs/class.md: `carrom class --host`, Enter. The host still has every acknowledged vote, and all
 /// devices reconnect by themselves, including a `carrom join`.
 #[test]
 fn a_host_that_is_killed_during_a_round_loses_no_vote() {

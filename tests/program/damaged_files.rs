@@ -249,7 +249,8 @@ fn damage(each: usize) {
         );
         counts.insert(kind.name, refused);
     }
-    // A damaged database is nearly always mended, so a few may all be read.
+    // A damaged database is nearly always mended, so if there are only a few, all of them may be
+    // read.
     if each < 100 {
         counts.remove("progress.db");
     }

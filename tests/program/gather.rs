@@ -534,7 +534,7 @@ fn a_pipe_among_the_hand_ins_is_skipped() {
     assert!(fs::read_to_string(out).unwrap().contains("Ada"));
 }
 
-/// A pupil's answers to a form: right, or as the first misconception would answer.
+/// A pupil's answers to a form: right, or those of a pupil with the first misconception.
 fn form(name: &str, code: &str, time_s: i64, answered: usize, right: usize) -> Vec<Attempt> {
     let round = Round::of(Code::parse(code).unwrap());
     let asked = (1..).zip(round.questions()).take(answered);

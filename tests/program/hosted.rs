@@ -1,5 +1,5 @@
-//! A class on its own devices over real connections: the teacher's app without a terminal, the
-//! server, and good, slow, faulty and hostile devices.
+//! A class whose pupils use their own devices, over real connections: the teacher's app without a
+//! terminal, the server, and good, slow, faulty and hostile devices.
 
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
@@ -62,7 +62,7 @@ fn a_vote_is_on_the_disk_before_it_is_confirmed() {
         }
     }
     teacher.wait_for("20 of 20 have voted");
-    // The pupil withdraws a vote.
+    // One pupil withdraws a vote.
     pupils[3].vote("").unwrap();
     assert_eq!(
         (
@@ -214,9 +214,9 @@ fn nobody_gets_in_without_the_code() {
     assert_eq!(pupil.text("name"), "Ada");
 }
 
-/// One device guesses codes over many new connections at once; 1,277 a second were once checked.
-/// Meanwhile another device that mistypes the code can join, and so can a device behind the same
-/// router that had joined before.
+/// One device guesses codes over many new connections at once; 1,277 codes a second were once
+/// checked. Meanwhile another device that mistypes the code can join, and so can a device behind
+/// the same router that had joined before.
 #[cfg(target_os = "linux")]
 #[test]
 fn guessing_codes_is_slow_over_any_number_of_connections() {
@@ -242,7 +242,7 @@ fn guessing_codes_is_slow_over_any_number_of_connections() {
         heard.collect()
     });
     let said = |why: &str| heard.iter().filter(|it| it.as_deref() == Some(why)).count();
-    // Sixty at once, and one more every ten seconds.
+    // Sixty codes are checked at once, and one more every ten seconds.
     assert!((60..=63).contains(&said("code")), "{heard:?}");
     assert_eq!(said("code") + said("later"), 120);
     assert_eq!(guess(1, &teacher.code).as_deref(), Some("later"));
@@ -268,7 +268,7 @@ fn one_device_cannot_fill_the_class() {
             Some(why) => assert_eq!(why, "later"),
         }
     }
-    // Sixty at once, and one more every two seconds.
+    // Sixty seats are given at once, and one more every two seconds.
     let most = 61 + start.elapsed().as_secs() as usize / 2;
     assert!((60..=most).contains(&seats.len()), "{}", seats.len());
     let newcomer = Pupil::join_from(2, teacher.port, &teacher.code, "Ada", None).unwrap();
@@ -498,8 +498,8 @@ fn a_hand_in_is_on_the_disk_before_it_is_confirmed() {
         let mode = fs::metadata(&files[0]).unwrap().permissions().mode();
         assert_eq!(mode & 0o777, 0o600, "only the teacher can read it");
     }
-    // The same hand-in again is one file; one with more answers is another file, and the first
-    // stays unchanged.
+    // The same hand-in sent again creates no second file. One with more answers creates another
+    // file, and the first file stays unchanged.
     ada.hand_in(&half.value().unwrap()).unwrap();
     assert_eq!(handed_in(&folder).len(), 1);
     let whole = hand_in(1, "Ada", 10, 4).value().unwrap();

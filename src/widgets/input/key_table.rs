@@ -10,7 +10,7 @@ use crate::messages::Key;
 pub trait KeyAction: Copy {
     /// The name of the action in `keys.toml`, such as "next-set".
     fn id(self) -> &'static str;
-    /// The description of the action, a sentence without a full stop.
+    /// The description of the action, a phrase without a full stop.
     fn help(self) -> &'static str;
 }
 
@@ -85,13 +85,14 @@ impl<A: Copy> KeyRow<A> {
     }
 }
 
-/// The current keys, most useful first.
+/// The keys that a screen currently accepts, most useful first.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
-    /// Whether the last call that adds keys added a row; a call without keys adds none.
+    /// Whether the last row was added by the latest call for adding keys. A call without keys adds
+    /// no row, so what is said about the row must not change the one before it.
     added: bool,
 }
 
@@ -102,7 +103,7 @@ impl<A: KeyAction> KeyTable<A> {
     }
 
     /// Adds keys for one action in several directions. The row takes its name in `keys.toml` and
-    /// its help text from the first.
+    /// its help text from the first action.
     pub fn each<K: Into<Key>>(
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,
@@ -124,7 +125,7 @@ impl<A: KeyAction> KeyTable<A> {
         self
     }
 
-    /// Adds one key for each amount of an action, in the same order.
+    /// Adds one key for each of the `amounts` of an action, in the same order.
     pub fn by<const N: usize, T>(
         self,
         keys: [impl Into<Key>; N],
@@ -199,13 +200,13 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// This table without these keys, which have another meaning on the screen.
+    /// This table without `keys`, which have another meaning on the screen.
     pub(crate) fn without_keys(mut self, keys: &[Key]) -> Self {
         self.rows.iter_mut().for_each(|row| row.lose(keys));
         self
     }
 
-    /// Changes the id of the rows in which `key` is the only shown key.
+    /// Changes the id of each row in which `key` is the only key shown.
     pub(crate) fn identified(mut self, key: Key, id: &str) -> Self {
         for row in &mut self.rows {
             if let [(own, _)] = row.keys.as_slice()
@@ -285,7 +286,7 @@ impl<A: Copy> KeyTable<A> {
         &self.rows
     }
 
-    /// The action of a key; a capital letter without its own action has the action of the
+    /// The action of a key; a capital letter without an action of its own has the action of the
     /// lower-case letter.
     pub fn find(&self, key: Key) -> Option<A> {
         self.exact(key).or_else(|| self.folded(key))
@@ -313,7 +314,7 @@ impl<A: Copy> KeyTable<A> {
         self.rows.iter().find_map(|row| row.find(key))
     }
 
-    /// The action of the lower-case letter for a capital letter.
+    /// For a capital letter, the action of the lower-case letter.
     pub(crate) fn folded(&self, key: Key) -> Option<A> {
         match key {
             Key::Char(c) if c.is_ascii_uppercase() => self.exact(Key::Char(c.to_ascii_lowercase())),

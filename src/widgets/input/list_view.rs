@@ -31,7 +31,7 @@ pub(crate) struct ListView {
 }
 
 impl ListView {
-    /// Creates a list with this line selected, counted from 0.
+    /// Creates a list in which the line with this index is selected.
     pub(crate) const fn at(at: usize) -> Self {
         Self { at }
     }
@@ -59,8 +59,8 @@ impl ListView {
             .by([Key::Home, Key::End], End, [-1, 1], "")
     }
 
-    /// Carries out an action in a list with this many lines; returns `Done` with the index of the
-    /// line to open.
+    /// Carries out an action in a list of `lines` lines; returns `Done` with the index of the line
+    /// to open.
     pub(crate) fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
         match action {
             ListAction::Choose(by) => self.go(by, lines),

@@ -35,9 +35,9 @@ pub(crate) enum NumberAction {
 /// A step up or down made with an arrow key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DialStep {
-    /// A change by this many small steps.
+    /// A number of small steps; negative for steps down.
     Small(i8),
-    /// A change by this many large steps.
+    /// A number of large steps; negative for steps down.
     Large(i8),
 }
 

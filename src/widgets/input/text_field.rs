@@ -5,8 +5,8 @@ use unicode_segmentation::UnicodeSegmentation;
 
 use crate::messages::Key;
 
-/// The maximum number of characters in one pasted letter, which is enough for accents and emoji
-/// sequences.
+/// The maximum number of characters (code points) in one pasted letter; this is enough for accents
+/// and emoji sequences.
 const LONGEST_LETTER: usize = 32;
 
 /// Text being typed, with a cursor.
@@ -18,7 +18,7 @@ pub struct TextField {
 }
 
 impl TextField {
-    /// Creates a field that contains this text and holds at most this many letters.
+    /// Creates a field that contains `text` and holds at most `most` letters.
     pub fn new(text: &str, most: usize) -> Self {
         let text: String = text.graphemes(true).take(most).collect();
         Self {

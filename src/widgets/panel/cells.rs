@@ -33,7 +33,7 @@ pub(crate) struct Placed<'p> {
     chosen: Option<Range<u16>>,
     /// Whether the selected item belongs to a list rather than being a setting.
     pub(crate) is_list: bool,
-    /// The rows of the area in which the panel was laid out.
+    /// The height, in rows, of the area in which the panel was laid out.
     whole: u16,
     /// The pages in large letters, if the panel is read page by page.
     pages: Option<PlacedPages<'p>>,
@@ -662,7 +662,7 @@ const ENTRY: usize = 15;
 /// The minimum width, in columns, of a panel in which a table has gaps between its columns.
 const WIDE_TABLE: u16 = 72;
 
-/// Writes a table: its headings, then one line per row. If there is room, it puts gaps before
+/// Writes a table: its headings, then one line per row. If there is room, there are gaps before
 /// numbers, and between numbers and the text after them. A table that `leaves` some rows free shows
 /// only the part around its selected row.
 fn write_table(

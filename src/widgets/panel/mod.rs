@@ -200,13 +200,13 @@ struct LargeText {
 /// A column of a [`Content::Table`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct TableColumn {
-    /// Its heading.
+    /// The heading above the cells.
     pub head: String,
     /// The number of letters in the widest cell.
     pub width: u16,
     /// Whether the cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
-    /// The minimum width of a panel that shows the column, in columns.
+    /// The minimum width of a panel that shows the column, in cells.
     pub room: u16,
     /// Whether the cells are graphics that repeat the information in other cells.
     pub drawn: bool,
@@ -232,7 +232,7 @@ impl TableColumn {
         }
     }
 
-    /// This column, but shown only in panels with at least this many columns.
+    /// This column, but shown only in panels that are at least `room` cells wide.
     pub(crate) fn from(self, room: u16) -> Self {
         Self { room, ..self }
     }

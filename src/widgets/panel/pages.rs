@@ -73,7 +73,7 @@ struct PagedParagraph<'p> {
     text: &'p LargeText,
     /// The text that is shown: all of it or, if there is no room, its last sentence.
     shown: &'p str,
-    /// Whether it can be clicked.
+    /// Whether the paragraph can be clicked.
     acts: bool,
 }
 
@@ -321,11 +321,11 @@ impl LargeText {
     }
 }
 
-/// The room for paragraphs.
+/// The conditions under which paragraphs are set.
 #[derive(Clone, Copy)]
 struct PageSetting<'l> {
     beside: Beside,
-    /// Whether there are also other pages.
+    /// Whether there are other pages besides those being set.
     more: bool,
     room: Room,
     screen_rows: u16,
@@ -522,13 +522,13 @@ impl VotePageLayout {
     }
 }
 
-/// The words of paragraphs in a spelling.
+/// The paragraphs split into words, spelt in a character set.
 fn spelt(paragraphs: &[PagedParagraph], spelling: Charset) -> Vec<Rc<BigText>> {
     let words = { paragraphs.iter() }.map(|it| BigText::new(it.shown, spelling).into());
     words.collect()
 }
 
-/// The rows of a bar below the last paragraph.
+/// The number of rows for a bar below the last paragraph: 1, or 0 if there is no bar.
 fn bar_below(paragraphs: &[PagedParagraph]) -> u16 {
     let last = paragraphs.last();
     last.is_some_and(|it| it.text.share.is_some()).into()

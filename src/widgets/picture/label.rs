@@ -16,7 +16,8 @@ pub struct Label {
     /// The points beside which the label may be placed, in order of preference, each with its
     /// preferred sides; there is always at least one point.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
-    /// Whether this label and others avoid the surroundings of each other's points.
+    /// Whether this label keeps away from the points of other labels, and other labels from its
+    /// point.
     pub(in crate::widgets) keeps_others_off: bool,
 }
 

@@ -119,7 +119,7 @@ pub struct Body {
     pub radius: f64,
     /// The role, which determines the colour of the disc.
     pub role: Role,
-    /// The letter in the middle of the disc if the disc is large enough; a space for none.
+    /// The letter in the middle of the disc if the disc is large enough; a space means no letter.
     pub letter: char,
     /// Whether a ring distinguishes the disc from the others.
     pub pointed_out: bool,
@@ -147,7 +147,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// An empty picture over the area of `view`.
+    /// An empty picture that fills the area of `view`.
     pub fn new(view: View) -> Self {
         Self {
             area: view.area(),
@@ -236,7 +236,7 @@ impl Picture {
         self.marks.push(Mark::Arrow { from, to, pen });
     }
 
-    /// Adds a disc with a letter in its middle; a space for none.
+    /// Adds a disc with a letter in its middle; a space means no letter.
     pub fn disc(&mut self, at: DVec2, radius: f64, role: Role, letter: char) {
         self.marks
             .push(Mark::Disc(Body::new(at, radius, role, letter)));

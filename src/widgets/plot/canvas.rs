@@ -107,7 +107,7 @@ impl Plot {
         }
     }
 
-    /// Adds a horizontal line at `y` across the whole width, up to the y axis.
+    /// Adds a horizontal line at `y`, from the y axis to the right edge.
     pub(crate) fn hline(&mut self, y: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[0].ends();
         if let Some(y) = self.axes[1].place(y) {

@@ -1,4 +1,4 @@
-//! The clock of a stroke being replayed. The clock can run at other speeds, pause and step.
+//! The clock of a stroke being replayed. The clock can run at several speeds, pause and step.
 
 use std::time::Duration;
 

@@ -2,7 +2,8 @@
 
 use super::{Charset, blocks::LEFT};
 
-/// A bar `width` cells wide, filled to `share`, which is clamped to 0 to 1; NaN gives an empty bar.
+/// A bar `width` cells wide, of which the fraction `share` is filled. `share` is clamped to the
+/// range from 0 to 1; NaN gives an empty bar.
 ///
 /// In Unicode the bar is filled to the nearest eighth of a cell, in ASCII to the nearest cell.
 ///

@@ -7,7 +7,7 @@ use crate::widgets::{Blocks, Charset, Theme};
 pub struct Look {
     /// The glyphs.
     pub charset: Charset,
-    /// The block elements among them.
+    /// The finest block elements among these glyphs.
     pub blocks: Blocks,
     /// The colours.
     pub theme: Theme,

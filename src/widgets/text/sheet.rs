@@ -76,7 +76,7 @@ pub struct Item {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "is", rename_all = "kebab-case")]
 pub enum Words {
-    /// A gap below the item above.
+    /// A gap between two items.
     Gap,
     /// One of the pictures on the screen.
     Picture {
@@ -191,7 +191,7 @@ impl Recorder {
     }
 
     fn note(&mut self, area: Rect, item: Item) {
-        // Both pictures may be drawn after the text that is above them.
+        // Pictures may be drawn after the text around them, so items are sorted by their positions.
         let section = self.sheet().section(area);
         let is_right = 2 * area.x.saturating_sub(section.area.x) >= section.area.width.max(1);
         let place = (is_right, area.y);

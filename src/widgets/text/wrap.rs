@@ -42,8 +42,8 @@ pub fn wrap(text: &str, columns: usize) -> Vec<String> {
 
 /// Breaks an equation into rows of at most `columns`; rows after the first are shorter by `indent`.
 /// The equation is broken after a comma or between two equations if possible, otherwise before an
-/// equals sign, otherwise before an operator, starting with the outermost; only if none of these is
-/// possible is it broken as by [`wrap`].
+/// equals sign, otherwise before an operator, starting with the outermost. If none of these is
+/// possible, it is broken where [`wrap`] would break it.
 pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
     let mut rows = Vec::new();
     let mut rest = text;

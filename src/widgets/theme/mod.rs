@@ -76,7 +76,7 @@ pub struct Theme {
 }
 
 impl Theme {
-    /// Creates a theme of `palette` for a terminal with `depth` colours.
+    /// Creates a theme of `palette` for a terminal with the colour depth `depth`.
     pub const fn new(palette: Palette, depth: Depth) -> Self {
         Self { palette, depth }
     }

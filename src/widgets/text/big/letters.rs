@@ -1,4 +1,4 @@
-//! The pixels of letters: those of the font "8x8", and those that it lacks.
+//! The pixels of letters: the letters of the font "8x8", and letters that this font lacks.
 
 use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 

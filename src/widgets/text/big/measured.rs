@@ -19,7 +19,7 @@ pub(crate) struct BigText {
     held: Vec<Range<usize>>,
 }
 
-/// A word in pixels and in strokes; `None` if the form does not have all the letters.
+/// A word in pixels and in strokes; each form is `None` if it lacks one of the letters.
 #[derive(Debug, PartialEq, Eq)]
 struct BigWord {
     text: String,

@@ -89,8 +89,8 @@ impl LetterSize {
         READ_FROM_THE_BACK * parts >= per_row * usize::from(screen_rows)
     }
 
-    /// The height of a small letter, as a number of parts, and how many of these parts make up a
-    /// row. There is space around dots, so half a space is lost at the top and at the bottom.
+    /// The height of a small letter as a fraction of a row: the numerator and the denominator.
+    /// There is space around dots, so half a space is lost at the top and at the bottom.
     const fn small_letter(self) -> (usize, usize) {
         match self {
             Self::Plain => (1, 2),

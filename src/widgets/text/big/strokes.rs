@@ -1,9 +1,10 @@
 //! Letters made of strokes: the smallest large type in ASCII, with three rows and a descender.
 //!
-//! The font is "Mini" by Glenn Chappell, in the format of FIGlet. The first line contains the
-//! height of the letters and the number of comment lines. After these, each letter from the space
-//! on has as many lines as its height; each line has an end mark, and the last line has two. A
-//! dollar sign stands for a space into which other letters must not move.
+//! The font is "Mini" by Glenn Chappell, in FIGlet format. The first line contains the height of
+//! the letters and the number of comment lines. After the comment come the letters in ASCII order,
+//! starting with the space: one line for each row of a letter. Each line ends with an end mark, and
+//! the last line of a letter with two. A dollar sign stands for a space into which other letters
+//! must not move.
 
 use std::sync::LazyLock;
 
