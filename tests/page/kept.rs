@@ -327,7 +327,7 @@ fn wait_for(chromium: &mut Chromium, words: &str) {
     panic!("no {words}: {screen}");
 }
 
-/// The bytes of a database after these SQL statements.
+/// The bytes of a database after these SQL statements have been executed in it.
 fn crafted(bytes: &[u8], sql: &str) -> Vec<u8> {
     let folder = Folder::new("page-crafted");
     let path = folder.path().join("progress.db");
@@ -404,8 +404,8 @@ fn wait_for_told(chromium: &mut Chromium, told: u64) {
     panic!("the page did not report the answers as saved");
 }
 
-/// While `window.faulty` is set, the program fails to report its changes. Counts these requests and
-/// the uncaught errors.
+/// While `window.faulty` is set, the program fails to report its changes. The script counts the
+/// requests for changes and the uncaught errors.
 const FAULTY: &str = "window.faulty = true; window.asked = 0; window.uncaught = 0;
     addEventListener('unhandledrejection', () => (window.uncaught += 1));
     addEventListener('error', () => (window.uncaught += 1));
@@ -448,8 +448,8 @@ fn a_fault_while_saving_is_reported_once_and_nothing_is_lost() {
     assert_eq!(answers(&progress(&mut chromium)).len(), 1);
 }
 
-/// While `window.faulty` is set, the browser fails to save anything. Counts the attempts and the
-/// uncaught errors, and records in `bases` the databases that the page has opened.
+/// While `window.faulty` is set, the browser fails to save anything. The script counts the attempts
+/// and the uncaught errors, and records in `bases` the databases that the page has opened.
 const FAULTY_BROWSER: &str = "
     Object.assign(window, { faulty: false, unreadable: false, tries: 0, uncaught: 0, bases: [] });
     addEventListener('unhandledrejection', () => (window.uncaught += 1));
@@ -503,7 +503,7 @@ fn a_temporary_browser_fault_is_reported_once_and_loses_nothing_as_saving_is_ret
     let tries = chromium.run("return window.tries", &[]).as_u64().unwrap();
     let seconds = start.elapsed().as_secs();
     println!("{tries} attempts in {seconds} s with two answers and a setting");
-    // Two attempts save the answers; the others follow at growing intervals.
+    // The first two attempts follow the two answers; the others follow at growing intervals.
     assert!((3..=8).contains(&tries), "{tries} tries in {seconds} s");
     assert_eq!(chromium.run(ASKS, &[]), json!(true));
     chromium.run("window.faulty = false", &[]);

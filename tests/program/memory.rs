@@ -148,7 +148,7 @@ fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
         game.press("<End>");
         let screen = game.screen();
         assert!(screen.contains(" of 10 points"), "{screen}");
-        // Enter right after the digit does not leave the verdict.
+        // Enter pressed right after the digit would not close the verdict, so wait first.
         game.settle(Duration::from_secs(1));
         game.press("<Enter>");
         assert!(game.screen().contains("carrom : quiz"));
@@ -260,7 +260,7 @@ fn a_damaged_database_is_reported_and_the_game_continues() {
     assert_eq!(fs::read(aside).unwrap(), damaged);
 }
 
-/// SQLite would wait for a writer to open a pipe.
+/// If the path is a pipe, SQLite would wait until another program opens the pipe for writing.
 #[cfg(unix)]
 #[test]
 fn a_path_that_is_not_a_file_is_refused_at_once() {

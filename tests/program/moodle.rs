@@ -24,7 +24,7 @@ struct Known {
 }
 
 impl Known {
-    /// Whether a number is this answer, as Moodle decides it.
+    /// Whether Moodle takes a number to be this answer.
     fn is(&self, x: f64) -> bool {
         let known: f64 = self.said.parse().unwrap();
         (x - known).abs() <= self.tolerance.unwrap() * (1.0 + 1e-9)
@@ -38,7 +38,7 @@ fn child<'a>(node: Node<'a, 'a>, name: &str) -> Node<'a, 'a> {
     child
 }
 
-/// The text of an element, which is HTML in most of them.
+/// The text of an element; in most elements the text is HTML.
 fn text(node: Node, name: &str) -> String {
     let text = child(child(node, name), "text");
     text.text().unwrap_or_default().to_owned()

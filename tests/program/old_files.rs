@@ -244,8 +244,8 @@ fn an_exported_game_of_the_first_format_still_opens() {
     assert_eq!(Fingerprint::of(&game), saved.end);
 }
 
-/// A report counts days in the time zone where it is written: one evening in one zone can be two
-/// days in another.
+/// A report counts days in the time zone in which it is written: one evening in one zone can fall
+/// on two days in another.
 #[cfg(unix)]
 #[test]
 fn a_report_counts_the_days_in_the_players_time_zone() {

@@ -13,7 +13,7 @@ use crate::start::{done, done_with, refused};
 const PAGE: &str = "<!doctype html><title>carrom</title><p>before</p>\
     <script type=\"application/json\" id=\"own\">[]</script><p>after</p>";
 
-/// The paths and texts in a page, as a browser reads them.
+/// The paths and texts of the teacher's files in a page, as a browser reads them.
 fn own(folder: &Folder, name: &str) -> Vec<(String, String)> {
     let page = Html::parse_document(&fs::read_to_string(folder.path().join(name)).unwrap());
     let texts = |selector| -> Vec<String> {

@@ -166,7 +166,7 @@ fn the_computer_strikes_after_a_stroke_at_the_table() {
     talk.leaves();
 }
 
-/// The teacher and the pupil both use plain lines; the class is the same as on screens.
+/// The teacher and the pupil both use plain lines; the class has the same steps as on screens.
 #[test]
 fn a_class_is_hosted_and_votes_in_plain_lines() {
     let (host_folder, folder) = (Folder::new("plain-host"), Folder::new("plain-join"));

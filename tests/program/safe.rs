@@ -66,7 +66,8 @@ fn no_escape_sequence_reaches_the_terminal() {
     }
 }
 
-/// The contents of a database, which anyone can change, cannot control them either.
+/// Anyone can change the contents of a database, so these must not control a terminal or a
+/// spreadsheet either.
 #[test]
 fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     let folder = Folder::new("safe-answers");

@@ -256,7 +256,7 @@ fn campaign(
 }
 
 /// The notice about a repaired database gives the number of lost answers, unless more may be lost.
-/// After flipped bits, an id may be wrong, and so may the number.
+/// After flipped bits, an id may be wrong, and so may the number of lost answers.
 fn assert_counted(notice: &str, mended: &Path) {
     let there: i64 = reader(mended)
         .query_row("SELECT count(*) FROM attempt", [], |row| row.get(0))
@@ -285,7 +285,7 @@ fn spoil(bytes: &mut [u8], pages: &[usize], chance: &mut Pcg64Mcg) {
     }
 }
 
-/// Up to `most` random pages of this kind, or of any kind.
+/// Up to `most` random pages of this kind, or of any kind if `kind` is `None`.
 fn pages(bytes: &[u8], kind: Option<u8>, most: usize, chance: &mut Pcg64Mcg) -> Vec<usize> {
     let pages = 0..bytes.len() / PAGE;
     let is_it = |page: &usize| kind.is_none_or(|kind| bytes[page * PAGE] == kind);

@@ -21,7 +21,7 @@ use rand_pcg::Pcg64;
 use crate::folder::Folder;
 use crate::play::random_move;
 
-/// A game with this many moves.
+/// A game after `moves` random moves.
 fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
     let mut names = SeatNames::default();
     names.set(Seat::South, "Ada \"L\"");
@@ -616,7 +616,7 @@ fn table(store: Store) -> Headless {
 #[test]
 fn a_failed_save_is_reported_once_and_the_game_continues() {
     let folder = Folder::new("no-saves");
-    // A file has the name of the folder, so that nobody, not even root, can write there.
+    // A file has the name of the folder for games, so that nobody, not even root, can save a game.
     let in_the_way = folder.path().join("games");
     fs::write(&in_the_way, "in the way").unwrap();
     let mut game = table(Store::in_folder(folder.path()));

@@ -12,7 +12,7 @@ use crate::pty::Pty;
 const PATIENCE: Duration = Duration::from_secs(20);
 /// How long to wait for a vote to be saved before trying the next key.
 const SOON: Duration = Duration::from_millis(300);
-/// The text for a vote that is on the disk.
+/// The text that a device shows once its vote is on the disk.
 const IN: &str = "Your vote is in.";
 
 pub(crate) trait SeenDevice {

@@ -167,7 +167,8 @@ fn discs_that_stick_share_a_velocity_and_rotate() {
     assert_eq!(answer(MARBLES).get("spin_rad_s"), None);
 }
 
-/// `spin_rad_s` is positive clockwise; `spin_ccw_rad_s` agrees with the axes.
+/// `spin_rad_s` is positive clockwise; `spin_ccw_rad_s` is positive anticlockwise, in agreement
+/// with the axes.
 #[test]
 fn the_anticlockwise_spin_gives_the_velocities_of_the_centres() {
     for offset in [10.0, -10.0, 0.0] {
@@ -281,7 +282,7 @@ fn rims_with_friction_throw_the_target_and_spin_both_discs() {
             "uniform solid discs"
         ])
     );
-    // A spin that cancels the slip of 2 m/s along t: no friction acts.
+    // This spin cancels the slip of 2 m/s along t, so no friction acts.
     let rolls = answer(&format!(
         r#"{{{given},"rim_friction":0.05,"spin1":{}}}"#,
         -2.0 / 0.015
@@ -289,7 +290,8 @@ fn rims_with_friction_throw_the_target_and_spin_both_discs() {
     close(&rolls["throw_deg"], 0.0);
     close(&rolls["spin2_ccw_rad_s"], 0.0);
     close(&rolls["separation_deg"], 90.0);
-    // Smooth rims keep the spins and give the fields of a smooth collision first.
+    // With smooth rims, the spins do not change, and the velocities are those of discs without
+    // spin.
     let smooth = answer(&format!("{{{given}}}"));
     let spinning = answer(&format!(r#"{{{given},"rim_friction":0,"spin2":7}}"#));
     assert_eq!(

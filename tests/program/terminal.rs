@@ -229,7 +229,7 @@ fn frames_are_synchronized_and_at_most_sixty_per_second() {
     let mut pty = started(child("animated"));
     let (start, before) = (Instant::now(), pictures(&pty));
     thread::sleep(Duration::from_secs(1));
-    // Keys must not make it draw more often.
+    // Key presses must not make the app draw more often.
     (0..200).for_each(|_| pty.press("x"));
     pty.press("q");
     assert_eq!(pty.wait(), 0);
@@ -278,7 +278,8 @@ fn the_version_that_the_terminal_reports_decides_the_blocks() {
     pty.wait_until("octants", has_octants);
     pty.press("\x1bP>|tmux 3.5a\x1b\\");
     pty.wait_until("quadrants", |screen| !has_octants(screen));
-    // A chosen set stays, and no part of a reply is a key.
+    // A set of blocks chosen on the command line stays, and no part of the terminal's reply is read
+    // as a key.
     let mut chosen = with("quadrants");
     chosen.press("?");
     chosen.wait_for("help: lab");

@@ -1,5 +1,5 @@
-//! Answers that cannot be saved are saved as soon as possible, in a real terminal: on a disk that
-//! is full for a while, and while another program locks the database for a minute.
+//! Answers that cannot be saved at first are saved as soon as possible, in a real terminal: on a
+//! disk that is full for a while, and while another program locks the database for a minute.
 
 use std::fs;
 use std::path::Path;

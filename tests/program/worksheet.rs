@@ -100,7 +100,7 @@ fn the_key_has_all_right_answers_and_all_misconceptions() {
                 assert!(plain.contains(&line(&belief.says)), "{plain}");
             }
         }
-        // Choices without a known misconception have their own row with a general reply.
+        // Choices without a known misconception have a row of their own with a general reply.
         for question in round.questions() {
             for (choice, reply) in &question.replies {
                 let said = question.form.words(&Response::Choice(*choice));
@@ -214,7 +214,7 @@ fn any_title_is_shown_as_plain_text() {
     }
 }
 
-/// The path of this name in a folder.
+/// The path of the entry with this name in a folder.
 fn within(folder: &Folder, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().into()
 }

@@ -129,8 +129,8 @@ fn a_device_shows_what_the_board_shows() {
         let [here, there_too] = [&question, &there].map(drawn);
         let pairs = here.content().iter().zip(there_too.content());
         let apart = pairs.filter(|(a, b)| a != b).count();
-        // For a collision that has happened only the angles are sent, so a dot may be on the other
-        // side of an edge because of the last bit of a sine.
+        // For a collision that has already happened, only the angles are sent, so the last bit of a
+        // sine may move a dot into the adjacent cell.
         let most = match question.picture {
             Illustration::After { .. } => 12,
             _ => 0,

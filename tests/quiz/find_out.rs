@@ -162,7 +162,8 @@ fn a_check_asks_questions_that_can_show_the_misconception() {
             assert_eq!(round.code().to_string(), code);
             assert_eq!(round.questions().len(), 2, "{code}");
             assert_ne!(round.questions()[0].text, round.questions()[1].text);
-            // Its code still tests for the misconceptions that were split from it.
+            // The code of a misconception still tests for the misconceptions that were split from
+            // it.
             let is_it =
                 |it: Misconception| it == misconception || it.in_codes() == Some(misconception);
             for question in round.questions() {

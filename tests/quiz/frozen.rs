@@ -3,9 +3,9 @@
 //! The draws are a format: a code must give the same round in every version. One hash per family
 //! covers everything except the texts: figures, the right answer, the order of the choices and the
 //! answers of misconceptions. None of these hashes may ever change. Misconceptions are counted as
-//! existing codes count them, because one that was split keeps its draws. If `CARROM_QUESTIONS` is
-//! set to a folder, the hashed data are written there, one JSON object per line and one file per
-//! family, so that two versions can be compared.
+//! existing codes count them, because a misconception that was split keeps its draws. If
+//! `CARROM_QUESTIONS` is set to a folder, the hashed data are written there, one JSON object per
+//! line and one file per family, so that two versions can be compared.
 //!
 //! The texts may change; each change shows up in one snapshot with a section per family.
 
@@ -122,8 +122,8 @@ fn drawn(question: &Question) -> Value {
     })
 }
 
-/// The questions of a family, one per line, each with the number of draws it took and the next
-/// number of the dice.
+/// The questions of a family, one per line, each with the number of draws it took and the number
+/// that the dice give next.
 fn lines(family: Family, seeds: u64) -> String {
     let mut text = String::new();
     for (difficulty, seed) in Difficulty::ALL
@@ -193,7 +193,8 @@ fn a_seed_always_gives_the_same_question() {
     insta::assert_snapshot!("families", families(500));
 }
 
-/// Four times as many seeds, to be run after changes to the drawing of questions.
+/// The same test with four times as many seeds, to be run after changes to the drawing of
+/// questions.
 #[test]
 #[ignore = "takes as long as all other tests of the quiz; CI runs it"]
 fn two_thousand_seeds_always_give_the_same_questions() {

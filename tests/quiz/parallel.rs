@@ -7,10 +7,10 @@ use carrom::quiz::{Code, Form, Question, Round};
 
 use crate::students::{Belief, Student};
 
-/// The forms that the guides recommend.
+/// The seeds of the forms that the guides recommend.
 const SEEDS: std::ops::RangeInclusive<u64> = 1..=12;
 
-/// The forms with this seed.
+/// The two forms with this seed: before and after.
 fn forms(seed: u64) -> [Round; 2] {
     ["before", "after"].map(|name| Round::of(Code::parse(&format!("{name}-{seed}")).unwrap()))
 }
@@ -42,7 +42,7 @@ fn each_question_after_is_parallel_to_the_one_before() {
                 "{seed}"
             );
             assert_eq!(held(one), held(other), "{seed}: {}", one.text);
-            // The answer differs, too, except among choices.
+            // If the answer is a number, it differs, too.
             if let Form::Number { .. } = one.form {
                 assert!(
                     !one.form.is_right(&other.form.truth()),

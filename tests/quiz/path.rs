@@ -137,7 +137,7 @@ fn a_begun_chapter_comes_before_missed_topics_and_those_come_before_reviews() {
     let mut ada = Somebody::default();
     ada.answers("speeds6-7", None, false);
     let read = |chapter, page| Step::Read { chapter, page };
-    // Speeds are taught in chapter 4, which builds on the first.
+    // Speeds are taught in chapter 4, which builds on chapter 1.
     assert_eq!(ada.next(), read(0, None));
     let begun = ada.book.library().chapters[2].clone();
     ada.book.merge(&begun.id, Bookmark::at(&begun.pages[1]));
@@ -162,7 +162,7 @@ fn a_single_slip_by_a_player_who_knows_most_topics_is_reviewed_once_a_day() {
         time_s: Some(NOW_S),
         ..again
     });
-    // After a right guess it is due at once, but there is only one review a day.
+    // After a right guess the topic is due at once, but there is only one review a day.
     assert!(!matches!(ada.next(), Step::Review(_)));
     ada.days = 1;
     assert!(matches!(ada.next(), Step::Review(_)));

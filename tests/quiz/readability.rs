@@ -10,7 +10,7 @@ use carrom::quiz::{Dice, Difficulty, Family, concepts};
 /// Short words in formulas, and units.
 const SYMBOLS: [&str; 9] = ["mm", "kg", "fm", "mj", "ms", "mev", "sin", "cos", "tan"];
 
-/// Parts of words in which two adjacent vowels are two syllables.
+/// Parts of words in which two adjacent vowels belong to two syllables.
 const APART: [&str; 9] = [
     "ia", "iu", "area", "idea", "being", "going", "ratio", "react", "create",
 ];
@@ -49,7 +49,7 @@ fn syllables(word: &str) -> usize {
     parts.map(of_part).sum()
 }
 
-/// The grade of some paragraphs.
+/// The Flesch–Kincaid grade of these paragraphs.
 fn grade<'t>(paragraphs: impl IntoIterator<Item = &'t str>) -> f64 {
     let (mut sentences, mut words, mut all_syllables) = (0, 0, 0);
     for paragraph in paragraphs {

@@ -41,7 +41,8 @@ fn side(question: &Question) -> f64 {
     }
 }
 
-/// The rays that misconceptions lead to, with the ray that reveals each by itself.
+/// The rays that misconceptions lead to, each with the ray that is enough to reveal the
+/// misconception, if there is one.
 fn beliefs(question: &Question) -> impl Iterator<Item = (Misconception, Rays, Option<Ray>)> {
     question.beliefs.iter().map(|belief| match belief.said {
         Response::Rays(rays) => (belief.misconception, rays, belief.telltale),

@@ -231,7 +231,7 @@ const EQUATIONS: [(&str, &str, &[&str]); 17] = [
 struct Seen {
     /// The text in one line.
     words: String,
-    /// Its rows.
+    /// The rows of the text.
     rows: Vec<String>,
 }
 

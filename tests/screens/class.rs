@@ -458,7 +458,7 @@ fn arguments_are_checked() {
     assert!(wrong("class --teams A,a").contains("found \"a\" twice"));
     assert!(wrong("class --teams ,").contains("found none"));
     assert!(wrong("class --palette pink").contains("pink"));
-    // The port is accepted, because an earlier round may be on devices.
+    // The port is accepted, because an earlier round that is resumed may use devices.
     assert_eq!(wrong("class --port 9000"), "");
     let mut game = Headless::from(cli::open("class --teams A,B --code quick-7").unwrap());
     assert!(game.screen().contains("> Start"), "{}", game.screen());
@@ -528,8 +528,8 @@ fn a_round_begins_with_the_questions_that_were_seen() {
     );
 }
 
-/// A class plays a teacher's own questions and can resume the round. Once their files have changed,
-/// the round is refused, because the votes would be on other questions.
+/// A class plays a teacher's own questions and can resume the round. Once the files of these
+/// questions have changed, the round is refused, because the votes would be on other questions.
 #[test]
 fn a_round_of_own_questions_is_resumed_if_they_are_unchanged() {
     let folder = Folder::new("class-own");

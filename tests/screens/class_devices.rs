@@ -1,5 +1,5 @@
-//! A class on pupils' own devices: a whole class that a tape plays, with a host and six pupils, and
-//! single cases.
+//! Classes whose pupils use their own devices: a whole round that a tape plays with a host and six
+//! pupils, and single cases.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -23,7 +23,7 @@ use crate::folder::Folder;
 
 const TAPE: &str = include_str!("../classes/devices.tape");
 
-/// The screens and the tables are identical, byte by byte.
+/// The screens and the tables are identical each time, byte by byte.
 #[test]
 fn a_tape_plays_a_class_with_the_same_result_every_time() {
     let (run, steps) = TAPE.split_at(TAPE.find("Expect").unwrap());
@@ -186,8 +186,8 @@ fn a_class_continues_while_the_glossary_is_open() {
     assert!(!class.game(ada).screen().contains("You are in, Ada."));
 }
 
-/// A pupil leaves the name empty, or types one; both get a nickname, and the device keeps it when it
-/// returns.
+/// One pupil leaves the name empty, and another types a name. Both get a nickname, and each device
+/// keeps its nickname when it returns.
 #[test]
 fn with_nicknames_a_device_does_not_choose_its_name() {
     let place = Route::Host {
@@ -264,8 +264,8 @@ fn tap(class: &mut Classroom, who: Who, at: (u16, u16)) {
     class.settle();
 }
 
-/// While the host was out of reach, a notice was shown above the question, and taps were assigned
-/// to the wrong rows: a tap on B chose C, and a tap on a heading cast the vote.
+/// While the host was out of reach, a notice used to be shown above the question, and taps were
+/// assigned to the wrong rows: a tap on B chose C, and a tap on a heading cast the vote.
 #[test]
 fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
     for (columns, rows) in [(80, 24), (60, 40), (120, 30), (60, 20)] {
@@ -329,7 +329,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
     }
 }
 
-/// A round whose file contained a vote that did not fit its question, saved by an earlier version,
+/// A round saved by an earlier version, whose file contained a vote that did not fit its question,
 /// once crashed carrom whenever it was resumed.
 #[test]
 fn a_round_with_invalid_votes_is_resumed_without_them() {
@@ -742,8 +742,8 @@ impl Crowd {
         }
     }
 
-    /// A newcomer joins from an address. Returns their connection, and the connections that are
-    /// refused.
+    /// A newcomer joins from an address. Returns the newcomer's connection, and the connections
+    /// that are refused.
     fn come(&mut self, address: u32) -> (ConnectionId, Vec<(ConnectionId, Refusal)>) {
         self.connections += 1;
         let connection = self.connections;
@@ -833,7 +833,7 @@ fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() 
     crowd.shows("1 of 250 have voted");
 }
 
-/// The class used to stay full as long as that device stayed.
+/// The class used to stay full as long as such a device stayed.
 #[test]
 fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
     let mut crowd = Crowd::new();
@@ -847,7 +847,7 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
     crowd.now_s += 2;
     let (connection, sent_away) = crowd.come(1);
     assert_eq!(sent_away, [(connection, Refusal::Full)]);
-    // It loses seats until it has half of them.
+    // It loses seats until it holds half of all seats.
     for newcomer in 0..105 {
         let displaced = 249 - ConnectionId::from(newcomer);
         assert_eq!(crowd.come(2000 + newcomer).1, [(displaced, Refusal::Full)]);

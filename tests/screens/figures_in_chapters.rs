@@ -19,7 +19,7 @@ use glam::DVec2;
 
 /// A number in a sentence.
 struct Claim {
-    /// Number of the chapter.
+    /// The number of the chapter.
     chapter: usize,
     /// The text around the number, which is in square brackets.
     words: &'static str,
@@ -219,8 +219,8 @@ fn claims() -> Vec<Claim> {
         "the heavy puck keeps a [third] of its velocity",
         along(&heavy) / came,
     );
-    // Rolling balls keep their spin in the collision and finally roll again: 5/7 of the velocity
-    // after it, and 2/7 of the velocity before it.
+    // Rolling balls keep their spin in the collision and finally roll again. The final velocity is
+    // 5/7 of the velocity right after the collision plus 2/7 of the velocity before it.
     let ball = equal(30.0);
     claim(
         6,
@@ -588,7 +588,7 @@ fn claims() -> Vec<Claim> {
     claims
 }
 
-/// The chapters with single blanks between words, and the numbers of their shots.
+/// The source of each chapter, by its number.
 fn chapters() -> BTreeMap<usize, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
     let files = fs::read_dir(folder)
@@ -722,8 +722,8 @@ fn the_bars_of_the_beam_agree_with_the_text() {
     let screen = |bin: usize| counts[bin] / CountedFor::Steradian.in_bin(bin);
     let ring = |bin: usize| counts[bin] / CountedFor::Ring.in_bin(bin);
     let at = |deg: f64| (deg / deg_from_rad(BIN_WIDTH)) as usize;
-    // From the bin of 15° to that of 150° the counts on the screen fall by a factor of 2999, apart
-    // from the effect of the bins' width; in rings only by about half of that.
+    // From the bin of 15° to that of 150°, the counts on the screen fall by a factor of 2999, apart
+    // from the effect of the bins' width. In rings, the factor is only about half of that.
     let [on_screen, in_rings] = [
         screen(at(16.0)) / screen(at(151.0)),
         ring(at(16.0)) / ring(at(151.0)),
@@ -737,7 +737,7 @@ fn the_bars_of_the_beam_agree_with_the_text() {
         (0.5..0.7).contains(&(in_rings / on_screen)),
         "{in_rings} {on_screen}"
     );
-    // At half the angle, in rings half as wide.
+    // The same comparison at half the angle, with a ring half as wide.
     let share = |from: usize, to: usize| counts[from..to].iter().sum::<f64>();
     let size = |from, to| {
         (from..to)

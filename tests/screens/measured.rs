@@ -115,7 +115,7 @@ fn masses_radii_and_scale_can_be_set_after_opening() {
     }
     game.press("m<End><Up>2<Enter><Escape>");
     assert_shows(&mut game, &["1.61"]);
-    // Scaled tracks contradict the radii, and the screen says so.
+    // Scaled tracks contradict the radii, and the screen reports this.
     assert_shows(&mut game, &["The tracks contradict"]);
 }
 
@@ -152,7 +152,7 @@ fn the_report_has_what_was_set() {
     assert!(html.contains("m₁ = 30 g, m₂ = 30 g"), "{html}");
 }
 
-/// In plain lines a symbol keeps its own letter: "v 1", not "V 1".
+/// In plain lines a symbol at the start keeps its case: "v 1", not "V 1".
 #[test]
 fn plain_lines_name_symbols_as_everywhere_else() {
     let folder = Folder::new("measured");

@@ -35,7 +35,7 @@ fn at_the_table(options: Options, settings: Settings) -> Headless {
     ))
 }
 
-/// The options of two people for a match.
+/// The options for a match between two people.
 fn whole_match() -> Options {
     Options {
         length: Length::Match,
@@ -555,7 +555,8 @@ fn leaving_a_running_game_is_confirmed_once() {
     assert!(game.screen().contains("a new game"));
 }
 
-/// The row below that of the pieces; its number applies to this game and to the next one.
+/// The row for e is below the row for the pieces. The number chosen there applies to this game and
+/// to the next one.
 #[test]
 fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
     let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
@@ -890,7 +891,7 @@ fn hints_are_counted_shown_at_the_end_and_saved_with_the_game() {
     panic!("the board never ended:\n{}", game.screen());
 }
 
-/// Saves a stroke of Mia against the computer and one of Bo in practice.
+/// Saves a stroke that Mia plays against the computer, and one that Bo plays in practice.
 fn played(folder: &Folder) {
     let mia = Options {
         rules: Rules::Friendly,
@@ -1132,7 +1133,8 @@ fn names_are_short_visible_and_differ() {
     let screen = game.screen();
     assert!(screen.contains("[31mAnnaMari"), "{screen}");
     assert!(!screen.contains(['\u{1b}', '\u{202e}']), "{screen}");
-    // Names that differ only in case are refused, also if one is the usual name of the other seat.
+    // Names that differ only in case are refused, even if one of them is the usual name of the
+    // other seat.
     for names in ["Ada<Enter>ADA", "north<Enter>"] {
         let mut game = two_people(&folder);
         game.press(names);

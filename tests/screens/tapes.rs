@@ -1,6 +1,6 @@
 //! The tapes under `tests/tapes`, each played in both charsets at two sizes. Their expectations and
-//! refusals hold in all four variants. For a selection of tapes that together show every kind of
-//! picture, one variant is kept as a snapshot, which was inspected before it was accepted; some
+//! refusals hold in all four variants. A selection of tapes shows every kind of picture. One
+//! variant of each of these is kept as a snapshot, which was inspected before it was accepted; some
 //! screenshots are also kept with their colours.
 
 use std::collections::BTreeSet;

@@ -334,7 +334,7 @@ const input = (() => {
     if (!likely) return [row];
     const item = likely;
     const primary = doing("primary", panels.capital(likely.words.replace(/\.$/, "")), likely.words, () => {
-      // If it goes on to another field, what is typed next belongs there.
+      // If the action goes on to another field, what is typed next belongs there.
       panels.follow();
       panels.does(item);
     });

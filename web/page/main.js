@@ -107,7 +107,7 @@ const page = (() => {
     heed(reply);
     if (isPlain) return schedule();
     draw();
-    // Measures again, because head and foot now have their heights.
+    // Measures again, because the head and the foot now have their heights.
     fit();
   }
 

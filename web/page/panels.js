@@ -92,8 +92,8 @@ const panels = (() => {
     });
   }
 
-  // Repeats an action while a button is held. A finger may instead be about to scroll, so its first
-  // step waits until it is lifted or has rested.
+  // Repeats an action while a button is held. A finger may be about to scroll, so the first step
+  // then waits until the finger is lifted or has rested.
   function repeats(node, step) {
     let timer = 0, isWaiting = false;
     const end = () => clearTimeout(timer);
@@ -336,7 +336,7 @@ const panels = (() => {
   // "15.0 mm right" is a number; "15 g on 5.5 g" is one of a few values.
   const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d[\d.,]*\D*$/.test(value);
 
-  // Chooses a field unless it is chosen or was pressed since the last frame.
+  // Chooses a field, unless it is already chosen or was pressed since the last frame.
   let justChosen = null;
   function choose(item) {
     if (item.chosen || !item.press || item === justChosen) return;

@@ -30,7 +30,7 @@ const platform = (() => {
         try {
           if (at.API) return at.API;
         } catch {
-          // A window of another site.
+          // The window belongs to another site, so its functions cannot be used.
         }
         if (at.parent === at) return null;
         at = at.parent;
@@ -82,8 +82,9 @@ const platform = (() => {
 
   const count = (said) => said.split(";").filter(Boolean).length;
 
-  // Reports the answers given since the last report. A round that is played again changes nothing
-  // once all its questions have been answered, and before that until it contains more answers.
+  // Reports the answers given since the last report. Once all questions of a round have been
+  // answered, playing the round again changes nothing. Before that, playing it again changes
+  // nothing until it contains more answers than before.
   function show(address) {
     if (!api || isForReview || isDone) return;
     const [where, said = ""] = address.split("&said=");

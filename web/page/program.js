@@ -58,7 +58,7 @@ const program = (() => {
     return reply;
   }
 
-  // Sends the time, and how many seconds the local day begins before the day in UTC.
+  // Sends the time, and the number of seconds by which local time is ahead of UTC.
   function tellTime() {
     const now = Date.now();
     if (now - told < 500) return;

@@ -1,9 +1,9 @@
 //! The store, whose files the browser saves.
 //!
 //! Every request is carried out in memory at once. Its answer is passed on only when the browser
-//! has saved the files: the page asks which have changed, writes them to the browser's database
-//! in one transaction, and reports the result. If another tab has changed the files in the
-//! meantime, the page first passes those in, and all unsaved changes are made again on top of them.
+//! has saved the files: the page asks which files have changed, writes them to the browser's
+//! database in one transaction, and reports the result. If another tab has changed files in the
+//! meantime, the page first passes these in, and all unsaved changes are made again on top of them.
 //!
 //! Changes that the browser could not save stay here until it can. If the page opens another
 //! carrom, they are passed to that one.
@@ -42,7 +42,7 @@ struct Pending {
     change: Change,
     /// The answer to pass on once the change is saved.
     answer: StoreAnswer,
-    /// Whether the app has been notified that the browser could not save it.
+    /// Whether the app has been notified that the browser could not save the change.
     is_refused: bool,
 }
 
@@ -130,7 +130,7 @@ impl PageStorage {
     /// Adds a file that was opened.
     ///
     /// # Errors
-    /// The error in the file, in words; then nothing has changed.
+    /// The error in the file, in words; in that case nothing has changed.
     pub(crate) fn take_in(&mut self, change: Change) -> Result<(), String> {
         self.make(&change)?;
         self.pending.push(Pending::unasked(change));
@@ -233,10 +233,11 @@ impl PageStorage {
         let Some(reason) = failed else {
             self.safe = std::mem::take(&mut self.given);
             let safe = self.pending.drain(..under_way);
-            // This includes changes that could not be saved before: now they are.
+            // This includes changes that could not be saved before: now they are saved.
             return safe.map(|it| it.answer).collect();
         };
-        // Nothing was being saved: the browser saves nothing at all, or there was an error before.
+        // Nothing was being saved: the browser saves nothing at all, or there was an error before
+        // the save began.
         let tried = match under_way {
             0 => self.pending.len(),
             under_way => under_way,

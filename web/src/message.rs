@@ -49,7 +49,7 @@ pub enum Command {
     Now {
         /// Seconds since the start of 1970, UTC.
         time_s: i64,
-        /// How many seconds the local day begins before the day in UTC.
+        /// The number of seconds by which local time is ahead of UTC; negative if it is behind.
         offset_s: i32,
     },
     /// Set charset or colours, as a tape does.

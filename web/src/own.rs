@@ -131,7 +131,7 @@ pub(crate) fn take_in(
         return Ok((format!("{name} is saved. {found}."), true));
     }
     if name.ends_with(".toml") {
-        // Class rounds of every format have this field, saved games of no format do.
+        // Class rounds of every format have this field; saved games of no format have it.
         let is_class = String::from_utf8_lossy(bytes).contains("\nstep = ");
         let file = (name.to_owned(), bytes.to_vec());
         let (change, place) = match is_class {

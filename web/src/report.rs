@@ -16,7 +16,8 @@ const LONGEST: usize = 255;
 pub struct RoundReport {
     /// Whether all questions are answered.
     pub done: bool,
-    /// The points for accuracy, as a percentage of those of the whole round, to two decimals.
+    /// The points for accuracy, as a percentage of the possible points of the whole round, to two
+    /// decimal places.
     pub score: f64,
     /// The answers, in the order of the questions.
     pub answers: Vec<AnswerReport>,

@@ -380,7 +380,7 @@ impl Shell {
         Some(keys)
     }
 
-    /// The current keys. A layer over a screen either has its own keys or closes at any key.
+    /// The current keys. A layer over a screen either has keys of its own or closes at any key.
     fn keys(&self) -> Vec<Keys> {
         let table = self.app.keys();
         let rows = table.rows().iter();
@@ -478,7 +478,7 @@ impl AppHolder for Shell {
                 Effect::Join(call) => self.calls.push(call),
                 Effect::ExportPage { .. } => {
                     let words =
-                        "the carrom program can write it, a page in a browser cannot".to_owned();
+                        "a page in a browser cannot write it; the carrom program can".to_owned();
                     self.input(&Input::Exported(Err(words)));
                 }
                 Effect::Export { name, content } => {

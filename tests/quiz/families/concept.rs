@@ -46,7 +46,7 @@ fn each_question_is_asked_as_it_is_written_in_its_file() {
 #[test]
 fn every_question_is_asked_and_its_right_choice_has_every_letter_equally_often() {
     let mut asked = BTreeSet::new();
-    // For each number of choices, how often the right one has each letter.
+    // For each number of choices, how often the right choice has each letter.
     let mut letters: BTreeMap<usize, BTreeMap<usize, f64>> = BTreeMap::new();
     for question in WRITTEN.into_iter().flat_map(all) {
         let id = word(&question, "id").to_owned();
@@ -62,7 +62,7 @@ fn every_question_is_asked_and_its_right_choice_has_every_letter_equally_often()
     for (choices, times) in letters {
         let all: f64 = times.values().sum();
         let expected = all / choices as f64;
-        // Five standard deviations.
+        // The largest accepted difference is five standard deviations.
         let most = 5.0 * (expected * (1.0 - 1.0 / choices as f64)).sqrt();
         assert_eq!(times.len(), choices);
         for (letter, times) in times {

@@ -9,19 +9,19 @@ use carrom::quiz::{
 use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
 
-/// How many seeds are tried at each difficulty.
+/// The number of seeds that are tried at each difficulty.
 pub(crate) const SEEDS: u64 = 2_000;
 
 /// The largest number of draws that a question may take; `Family::ask` gives up after twenty times
 /// as many.
 const DRAWS: usize = 1_000;
 
-/// If a family shuffles its choices, the right choice must be in each of at least two positions at
-/// least this often. Each misconception must occur in at least this share of a family's questions
-/// at one difficulty.
+/// If a family shuffles its choices, there must be at least two positions in each of which the
+/// right choice is in at least this share of the questions. Each misconception must occur in at
+/// least this share of a family's questions at one difficulty.
 const NOW_AND_THEN: f64 = 0.02;
 
-/// Columns of the panel beside a picture, and of a choice after its letter.
+/// The widths, in columns, of the panel beside a picture, and of a choice after its letter.
 const PANEL: usize = 28;
 const CHOICE: usize = 24;
 
@@ -314,8 +314,8 @@ fn answers(question: &Question) -> Vec<Response> {
     answers
 }
 
-/// Fails if a text contains an unexpected character sequence, cannot be written in ASCII, or then
-/// takes more than `lines` lines of this many columns.
+/// Fails if a text contains an unexpected character sequence, cannot be written in ASCII, or takes
+/// more than `lines` lines of `columns` columns in ASCII.
 #[track_caller]
 pub(crate) fn assert_readable(text: &str, columns: usize, lines: usize) {
     for stranger in [

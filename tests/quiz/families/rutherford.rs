@@ -10,8 +10,8 @@ fn passes_the_checks_for_all_families() {
 }
 
 /// The count at an angle is proportional to the area of a ring of offsets divided by the solid
-/// angle into which the ring is scattered: b db / (sin Θ dΘ), with b = cot(Θ/2). Without the half
-/// angle, cot(Θ/2) = (1 + cos Θ) / sin Θ, and sin⁴(Θ/2) = (1 − cos Θ)² / 4.
+/// angle into which the ring is scattered: b db / (sin Θ dΘ), with b = cot(Θ/2). Written without
+/// half angles, cot(Θ/2) = (1 + cos Θ) / sin Θ, and sin⁴(Θ/2) = (1 − cos Θ)² / 4.
 fn count(angle_deg: f64) -> f64 {
     4.0 / (1.0 - angle_deg.to_radians().cos()).powi(2)
 }
@@ -24,7 +24,8 @@ fn the_formula_agrees_with_the_areas_of_rings() {
         let ring = offset(deg - step).powi(2) - offset(deg + step).powi(2);
         let cosine = |deg: f64| deg.to_radians().cos();
         let found = ring / (cosine(deg - step) - cosine(deg + step));
-        // The area is π b² and the solid angle 2π cos Θ, so the ratio is 1/2.
+        // d(b²) = 2b db, and 2b db / (sin Θ dΘ) = 1 / (2 sin⁴(Θ/2)). `count` returns 1 / sin⁴(Θ/2),
+        // so the ratio is 1/2.
         assert!(
             (found / count(deg) / 0.5 - 1.0).abs() < 1e-6,
             "{deg}: {found}"
