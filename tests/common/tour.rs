@@ -48,14 +48,14 @@ const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens
 const DEVICES: &str = "host";
 /// The code of the round on devices, unless the place gives another code after a colon.
 const ON_DEVICES: &str = "from-angle2-7";
-/// The row of South's name on the page of a new game between two people.
+/// Moves to the row of South's name on the page of a new game between two people.
 const TO_A_NAME: &str = "<Down><Down><Down><Left><Left><Down>";
 /// Plays two strokes of a practice game.
 const TWO_STROKES: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>";
 const STROKE_BEFORE: &str = "<Left><Enter><Up><Space><End><Space><Down><Space><End>p";
 /// Answers two questions of a round.
 const LOOKING_BACK: &str = "60<Enter>30<Enter>2<End><Enter>60<Enter>30<Enter>2<End><Enter>";
-/// The answers of somebody who copies the angle.
+/// Gives the answers of somebody who copies the given angle.
 const FOUND_OUT: &str = "57<Enter>57<Enter>266<Enter>66<Enter>2c<Enter>2";
 const TO_THE_SHOT: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter>";
 const TO_THE_SCORES: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter>";

@@ -270,8 +270,8 @@ struct Phase {
     sliding: Option<f64>,
 }
 
-/// The displacement of centre 2 relative to centre 1 since the contact, the velocities and the
-/// spins.
+/// The displacement of centre 2 relative to centre 1 since the start of the contact, the velocities
+/// and the spins.
 #[derive(Clone, Copy)]
 struct State {
     apart: DVec2,

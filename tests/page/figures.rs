@@ -26,8 +26,8 @@ fn median(mut numbers: Vec<f64>) -> f64 {
     numbers[numbers.len() / 2]
 }
 
-/// After this many milliseconds without a frame, everything is considered to be at rest, and no
-/// more frames are expected.
+/// The time without a frame, in milliseconds, after which everything is considered to be at rest
+/// and no more frames are expected.
 const REST: f64 = 250.0;
 
 /// The milliseconds between consecutive frames, until everything is at rest.

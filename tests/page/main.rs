@@ -1,4 +1,4 @@
-//! The page in real browsers: `target/carrom.html`, opened from its file. `CARROM_TEST_PAGE` is the
+//! The page in real browsers: `target/carrom.html`, opened as a file. `CARROM_TEST_PAGE` is the
 //! path of the page. Each test that needs the page is ignored unless `-- --include-ignored` is
 //! given, and then fails if there is no page or no browser.
 

@@ -68,7 +68,7 @@ impl Lesson {
         lesson
     }
 
-    /// Opens the platform with the data that it has kept.
+    /// Opens the platform again with the data that it has kept.
     fn reopen(&mut self, kept: &str) {
         let chromium = &mut self.phone.0;
         chromium.go_to_frame(false);
@@ -90,7 +90,7 @@ impl Lesson {
         serde_json::from_str(json.as_str().unwrap()).unwrap()
     }
 
-    /// Answers the questions from one number to another, by touch.
+    /// Answers by touch the questions with these numbers, in a round of `count` questions.
     fn answer(&mut self, questions: impl Iterator<Item = usize>, count: usize) {
         let phone = &mut self.phone;
         for question in questions {

@@ -27,7 +27,7 @@ fn settings(player: &str) -> Settings {
     }
 }
 
-/// Opens the contents, or a chapter by its number from 1, for a player.
+/// Opens the contents, or the chapter with this number (counted from 1), for a player.
 fn open(folder: &Path, player: &str, chapter: Option<usize>) -> Headless {
     let place = chapter.map_or(Route::Learn, |number| Route::Chapter { number: number - 1 });
     let app = App::new(place, settings(player), 1);
@@ -153,7 +153,7 @@ fn the_bookmarks_of_one_chapter_or_of_all_can_be_deleted() {
         game.press("A");
         assert!(!game.screen().contains("Forget"), "there is nothing left");
     }
-    // Delete it from within a chapter.
+    // Delete the bookmark from within a chapter.
     let mut game = open(folder.path(), "Ada", Some(3));
     game.press("nnRy");
     shows(&mut game, "page 1 of");

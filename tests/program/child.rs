@@ -48,8 +48,8 @@ impl Player {
         }
     }
 
-    /// Kills the process shortly after this many numbers, and returns the last number that it
-    /// reported.
+    /// Kills the process shortly after it has reported `numbers` numbers, and returns the last of
+    /// them.
     pub(crate) fn kill(mut self, numbers: usize, chance: &mut Pcg64) -> Option<usize> {
         let mut last = None;
         for _ in 0..numbers {

@@ -101,7 +101,8 @@ fn vote_on(state: &serde_json::Value, chance: &mut Pcg64) -> String {
     }
 }
 
-/// A well-behaved device, which votes after a moment whenever it can, and reports.
+/// A well-behaved device, which votes after a moment whenever it can, and reports how long
+/// everything took.
 fn good(port: u16, number: u8, spread: Duration, reports: &Sender<Report>) {
     let mut chance = Pcg64::seed_from_u64(number.into());
     let start = Instant::now();
@@ -230,7 +231,7 @@ impl SeenTimes {
     }
 }
 
-/// Plays the round with this many well-behaved devices, and with misbehaving ones if `bad`; prints
+/// Plays the round with `devices` well-behaved devices, and with misbehaving ones if `bad`; prints
 /// the measured times.
 fn play(devices: u8, bad: bool) {
     let folder = Folder::new("crowd");

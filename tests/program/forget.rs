@@ -57,8 +57,8 @@ fn with_names(folder: &Path) -> Vec<String> {
     found.map(|(file, _)| file).collect()
 }
 
-/// A lesson of 10b: one pupil hands in, three vote, the tables are written, and a gradebook is
-/// gathered into the data folder.
+/// A lesson of 10b: one pupil hands in answers, three pupils vote, the tables are written, and a
+/// gradebook is gathered into the data folder.
 fn lesson(folder: &Folder) {
     let teacher = Teacher::gathering(folder, STUB);
     let join = |name: &str| Pupil::join(teacher.port, &teacher.code, name, None).unwrap();

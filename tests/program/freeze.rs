@@ -1,5 +1,6 @@
 //! Cases in which the keys were once blocked for a minute: the player must always be able to quit.
-//! How long that takes is printed, not asserted: `cargo test --test program freeze -- --nocapture`.
+//! How long quitting takes is printed, not asserted: `cargo test --test program freeze --
+//! --nocapture`.
 
 use std::fmt::Write;
 use std::process::{Command, Stdio};

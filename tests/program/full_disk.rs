@@ -1,4 +1,4 @@
-//! A full disk: carrom reports it, and leaves no partial file there.
+//! A full disk: carrom reports it, and leaves no partial file on the disk.
 
 use std::env;
 use std::fs::{self, File};
@@ -47,7 +47,7 @@ fn on_a_small_disk(test: &str) -> Option<String> {
     None
 }
 
-/// Fills the disk except for this many bytes.
+/// Fills the disk until only `free` bytes are left.
 fn fill(disk: &Path, free: u64) {
     let _ = fs::remove_file(disk.join("filler"));
     let mut filler = File::create(disk.join("filler")).unwrap();

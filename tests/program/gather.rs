@@ -239,7 +239,7 @@ fn calls_and_predictions_are_handed_in_but_make_no_items() {
     let rounds: Vec<&String> = results.pupils[0].rounds.keys().collect();
     assert_eq!(rounds, ["table", "levels"]);
     assert!(items(&results).is_empty());
-    // A topic that no such question has is refused.
+    // A topic that no call or prediction can have is refused.
     for topic in ["rutherford", "=1+1"] {
         ada.attempts[0].topic = topic.into();
         let read = HandIn::read(ada.text().unwrap().as_bytes());
@@ -248,7 +248,7 @@ fn calls_and_predictions_are_handed_in_but_make_no_items() {
 }
 
 /// A gradebook once parsed all answers of a pupil again for every cell, which took minutes with
-/// this many rounds.
+/// 4,000 rounds.
 #[test]
 fn a_hand_in_with_many_rounds_is_gathered_in_seconds() {
     const ROUNDS: u64 = 4_000;
@@ -552,7 +552,7 @@ fn form(name: &str, code: &str, time_s: i64, answered: usize, right: usize) -> V
     asked.map(answer).collect()
 }
 
-/// The page about learning, and the table, of a class with this many matched pupils and two others.
+/// The page about learning, and the table, of a class with `matched` matched pupils and two others.
 fn learnt(matched: usize) -> (String, Vec<String>) {
     let folder = Folder::new("gather-learning");
     for index in 0..matched + 2 {
@@ -588,7 +588,8 @@ fn the_gradebook_reports_the_gain_between_both_forms() {
         page.contains("12 pupils answered all of them; 2 pupils answered only some"),
         "{page}"
     );
-    // 2, 3, 4 and 6, 7, 8, 9 in turn: 30 % and 75 % on average.
+    // The pupils have 2, 3, 4 right answers before, in turn, and 6, 7, 8, 9 after: 30 % and 75 % on
+    // average.
     assert!(
         page.contains("Normalized gain 0.64, 95 % confidence interval 0.5")
             && page.contains("from 12 pupils: 30 % right before, 75 % right after."),

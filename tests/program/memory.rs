@@ -54,8 +54,8 @@ fn quiz(folder: &Path, player: &str) -> Headless {
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 
-/// Answers the question on the screen and waits for its explanation; starts another round when one
-/// is over.
+/// Answers the question on the screen and waits for its explanation; starts another round when the
+/// current one is over.
 fn answer(game: &mut Headless) {
     if game.screen().contains("all answered") {
         game.press("n");
@@ -416,7 +416,7 @@ fn no_name_breaks_the_screen_the_table_or_json() {
     let read: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(read["summary"]["all"]["attempts"], 1 + hostile().len());
     for (i, name) in hostile().iter().enumerate() {
-        // An unknown topic is shown by the words of its id.
+        // An unknown topic is named by the words of its id.
         assert_eq!(read["attempts"][i + 1]["topic"], name.replace('-', " "));
     }
 }

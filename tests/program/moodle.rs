@@ -103,7 +103,7 @@ fn fields(html: &str) -> Vec<(String, Vec<Known>)> {
     fields
 }
 
-/// One question of each kind, and all written questions.
+/// Rounds that together contain questions of every family, and all questions in words.
 fn asked() -> Vec<Round> {
     let mut rounds: Vec<Round> = rounds().collect();
     let mut missing: BTreeSet<&str> = concepts::all().iter().map(|it| it.id.as_str()).collect();
@@ -390,7 +390,7 @@ fn each_version_has_a_category_of_its_own() {
     assert!(sheets.join("worksheet-b.html").is_file());
 }
 
-/// A round of one topic has the unit of its answers.
+/// In a round about speeds, every answer has the unit m/s.
 #[test]
 fn a_number_may_be_entered_with_its_unit() {
     let kind = CourseKind::topics().find(|family| *family == Family::Speeds);

@@ -91,7 +91,8 @@ const STEPS: [ClassStep; 6] = [
     ClassStep::Scores,
 ];
 
-/// Tests every form, at both votes and after the end: out of range, of another kind, not a number.
+/// Sends invalid votes on questions of every form, at both votes and after the end: out of range,
+/// of another kind, not a number.
 #[test]
 fn invalid_votes_are_refused_at_every_question() {
     let folder = Folder::new("noise-votes");

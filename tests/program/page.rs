@@ -187,7 +187,8 @@ fn the_screen_for_teachers_writes_the_same_page_and_package() {
     }
 }
 
-/// An error in the teacher's files is reported, and no page without them is written.
+/// An error in the teacher's files is reported, and carrom does not write a page without these
+/// files.
 #[test]
 fn the_screen_for_teachers_writes_no_page_with_errors_in_its_files() {
     let folder = Folder::new("teacher-bad-page");

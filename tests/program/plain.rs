@@ -1,4 +1,4 @@
-//! Plain mode: the program used in lines, as with a screen reader or from a script.
+//! Plain mode: the program used line by line, as with a screen reader or from a script.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! All screens in plain lines, as a blind pupil uses them: from the first screen to a shot in the
-//! lab, a level that is won, a stroke at the table and a vote in a class.
+//! Screens in plain lines, as a blind pupil uses them: from the first screen to a shot in the lab,
+//! a level that is won, a stroke at the table and a vote in a class.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Write};

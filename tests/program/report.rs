@@ -194,7 +194,7 @@ fn no_name_breaks_a_report() {
         assert_eq!(found, elements, "{name:?}");
         assert_eq!(text("h1"), shown);
         assert_eq!(text("title"), format!("{shown}: glancing collisions"));
-        // An unknown topic is shown by the words of its id.
+        // An unknown topic is named by the words of its id.
         assert_eq!(text("tbody td"), clean(&name.replace('-', " "), 40));
         let (found, first) = read_markdown(&report.markdown("pictures"));
         assert_eq!(found, tags, "{name:?}");

@@ -165,7 +165,7 @@ struct Figures {
     worst: f64,
 }
 
-/// Damages this many databases and checks what is saved.
+/// Damages `databases` databases, one after the other, and checks what is saved.
 fn campaign(
     name: &str,
     databases: usize,

@@ -175,7 +175,7 @@ fn a_game_of_the_second_format_still_opens_with_its_restitution() {
     assert_eq!(saved.record.strokes(), 30);
     assert_eq!(saved.record.setup().restitution, 0.85);
     assert_eq!(Fingerprint::of(&game), saved.end);
-    // Boards follow one another without end, and the strokes are those that were aimed.
+    // A game of this format is a match, and every stroke is played exactly as it was aimed.
     assert_eq!(saved.record.setup().length, Length::Match);
     assert_eq!(saved.company.hand, PlayerHand::Exact);
     // Saved again, it is the same game.

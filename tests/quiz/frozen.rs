@@ -164,7 +164,7 @@ fn kept(name: &str, text: &str) -> String {
 /// published, in a separate snapshot.
 const FROZEN: usize = 17;
 
-/// The hash of every family with this many seeds at each difficulty.
+/// The hash of every family, with `seeds` seeds at each difficulty.
 fn families(seeds: u64) -> String {
     let (first, second): (Vec<_>, Vec<_>) = Family::ALL[..FROZEN]
         .iter()

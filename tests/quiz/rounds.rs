@@ -266,7 +266,8 @@ fn a_round_answered_according_to_one_misconception_names_it() {
             } else {
                 assert_eq!(summary.most_held(), None);
             }
-            // The points are the sum of the points of all questions, including negative ones.
+            // The points of the round are the sum of the points of all questions, including
+            // negative points.
             let each = summary.attempts.iter().map(Attempt::earned);
             let sum: f64 = each.sum();
             assert!((summary.points() - sum).abs() < 0.051 * answers.len() as f64);

@@ -763,7 +763,7 @@ impl Crowd {
         (connection, sent_away.collect())
     }
 
-    /// Lets this many newcomers join, each from a different address.
+    /// Lets `count` newcomers join, each from an address of its own.
     fn fill(&mut self, count: u32) {
         for address in 1000..1000 + count {
             assert_eq!(self.come(address).1, []);

@@ -20,7 +20,7 @@ fn lab() -> Headless {
     Headless::new(App::new(Route::Lab, settings, 1), 100, 30)
 }
 
-/// The value of a name in the panel.
+/// The value beside a name in the panel.
 fn beside(game: &mut Headless, name: &str) -> f64 {
     let screen = game.screen();
     let line = screen.lines().find(|line| line.contains(name));

@@ -35,7 +35,7 @@ fn twenty_hits_are_kept_plotted_exported_and_cleared() {
     let mut game = lab(&folder);
     make_twenty(&mut game);
     drop(game);
-    // After a restart, they are still there.
+    // After a restart, the hits are still there.
     let mut game = lab(&folder);
     game.press("n");
     let screen = game.screen();

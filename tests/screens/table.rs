@@ -1115,7 +1115,7 @@ fn two_people_at_one_keyboard_have_names_which_are_kept() {
         "{}",
         next.screen()
     );
-    // The page of saved games names both.
+    // The page of saved games names both people.
     next.press("<Up><Up>s<Down>");
     let saved = next.screen();
     assert!(saved.contains("Bos Ra 0 : 0 Mia"), "{saved}");

@@ -87,7 +87,7 @@ fn folder(of: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(of)
 }
 
-/// The names, without `ending`, of the files in `folder` that end in it, in order.
+/// The names of the files in `folder` that end in `ending`, without this ending, in order.
 fn names(folder: &Path, ending: &str) -> BTreeSet<String> {
     let files = fs::read_dir(folder).unwrap();
     let files = files.map(|entry| entry.unwrap().file_name().into_string().unwrap());

@@ -324,7 +324,7 @@ const page = (() => {
     say("Something went wrong, and carrom has stopped.\nYour answers are saved. Reload the page to continue.");
   }
 
-  // For tests: lets this many ms pass and draws the result.
+  // For tests: lets a time in milliseconds pass and draws the result.
   function step(ms) {
     program.call({ do: "pass", ms });
     draw();

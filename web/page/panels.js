@@ -435,8 +435,8 @@ const panels = (() => {
     for (const kind of ["autocapitalize", "autocorrect"]) input.setAttribute(kind, "off");
     // The text sent to the game, which it may not show yet.
     let item = null, sent = "", isComposing = false;
-    // A phone's keyboard composes each word, and a tap on a button does not end that, so the word
-    // being composed is sent too.
+    // A phone's keyboard composes each word, and a tap on a button does not complete the word, so
+    // the word being composed is sent too.
     const send = () => {
       if (input.value === sent) return;
       choose(item);
@@ -555,7 +555,7 @@ const panels = (() => {
     wasAt = at;
     const chosen = screen.querySelector(".field.chosen, .choice.chosen, tr.chosen");
     // A new screen is read from its top; a list scrolls to its selected item. A finger that turns
-    // rays in a picture should find it where it was.
+    // rays in a picture should find the picture where it was.
     const isCalm = chosen?.matches(".field") && (isNew || isTouched);
     const isSought = chosen && chosen !== lastChosen && !isCalm;
     if (isSought && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });

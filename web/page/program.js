@@ -1,4 +1,4 @@
-// The program: unpacks it; all communication with it goes through call().
+// Unpacks the program; all communication with it goes through call().
 
 const program = (() => {
   const encoder = new TextEncoder();

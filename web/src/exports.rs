@@ -23,7 +23,7 @@ thread_local! {
     };
 }
 
-/// Makes a buffer of this many bytes for the page's command; returns its address.
+/// Makes a buffer of `bytes` bytes for the page's command; returns the buffer's address.
 #[unsafe(no_mangle)]
 pub extern "C" fn carrom_room(bytes: usize) -> *mut u8 {
     SHARED.with_borrow_mut(|shared| {

@@ -5,8 +5,8 @@
 //! database in one transaction, and reports the result. If another tab has changed files in the
 //! meantime, the page first passes these in, and all unsaved changes are made again on top of them.
 //!
-//! Changes that the browser could not save stay here until it can. If the page opens another
-//! carrom, they are passed to that one.
+//! Changes that the browser could not save stay here until it can save them. If the page opens
+//! another carrom, they are passed to that one.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;

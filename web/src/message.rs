@@ -283,7 +283,7 @@ pub struct SheetMessage {
     pub title: String,
     /// The status line.
     pub status: String,
-    /// The sections; `None` for one that has not changed.
+    /// The sections; `None` for a section that has not changed.
     pub sections: Vec<Option<Section>>,
 }
 

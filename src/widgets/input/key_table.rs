@@ -245,7 +245,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// This table with each action converted to another one.
+    /// This table with each action converted by `action`.
     pub fn map<B>(self, action: impl Fn(A) -> B) -> KeyTable<B> {
         let map = |keys: Vec<(Key, A)>| keys.into_iter().map(|(key, a)| (key, action(a))).collect();
         let rows = self.rows.into_iter().map(|row| KeyRow {

@@ -1,4 +1,5 @@
-//! A list with one line selected. All lists behave in the same way.
+//! A list with one line selected. Every list in carrom uses this module, so all lists behave in the
+//! same way.
 
 use strum::{EnumMessage, IntoStaticStr};
 

@@ -48,7 +48,8 @@ impl NumberInput {
         Self::within(quantity, least, most)
     }
 
-    /// Creates an input that contains no number yet, and only accepts numbers between these bounds.
+    /// Creates an input that contains no number yet, and accepts only numbers from `least` to
+    /// `most`.
     pub(crate) fn within(quantity: Measure, least: f64, most: f64) -> Self {
         Self {
             quantity,

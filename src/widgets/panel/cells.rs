@@ -66,7 +66,7 @@ struct Target {
 }
 
 impl Target {
-    /// This target moved down by this many rows.
+    /// This target moved down by `rows` rows.
     fn below(self, rows: u16) -> Self {
         Self {
             rows: rows + self.rows.start..rows + self.rows.end,
@@ -74,8 +74,8 @@ impl Target {
         }
     }
 
-    /// The cells of the target in an area scrolled by this many rows; `None` if the target is not
-    /// visible.
+    /// The cells of the target in an area whose text is scrolled by `scrolled` rows; `None` if the
+    /// target is not visible.
     fn cells(&self, area: Rect, scrolled: u16) -> Option<Rect> {
         let top = area.y + self.rows.start.saturating_sub(scrolled);
         let below = area.y + self.rows.end.checked_sub(scrolled)?;
@@ -124,7 +124,7 @@ impl<A: Copy> Panel<A> {
     }
 
     /// Lays the panel out on pages in large letters beside a picture, on a screen whose body has
-    /// this many rows; `None` if some letter has no large form.
+    /// `body_rows` rows; `None` if some letter has no large form.
     pub(crate) fn paged(
         &self,
         beside: Beside,
@@ -301,7 +301,7 @@ impl<'p> Placed<'p> {
         above.min(self.overflow())
     }
 
-    /// The cells that can be clicked and their actions, with the text scrolled by this many rows.
+    /// The cells that can be clicked and their actions, with the text scrolled by `scrolled` rows.
     pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
         let [head, foot] = &self.fixed;
         let parts = [
@@ -317,7 +317,7 @@ impl<'p> Placed<'p> {
         targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
 
-    /// Draws the panel, scrolled by this many rows. If the panel does not fit, the bottom of the
+    /// Draws the panel, scrolled by `scrolled` rows. If the panel does not fit, the bottom of the
     /// frame names the key that shows the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
         if let Some(pages) = &self.pages {
@@ -637,7 +637,7 @@ const BESIDE_NAME: usize = 10;
 /// The maximum height of a grid, in tenths of the panel's rows.
 const MOST_ROWS: usize = 3;
 
-/// The minimum number of rows for the text that scrolls beside fixed blocks.
+/// The minimum number of rows for the text that scrolls between fixed blocks.
 const LEAST: u16 = 6;
 
 /// The indentation, in columns, of formulas and of continued lines of working.

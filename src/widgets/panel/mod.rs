@@ -26,8 +26,8 @@ pub(crate) struct Panel<A> {
     pub subject: usize,
     /// Whether the panel starts at the top instead of following the selected item.
     pub(crate) from_top: bool,
-    /// Whether the first page of large text shows everything, or at least all choices, in smaller
-    /// letters if necessary.
+    /// Whether the first page of large text must show everything, or at least all choices, in
+    /// smaller letters if necessary.
     pub(crate) together: bool,
     /// Whether the panel stays scrolled when it is shown again.
     pub(crate) stays: bool,
@@ -49,8 +49,8 @@ struct Block<A> {
     /// The actions triggered by clicks: none or one for most blocks, one per row for a table, and
     /// one per prompt for prompts.
     actions: Vec<A>,
-    /// If not all blocks fit, those with the highest priority come first. Blocks of the same
-    /// priority are either all shown or all left out; a block without a priority is always shown.
+    /// If not all blocks fit, those with the highest priority are kept. Blocks of the same priority
+    /// are either all shown or all left out; a block without a priority is always shown.
     worth: Option<u8>,
 }
 
@@ -61,8 +61,8 @@ enum Content {
     Gap,
     /// A heading for the blocks that follow, in a single row.
     Heading(String),
-    /// Short text in large letters if the panel has at least this many rows; carrom uses the first
-    /// of these strings that fits.
+    /// Short text in large letters if the panel has at least the given number of rows; the first of
+    /// the strings that fits is used.
     Large(Vec<String>, Role, u16),
     /// Text in the largest letters that fit.
     LargeText(LargeText),
@@ -343,8 +343,8 @@ impl<A> Panel<A> {
         self.push(Content::Heading(text.into()));
     }
 
-    /// Adds text that is legible from a distance if the panel has at least this many rows: the
-    /// first of these strings that fits in large letters.
+    /// Adds text that is legible from a distance if the panel has at least `from` rows: the first
+    /// of the `texts` that fits in large letters.
     pub(crate) fn large<'t>(
         &mut self,
         texts: impl IntoIterator<Item = &'t str>,
@@ -664,7 +664,7 @@ impl<A> Panel<A> {
     }
 
     /// Adds a table that may be longer than the panel. In that case only the part around the
-    /// selected row is shown, and this many rows of the panel stay free for other blocks.
+    /// selected row is shown, and `leaves` rows of the panel stay free for other blocks.
     pub(crate) fn long_table(
         &mut self,
         columns: Vec<TableColumn>,

@@ -94,8 +94,8 @@ struct VotePageLayout {
 }
 
 impl<'p> PlacedPages<'p> {
-    /// Lays a panel out beside a picture, on a screen whose body has this many rows; `None` if some
-    /// letter has no large form.
+    /// Lays a panel out beside a picture, on a screen whose body has `body_rows` rows; `None` if
+    /// some letter has no large form.
     pub(crate) fn new<A>(
         panel: &'p Panel<A>,
         beside: Beside,
@@ -491,7 +491,7 @@ impl SetPages {
 }
 
 impl VotePageLayout {
-    /// A picture whose height is this many tenths of the largest possible height, with the text
+    /// A picture whose height is `tenths` tenths of the largest possible height, with the text
     /// beside the picture, or below it in an upright area.
     fn new(room: Room, beside: Beside, tenths: u16) -> Self {
         let area = room.area;

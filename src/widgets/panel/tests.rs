@@ -20,7 +20,7 @@ const WRITING: Writing = Writing {
     pages: None,
 };
 
-/// An area for this many rows of 20 letters, with the margin.
+/// An area for `rows` rows of 20 letters, with the margin.
 fn place(rows: u16) -> Rect {
     Rect::new(3, 1, 22, rows)
 }

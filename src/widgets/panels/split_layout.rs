@@ -60,7 +60,7 @@ impl SplitLayout {
         Self::text_of(room, TEXT)
     }
 
-    /// Lays out a centred panel of text without a picture, with at most this many columns.
+    /// Lays out a centred panel of text without a picture, at most `columns` columns wide.
     pub(crate) fn text_of(room: impl Into<Room>, columns: u16) -> Self {
         let area = room.into().area;
         let panel = areas::middle(area, columns);
@@ -103,12 +103,12 @@ impl SplitLayout {
         }
     }
 
-    /// Lays out a picture, and a panel that has this many columns including its frame.
+    /// Lays out a picture, and a panel that is `panel_width` columns wide including its frame.
     pub(crate) fn with_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         Self::of(areas::picture_and_panel(room.into(), panel_width))
     }
 
-    /// Lays out a picture, and a panel that has this many columns and no frame.
+    /// Lays out a picture, and a panel without a frame that is `panel_width` columns wide.
     pub(crate) fn with_open_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         let [picture, panel] = areas::picture_and_panel(room.into(), panel_width);
         Self {

@@ -90,7 +90,7 @@ pub(crate) fn sureness_picture(
             Confidence::ThinkSo => (Pen::new(Role::CoinOut).dashed(), 't'),
             Confidence::Sure => (Pen::new(Role::StrikerOut).bold(), 's'),
         };
-        // Points are left out starting from the end, so that the last point is always included.
+        // The points are thinned out from the end, so that the last point is always included.
         let step = line.len().div_ceil(MOST_MARKS * 2).max(1);
         let points = line.iter().rev().step_by(step);
         let points: Vec<_> = points

@@ -27,7 +27,7 @@ impl WatchRate {
         2.0_f64.powi(self.0)
     }
 
-    /// The speed that is this many steps faster.
+    /// The speed that is `steps` steps faster, or slower if `steps` is negative.
     #[must_use]
     pub(crate) fn faster(self, steps: i8) -> Self {
         Self((self.0 + i32::from(steps)).clamp(-4, 2))
@@ -122,7 +122,7 @@ impl ShotClock {
         self.running = false;
     }
 
-    /// Pauses, and moves forwards or backwards by this many seconds.
+    /// Pauses, and moves by `seconds`: forwards if positive, backwards if negative.
     pub(crate) fn step(&mut self, seconds: f64) {
         self.seek(self.time + seconds);
     }

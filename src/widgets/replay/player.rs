@@ -300,7 +300,7 @@ impl ShotPlayer {
         }
     }
 
-    /// The delay until the replay next has to advance.
+    /// The time after which the replay has to advance again.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.showing {
             Showing::Impact(watch) => watch.wake(pace),

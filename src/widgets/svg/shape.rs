@@ -132,8 +132,8 @@ impl CellPen<'_> {
         }
     }
 
-    /// Adds the parts of a block element that has two columns and this many rows; each bit stands
-    /// for one part.
+    /// Adds the parts of a block element that has two columns and `rows` rows; each bit stands for
+    /// one part.
     fn parts(&mut self, rows: u8, bits: u8) {
         for part in (0..2 * rows).filter(|part| bits >> part & 1 == 1) {
             let x = f64::from(part % 2) / 2.0;

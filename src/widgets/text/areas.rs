@@ -37,7 +37,7 @@ pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> 
     [picture, panel]
 }
 
-/// At most this many rows at the top of an area, and the remaining rows below them.
+/// The top of an area, at most `rows` rows, and the rest of the area below.
 pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     let height = rows.min(area.height);
     let below = Rect {
@@ -48,7 +48,7 @@ pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     [Rect { height, ..area }, below]
 }
 
-/// At most this many columns on the left of an area, and the remaining columns on the right.
+/// The left part of an area, at most `columns` columns, and the rest of the area on the right.
 pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     let width = columns.min(area.width);
     let beside = Rect {
@@ -59,9 +59,9 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     [Rect { width, ..area }, beside]
 }
 
-/// The area of a picture, and that of a panel with this many columns on its right. In a portrait
-/// area, such as on a phone, the panel is below the picture, which is just high enough to be
-/// square.
+/// The area of a picture, and the area of a panel on its right that is `panel_columns` columns
+/// wide. In a portrait area, such as on a phone, the panel is below the picture, which is just high
+/// enough to be square.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;
     if let Some(sizes) = room.pictures {
@@ -75,7 +75,7 @@ pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     left(area, area.width.saturating_sub(panel_columns))
 }
 
-/// At most this many columns in the middle of an area.
+/// The middle of an area, at most `columns` columns wide.
 pub(crate) fn middle(area: Rect, columns: u16) -> Rect {
     let width = columns.min(area.width);
     let x = area.x + (area.width - width) / 2;

@@ -69,7 +69,7 @@ impl<'a> Lines<'a> {
         self
     }
 
-    /// Marks the text as part of a panel with this many rows.
+    /// Marks the text as part of a panel that has `rows` rows.
     #[must_use]
     pub(crate) fn of_whole(mut self, rows: u16) -> Self {
         self.whole = rows;
@@ -241,8 +241,8 @@ impl<'a> Lines<'a> {
         self.put(column, row, role);
     }
 
-    /// Writes the first of these strings that fits in large letters, if the panel has at least this
-    /// many rows; otherwise writes the first string in a single row.
+    /// Writes the first of the `texts` that fits in large letters, if the panel has at least `from`
+    /// rows; otherwise writes the first text in a single row.
     pub(crate) fn large(&mut self, texts: &[String], role: Role, from: u16) {
         let Some(first) = texts.first() else {
             return;

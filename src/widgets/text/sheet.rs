@@ -3,7 +3,7 @@
 //! A screen writes its text into cells, so the meaning of the text is lost: whether it is a
 //! heading, a value, or one of several choices. A browser has an element for each of these, so its
 //! shell records the text during a call that draws the screen, just as the shell collects the
-//! pictures. Only the caller receives the record.
+//! pictures. Only the caller of [`recorded`] receives the record.
 
 use std::cell::RefCell;
 

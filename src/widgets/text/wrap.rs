@@ -62,7 +62,7 @@ pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
     rows
 }
 
-/// The best position at which to break an equation, after at most this many columns.
+/// The best position at which to break an equation, after at most `columns` columns.
 fn equation_break(text: &str, columns: usize) -> Option<usize> {
     // A shorter row would waste too much room.
     const SHORTEST: usize = 12;
@@ -163,7 +163,7 @@ pub(crate) fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of `text`, in at most this many columns, with an ellipsis if it is truncated.
+/// The beginning of `text`, at most `columns` columns wide, with an ellipsis if it is truncated.
 /// Zero-width marks are limited too: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =

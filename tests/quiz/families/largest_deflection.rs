@@ -18,7 +18,8 @@ fn turned_deg(question: &Question, alpha_deg: f64) -> f64 {
     hit.rays().striker.unwrap_or(0.0).abs().to_degrees()
 }
 
-/// The greatest deflection and the impact angle that gives it, in degrees, found by halving steps.
+/// The greatest deflection and the impact angle that gives it, in degrees, found by a search with
+/// smaller and smaller steps.
 fn most(question: &Question) -> (f64, f64) {
     let mut best = 0.0;
     let mut step = 1.0;

@@ -47,9 +47,9 @@ impl BigText {
         self.words.len()
     }
 
-    /// Breaks the words, starting with a given word, into lines of this many columns, up to the
-    /// first word that is too long for a line; `None` if some letter has no large form. Words that
-    /// belong together stay together if possible.
+    /// Breaks the words, starting with the word at index `from`, into lines of `columns` columns,
+    /// up to the first word that is too long for a line; `None` if some letter has no large form.
+    /// Words that belong together stay together if possible.
     pub(super) fn lines(
         &self,
         from: usize,

@@ -72,9 +72,9 @@ enum Ink {
 }
 
 impl Big {
-    /// Sets a name or a heading in the largest letters that fit into this many columns and rows,
-    /// broken at spaces; `None` if the text does not fit at all or contains letters without a large
-    /// form.
+    /// Sets a name or a heading in the largest letters that fit into `columns` columns and `rows`
+    /// rows, broken at spaces; `None` if the text does not fit at all or contains letters without a
+    /// large form.
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
         let sizes = LetterSize::of_name(charset);
@@ -106,16 +106,16 @@ impl Big {
         sizes.iter().filter_map(set).find(|all| fit(all))
     }
 
-    /// Sets text in lines of this many columns, broken between words but not between a number and
+    /// Sets text in lines of `columns` columns, broken between words but not between a number and
     /// its unit; `None` if a word is too long for a line, or some letter has no large form.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
         Self::begin(text, 0, size, (columns, u16::MAX), false)
             .filter(|big| big.words() == text.len())
     }
 
-    /// Sets the text from a given word on, up to the first word that is too long for a line or the
-    /// first line that does not fit into this many columns and rows. `at_top` means that the text
-    /// is at the top of a page, without an empty row above.
+    /// Sets the text from the word at index `from` on, up to the first word that is too long for a
+    /// line of `columns` columns, or the first line that does not fit into `rows` rows. `at_top`
+    /// means that the text is at the top of a page, without an empty row above.
     fn begin(
         text: &Rc<BigText>,
         from: usize,
@@ -229,7 +229,7 @@ impl Big {
     }
 }
 
-/// The character for a cell in a line of pixels with this many empty pixels `above` the letters.
+/// The character for a cell in a line of pixels, with `above` empty pixels above the letters.
 fn symbol(
     line: &[u8],
     column: usize,

@@ -20,10 +20,10 @@ pub(crate) struct BigPages {
 #[derive(Debug, Clone)]
 pub(crate) struct BigParagraph {
     pub(crate) text: Rc<BigText>,
-    /// Whether it is not split if it fits on one page.
+    /// Whether the paragraph must not be split if it fits on one page.
     pub(crate) whole: bool,
     pub(crate) size: LetterSize,
-    /// The number of rows below it.
+    /// The number of empty rows below the paragraph.
     pub(crate) gap: u16,
 }
 

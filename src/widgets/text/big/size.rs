@@ -54,8 +54,8 @@ impl LetterSize {
         Self::of_name(charset).contains(&self)
     }
 
-    /// The sizes that are legible from the back row on a screen with this many rows, with the
-    /// largest first; if there are none, only the largest size.
+    /// The sizes that are legible from the back row on a screen with `screen_rows` rows, largest
+    /// first; if there are none, only the largest size.
     pub(crate) fn legible(charset: Charset, screen_rows: u16) -> impl Iterator<Item = Self> {
         let sizes = Self::of_text(charset).iter().enumerate();
         let legible = sizes.filter(move |(i, size)| *i == 0 || size.is_legible(screen_rows));
@@ -63,7 +63,7 @@ impl LetterSize {
     }
 
     /// The sizes that are large enough for a page that has to show everything at once, on a screen
-    /// with this many rows, largest first.
+    /// with `screen_rows` rows, largest first.
     pub(crate) fn for_one_page(charset: Charset, screen_rows: u16) -> Vec<Self> {
         let sizes = Self::of_text(charset).iter().chain([&Self::Plain]);
         let sizes = sizes.filter(|size| size.is_large_enough(screen_rows));
@@ -83,7 +83,7 @@ impl LetterSize {
         READ_WITH_CARE * parts >= per_row * usize::from(screen_rows)
     }
 
-    /// Whether this size is legible from the back row on a screen with this many rows.
+    /// Whether this size is legible from the back row on a screen with `screen_rows` rows.
     pub(crate) fn is_legible(self, screen_rows: u16) -> bool {
         let (parts, per_row) = self.small_letter();
         READ_FROM_THE_BACK * parts >= per_row * usize::from(screen_rows)
@@ -101,8 +101,8 @@ impl LetterSize {
         }
     }
 
-    /// The number of rows that this many lines of letters occupy. Lines of braille dots are two
-    /// empty dots apart, so that every second line begins in the middle of a row.
+    /// The number of rows that `lines` lines of letters occupy. Lines of braille dots are two empty
+    /// dots apart, so that every second line begins in the middle of a row.
     pub(super) const fn rows(self, lines: usize) -> usize {
         match self {
             Self::Plain => lines,
@@ -122,7 +122,7 @@ impl LetterSize {
         }
     }
 
-    /// The number of columns that this many pixels occupy.
+    /// The number of columns that `pixels` pixels occupy.
     pub(super) const fn columns(self, pixels: usize) -> usize {
         match self {
             Self::Small | Self::Dots => pixels.div_ceil(2),
