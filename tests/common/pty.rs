@@ -126,7 +126,7 @@ impl Pty {
         kill_process(Pid::from_raw(self.pid()).unwrap(), signal).unwrap();
     }
 
-    /// What the screen shows now.
+    /// The text that the screen shows now.
     pub(crate) fn screen(&self) -> String {
         self.seen.lock().unwrap().screen.screen().contents()
     }

@@ -13,7 +13,6 @@ use carrom::shells::{Classroom, Headless};
 /// the moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct TourStop {
-    /// The name of the moment.
     pub(crate) name: &'static str,
     /// The screen, as on the command line: "quiz mixed-7".
     place: &'static str,

@@ -105,7 +105,7 @@ impl Chromium {
         window
     }
 
-    /// Switches to a window.
+    /// Switches to the window with this handle.
     pub(crate) fn go_to(&mut self, window: &str) {
         self.in_session("window", &json!({ "handle": window }));
     }

@@ -81,7 +81,7 @@ impl Lesson {
         self.phone.wait();
     }
 
-    /// What the platform has received.
+    /// The data that the platform has received from the package.
     fn received(&mut self) -> Value {
         self.phone.0.go_to_frame(false);
         let script = "return JSON.stringify(API.renderCMIToJSONObject().cmi)";

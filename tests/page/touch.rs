@@ -46,7 +46,7 @@ impl Phone {
         self.draw();
     }
 
-    /// Waits for two frames.
+    /// Waits until two frames have been drawn.
     fn draw(&mut self) {
         let drawn = "return new Promise((done) =>
             requestAnimationFrame(() => requestAnimationFrame(() => done(true))));";

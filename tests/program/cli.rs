@@ -22,7 +22,7 @@ fn err(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
-/// The path of the entry with this name in a folder.
+/// The path for a file with this name in a folder.
 fn within(folder: &Folder, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().into()
 }

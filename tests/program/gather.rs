@@ -534,7 +534,8 @@ fn a_pipe_among_the_hand_ins_is_skipped() {
     assert!(fs::read_to_string(out).unwrap().contains("Ada"));
 }
 
-/// A pupil's answers to a form: right, or those of a pupil with the first misconception.
+/// A pupil's answers to a form: the first `right` answers are right, and the others are those to
+/// which the first misconception leads.
 fn form(name: &str, code: &str, time_s: i64, answered: usize, right: usize) -> Vec<Attempt> {
     let round = Round::of(Code::parse(code).unwrap());
     let asked = (1..).zip(round.questions()).take(answered);
@@ -588,8 +589,8 @@ fn the_gradebook_reports_the_gain_between_both_forms() {
         page.contains("12 pupils answered all of them; 2 pupils answered only some"),
         "{page}"
     );
-    // The pupils have 2, 3, 4 right answers before, in turn, and 6, 7, 8, 9 after: 30 % and 75 % on
-    // average.
+    // In turn, the pupils have 2, 3 or 4 right answers before the unit, and 6, 7, 8 or 9 after it:
+    // 30 % and 75 % on average.
     assert!(
         page.contains("Normalized gain 0.64, 95 % confidence interval 0.5")
             && page.contains("from 12 pupils: 30 % right before, 75 % right after."),

@@ -24,7 +24,7 @@ struct Known {
 }
 
 impl Known {
-    /// Whether Moodle takes a number to be this answer.
+    /// Whether Moodle accepts a number as this answer.
     fn is(&self, x: f64) -> bool {
         let known: f64 = self.said.parse().unwrap();
         (x - known).abs() <= self.tolerance.unwrap() * (1.0 + 1e-9)

@@ -37,8 +37,8 @@ fn questions() -> Vec<Question> {
     questions
 }
 
-/// A vote that a form accepts, and some that it does not: out of range, not a number, of another
-/// kind.
+/// A vote that a form accepts, and votes that it does not accept: out of range, not a number, of
+/// another kind.
 fn votes(form: &Form) -> (String, Vec<String>) {
     let own: (&str, &str, &[&str]) = match form {
         Form::Rays { .. } => ("rays", " 3", &["181", "-181", "1e9"]),

@@ -207,8 +207,8 @@ fn a_round_is_chosen_by_its_number_or_its_code() {
     assert!(said.contains("Speeds after collisions."), "{said}");
 }
 
-/// A player who copies the given angle is told of this misconception, and then takes the check for
-/// it.
+/// A player who copies the given angle sees the name of this misconception, and then takes the
+/// check for it.
 #[test]
 fn a_misconception_is_found_in_plain_lines() {
     let folder = Folder::new("plain");

@@ -149,7 +149,7 @@ fn sound(folder: &Path) -> Vec<u8> {
     fs::read(path).unwrap()
 }
 
-/// The results for damaged databases.
+/// The results for databases that were damaged in the same way.
 #[derive(Debug, Default)]
 struct Figures {
     databases: usize,

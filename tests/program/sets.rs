@@ -104,7 +104,7 @@ impl Teacher {
         Headless::keeping(app, 80, 24, store)
     }
 
-    /// The only saved class round.
+    /// The name and the content of the only saved class round.
     fn class_file(&self) -> (String, Vec<u8>) {
         let mut files = fs::read_dir(self.folder.path().join("classes")).unwrap();
         let path = files.next().unwrap().unwrap().path();

@@ -214,7 +214,7 @@ fn any_title_is_shown_as_plain_text() {
     }
 }
 
-/// The path of the entry with this name in a folder.
+/// The path for a file with this name in a folder.
 fn within(folder: &Folder, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().into()
 }

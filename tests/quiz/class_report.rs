@@ -13,7 +13,7 @@ const ABOUT: About = About {
     with_names: false,
 };
 
-/// A round of 27 simulated pupils; half of those who are wrong at first change to right.
+/// A round of 27 simulated pupils; half of those who are wrong at first change to the right answer.
 fn played(code: &str) -> ClassRound {
     let mut round = ClassRound::with_devices(Code::parse(code).unwrap()).of_class("10b <x>");
     round.open(JoinCode::of(7), None);
@@ -70,8 +70,7 @@ fn a_report_shows_each_question_with_its_votes_and_what_to_teach_next() {
             let right = Selector::parse("tr.right").unwrap();
             assert_eq!(article.select(&right).count(), 1, "{code} {number}");
         }
-        // The report says how to teach the most widely held misconception, with its page and a
-        // round.
+        // For the most widely held misconception, the report names a page of a chapter and a round.
         let beliefs = all(&page, ".belief");
         assert!(!beliefs.is_empty());
         let first = text(&beliefs[0]);

@@ -1,4 +1,5 @@
-//! The next step: the order of the steps, and that learners who follow them reach the end.
+//! The next step: tests the order of the steps, and that learners who follow the steps reach the
+//! end.
 
 use std::collections::BTreeMap;
 

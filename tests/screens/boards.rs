@@ -92,7 +92,7 @@ fn a_board_is_cleared_and_its_result_is_kept() {
     let best = format!("your best {par} strokes");
     assert!(words(&mut game).contains(&best), "{}", game.screen());
 
-    // One more stroke than necessary: the better result counts.
+    // The second attempt begins with a stroke that pockets nothing; the better result counts.
     game.press("<Enter>");
     game.press("90<Enter>0.2+ ");
     assert!(game.settle(LONG));

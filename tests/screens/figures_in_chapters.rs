@@ -737,7 +737,8 @@ fn the_bars_of_the_beam_agree_with_the_text() {
         (0.5..0.7).contains(&(in_rings / on_screen)),
         "{in_rings} {on_screen}"
     );
-    // The same comparison at half the angle, with a ring half as wide.
+    // The count per solid angle at half the angle, in a ring half as wide, is about 16 times as
+    // great.
     let share = |from: usize, to: usize| counts[from..to].iter().sum::<f64>();
     let size = |from, to| {
         (from..to)

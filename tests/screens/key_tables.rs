@@ -361,7 +361,7 @@ fn a_rebound_key_works_and_is_shown_wherever_its_row_is() {
     }
 }
 
-/// All keys, one line each as in `keys.toml`.
+/// All keys, one row per line as in `keys.toml`.
 fn all_keys() -> String {
     let mut all = BTreeMap::new();
     let computer_aims = the_computer_aims();

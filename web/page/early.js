@@ -3,7 +3,7 @@
 function tooOld() {
   document.getElementById("words").textContent =
     "This browser is too old for carrom.\n" +
-    "It needs Chrome or Edge 111, Firefox 113, Safari 16.4, or a later version.";
+    "carrom needs Chrome or Edge 111, Firefox 113, Safari 16.4, or a later version.";
 }
 document.addEventListener("DOMContentLoaded", function () {
   if (!window.carrom) tooOld();

@@ -92,8 +92,8 @@ const panels = (() => {
     });
   }
 
-  // Repeats an action while a button is held. A finger may be about to scroll, so the first step
-  // then waits until the finger is lifted or has rested.
+  // Repeats an action while a button is held. With a finger, which may be about to scroll, the
+  // first step waits until the finger is lifted or has rested.
   function repeats(node, step) {
     let timer = 0, isWaiting = false;
     const end = () => clearTimeout(timer);

@@ -83,8 +83,8 @@ const platform = (() => {
   const count = (said) => said.split(";").filter(Boolean).length;
 
   // Reports the answers given since the last report. Once all questions of a round have been
-  // answered, playing the round again changes nothing. Before that, playing it again changes
-  // nothing until it contains more answers than before.
+  // answered, playing the round again changes nothing. Before that, a round that is played again
+  // changes nothing until it contains more answers than before.
   function show(address) {
     if (!api || isForReview || isDone) return;
     const [where, said = ""] = address.split("&said=");

@@ -56,7 +56,7 @@ pub(crate) fn data(files: &[FileBytes]) -> Data {
     }
 }
 
-/// The settings among these files; an invalid file of settings is ignored.
+/// The settings among these files; an invalid settings file is ignored.
 pub(crate) fn settings(files: &[FileBytes]) -> KeptSettings {
     let file = files.iter().find(|(path, _)| path == KeptSettings::FILE);
     let read = file.and_then(|(path, bytes)| KeptSettings::read(path, bytes).ok());

@@ -56,7 +56,7 @@ impl Shell {
         Self::open_with(opening, bytes, Vec::new())
     }
 
-    /// Opens carrom again in place of this one. Changes that the browser has not saved yet are
+    /// Opens carrom again in place of this instance. Changes that the browser has not saved yet are
     /// passed on.
     #[must_use]
     pub fn reopen(self, opening: &Opening, bytes: &[u8]) -> (Self, Reply) {

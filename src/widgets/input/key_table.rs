@@ -91,8 +91,8 @@ impl<A: Copy> KeyRow<A> {
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
-    /// Whether the last row was added by the latest call for adding keys. A call without keys adds
-    /// no row, so what is said about the row must not change the one before it.
+    /// Whether the latest call that adds keys has added a row. If it was given no keys, it has not,
+    /// and the methods that change the last row then have no effect.
     added: bool,
 }
 

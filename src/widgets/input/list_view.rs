@@ -1,5 +1,4 @@
-//! A list with one line selected. Every list in carrom uses this module, so all lists behave in the
-//! same way.
+//! A list with one line selected, shared by the screens so that all lists behave in the same way.
 
 use strum::{EnumMessage, IntoStaticStr};
 

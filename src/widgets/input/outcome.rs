@@ -12,7 +12,6 @@ pub enum Outcome<T = ()> {
 }
 
 impl<T> Outcome<T> {
-    /// Whether the input was used.
     pub(crate) fn is_used(&self) -> bool {
         !matches!(self, Self::Ignored)
     }

@@ -42,7 +42,7 @@ pub(crate) struct Panel<A> {
     worth: Option<u8>,
 }
 
-/// One block of a panel.
+/// A block of a panel, with its actions and its priority.
 #[derive(Debug, Clone, PartialEq)]
 struct Block<A> {
     content: Content,
@@ -275,7 +275,7 @@ impl<A> TableRow<A> {
 }
 
 impl<A> Panel<A> {
-    /// An empty panel.
+    /// Creates an empty panel with a title.
     pub(crate) fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),

@@ -59,7 +59,7 @@ pub(crate) struct PlacedPages<'p> {
     parts: Vec<PagedText<'p>>,
 }
 
-/// Consecutive paragraphs.
+/// Consecutive paragraphs, the first of which begins a new page.
 struct PagedText<'p> {
     texts: Vec<PagedParagraph<'p>>,
     set: SetPages,
@@ -68,7 +68,7 @@ struct PagedText<'p> {
 /// A paragraph of a panel.
 #[derive(Clone, Copy)]
 struct PagedParagraph<'p> {
-    /// The index of its block.
+    /// The index of the paragraph's block in the panel.
     block: usize,
     text: &'p LargeText,
     /// The text that is shown: all of it or, if there is no room, its last sentence.

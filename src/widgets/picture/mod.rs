@@ -35,7 +35,6 @@ pub use label::{Label, LabelSide};
 pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
 
-/// A mark in a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Mark {
     Line {
@@ -130,7 +129,7 @@ pub struct Body {
 pub(crate) struct Axes {
     /// For each axis, the position and the text of each tick.
     pub(crate) ticks: [Vec<(f64, String)>; 2],
-    /// The names of the axes.
+    /// The names of the axes, with their units.
     pub(crate) names: [String; 2],
 }
 

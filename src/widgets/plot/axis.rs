@@ -13,7 +13,6 @@ pub(crate) struct Axis {
     step: Option<f64>,
 }
 
-/// The scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AxisScale {
     Linear,

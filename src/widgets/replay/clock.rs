@@ -7,7 +7,6 @@ use std::time::Duration;
 pub struct WatchRate(i32);
 
 impl WatchRate {
-    /// Real speed.
     pub(crate) const REAL: Self = Self(0);
     /// All speeds, from slowest to fastest.
     pub(crate) const ALL: [Self; 7] = [
@@ -19,7 +18,6 @@ impl WatchRate {
         Self(1),
         Self(2),
     ];
-    /// A quarter of real speed.
     pub(crate) const QUARTER: Self = Self(-2);
 
     /// Seconds of the stroke per second on the screen.
@@ -69,7 +67,6 @@ impl ShotClock {
         self.time
     }
 
-    /// Whether the clock is running.
     pub(crate) fn is_running(&self) -> bool {
         self.running
     }
@@ -88,7 +85,6 @@ impl ShotClock {
         self.rate
     }
 
-    /// Changes the speed.
     pub(crate) fn set_rate(&mut self, rate: WatchRate) {
         self.rate = rate;
     }

@@ -112,17 +112,14 @@ impl ShotPlayer {
         self
     }
 
-    /// The shot.
     pub(crate) fn shot(&self) -> &Shot {
         &self.shot
     }
 
-    /// The clock of the shot.
     pub(crate) fn clock(&self) -> &ShotClock {
         &self.clock
     }
 
-    /// All impacts of the shot.
     pub(crate) fn impacts(&self) -> &[ShotImpact] {
         &self.impacts
     }

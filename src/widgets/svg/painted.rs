@@ -20,7 +20,7 @@ pub struct PaintedCell {
     /// Bold, underlined and so on; the reverse and dim modifiers have already been applied to the
     /// colours.
     pub modifier: Modifier,
-    /// Whether the cell only shows part of a picture that is also drawn with vectors.
+    /// Whether the cell shows nothing but part of a picture that is also drawn with vectors.
     pub is_vector: bool,
 }
 

@@ -81,7 +81,6 @@ pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabe
     vectors.body
 }
 
-/// The layer of a mark.
 fn layer(mark: &Mark) -> DrawLayer {
     match mark {
         Mark::Line { pen, .. }
@@ -214,7 +213,7 @@ impl Vectors<'_> {
         }
     }
 
-    /// The colour of a pen.
+    /// The colour of a pen, faded by its age.
     fn inked(&self, pen: Pen) -> Rgb {
         self.rgb(pen.role).mixed(self.paper, 0.75 * pen.age)
     }
@@ -275,7 +274,7 @@ impl Vectors<'_> {
         }
     }
 
-    /// The corners of the view.
+    /// The corners of the view, in units of the picture.
     fn corners(&self) -> [DVec2; 2] {
         let area = self.view.area();
         let corner = |x: u16, y: u16| dvec2(f64::from(x), f64::from(y)) * cell();

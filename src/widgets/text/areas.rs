@@ -37,7 +37,7 @@ pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> 
     [picture, panel]
 }
 
-/// The top of an area, at most `rows` rows, and the rest of the area below.
+/// The top of an area (at most `rows` rows), and the rest of the area below it.
 pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     let height = rows.min(area.height);
     let below = Rect {
@@ -48,7 +48,7 @@ pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     [Rect { height, ..area }, below]
 }
 
-/// The left part of an area, at most `columns` columns, and the rest of the area on the right.
+/// The left part of an area (at most `columns` columns), and the rest of the area to its right.
 pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
     let width = columns.min(area.width);
     let beside = Rect {

@@ -91,7 +91,6 @@ impl<'a> Lines<'a> {
         self.written
     }
 
-    /// The charset of the text.
     pub(crate) fn charset(&self) -> Charset {
         self.look.charset
     }

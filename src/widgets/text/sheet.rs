@@ -311,7 +311,6 @@ fn tidied(mut sheet: Sheet) -> Sheet {
     sheet
 }
 
-/// Whether a shell is recording.
 pub(crate) fn is_recording() -> bool {
     RECORDED.with_borrow(Option::is_some)
 }

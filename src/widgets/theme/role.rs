@@ -6,7 +6,7 @@ use strum::VariantArray;
 
 use super::{Palette, colour::Rgb};
 
-/// The role of a thing on the screen, which the theme turns into a colour and a weight.
+/// The role of a thing on the screen; the theme turns the role into a colour and a weight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, VariantArray)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {

@@ -16,9 +16,9 @@ pub(crate) const SEEDS: u64 = 2_000;
 /// as many.
 const DRAWS: usize = 1_000;
 
-/// If a family shuffles its choices, there must be at least two positions in each of which the
-/// right choice is in at least this share of the questions. Each misconception must occur in at
-/// least this share of a family's questions at one difficulty.
+/// If a family shuffles its choices, at least two positions must each hold the right choice in at
+/// least this share of its questions. Each misconception must occur in at least this share of a
+/// family's questions at one difficulty.
 const NOW_AND_THEN: f64 = 0.02;
 
 /// The widths, in columns, of the panel beside a picture, and of a choice after its letter.

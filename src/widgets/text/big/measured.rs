@@ -42,7 +42,6 @@ impl BigText {
         Self { words, held }
     }
 
-    /// The number of words.
     pub(super) fn len(&self) -> usize {
         self.words.len()
     }

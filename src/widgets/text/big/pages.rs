@@ -16,7 +16,7 @@ pub(crate) struct BigPages {
     pub(crate) ends_early: bool,
 }
 
-/// A paragraph to be set.
+/// A paragraph to be set in large letters.
 #[derive(Debug, Clone)]
 pub(crate) struct BigParagraph {
     pub(crate) text: Rc<BigText>,
