@@ -122,6 +122,7 @@ pub(crate) fn measured_words(measurement: &Measurement) -> String {
     let [first, second] = measurement.names();
     format!(
         "The measured points of {first} and {second} before and after their contact, the fitted \
-         paths, the paths predicted from the state before (dashed) and the line of impact (dotted)"
+         paths, the paths predicted from the state before the contact (dashed) and the line of \
+         impact (dotted)"
     )
 }

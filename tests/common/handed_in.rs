@@ -4,7 +4,7 @@ use carrom::gradebook::HandIn;
 use carrom::progress::Attempt;
 use carrom::quiz::{Answer, Code, Confidence, Question, Round};
 
-/// An answer to a question of mixed-7 at a given time: the right one, or that of the first
+/// An answer to a question of mixed-7 at a given time: the right answer, or the answer of the first
 /// misconception that the question can reveal.
 fn answer(player: &str, time_s: i64, number: usize, question: &Question, right: bool) -> Attempt {
     let code = Code::parse("mixed-7").unwrap();

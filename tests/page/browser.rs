@@ -5,7 +5,7 @@ use std::{env, fs};
 
 use serde_json::{Value, json};
 
-/// A browser with one window, which is closed when it is dropped.
+/// A browser with one window; dropping the value closes the window.
 pub(crate) trait Browser {
     fn open(&mut self, address: &str);
 

@@ -319,7 +319,7 @@ fn child_reads() {
     let chapter = words[1].parse().unwrap();
     let mut game = open(&folder, &words[0], Some(chapter));
     for number in 1..=words[2].parse().unwrap() {
-        // Answers a number, a choice, or one ray and then the other.
+        // Answers with a number, with a choice, or with one ray and then the other.
         while game.screen().contains("n skip") {
             game.press("1<Enter>");
         }

@@ -521,7 +521,7 @@ fn a_host_that_is_killed_during_a_round_loses_no_vote() {
         assert_eq!(round.dropped_votes(), 0);
         let place = round.place();
         steps.insert((place.question, place.step as usize));
-        // The vote on the disk is the last acknowledged one, or a later one that was being sent.
+        // The vote on the disk is the last acknowledged vote, or a later vote that was being sent.
         for (&(question, vote, number), last) in &*known.lock().unwrap() {
             let name = format!("Pupil {number}");
             let person = round.teams().iter().position(|it| *it == name).unwrap();

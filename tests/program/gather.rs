@@ -38,7 +38,8 @@ fn class(folder: &Path) {
         let text = hand_in(index, &name, 10, right).text().unwrap();
         write(&format!("{index:02}.json"), &text);
     }
-    // One hand-in repeated without new answers, and an earlier one with half of the answers.
+    // One hand-in is repeated without new answers, and another was sent earlier with half of its
+    // answers.
     write(
         "29-again.json",
         &hand_in(4, "Pupil 04", 10, 4).text().unwrap(),
@@ -218,7 +219,8 @@ fn a_hand_in_is_read_back() {
     assert!(String::from_utf8_lossy(&nobody.stderr).contains("no answer"));
 }
 
-/// Earlier versions of carrom refuse calls and predictions, so such a file has a newer format.
+/// Earlier versions of carrom refuse calls and predictions, so a file that contains any has a newer
+/// format.
 #[test]
 fn calls_and_predictions_are_handed_in_but_make_no_items() {
     let mut ada = hand_in(1, "Ada", 2, 2);

@@ -136,7 +136,7 @@ fn an_answer_is_saved_before_its_explanation_is_shown() {
 }
 
 /// Plays a round at this time with right answers, all given as sure or, if `guessing`, every other
-/// one as a guess.
+/// answer as a guess.
 fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
     let round = Round::of(code.clone());
     let place = Route::Quiz { code: Some(code) };

@@ -89,7 +89,7 @@ fn a_database_of_format_2_keeps_its_meaning() {
     }
     assert!(under_merged_names > 100);
 
-    // Two misconceptions have also become one.
+    // Two misconceptions have also been merged into one.
     let found = beliefs(&attempts(&mut store, Some(ADA)));
     let merged = found
         .iter()

@@ -222,7 +222,7 @@ fn a_misconception_is_found_in_plain_lines() {
     while let Some(question) = found.questions().get(answers.len()) {
         let said = copied(question);
         if answers.is_empty() {
-            // The question must be answered, because the next one depends on the answer.
+            // The question must be answered, because the next question depends on the answer.
             lines += "skip\n";
         }
         lines += &format!("{}2\n", typed(question, &said));

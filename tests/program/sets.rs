@@ -407,7 +407,7 @@ fn each_error_in_a_set_is_reported_with_its_line() {
         let said = err(&output);
         assert!(said.contains(message), "{message}: {said}");
         assert!(said.contains(&format!("{path}:")), "{said}");
-        // The game and a worksheet refuse it with the same message.
+        // The game and a worksheet refuse the set with the same message.
         let out = folder.path().join("out");
         for arguments in [
             vec!["worksheet", "--set", &path, "--out", out.to_str().unwrap()],

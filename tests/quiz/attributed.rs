@@ -77,7 +77,7 @@ fn near(form: &Form, held: &Response) -> Vec<Response> {
     }
 }
 
-/// The feedback on an answer, without the explanation of the right one.
+/// The feedback on an answer, without the explanation of the right answer.
 fn feedback(question: &Question, said: Response) -> String {
     let text = explain(question, &Answer::new(said, Confidence::Sure)).text;
     text.strip_suffix(question.why.as_str())

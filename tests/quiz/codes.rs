@@ -22,9 +22,9 @@ fn written(question: &Question) -> String {
     text
 }
 
-/// If one of these changed, codes that have been printed or shared would give different questions.
-/// A new kind of course is required instead. (Texts may be improved; figures, families, order and
-/// choices must not change.)
+/// If one of these rounds changed, codes that have been printed or shared would give different
+/// questions. A new kind of course is required instead. (Texts may be improved; figures, families,
+/// order and choices must not change.)
 #[test]
 fn a_code_always_gives_the_same_round() {
     let rounds = [

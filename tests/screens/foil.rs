@@ -104,7 +104,7 @@ fn a_beam_starts_once_the_share_has_been_predicted() {
     game.press("c<Enter>");
     assert!(game.settle(LONG));
     assert!(game.screen().contains("59,000"));
-    // The next beam of the same kind needs no new prediction; a beam of another kind does.
+    // Another beam of the same kind needs no new prediction; a beam of another kind needs one.
     game.key(Key::Enter);
     assert!(game.app().wake().is_some());
     game.press("<Escape><Left><Enter>");

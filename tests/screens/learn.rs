@@ -330,7 +330,8 @@ fn a_second_try_after_a_hint_earns_half_the_credit() {
         (mark.right(chapter), mark.right_after_hint(chapter)),
         (1, 1)
     );
-    // If one of two rays is right, it stays. After a second wrong answer the right answer is shown.
+    // If one of two rays is right, that ray stays. After a second wrong answer the right answer is
+    // shown.
     game.press("nnn45<Enter>30<Enter>");
     assert!(
         game.screen().contains("The coin is right."),

@@ -518,7 +518,8 @@ fn what_was_seen_in_a_question_is_no_answer_and_no_evidence() {
         let mut game = Headless::new(App::new(place, settings, 7), 100, 30);
         game.press("60<Enter>30<Enter>2");
         if sees {
-            // The points and the answers appear only afterwards; a reload goes on to them.
+            // The points and the answers appear only after this step; after a reload, the quiz
+            // continues with them.
             let screen = game.screen();
             assert!(screen.contains("Watch where they go") && !screen.contains("points"));
             assert!(game.app().address().0.ends_with(';'));

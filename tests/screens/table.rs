@@ -1099,7 +1099,7 @@ fn two_people_at_one_keyboard_have_names_which_are_kept() {
     assert!(screen.contains("Bos Ra's stroke"), "{screen}");
     assert!(panel(&mut game).contains("Bos Ra breaks, white"));
     rested(game).press("- ");
-    // The next game of two people has the names, even after one against the computer.
+    // The next game between two people has the same names, even after a game against the computer.
     let mut next = two_people(&folder);
     assert!(
         next.screen().contains("South's name Bos Ra_"),

@@ -1,7 +1,7 @@
-// The saved data: the same files that carrom keeps in a folder on other systems, here in a database of the
-// browser, by their paths. Everything is read and written in transactions with a
-// number that counts the changes, so two tabs never overwrite each other: a tab that finds a
-// number other than its own reads the other tab's files first.
+// The saved data: the same files that carrom keeps in a folder on other systems, here under their
+// paths in a database of the browser. Everything is read and written in transactions with a number
+// that counts the changes, so two tabs never overwrite each other: a tab that finds a number other
+// than its own reads the other tab's files first.
 
 const keeper = (() => {
   // The number of changes that the program knows of; unknown before it has received the files.
@@ -81,7 +81,7 @@ const keeper = (() => {
     }
   }
 
-  // Whether another tab has saved something since this one read or wrote.
+  // Whether another tab has saved something since this tab last read or wrote.
   async function isBehind() {
     try {
       if (busy) return false;

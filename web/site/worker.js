@@ -1,5 +1,6 @@
-// Caches the whole site in the browser, so that it opens without a network. A version of the site is
-// cached completely or not at all, and the next one replaces it when no page of the old one is open.
+// Caches the whole site in the browser, so that it opens without a network. A version of the site
+// is cached completely or not at all, and the next version replaces it when no page of the old
+// version is open.
 "use strict";
 
 const VERSION = "{{version}}";

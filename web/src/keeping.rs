@@ -69,7 +69,8 @@ pub(crate) struct PageStorage {
 pub(crate) type ChangedFiles = (Vec<FileBytes>, Vec<String>);
 
 impl PageStorage {
-    /// A store that waits for the browser's files; if `simulated`, one without any.
+    /// A store that waits for the browser's files; if `simulated`, a store that begins without
+    /// files.
     pub(crate) fn new(own: &Arc<Library>, simulated: bool) -> Self {
         let store = Store::in_memory().with_own(own);
         Self {
@@ -92,7 +93,7 @@ impl PageStorage {
     }
 
     /// The unsaved changes, for the next carrom. They get new tickets, so that nothing that the
-    /// next carrom saves replaces what this one saved.
+    /// next carrom saves replaces what this carrom saved.
     pub(crate) fn left(self) -> Vec<Change> {
         let mut tickets = BTreeMap::new();
         let mut left: Vec<_> = self.pending.into_iter().map(|it| it.change).collect();

@@ -179,7 +179,7 @@ mod tests {
     /// A link may come from anybody: it opens a screen, which reports briefly what is invalid.
     #[test]
     fn a_hostile_link_opens_the_first_screen_and_is_quoted_in_part() {
-        // A letter that the screen does not contain otherwise.
+        // This letter does not otherwise occur on the screen.
         let long = "Ж".repeat(100_000);
         for fragment in [
             "quiz=mixed99999999999999999999-7".to_owned(),

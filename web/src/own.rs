@@ -63,8 +63,8 @@ pub(crate) fn settings(files: &[FileBytes]) -> KeptSettings {
     read.unwrap_or_default()
 }
 
-/// The path of a teacher's file among those of [`data`], according to its content; `None` if it
-/// is not such a file.
+/// The path at which [`data`] expects a teacher's file with this content; `None` if the file is of
+/// another kind.
 pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
     let text = str::from_utf8(bytes).ok()?;
     let begins = |line: &str| text.lines().any(|it| it.trim_start().starts_with(line));

@@ -1,5 +1,5 @@
-//! A screen for a different renderer, such as a browser's canvas: cells in their final colours, and
-//! the pictures among them as vectors.
+//! A screen for another renderer, such as a browser's canvas: cells in their final colours, and the
+//! pictures among the cells as vectors.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};

@@ -50,8 +50,8 @@ fn the_true_offset_sends_the_disc_in_the_given_direction() {
     }
 }
 
-/// Any offset that sends the disc in the given direction is right, and so is one that is slightly
-/// off.
+/// Any offset that sends the disc in the given direction is right, and so is an offset that is
+/// slightly off.
 #[test]
 fn a_shot_is_graded_by_where_the_disc_goes() {
     for question in all(Family::MakeItSo).step_by(10) {

@@ -57,7 +57,7 @@ pub(crate) fn word<'a>(question: &'a Question, name: &str) -> &'a str {
     word.unwrap_or_else(|| panic!("no word {name} among {:?}", question.figures))
 }
 
-/// The true number of a question that asks for one.
+/// The true number of a question that asks for a number.
 pub(crate) fn number(question: &Question) -> f64 {
     match question.form.truth() {
         Response::Number(truth) => truth,
@@ -65,7 +65,7 @@ pub(crate) fn number(question: &Question) -> f64 {
     }
 }
 
-/// The true rays of a question that asks for them.
+/// The true rays of a question that asks for rays.
 pub(crate) fn rays(question: &Question) -> Rays {
     match question.form.truth() {
         Response::Rays(truth) => truth,
@@ -286,7 +286,7 @@ fn assert_words(question: &Question) {
     }
 }
 
-/// The true answer, those of misconceptions, and some that fit no misconception.
+/// The true answer, the answers of misconceptions, and answers that fit no misconception.
 fn answers(question: &Question) -> Vec<Response> {
     let mut answers: Vec<Response> = question.beliefs.iter().map(|belief| belief.said).collect();
     answers.push(question.form.truth());
