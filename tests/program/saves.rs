@@ -181,7 +181,7 @@ fn a_game_of_the_second_format_still_opens_with_its_restitution() {
     // Saved again, it is the same game.
     let again = SavedGame::read("again", saved.text().unwrap().as_bytes()).unwrap();
     assert_eq!(again, (saved, game));
-    // With a different restitution, the same strokes lead to a different position.
+    // With a different restitution, the same strokes lead to a different end.
     let elastic = text.replacen("restitution = 0.85, ", "", 1);
     assert_ne!(elastic, text);
     assert!(SavedGame::read("elastic", elastic.as_bytes()).is_err());
@@ -197,7 +197,7 @@ fn a_game_of_the_third_format_still_opens_with_its_length_and_hand() {
     assert_eq!(saved.company.hand, PlayerHand::Club);
     assert_eq!(saved.text().unwrap(), text);
     assert_eq!(Fingerprint::of(&game), saved.end);
-    // With different rules, the same strokes lead to a different position.
+    // With different rules, the same strokes lead to a different end.
     let friendly = text.replacen("\"points\"", "\"friendly\"", 1);
     assert!(SavedGame::read("friendly", friendly.as_bytes()).is_err());
     for (from, to) in [
