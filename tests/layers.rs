@@ -351,7 +351,7 @@ fn a_cycle_is_found_in_every_notation() {
     assert_eq!(circles("crate::physics::Disc"), []);
 }
 
-/// The map of the crate and those inside its modules.
+/// The map of the crate and the maps inside its modules.
 fn maps() -> Vec<Map> {
     let rooms = [""].into_iter().chain(MAPPED);
     rooms.map(Map::read).collect()

@@ -27,7 +27,7 @@ fn the_other_chapters_open_despite_invalid_files() {
     let mut library = ChapterLibrary::embedded();
     let own = library.chapters.len();
     library.add_dir(&BAD.path());
-    // Chapters that are only too long for a small screen can be read.
+    // Chapters whose only fault is that they are too long for a small screen can be read.
     let readable = ["too-long", "formula-too-wide"];
     assert_eq!(library.chapters.len(), own + readable.len());
     let bad = bad_files::files(&library.problems);

@@ -56,8 +56,8 @@ fn the_glossary_is_printed_completely_or_by_term() {
 
 #[test]
 fn progress_prints_the_games_of_a_player() {
-    // A friendly board of two computers, won by South. The player sits in the winner's or in the
-    // loser's seat, with a club hand. South pocketed three coins in one turn, North one.
+    // A friendly board between two computers, won by South. The player sits in the winner's or in
+    // the loser's seat, with a club hand. South pocketed three coins in one turn, North one.
     let text = include_str!("../saves/board-over-1.toml");
     for (seat, score, longest) in [("south", [2, 0], 3), ("north", [0, 2], 1)] {
         let folder = Folder::new("cli-games");

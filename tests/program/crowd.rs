@@ -77,7 +77,7 @@ fn host(folder: &Path, port: Option<u16>) -> Pty {
     pty
 }
 
-/// The report of a device: how long something took.
+/// What a device reports: how long something took.
 #[derive(Debug)]
 enum Report {
     Joined(Duration),

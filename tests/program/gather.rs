@@ -462,7 +462,7 @@ fn an_answer_out_of_range_or_of_the_wrong_kind_is_refused() {
     }
 }
 
-/// Answers to questions of every family are accepted, including a teacher's own questions.
+/// Answers to questions of every family are accepted, including those to a teacher's own questions.
 #[test]
 fn answers_of_every_family_are_handed_in_and_read() {
     let rounds = Family::ALL

@@ -177,7 +177,7 @@ fn the_real_game_in_a_terminal_continues_after_being_killed() {
             pty.press("\r");
         }
         pty.wait_for("Space strike");
-        // Kill it during the next stroke.
+        // Kill the program during the next stroke.
         pty.press("90 ");
         thread::sleep(Duration::from_micros(chance.random_range(0..30_000)));
         pty.signal(Signal::KILL);
@@ -269,7 +269,7 @@ fn a_round_in_a_terminal_that_is_killed_during_votes_loses_no_vote() {
             pty.wait_until("a booth", in_booth);
             pty.press(&format!("{angle}\r30\r"));
             if vote > 0 && kill % 3 > 0 && chance.random_bool(0.3) {
-                // Kill it during this vote.
+                // Kill the program during this vote.
                 last = Some((team, angle));
                 break;
             }

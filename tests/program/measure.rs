@@ -18,7 +18,7 @@ fn examples() -> Folder {
     folder
 }
 
-/// The examples are simulated with these values.
+/// The shipped examples were simulated, so their true values are known.
 #[test]
 fn the_examples_give_the_values_that_were_simulated() {
     let folder = examples();

@@ -299,7 +299,8 @@ fn damage_of_all_kinds(each: usize) {
         "| damage | databases | repaired | refused | rows readable by key | of these saved | share | \
          worst database | saved beyond |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|"
     );
-    // Kinds of pages: 10 is a leaf of an index or of a table without ids, 13 a leaf of a table.
+    // Kinds of pages: 10 is a leaf of an index or of a table without ids, and 13 is a leaf of a
+    // table.
     let mut all = Vec::new();
     for (seed, most) in [(1, 1), (2, 5), (3, 20), (4, 50)] {
         let name = format!("{most} of the pages of answers");

@@ -1,4 +1,4 @@
-//! `carrom solve` as a command.
+//! The command `carrom solve`: its answers, its messages and its batches.
 
 use std::io::Write;
 use std::process::{Command, Output, Stdio};

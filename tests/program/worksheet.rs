@@ -24,7 +24,7 @@ pub(crate) fn rounds() -> impl Iterator<Item = Round> {
 fn select(page: &Html, selector: &str) -> Vec<String> {
     let selector = Selector::parse(selector).unwrap();
     let found = page.select(&selector);
-    // A line must not break at a no-break space.
+    // No-break spaces matter only for line breaks, so they are read as spaces.
     let text = found.map(|it| it.text().collect::<String>());
     text.map(|it| it.replace('\u{a0}', " ")).collect()
 }
@@ -172,7 +172,7 @@ fn read(document: &str) -> (String, Vec<String>, BTreeSet<String>) {
             }
         }
     }
-    // A line must not break at a no-break space.
+    // No-break spaces matter only for line breaks, so they are read as spaces.
     (text.replace('\u{a0}', " "), pictures, others)
 }
 

@@ -498,7 +498,7 @@ fn one_key_removes_all_pupils_who_are_away_and_never_voted() {
     press(&mut class, pupils[2], "", "your vote");
 }
 
-/// The device used to show that it was still trying to reconnect.
+/// After the end of a round, a device used to show that it was still trying to reconnect.
 #[test]
 fn a_device_does_not_report_a_lost_host_after_the_round_is_over() {
     let (mut class, pupils) = gathering(&["Ada"]);
@@ -646,7 +646,7 @@ fn a_round_that_is_over_or_of_another_class_is_not_offered() {
     press(&mut class, Who::Host, "", "pupils' own devices");
 }
 
-/// carrom used to save a round without participants each time joining was opened.
+/// carrom used to save a round without participants each time a round was opened for joining.
 #[test]
 fn a_round_that_nobody_joined_leaves_no_file() {
     let folder = Folder::new("class-nobody");

@@ -96,7 +96,7 @@ fn after(m1_g: f64, m2_g: f64, speed: f64, alpha_deg: f64, restitution: f64) -> 
     Collision { restitution, ..hit }.outcome()
 }
 
-/// The speed of the striker along n.
+/// The component of the striker's final velocity along n.
 fn along(outcome: &CollisionOutcome) -> f64 {
     outcome.v1.dot(outcome.normal.unwrap())
 }

@@ -63,7 +63,7 @@ fn escape_stops_a_beam_at_once_and_enter_continues_it() {
     game.key(Key::Enter);
     game.pass(FRAME * 20);
     assert!(number(&mut game, "sent so far") > stopped);
-    // The first Escape stops the beam, the second leaves.
+    // The first Escape stops the beam, and the second leaves the foil.
     game.press("<Escape><Escape>");
     assert!(game.screen().contains("carrom : home"));
 }
@@ -113,7 +113,7 @@ fn a_beam_starts_once_the_share_has_been_predicted() {
 
 #[test]
 fn hard_targets_scatter_back_as_the_closed_forms_predict() {
-    // Spheres: cos² 45°; discs: cos 45°.
+    // The expected shares are cos² 45° for spheres and cos 45° for discs.
     let mut game = foil(false, 1);
     game.press("<Left><Tab><Enter>");
     assert!(game.settle(LONG));

@@ -329,7 +329,7 @@ fn a_rebound_key_works_and_is_shown_wherever_its_row_is() {
         let table = moment.game().app().keys();
         for row in table.rows().iter().filter(|row| counts(&moment, row)) {
             let id = row.id.as_str();
-            // Each row of each screen, in the first phase that has it.
+            // Each row of each screen is tested in the first phase that has the row.
             let screen = moment.name.split(',').next().unwrap();
             if !met.insert((screen, row.id.clone())) {
                 continue;

@@ -191,7 +191,7 @@ fn the_set_up_of_the_lab_is_saved_but_not_that_of_a_chapter() {
     assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());
 }
 
-/// The lab for somebody who watches the pictures.
+/// The lab with the setting that asks what the player saw.
 fn watched_lab() -> Headless {
     let settings = Settings {
         sees: true,

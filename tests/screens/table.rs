@@ -717,7 +717,7 @@ fn the_striker_is_pulled_back_and_released() {
     let near = game.screen();
     game.mouse(MouseKind::Drag, (striker.0, striker.1 + 4));
     assert_ne!(game.screen(), near, "farther is harder");
-    // A pull a little to the side keeps the aim, a pull far to the side turns it.
+    // A pull a little to the side keeps the aim; a pull far to the side turns it.
     game.mouse(MouseKind::Drag, (striker.0 + 3, striker.1 + 4));
     assert_eq!(aim(&mut game), pointed);
     game.mouse(MouseKind::Drag, (striker.0 + 14, striker.1 + 3));
