@@ -69,7 +69,8 @@ pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 
     for (i, side) in [1.0, -1.0].into_iter().enumerate() {
         let offset = side * offsets[i];
         let points = rutherford.path(offset).points(reach, PIECES);
-        // The angle is measured where the straight initial and final paths cross.
+        // The angle is measured where the straight lines along the initial and the final path
+        // cross.
         let corner = dvec2(-rutherford.head_on_approach / 2.0, offset);
         let aim = Pen::new(Role::Aim).dashed();
         picture.line(corner, dvec2(reach, offset), aim);

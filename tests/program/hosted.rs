@@ -578,7 +578,7 @@ fn with_nicknames_no_typed_name_is_kept_and_a_device_returns_to_its_nickname() {
     assert!(!text.contains("Ada") && !text.contains("Eve"), "{text}");
     assert!(kept(&folder).gives_nicknames());
 
-    // In the next round it asks for the nickname that it remembers.
+    // In the next round the device asks for the nickname that it remembers.
     let next = Folder::new("hosted-nicknames-next");
     let teacher = Teacher::hosting(&next, STUB, "from-angle2-8", true);
     assert_eq!(teacher.join(&nicknames[1]).text("name"), nicknames[1]);
