@@ -160,7 +160,7 @@ impl NumberInput {
     pub(crate) fn about(&self) -> String {
         match self.quantity.unit() {
             "" => "Type a number.".into(),
-            "times" => "Type how many times.".into(),
+            "times" => "Type the factor.".into(),
             unit => format!("Type a number in {unit}."),
         }
     }
