@@ -26,7 +26,7 @@ pub struct BoardInPlay {
     /// For each team, whether one of its coins has been pocketed in this board, even if it was put
     /// back.
     pub(super) pocketed_before: ByTeam<bool>,
-    /// In points carrom, the coins that each team has pocketed.
+    /// In point carrom, the coins that each team has pocketed.
     pub(super) taken: ByTeam<Taken>,
     /// The team that has pocketed and covered the queen.
     pub queen_covered_by: Option<Team>,
@@ -93,12 +93,12 @@ impl BoardInPlay {
         COINS_EACH.saturating_sub(self.on_board(colour))
     }
 
-    /// A team's points for this board in points carrom.
+    /// A team's points for this board in point carrom.
     pub(crate) fn points_taken(&self, team: Team) -> u8 {
         self.taken[team].points(self.queen_covered_by == Some(team))
     }
 
-    /// In points carrom, the coins that a team has pocketed.
+    /// In point carrom, the coins that a team has pocketed.
     pub(crate) fn taken(&self, team: Team) -> Vec<Piece> {
         let Taken { white, black } = self.taken[team];
         let coins = |piece, count: u8| vec![piece; count.into()];

@@ -137,7 +137,7 @@ fn against_computer(saved: &SavedGame) -> Option<(Seat, Strength)> {
 }
 
 /// The most pieces pocketed by the player at this seat in one turn of a game. The player's own
-/// coins and the queen count or, in points carrom, all pieces.
+/// coins and the queen count or, in point carrom, all pieces.
 fn longest_turn(saved: &SavedGame, seat: Seat) -> usize {
     let (mut longest, mut turn) = (0, 0);
     // A saved game was replayed when it was read, so it has no error.

@@ -149,7 +149,7 @@ impl Game {
         }
     }
 
-    /// The points of both teams: in the current game or, in points carrom, on this board.
+    /// The points of both teams: in the current game or, in point carrom, on this board.
     pub fn points(&self) -> ByTeam<u8> {
         let mut points = self.score().points;
         if self.setup.rules == Rules::Points {

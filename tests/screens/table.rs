@@ -970,7 +970,7 @@ fn boards_won_and_lost_are_counted_by_rules_and_strength() {
     }
 }
 
-/// The options of points carrom for one board, with a club hand.
+/// The options of point carrom for one board, with a club hand.
 fn club_hand() -> Options {
     Options {
         rules: Rules::Points,

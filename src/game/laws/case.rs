@@ -55,7 +55,7 @@ pub(crate) struct Side {
     pub fell: u8,
     /// The side's score in the game before this board.
     pub score: u8,
-    /// In points carrom, the coins that this side had pocketed before the stroke.
+    /// In point carrom, the coins that this side had pocketed before the stroke.
     pub(crate) taken: Taken,
 }
 

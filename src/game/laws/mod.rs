@@ -11,7 +11,7 @@
 //! | `queen` | 65 to 74: the queen and her cover |
 //! | `coins` | 21, 45 to 48: the player's coins, the opponent's, the striker |
 //! | `friendly` | the rules of most families |
-//! | `points` | points carrom |
+//! | `points` | point carrom |
 //! | `practice` | no rules at all |
 //! | `solo` | a board for one player |
 //!
@@ -61,7 +61,7 @@ pub enum Rules {
     Tournament,
     /// The simple rules of most families: the first player to clear their coins wins the board.
     Friendly,
-    /// Points carrom: either colour counts for both sides, and the first side with more than half of
+    /// Point carrom: either colour counts for both sides, and the first side with more than half of
     /// the points wins.
     Points,
     /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.

@@ -1,4 +1,4 @@
-//! Points carrom, as played by children and by odd numbers of players: either side may pocket any
+//! Point carrom, as played by children and by odd numbers of players: either side may pocket any
 //! coin.
 //!
 //! - A black coin counts 1 point, a white one 2, and the queen 5 if she is covered: 32 points in
@@ -25,7 +25,7 @@ pub(crate) const POINTS_TO_WIN: u8 = 17;
 /// The points for the queen, once she is covered.
 pub(super) const QUEEN: u8 = 5;
 
-/// The coins that a side has pocketed in points carrom.
+/// The coins that a side has pocketed in point carrom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Taken {
     pub(crate) white: u8,
@@ -60,7 +60,7 @@ impl Taken {
     }
 }
 
-/// The verdict on a stroke in points carrom.
+/// The verdict on a stroke in point carrom.
 pub(super) fn judge(case: &Case) -> Verdict {
     let fell = case.own.fell + case.other.fell;
     let is_empty = case.own.left() + case.other.left() == 0;

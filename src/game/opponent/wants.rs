@@ -12,7 +12,7 @@ pub(super) fn wants(game: &Game, piece: Piece) -> bool {
 ///
 /// The wanted pieces are the player's own coins (except the last one before the queen, because
 /// pocketing that coin loses a tournament board, 80) and the queen, once the Laws allow it (65,
-/// 68). In points carrom and without an opponent, any coin is wanted.
+/// 68). In point carrom and without an opponent, any coin is wanted.
 pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
     let rules = game.setup().rules;
     let team = game.team(seat);

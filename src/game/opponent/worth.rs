@@ -14,7 +14,7 @@ use crate::game::{BaseLines, Game, Seat, Team};
 const BOARD: f64 = 20.0;
 /// The queen, covered.
 const QUEEN: f64 = 2.5;
-/// A point of points carrom: a coin counts 1.5 points on average.
+/// A point of point carrom: a coin counts 1.5 points on average.
 const POINT: f64 = 1.0 / 1.5;
 /// A sure coin for the side that strikes next: it falls, and the turn continues.
 const TO_STRIKE: f64 = 1.6;

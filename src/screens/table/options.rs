@@ -188,7 +188,7 @@ impl Options {
     }
 
     /// The score between the names of the two teams. Friendly games count boards, the others count
-    /// points: in points carrom those of the board in play, in a tournament those of the finished
+    /// points: in point carrom those of the board in play, in a tournament those of the finished
     /// boards.
     pub(super) fn score(&self, game: &Game) -> String {
         let points = game.points();

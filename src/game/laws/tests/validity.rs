@@ -9,7 +9,7 @@ use crate::game::score::Score;
 use crate::game::validity::check_coins;
 use crate::game::{Coin, Colour, Game, GameSetup, Hands, Piece, Seat, Team};
 
-/// All points of a board of points carrom.
+/// All points of a board of point carrom.
 pub(super) const ALL_POINTS: u8 = 9 * 2 + 9 + QUEEN;
 
 /// The first inconsistency of a game, if there is any.
@@ -41,7 +41,7 @@ pub(super) fn flaw(game: &Game) -> Option<&'static str> {
         _ => MOST_POINTS,
     };
     if boards.any(|won| won.points > most) {
-        return Some("a board is worth at most 12 points, or 32 in points carrom");
+        return Some("a board is worth at most 12 points, or 32 in point carrom");
     }
     if setup.rules == Rules::Points {
         let taken: u8 = Team::BOTH.iter().map(|team| play.points_taken(*team)).sum();
