@@ -1,12 +1,12 @@
 //! How quantities are printed: decimals, significant figures, units and signs.
 //!
-//! Functions that print a quantity write a hyphen for a minus, as files and programs require.
+//! Functions that print a quantity write a hyphen for a minus sign, as files and programs require.
 //! Text in formulas passes through [`true_minus`], and the Unicode screen replaces all other
 //! hyphens before numbers with minus signs.
 
 use std::fmt;
 
-/// `x` with this many decimals: "63.4". A value that rounds to zero has no sign: "0.0".
+/// `x` with `decimals` decimal places: "63.4". A value that rounds to zero has no sign: "0.0".
 pub(crate) fn fixed(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     let is_nothing = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
@@ -16,7 +16,7 @@ pub(crate) fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
-/// `x` with at most this many decimals: "3.46", "0.5", "60".
+/// `x` with at most `decimals` decimal places: "3.46", "0.5", "60".
 pub(crate) fn short(x: f64, decimals: usize) -> String {
     trimmed(&fixed(x, decimals)).to_owned()
 }
@@ -79,11 +79,11 @@ pub(crate) fn bare_degrees(angle: f64) -> String {
 }
 
 /// An intermediate value of a printed result. It is printed to three figures (an angle to a tenth
-/// of a degree), or to as many more as the printed values need to give the printed result.
+/// of a degree), or to more figures if the printed result cannot be reproduced from three.
 #[derive(Debug, Clone)]
 pub(crate) struct Intermediate {
     text: String,
-    /// The value as printed; an angle in radians.
+    /// The value as printed; in radians if it is an angle.
     pub(crate) value: f64,
 }
 
@@ -105,8 +105,8 @@ impl Intermediate {
         decimals.map_or(0, |(_, decimals)| decimals.len())
     }
 
-    /// The intermediate value `x`. `result` prints the result that follows from it; the rounded
-    /// [`value`](Self::value) gives the same.
+    /// The intermediate value `x`. `result` formats the result that follows from a value; it gives
+    /// the same text for the rounded [`value`](Self::value) as for `x`.
     pub(crate) fn new<T: PartialEq>(x: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(x, decimals_for(x, 3) + more);
         Self::leading_to(x, text, |read| read, result)
@@ -133,7 +133,7 @@ impl Intermediate {
             let value = value(text.parse().unwrap_or(f64::NAN));
             Self { text, value }
         };
-        // A result midway between two last digits may be rounded either way.
+        // A result midway between two printable numbers may be rounded either way.
         let wanted = [1.0, 1.0 - EDGE, 1.0 + EDGE].map(|near| result(near * exact));
         let enough = |it: &Self| wanted.contains(&result(it.value));
         (0..MOST)
@@ -191,18 +191,18 @@ pub(crate) fn capital(text: &str) -> String {
     })
 }
 
-/// The FNV-1a hash of no bytes, the initial value.
+/// The initial value: the FNV-1a hash of no bytes.
 pub(crate) const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 
-/// The 64-bit FNV-1a hash, continued from `hash` with these bytes.
+/// The 64-bit FNV-1a hash `hash` of earlier bytes, continued with `bytes`.
 pub(crate) fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
     })
 }
 
-/// The number of decimals that `x` needs for this many significant figures. The exponent is
-/// that of the rounded value: 9.999 is 10.0, not 10.00.
+/// The number of decimal places that give `x` the required number of significant figures. The
+/// exponent is that of the rounded value: 9.999 is 10.0, not 10.00.
 fn decimals_for(x: f64, figures: u8) -> usize {
     let digits = i32::from(figures) - 1;
     let scientific = format!("{x:.*e}", usize::from(figures) - 1);

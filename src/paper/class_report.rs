@@ -23,7 +23,7 @@ const NAME: usize = 44;
 /// The number of misconceptions for which the report gives the next step in full.
 const NEXT: usize = 3;
 
-/// What a report contains in addition to the round.
+/// What a report contains in addition to the results of the round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct About {
     /// The day of the lesson, if it is known.
@@ -219,7 +219,7 @@ fn by_name(round: &ClassRound) -> Markup {
     }
 }
 
-/// An answer to a question with its votes.
+/// An answer to a question, and the votes for it.
 struct AnswerRow {
     words: String,
     right: bool,
@@ -344,7 +344,7 @@ fn figure(picture: &Svg) -> Markup {
     html! { figure { (picture) } }
 }
 
-/// A bar that shows the share of `votes` in `all`, with both numbers.
+/// `votes` as a share of `all`: a bar, the number of votes and the percentage.
 fn bar(votes: usize, all: usize) -> Markup {
     let share = 100.0 * votes as f64 / all.max(1) as f64;
     html! {

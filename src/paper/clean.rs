@@ -1,4 +1,4 @@
-//! Makes external names and titles safe for a line of a document.
+//! Makes names and titles that come from outside safe to print in one line of a document.
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
@@ -38,7 +38,7 @@ pub fn clean(text: &str, columns: usize) -> String {
     line
 }
 
-/// A line truncated to this width, with an ellipsis at its end.
+/// `line` truncated so that it fits into `columns` columns with an ellipsis at its end.
 fn cut(mut line: String, columns: usize) -> String {
     const JOINER: char = '\u{200d}';
     while line.width() + 1 > columns && line.pop().is_some() {}

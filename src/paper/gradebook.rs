@@ -13,7 +13,8 @@ use crate::progress::words::percent;
 /// The maximum number of letters in a name, and in the round or topic in the heading of a column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
-/// The maximum number of letters in a question in a table. Only damaged files contain longer ones.
+/// The maximum number of letters in a question in a table. Only damaged files contain longer
+/// questions.
 const QUESTION: usize = 400;
 /// The maximum number of round or topic columns in a table; the rest go into further tables.
 const COLUMNS: usize = 6;
@@ -49,7 +50,7 @@ fn sheet(title: &str, body: &Markup) -> Markup {
     }
 }
 
-/// A table with headings and rows. The first `texts` columns are text, the others numbers.
+/// A table with headings and rows. The first `texts` columns contain text, the others numbers.
 fn table(texts: usize, heads: &[String], rows: &[Vec<String>]) -> Markup {
     html! {
         table {

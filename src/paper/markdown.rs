@@ -4,8 +4,8 @@ use crate::files::percent_encoded;
 
 /// A Markdown document: CommonMark with GitHub's tables.
 ///
-/// Its input is plain text, which is shown literally. Each text should be one line, as returned by
-/// [`clean`](super::clean()); line breaks become spaces.
+/// All text passed to it is plain text and is shown literally. Each text should be one line, as
+/// returned by [`clean`](super::clean()); line breaks become spaces.
 ///
 /// Pictures are files beside the document. GitHub, GitLab and most editors do not show pictures
 /// inside a document (as data URIs or inline SVG) for security reasons, but all of them show SVG
@@ -123,7 +123,7 @@ fn escape(text: &str) -> String {
         let address = word.contains("://") || word.contains('@') || starts_with_www(word);
         let mut letters = word.chars().peekable();
         while let Some(letter) = letters.next() {
-            // Many programs format text between two of these.
+            // Many programs format the text between two of these characters.
             let is_double = before == Some(letter) || letters.peek() == Some(&letter);
             let special = match letter {
                 '\\' | '`' | '*' | '_' | '[' | ']' | '{' | '}' | '<' | '>' | '&' | '|' | '~'

@@ -17,7 +17,7 @@ ul { padding-left: 5mm }
 li { margin: 1mm 0 }
 .warn { border-left: 1mm solid var(--accent); padding-left: 4mm }
 ";
-/// The columns and rows of the picture.
+/// The size of the picture, in columns and rows.
 const COLUMNS: u16 = 90;
 const FEWEST_ROWS: u16 = 10;
 const MOST_ROWS: u16 = 36;

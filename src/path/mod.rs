@@ -25,7 +25,7 @@ use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, 
 
 /// With fewer quiz answers than this, the path suggests *Find out*.
 const ENOUGH_ANSWERS: usize = 3;
-/// The largest number of chapters that one round asks about.
+/// The maximum number of chapters that one round asks about.
 const ASKED_AT_ONCE: usize = 3;
 
 /// A player with fewer quiz answers than this is new.
@@ -56,7 +56,7 @@ pub enum Step {
         /// The index of the page.
         page: usize,
     },
-    /// Answer questions that could show a misconception again.
+    /// Answer questions that show whether the player still holds a misconception.
     Check(Misconception),
     /// Continue a chapter, or begin one.
     Read {
@@ -99,8 +99,8 @@ pub struct PathDone {
     pub packs: (usize, usize),
 }
 
-/// For each topic, whether the last answer shows that the player knows it; `None` for a right
-/// guess.
+/// For each topic, whether the last answer shows that the player knows it; `None` if that answer
+/// was right but marked "guess".
 type TopicsAsked<'a> = IndexMap<&'a str, Option<bool>>;
 
 impl<'a> PathSoFar<'a> {
@@ -219,7 +219,7 @@ impl<'a> PathSoFar<'a> {
         })
     }
 
-    /// The topics that were asked about, in the quiz or in a chapter, by their ids.
+    /// The ids of the topics about which the player has been asked, in the quiz or in a chapter.
     fn topics_asked(&self) -> TopicsAsked<'a> {
         let mut asked = TopicsAsked::new();
         for attempt in self.attempts {
@@ -250,8 +250,8 @@ impl<'a> PathSoFar<'a> {
         asked.peek().is_some() && asked.all(|known| *known == Some(true))
     }
 
-    /// Whether most quiz answers are right. If so, the player reads only the chapters that teach
-    /// missed topics, and not all chapters from the first.
+    /// Whether at least four in five quiz answers are right. If so, the path leads only to the
+    /// chapters that teach missed topics, not to every chapter in order.
     fn knows_most(&self) -> bool {
         let quiz = self.attempts.iter().filter(|it| it.is_of_quiz());
         let all = Tally::of(quiz);
@@ -332,8 +332,8 @@ impl<'a> PathSoFar<'a> {
         open.next().map(|chapter| self.begin(chapter, why))
     }
 
-    /// Questions about the first of these chapters. If none has questions, the step is to read the
-    /// first one.
+    /// Questions about the first few of these chapters. If none has questions, the step is to read
+    /// the first one.
     fn ask(&self, open: &[usize]) -> Option<NextStep> {
         let has_questions = |at: &&usize| {
             let id = self.chapters()[**at].id.as_str();

@@ -7,8 +7,8 @@ use super::direction::direction;
 /// The angle that turns `from` into `to`, in radians, positive anticlockwise, in (−π, π]; `None` if
 /// either vector is zero.
 ///
-/// A component perpendicular to `from` that is rounding noise counts as 0, so that straight on is 0
-/// and straight back is +π.
+/// A component perpendicular to `from` that is rounding noise counts as 0, so straight on is 0 and
+/// straight back is +π.
 pub(crate) fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
     let from = from.try_normalize()?;
     let to = to.try_normalize()?;

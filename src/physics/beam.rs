@@ -25,10 +25,11 @@ impl Beam {
         }
     }
 
-    /// The fraction of hits between equal masses, the target at rest and e = 1, that scatters the
-    /// striker by more than `theta1` radians: cos θ₁ on a board, cos²θ₁ in space, 0 from 90° on.
+    /// For equal masses, a target at rest and e = 1, the fraction of hits that scatter the striker
+    /// by more than `theta1` radians: cos θ₁ on a board, cos²θ₁ in space, 0 from 90° on.
     ///
-    /// θ₁ = 90° − α, so the largest such offset is b/(r₁+r₂) = sin α = cos θ₁.
+    /// θ₁ = 90° − α, so the largest offset that still deflects by `theta1` is b/(r₁+r₂) = sin α =
+    /// cos θ₁.
     pub fn share_beyond(self, theta1: f64) -> f64 {
         if theta1 >= PI / 2.0 {
             return 0.0;

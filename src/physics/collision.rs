@@ -82,8 +82,8 @@ pub struct CollisionOutcome {
     /// Angular velocity of a pair that sticks, in rad/s, positive clockwise (the
     /// sense it has for a positive offset); 0 for discs that slip.
     pub(crate) spin: f64,
-    /// Angular velocities of discs that slip, in rad/s, positive anticlockwise; 0 for a pair that
-    /// sticks.
+    /// Angular velocities after the collision, in rad/s, positive anticlockwise, for discs that
+    /// slip; 0 for a pair that sticks.
     pub spins: [f64; 2],
     /// Scattering angle θ₁ from u₁ to v₁ in radians, positive anticlockwise, in (−π, π]; `None` if
     /// either is zero.
@@ -98,7 +98,7 @@ pub struct CollisionOutcome {
     pub impulse: f64,
     /// Impulse Jₜ of friction on the target along t (and on the striker against it), in N·s.
     pub friction_impulse: f64,
-    /// Kinetic energy before the collision, in joules, with that of the spins.
+    /// Kinetic energy before the collision, in joules; it includes the energy of the spins.
     pub energy_before: f64,
     /// Kinetic energy after the collision, in joules; it includes
     /// [`energy_rotation`](Self::energy_rotation).
@@ -118,8 +118,8 @@ impl CollisionOutcome {
 
 impl Collision {
     /// A smooth, perfectly elastic collision at impact angle `alpha` radians with a target at rest.
-    /// For any other collision, set the fields that differ; the angle does not depend on the
-    /// velocities, the masses or the restitution.
+    /// For any other collision, change the fields that differ; `alpha` remains the impact angle
+    /// whatever the velocities, the masses and the restitution.
     pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {
         Self::at_offset(striker, target, u1, 0.0).with_alpha(alpha)
     }
@@ -255,7 +255,7 @@ impl Collision {
         (centre1 - time * self.u1, centre2 - time * self.u2)
     }
 
-    /// The final velocities and the quantities that follow from them.
+    /// The final velocities, and the quantities that follow from them.
     pub fn outcome(&self) -> CollisionOutcome {
         let Some(normal) = self.normal() else {
             return self.after(None, self.u1, self.u2, self.rims.spins);
@@ -330,8 +330,8 @@ impl Collision {
         }
     }
 
-    /// An outcome with these velocities and spins, without loss: a hit if there is a line of
-    /// impact.
+    /// An outcome with these velocities and spins and no energy loss; it is a hit if there is a
+    /// line of impact.
     fn after(
         &self,
         normal: Option<DVec2>,
@@ -352,7 +352,7 @@ impl Collision {
             spin: 0.0,
             spins,
             theta1: signed_angle(self.u1, v1),
-            // The arguments are swapped because clockwise is positive.
+            // The arguments are swapped because the recoil angle is positive clockwise.
             theta2: signed_angle(v2, self.u1),
             separation: angle_between(v1, v2),
             impulse: 0.0,
@@ -490,7 +490,7 @@ mod tests {
                 let alpha_deg = 90.0 - short_deg;
                 let shot = carrom(0.0).with_alpha_deg(side * alpha_deg);
                 let after = shot.outcome();
-                // Exact, because both numbers are near 90.
+                // The subtraction is exact, because both numbers are near 90.
                 let cos = rad_from_deg(90.0 - alpha_deg).sin();
                 let relative = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
                 assert_eq!(after.meeting, Meeting::Hit);

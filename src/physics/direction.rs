@@ -36,7 +36,7 @@ impl Twofold {
         Self(quotient, 0.0).with(left / number)
     }
 
-    /// The sum of this and a small number.
+    /// The sum of this number and a much smaller one.
     fn with(self, small: f64) -> Self {
         let sum = self.0 + small;
         Self(sum, small - (sum - self.0))

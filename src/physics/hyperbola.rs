@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::rutherford::Rutherford;
 
-/// The exact path of one particle: the branch of a hyperbola that bends away from the fixed charge
+/// The exact path of one particle: the branch of a hyperbola that curves away from the fixed charge
 /// at the origin. The particle comes in along +x.
 ///
 /// In polar coordinates about the charge, with φ measured from the apse (the direction of closest
@@ -58,8 +58,8 @@ impl Hyperbola {
     }
 
     /// The path from a distance of `reach` metres on the way in to the same distance on the way
-    /// out, as `pieces` (2 or more) straight pieces, which are shortest where the path bends most;
-    /// empty if the path never comes within `reach`.
+    /// out, as `pieces` (2 or more) straight segments, which are shortest where the path bends
+    /// most; empty if the path never comes within `reach`.
     pub(crate) fn points(&self, reach: f64, pieces: u32) -> Vec<DVec2> {
         if !(reach > self.closest_approach && reach.is_finite()) {
             return Vec::new();
@@ -138,8 +138,8 @@ mod tests {
         }
     }
 
-    /// The energy is 1 = v² + d/r and the angular momentum b = r v sin ψ, where ψ follows from the
-    /// slope of the path. So the speed from one equation must satisfy the other.
+    /// Energy conservation gives 1 = v² + d/r, and angular momentum b = r v sin ψ, where ψ follows
+    /// from the slope of the path. So the speed from one equation must satisfy the other.
     #[test]
     fn energy_and_angular_momentum_are_conserved_along_the_path() {
         let d = Rutherford::radium_c_on_gold().head_on_approach;

@@ -85,7 +85,7 @@ impl RestingTarget {
     }
 
     /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 if m₁ = e m₂ except for rounding: 12 g must equal
-    /// 0.8 × 15 g in kilograms, too.
+    /// 0.8 × 15 g even when both are in kilograms.
     fn normal_kept(&self) -> f64 {
         let kept = self.m1 - self.restitution * self.m2;
         if kept.abs() <= 4.0 * f64::EPSILON * self.m1 {
@@ -210,7 +210,7 @@ fn sin_cos(alpha: f64) -> (f64, f64) {
     (sin, if graze >= 0.0 { 0.0 } else { cos })
 }
 
-/// Whether a fraction of the striker's speed is more than rounding noise.
+/// Whether a speed, as a fraction of the striker's, is more than rounding noise.
 fn moves(share: f64) -> bool {
     share > 4.0 * f64::EPSILON
 }

@@ -41,7 +41,7 @@ pub(super) struct Rub {
     pub(super) v2: DVec2,
     /// Angular velocities after the contact in rad/s, positive anticlockwise.
     pub(super) spins: [f64; 2],
-    /// Jₜ on body 2 along the tangent t (and on body 1 against it), in N·s.
+    /// The impulse Jₜ on body 2 along the tangent t (and on body 1 against it), in N·s.
     pub(super) impulse: f64,
     /// Energy lost by friction, in joules.
     pub(super) energy_lost: f64,

@@ -59,7 +59,7 @@ pub enum ImpactPoint {
 pub(crate) struct FieldRange {
     /// The field's name in files.
     pub name: &'static str,
-    /// What the number is, and its unit: "a mass in g".
+    /// The quantity and its unit: "a mass in g".
     pub what: &'static str,
     /// The minimum allowed value.
     pub least: f64,

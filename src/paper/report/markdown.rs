@@ -116,7 +116,7 @@ fn tables(report: &Report, document: &mut Markdown) {
     }
 }
 
-/// A table under its title, with the number of further rows.
+/// A table under its title, followed by the number of rows left out.
 fn table<T>(
     document: &mut Markdown,
     title: &str,

@@ -130,12 +130,12 @@ impl<'a> Report<'a> {
         markdown::document(self, folder)
     }
 
-    /// All pictures that have something to show.
+    /// All pictures for which there are enough answers.
     pub fn pictures(&self) -> Vec<ReportPicture> {
         pictures::all(self)
     }
 
-    /// The number of answers, and the first and the last day.
+    /// The number of answers, and the days of the first and the last answer.
     fn span(&self) -> String {
         let count = counted(self.all.attempts, "answer");
         let times = self.attempts.iter().filter_map(|it| it.time_s);
@@ -161,7 +161,7 @@ impl<'a> Report<'a> {
         clean(self.next, 300)
     }
 
-    /// The source of the results, and the rules behind them.
+    /// Where the results come from, and the rules by which they were calculated.
     fn origin(&self) -> String {
         let today = self.calendar.today();
         let when = today.map_or(String::new(), |day| format!(" on {}", long_day(day)));

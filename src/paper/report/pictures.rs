@@ -14,10 +14,11 @@ use crate::widgets::svg::Svg;
 
 /// The minimum number of answers at one confidence level for which a share is calculated.
 const SHARED: usize = 10;
-/// If there are many answers, each share is calculated over the total number of answers divided by
+/// If there are many answers, each share is that of one group: the number of answers divided by
 /// this number.
 const GROUPS: usize = 40;
-/// The size, in columns and rows, of a picture over the whole width, and of one in a column.
+/// The sizes, in columns and rows, of a picture across the whole page and of a picture in one of
+/// the two columns.
 const WIDE: Rect = Rect::new(0, 0, 60, 14);
 const NARROW: Rect = Rect::new(0, 0, 40, 14);
 /// The fill of the target range.
@@ -41,8 +42,8 @@ pub(super) fn all(report: &Report) -> Vec<ReportPicture> {
     pictures.into_iter().flatten().collect()
 }
 
-/// The error of each answer and the mean of the last few; if there are many answers, the means of
-/// groups.
+/// The error of each answer and the mean error of the last few answers; if there are many answers,
+/// the mean errors of groups of answers.
 fn errors(report: &Report) -> Option<ReportPicture> {
     let (picture, group) = errors_picture(report.attempts, usize::MAX, WIDE, LOOK)?;
     let words = "Angle error of each answer in degrees, in the order of the answers";
@@ -122,7 +123,7 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
     })
 }
 
-/// The share of right answers among the last few at each confidence level, over time.
+/// The share of right answers among the last few answers at each confidence level, over time.
 fn over_time(report: &Report) -> Option<ReportPicture> {
     // If there are many answers, each share uses more of them, so that the line is smooth.
     let reach = SHARED.max(report.attempts.len() / GROUPS / 10 * 10);

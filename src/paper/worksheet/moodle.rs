@@ -276,8 +276,8 @@ fn size_deg(angle: Option<f64>) -> f64 {
     deg_from_rad(angle.unwrap_or_default().abs())
 }
 
-/// Which of the [`SIDES`] are right for a ray. Straight ahead and straight back are on neither side,
-/// so both are accepted.
+/// For each of the [`SIDES`], whether it is right for a ray. Straight ahead and straight back are
+/// on neither side, so both are accepted.
 fn sides(ray: Ray, angle: Option<f64>) -> [bool; 3] {
     let Some(angle) = angle else {
         return [false, false, true];
@@ -340,13 +340,13 @@ impl KnownAnswer {
     }
 }
 
-/// A number with so many figures that rounding does not affect any tolerance.
+/// A number with enough figures that rounding does not affect any tolerance.
 fn exact(x: f64) -> String {
     figures(x, 5)
 }
 
 impl AnswerField {
-    /// A list of sides, of which some are right.
+    /// A field with a list of sides, some of which are right.
     fn of_sides(sides: &[&str], right: [bool; 3]) -> Self {
         let each = sides.iter().zip(right);
         let known = each

@@ -1,4 +1,5 @@
-//! The wording of the question sheet and the answer key, for both formats.
+//! The wording of the question sheet and the answer key, shared by the HTML and the Markdown
+//! format.
 
 use crate::numbers;
 use crate::quiz::{
@@ -14,7 +15,7 @@ pub(super) const ADVICE: &str = "Predict first, then check: answer every questio
                                  the striker's path. Rims are smooth unless a question says \
                                  otherwise.";
 
-/// The purpose of the answer key.
+/// A sentence on the purpose of the answer key.
 pub(super) const KEY_ADVICE: &str = "For the teacher: each question has its true answer, the \
                                      reason why it is true, and the wrong answers to listen for, \
                                      with the reasoning that probably led to them.";

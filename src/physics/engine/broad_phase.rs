@@ -37,8 +37,8 @@ impl BroadPhase {
     pub(super) fn begin(&mut self, discs: usize) {
         self.boxes.clear();
         self.boxes.resize(discs.div_ceil(2), TwoBoxes::NOWHERE);
-        // There are two additional places, because the last two candidates are written even if they
-        // are ruled out.
+        // There is room for two more, because the last two candidates are written even if they are
+        // ruled out.
         self.partners.resize(discs + 2, 0);
     }
 
@@ -104,7 +104,7 @@ pub(super) struct Scan<'a> {
     pub(super) seeker: &'a Seeker,
     /// The seeker's number.
     pub(super) disc: usize,
-    /// Discs to skip, because they have already been compared with the seeker.
+    /// The discs to skip, because they have already been compared with the seeker.
     pub(super) have_looked: &'a [usize],
     pub(super) bodies: &'a [Body],
     /// The forecast times of all discs, padded to whole blocks.
@@ -195,8 +195,8 @@ impl TwoBoxes {
 /// determine the box.
 #[inline]
 fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
-    // Contacts slightly after the forecast are included. A path without an end is followed for the
-    // longest finite time.
+    // Contacts slightly after the forecast are included. A path without an end is followed up to
+    // the finite time limit.
     let until = (until + SAME_TIME).min(f64::MAX);
     let (a, b) = (body.at(from).position, body.at(until).position);
     let margin = body.radius + MARGIN;
@@ -282,8 +282,8 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    /// The discs are scattered over a board, and every other disc is at rest. The tests use several
-    /// numbers of discs, including odd numbers and one that exceeds the number of bits.
+    /// The discs are scattered over a board, and every other disc is at rest. The numbers of discs
+    /// include odd numbers and one that exceeds the number of bits.
     #[test]
     fn no_disc_that_meets_the_seeker_is_ruled_out() {
         let mut rng = Pcg64::seed_from_u64(7);

@@ -20,7 +20,7 @@ pub(super) const PRESS: f64 = 3e-10;
 /// against each other or stop without an impact. This ends a series of ever smaller impacts.
 const PRESSING_SPEED: f64 = 1e-6;
 
-/// The largest overlap of a pair, in metres.
+/// The largest overlap, in metres, that a pair can reach.
 const DEEPEST: f64 = 9e-10;
 
 /// An approach speed below this fraction of the discs' speeds is considered a rounding error.
@@ -87,7 +87,7 @@ impl Pair {
         let parting = self.d.dot(self.w) / self.contact_distance;
         let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.contact_distance;
         // If a pair starts pressing from rest, its overlap reaches PRESS at twice this speed. An
-        // impact at that point separates the pair fast enough that it no longer counts as gentle.
+        // impact at that point separates the pair so fast that it no longer counts as gentle.
         let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= PRESSING_SPEED;
         let slides = self.a != DVec2::ZERO;
         if (gentle && slides) || parting.abs() <= ROUNDING * speed {

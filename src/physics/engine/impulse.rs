@@ -57,7 +57,7 @@ fn yielding(touch: &Touch, bodies: &[Body]) -> f64 {
     1.0 / bodies[touch.discs[0]].mass + 1.0 / bodies[touch.discs[1]].mass
 }
 
-/// Solves the problem for two contacts by Cramer's rule, which treats both contacts identically,
+/// Solves the problem for two contacts by Cramer's rule, which treats the two contacts identically,
 /// bit for bit.
 fn two_at_once(a: &Touch, b: &Touch, bodies: &[Body]) -> [f64; 2] {
     let (k_a, k_b) = (yielding(a, bodies), yielding(b, bodies));

@@ -53,7 +53,7 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// The shot is played to its end, with at most 200,000 events and a billion tests of a pair,
+    /// The shot is played to its end, with at most 200,000 events and a billion tests of pairs,
     /// which take a few seconds.
     fn default() -> Self {
         Self {

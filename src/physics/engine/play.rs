@@ -117,8 +117,8 @@ impl ShotInPlay<'_> {
         self.broad_phase.expect(i, &self.bodies[i], now, time);
     }
 
-    /// Forecasts the contacts of a disc, both for the disc and for its partners, except for discs
-    /// that have just scanned for this disc.
+    /// Forecasts the contacts of a disc, for the disc itself and for its partners, except contacts
+    /// with discs that have just been compared with it.
     fn forecast_meetings(&mut self, i: usize, now: f64, have_looked: &[usize]) {
         let seeker = Seeker::new(&self.bodies[i], now, self.schedule.time(i));
         let scan = Scan {
@@ -203,7 +203,7 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Starts a disc's motion after an event.
+    /// Starts the next slide of a disc after an event.
     pub(super) fn release(&mut self, disc: usize, time: f64, motion: Motion) {
         let moved = self.bodies[disc].moving;
         self.bodies[disc].launch(time, motion, self.deceleration);

@@ -1,7 +1,7 @@
 //! The first root of a quartic in an interval.
 
-/// The number of times that an interval is halved before the rest counts as a graze without
-/// contact: 2⁻⁵⁰ of the interval.
+/// The number of times that the interval is halved; what is then left, 2⁻⁵⁰ of the interval, counts
+/// as a graze without contact.
 const DEPTH: u32 = 50;
 
 /// The first t in [0, `end`] at which c₀ + c₁t + c₂t² + c₃t³ + c₄t⁴ falls to zero, for c₀ > 0
@@ -113,7 +113,7 @@ mod tests {
         assert!((first_root(c, 10.0).unwrap() - 1.0).abs() < 1e-14);
         assert!((first_root(c, 1.5).unwrap() - 1.0).abs() < 1e-14);
         assert_eq!(first_root(c, 0.9), None);
-        // These have two roots close together, and a graze.
+        // These have two roots close together, or only a graze.
         let close = [1.0 - 1e-12, -2.0, 1.0, 0.0, 0.0];
         assert!((first_root(close, 3.0).unwrap() - (1.0 - 1e-6)).abs() < 1e-9);
         assert_eq!(first_root([1.0, -2.0, 1.0, 0.0, 0.0], 3.0), None);

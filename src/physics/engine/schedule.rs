@@ -4,9 +4,8 @@ use wide::f64x2;
 
 use super::frame::SlideEnd;
 
-/// Contacts that share a disc and are less than this many seconds apart are treated as one event:
-/// in a symmetric break, the contacts on the two sides have times that differ only by rounding
-/// errors.
+/// Contacts that share a disc and occur within this time, in seconds, are treated as one event: in
+/// a symmetric break, the contacts on the two sides have times that differ only by rounding errors.
 pub(super) const SAME_TIME: f64 = 1e-12;
 
 /// The number of discs for which a common earliest time is stored. The discs of a carrom board fit

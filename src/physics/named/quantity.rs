@@ -36,7 +36,7 @@ impl PartialEq for Quantity {
     }
 }
 
-/// A unit of the screen, its decimals, and the factor from SI units.
+/// A unit of the screen, its number of decimal places, and the factor that converts SI units to it.
 struct Unit(&'static str, usize, f64);
 
 const SPEED: Unit = Unit("m/s", 2, 1.0);
@@ -345,7 +345,7 @@ mod tests {
         }
         assert_eq!(of("theta1_deg", "alpha_deg=0"), None);
         assert_eq!(of("v1n", "offset_mm=31"), None);
-        // No angle: 4 · 1 · 99 / 100² is less than a half.
+        // No angle: 4 · 1 · 99 / 100² is less than one half.
         assert_eq!(of("half_energy_deg", "m1_g=1 m2_g=99"), None);
     }
 

@@ -39,7 +39,7 @@ impl StuckPair {
             centre: (at[0].position * m1 + at[1].position * m2) / total,
             velocity,
             arms: [apart * (-m2 / total), apart * (m1 / total)],
-            // A capture's spin is positive clockwise.
+            // The angular velocity in a capture is positive clockwise.
             omega: -turning.spin,
             energy: 0.5 * total * velocity.length_squared() + turning.rotation_energy,
         }

@@ -253,11 +253,12 @@ mod tests {
     use crate::physics::{Disc, Rims};
     use proptest::prelude::*;
 
-    /// The value of a line of working, from left to right: + − × / and brackets.
+    /// The value of a line of working with + − × / and brackets, evaluated from left to right.
     fn calculated(working: &str) -> f64 {
         let plain = working.replace('−', "-").replace(['(', ')'], " ");
         let words: Vec<&str> = plain.split_whitespace().collect();
-        // Two levels: products of a sum. A product in the denominator divides twice.
+        // Each term of the sum is a product. A product in the denominator divides by each of its
+        // factors.
         let (mut sum, mut product, mut sign) = (0.0, f64::NAN, 1.0);
         let mut by = "";
         for word in words {
@@ -337,8 +338,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// The solution of any collision, from dust to rocks, at rest or not, hit or miss, has no
-        /// NaN or infinity and no sign that ASCII cannot express.
+        /// The solution of any collision (light or heavy discs, moving or at rest, hit or miss) has
+        /// no NaN or infinity and no symbol that ASCII cannot express.
         #[test]
         fn every_solution_can_be_read(
             masses in (-15.0..9.0_f64, -15.0..9.0_f64),

@@ -27,9 +27,8 @@ pub(super) fn factor(x: f64, scale: f64) -> String {
     }
 }
 
-/// The factors of a result as they are printed: with four figures, or with as many more as are
-/// needed for the printed factors to give the printed result. A result that is rounding noise
-/// relative to `scale` is 0.
+/// The factors of a result as they are printed: with four figures, or with more if the printed
+/// result cannot be reproduced from four. A result that is rounding noise relative to `scale` is 0.
 pub(super) fn factors<const N: usize>(
     values: [f64; N],
     scale: f64,

@@ -131,7 +131,7 @@ pub(super) fn knowns(c: &Collision) -> [String; 2] {
     ]
 }
 
-/// The energy after the collision in the check, with its rotation.
+/// The energy after the collision, with the energy of rotation, for the check.
 pub(super) fn kept(after: &CollisionOutcome) -> String {
     let moving = number(after.energy_after - after.energy_rotation);
     let turning = number(after.energy_rotation);

@@ -162,8 +162,8 @@ fn two_sliding_discs_meet_at_the_predicted_time() {
 
 #[test]
 fn a_row_of_equal_discs_passes_the_motion_on() {
-    // At e = 1, as many discs leave as arrive: one, two or three, whether they touch or have gaps
-    // between them.
+    // At e = 1, as many discs leave the row as arrive (one, two or three), whether the discs touch
+    // or have gaps between them.
     let board = Board {
         friction: 0.0,
         ..Board::open(1.0)
