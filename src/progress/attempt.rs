@@ -17,7 +17,6 @@ const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
 /// The maximum number of choices in a chapter's question, with room for future versions.
 const MOST_LINES: u64 = 26;
 
-/// Formats figures as a JSON object.
 pub(crate) fn figures_text(figures: &Figures) -> String {
     serde_json::to_string(figures).unwrap_or_default()
 }
@@ -104,8 +103,8 @@ impl Attempt {
         attempt.with_evidence(question, answer)
     }
 
-    /// This attempt with the figures of the question, and with the evidence for misconceptions that
-    /// the answer to the question provides.
+    /// This attempt, with the figures of the question added, and with the evidence for
+    /// misconceptions that the answer provides.
     pub(crate) fn with_evidence(mut self, question: &Question, answer: &Answer) -> Self {
         let clue = Clue::new(question, answer);
         let beliefs = clue.could_show.iter().map(|it| it.id());
@@ -152,7 +151,7 @@ impl Attempt {
             LESSON => lesson_answer_is_possible(answer),
             _ => Form::could_be_kept(answer),
         };
-        // A result is stored even if there is no stored answer.
+        // The result counts even if the answer itself was not stored.
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
@@ -225,8 +224,8 @@ impl Attempt {
     }
 
     /// An upper bound, based on the answer, for the probability that a guess fits a misconception;
-    /// it is used if this probability was not stored. There were at least three choices, and at
-    /// least as many as the stored misconceptions plus the right choice.
+    /// used if the probability itself was not stored. There were at least three choices, and at
+    /// least one for each stored misconception and one that is right.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
         match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,

@@ -3,12 +3,13 @@
 use super::Attempt;
 use crate::quiz::{ChaptersRead, Clue, CourseKind, Evidence, Misconception, Passage, Topic};
 
-/// The number of consecutive answers that settle a misconception, if each could have shown the
-/// misconception but did not.
+/// How many consecutive answers settle a misconception if each of them could have shown it but did
+/// not.
 const SETTLED: usize = 2;
 
 /// A misconception that the answers show, with the evidence from the first half and from the second
-/// half of all attempts. If the number of attempts is odd, the second half has one more.
+/// half of all attempts. If the number of attempts is odd, the second half has one attempt more
+/// than the first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
     /// The misconception.
@@ -162,8 +163,8 @@ mod tests {
     use crate::quiz::figures;
     use serde_json::json;
 
-    /// The misconceptions found from answers about two rays. Each answer could show the given
-    /// misconceptions, and shows the first of them if it is marked `true`. The numbers are, for
+    /// The misconceptions found from answers about two rays. Each answer could have shown the given
+    /// misconceptions, and an answer marked `true` shows the first of them. The numbers are, for
     /// each half, how often the misconception was shown and how often it could have been shown.
     fn trend(answers: &[(&[&str], bool)]) -> Vec<(&'static str, [usize; 4], Trend)> {
         let attempts: Vec<_> = (0..)

@@ -25,7 +25,7 @@ impl Calendar {
         Self { now_s, zone }
     }
 
-    /// Creates a calendar in UTC, for runs that are the same everywhere.
+    /// Creates a calendar in UTC, for runs that must give the same results everywhere.
     pub const fn utc(now_s: Option<i64>) -> Self {
         Self::new(now_s, TimeZone::UTC)
     }

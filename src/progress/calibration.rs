@@ -1,4 +1,4 @@
-//! How well the players' confidence matches their answers.
+//! How well a player's confidence matches the answers.
 
 use super::{Attempt, Tally};
 use crate::quiz::Confidence;
@@ -41,7 +41,7 @@ impl Calibrated {
     }
 }
 
-/// The results for each confidence level, least sure first.
+/// The results for each confidence level, the least sure level first.
 pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     Confidence::ALL.map(|confidence| Calibrated {
         confidence,
@@ -53,7 +53,7 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     })
 }
 
-/// The fraction of right answers over time, for each confidence level, least sure first.
+/// The fraction of right answers over time, for each confidence level, the least sure level first.
 /// Each point has the number of an answer with that level (counted from 1 among all attempts), and
 /// the fraction of right answers among the last `reach` answers with that level. The first point is
 /// at answer [`ENOUGH`].
@@ -74,8 +74,8 @@ pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<
     })
 }
 
-/// A comment of one or two sentences on the confidence level furthest outside its range; in a tie,
-/// on the higher level.
+/// A comment of one or two sentences on the confidence level whose fraction of right answers is
+/// farthest outside its range; in a tie, on the higher level.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
     let gap = |it: &&Calibrated| it.beyond().abs();
     let widest = calibration
@@ -140,7 +140,8 @@ mod tests {
         let mut all: Vec<_> = [false, false, true, true]
             .map(|right| answer(right, sure))
             .into();
-        // An answer without a confidence level is counted only as an attempt.
+        // An answer without a confidence level is counted only as an attempt, not as right or
+        // wrong.
         all.insert(2, answer(true, None));
         let [guess, think_so, sure] = calibration_over_time(&all, 3);
         assert!(guess.is_empty() && think_so.is_empty());

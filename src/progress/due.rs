@@ -14,7 +14,7 @@ pub struct Due {
 }
 
 impl Due {
-    /// The topics due today, according to the answers; there are none if the current time is
+    /// The topics due today, calculated from the answers; there are none if the current time is
     /// unknown.
     pub fn of(attempts: &[Attempt], calendar: &Calendar) -> Self {
         let Some(today) = calendar.today() else {
@@ -40,7 +40,7 @@ impl Due {
         &self.now[..self.now.len().min(Course::REVIEWED)]
     }
 
-    /// The course for a review, if anything is due.
+    /// The course of a review; `None` if nothing is due.
     pub fn course(&self) -> Option<CourseKind> {
         (!self.now.is_empty()).then(|| CourseKind::Review(self.now.clone()))
     }
@@ -61,7 +61,7 @@ mod tests {
 
     const NOW_S: i64 = 1_800_000_000;
 
-    /// A right or wrong answer to the first question of a round, given this many days ago.
+    /// A right or wrong answer to the first question of a round, given `days_ago` days ago.
     fn attempt(code: &str, right: bool, days_ago: i64) -> Attempt {
         let round = Round::of(Code::parse(code).unwrap());
         let question = &round.questions()[0];

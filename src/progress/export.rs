@@ -11,7 +11,7 @@ use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
 
-/// The function that returns the value of a column, as JSON.
+/// A function that returns the value of a column for an attempt, as JSON.
 type ColumnValue = fn(&Attempt) -> Value;
 
 /// The columns, each with its heading and the function for its values.
@@ -32,8 +32,8 @@ const COLUMNS: [(&str, ColumnValue); 14] = [
     ("misconception", |it| it.misconception.as_deref().into()),
 ];
 
-/// The headings of the columns after the [`COLUMNS`] in a table. Their values could be extracted
-/// from the JSON, but users should not have to do that.
+/// The headings of the columns that follow the [`COLUMNS`] in a table. Their values could be
+/// extracted from the JSON in other columns, but users should not have to do that.
 const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
 
 /// The values of [`IN_WORDS`].
@@ -79,8 +79,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     csv_table(heads, &rows)
 }
 
-/// The answer, with its numbers as they were typed. An angle of 30° is stored in radians and would
-/// otherwise be printed as 29.999999999999996.
+/// The answer, with the numbers rounded to what was typed. An angle of 30° is stored in radians and
+/// would otherwise be printed as 29.999999999999996.
 fn tidied(said: &Figures) -> Figures {
     let mut said = said.clone();
     for value in said.values_mut() {

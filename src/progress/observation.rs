@@ -45,10 +45,11 @@ pub enum ObservationPlace {
 const SEEN_DEG: f64 = 10.0;
 /// A prediction can be distinguished from what happened if it is wrong by at least this angle.
 const APART_DEG: f64 = 20.0;
-/// The number of most recent observations that are considered, among those that can show whether a
-/// player sees what they expect.
+/// How many observations are considered: the most recent of those that can show whether a player
+/// sees what they expect.
 const LATEST: usize = 10;
-/// The minimum number of observations closer to the prediction for a report.
+/// The minimum number of observations closer to the prediction before carrom reports that the
+/// player sees what they expect.
 const ENOUGH: usize = 3;
 
 impl Observation {
@@ -57,7 +58,7 @@ impl Observation {
         is_close(&self.seen, &self.truth)
     }
 
-    /// Whether the prediction was right, by the standard for observations.
+    /// Whether the prediction was within the tolerance for observations.
     pub fn was_expected(&self) -> bool {
         is_close(&self.said, &self.truth)
     }
@@ -118,7 +119,7 @@ pub struct ObservationCounts {
 }
 
 impl ObservationCounts {
-    /// The counts of these observations, in which the latest come last.
+    /// The counts for these observations, of which the latest come last.
     pub fn new(observations: &[Observation]) -> Self {
         let all = || observations.iter();
         let count = |is: fn(&Observation) -> bool| all().filter(|it| is(it)).count();
@@ -262,7 +263,7 @@ mod tests {
             for _ in 0..20 {
                 let theta1 = dice.random_range(20.0..70.0);
                 let truth = rays(theta1, 90.0 - theta1);
-                // The most common mistakes: the angles are exchanged, or divided equally.
+                // The most common mistakes: the two angles are swapped, or assumed to be equal.
                 let said = match dice.random_bool(0.5) {
                     true => rays(90.0 - theta1, theta1),
                     false => rays(45.0, 45.0),

@@ -162,7 +162,7 @@ mod tests {
             .map(|it| it.misconception)
             .collect();
         assert_eq!(named, [Misconception::HalfAndHalf]);
-        // A single ray is not evidence.
+        // A single ray is not evidence for a misconception.
         assert!(beliefs(&[wrong(1, Some(Ray::Target)), wrong(2, Some(Ray::Target))]).is_empty());
     }
 

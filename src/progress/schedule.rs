@@ -2,7 +2,7 @@
 //!
 //! The schedule is by topic, not by family: a topic is what a person can know and forget, and
 //! several families ask about the same topic in different ways. A question from another family
-//! shows whether the player has understood the idea rather than only one kind of question. A review
+//! shows whether the player has understood the idea rather than just one kind of question. A review
 //! has one question about each topic that is due.
 //!
 //! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. The topic is due that many
@@ -22,7 +22,7 @@
 //! answered correctly twice when due.
 //!
 //! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
-//! rest, and an answer that requires some effort has the greatest effect.
+//! wait, and an answer that requires some effort has the greatest effect.
 
 use indexmap::IndexMap;
 use jiff::ToSpan;
@@ -42,8 +42,8 @@ pub struct Review {
     pub family: String,
     /// The topic, as in [`Attempt::topic`].
     pub topic: String,
-    /// The topic's step n on the ladder, from 0: the topic rests for 2ⁿ days. `None` if the topic
-    /// is off the ladder.
+    /// The topic's step n on the ladder, from 0: the next review is 2ⁿ days later. `None` if the
+    /// topic is off the ladder.
     pub step: Option<u32>,
     /// The first day on which the topic is due.
     pub due: Date,

@@ -30,9 +30,9 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The points of the round, which are the sum of the points of its questions, each rounded to a
-    /// tenth as shown. The sum may be negative: otherwise a wrong "sure" would cost nothing at 0
-    /// points, and honest answers would not pay off.
+    /// The points of the round: the sum of the points of its questions, each rounded to a tenth, as
+    /// shown. The sum may be negative: otherwise a wrong "sure" would cost nothing once the sum is
+    /// 0, and honest answers would not pay off.
     pub fn points(&self) -> f64 {
         // Adding 0 turns −0, the sum of an empty list, into 0.
         let tenths = |it: &Attempt| (10.0 * it.earned()).round();
@@ -148,7 +148,7 @@ impl<'a> Summary<'a> {
         let first = *self.named().first()?;
         let name = first.misconception.name();
         Some(format!(
-            "It showed in {first} answers that could show it: {name}."
+            "It showed in {first} answers that could have shown it: {name}."
         ))
     }
 
@@ -234,10 +234,10 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next. This is the page that explains the misconception with the strongest
-    /// evidence, in the simplest case in which it showed. If there is no misconception, it is the
-    /// first page, in the order of the chapters, that teaches a missed topic; topics missed with
-    /// "sure" come first. `None` if nothing was missed.
+    /// The page to read next: the page that explains the misconception with the strongest evidence,
+    /// in the simplest case in which it showed. If there is no misconception, it is the first page,
+    /// in the order of the chapters, that teaches a missed topic; topics missed with "sure" come
+    /// first. `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
             let shows = |it: &&Attempt| it.shows() == Some(misconception);
@@ -283,7 +283,7 @@ mod tests {
         direction_deg: 0.0,
     };
 
-    /// A summary of answers that are right (`true`) or wrong.
+    /// A summary of answers, each with its confidence, that are right (`true`) or wrong.
     fn summary(answers: &[(Confidence, bool)]) -> Summary<'static> {
         let (code, question) = (Code::hits(7), Question::from(&HIT));
         let attempt = |(number, (confidence, right)): (u32, &(Confidence, bool))| {

@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 
 use super::{Attempt, Tally};
 
-/// The number of recent attempts that determine how well a topic is known.
+/// The number of most recent attempts that determine how well a topic is known.
 pub(crate) const LATELY: usize = 5;
 
 /// A topic and the attempts at this topic.

@@ -1,4 +1,5 @@
-//! The player's next step, as several screens show it, with the reason and the progress so far.
+//! The player's next step, the reason for it, and the progress so far, as several screens show
+//! them.
 
 use super::recall::Recall;
 use super::{Context, Next, Route};
@@ -46,7 +47,7 @@ impl Ahead {
         }
     }
 
-    /// Requests the record again, after the player has done something.
+    /// Requests the record again, because the player has done something.
     pub(super) fn ask_again(&mut self, cx: &mut Context) {
         let fresh = Self::ask(cx);
         match fresh.player == self.player {
@@ -127,7 +128,7 @@ impl Ahead {
 /// The route that a step opens.
 fn route(step: &Step, cx: &mut Context) -> Route {
     if let Step::FindOut = step {
-        // The screen for choosing a round explains it before it begins.
+        // The screen for choosing a round explains the round before it begins.
         return Route::Quiz { code: None };
     }
     if let Some(kind) = step.round() {

@@ -157,7 +157,7 @@ impl Context {
         self.ask(StoreRequest::Observe(Box::new(observation)));
     }
 
-    /// Requests that this text be written to a file with this name.
+    /// Requests that `content` be written to a file called `name`.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
     }

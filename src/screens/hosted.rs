@@ -102,7 +102,7 @@ pub trait AnyScreen {
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
-/// The smallest number of rows at which an inset draws the two discs of a collision as circles.
+/// The smallest number of rows with which an inset draws the two discs of a collision as circles.
 const INSET_ROWS: u16 = 5;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
@@ -115,7 +115,7 @@ pub struct Hosted<S: Screen> {
     scrolled: Vec<Scrolled>,
 }
 
-/// How far the player has scrolled a panel.
+/// How far the player has scrolled a panel, in rows.
 struct Scrolled {
     /// The panel's title and subject.
     of: (String, usize),
@@ -269,7 +269,8 @@ impl<S: Screen> Hosted<S> {
         Next::Stay
     }
 
-    /// Forgets the scroll positions of panels that are no longer shown, unless they stay.
+    /// Forgets the scroll positions of panels that are no longer shown, except those that are to be
+    /// remembered.
     fn settle(&mut self, cx: &Context) {
         if self.scrolled.is_empty() {
             return;

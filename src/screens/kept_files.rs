@@ -1,4 +1,4 @@
-//! A list of saved files, the newest first. Each can be opened or deleted.
+//! A list of saved files, the newest first, each of which can be opened or deleted.
 
 use strum::{EnumMessage, IntoStaticStr};
 

@@ -13,7 +13,7 @@ pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
     })
 }
 
-/// Writes the name of the page, with `action` to open it.
+/// Writes the name of the page; `action` opens the page.
 pub(in crate::screens) fn write<A>(
     passage: Option<Passage>,
     book: &Book,

@@ -1,4 +1,4 @@
-//! Checks whether anything gives the right choices away, and whether the style is uniform.
+//! Checks that nothing gives the right choices away, and that the style is uniform.
 
 use std::collections::BTreeMap;
 
@@ -71,7 +71,7 @@ impl Concept {
         faults
     }
 
-    /// Returns a message if its length alone gives the right choice away.
+    /// Returns a message if the right choice can be recognized by its length alone.
     fn stands_out(&self) -> Option<String> {
         let (by, factor) = STANDING_OUT;
         let [right, least, most] = self.letters();
@@ -187,7 +187,7 @@ fn words(concepts: &[Concept]) -> Vec<String> {
     faults
 }
 
-/// The figures of two choices that are otherwise identical.
+/// The figures in two choices whose texts are otherwise identical.
 fn figures(a: &str, b: &str) -> Option<[f64; 2]> {
     let figure = |c: char| c.is_ascii_digit() || c == '.';
     let only = |text: &str| {

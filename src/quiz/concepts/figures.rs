@@ -1,4 +1,4 @@
-//! The figures in a text, calculated from the question's own hit.
+//! Replaces the placeholders in a text by figures calculated from the question's own hit.
 
 use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;

@@ -48,7 +48,7 @@ impl FileLibrary for Library {
 }
 
 impl Library {
-    /// Adds the questions in a file about this subject, given the bytes of the file.
+    /// Adds the questions in the file `name`, which is about `subject` and contains `bytes`.
     pub fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) {
         let subject = escape_control(subject, LONGEST_SUBJECT);
         let added = self.add_all(&subject, name, bytes);

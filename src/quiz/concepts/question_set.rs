@@ -1,4 +1,4 @@
-//! A set: questions that a teacher has put together.
+//! A set of questions that a teacher has put together.
 
 use super::Concept;
 use crate::quiz::question::Question;
@@ -20,10 +20,10 @@ pub struct QuestionSet {
 pub struct ChosenQuestion {
     /// The question.
     pub question: Question,
-    /// The source of the question: "speeds-7, question 3", or the id of a question in words.
+    /// Where the question comes from: "speeds-7, question 3", or the id of a question in words.
     pub source: String,
     /// The reason why the question is in the set.
     pub reason: Option<String>,
-    /// The question in words that was chosen by its id.
+    /// The question in words, if the question was chosen by an id.
     pub(in crate::quiz) concept: Option<Concept>,
 }

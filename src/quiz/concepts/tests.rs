@@ -113,8 +113,8 @@ fn nothing_gives_a_right_choice_away_and_the_style_is_uniform() {
     }
 }
 
-/// The faults found in the first `count` built-in questions after changing each of them in this
-/// way.
+/// The faults found in the first `count` built-in questions after `change` has been applied to each
+/// of them.
 fn spoilt(count: usize, change: impl Fn(&mut Concept)) -> Vec<String> {
     let mut concepts: Vec<Concept> = all()[..count].to_vec();
     concepts.iter_mut().for_each(change);
@@ -200,7 +200,7 @@ fn figures_typed_in_texts_are_correct() {
     let mut beyond = Constant::named("rutherford_beyond").unwrap();
     beyond.set("angle_deg", "90").unwrap();
     assert!(beyond.value().unwrap() < 1e-5);
-    // sixty-to-ninety: the result if the angle is not halved.
+    // sixty-to-ninety: the ratio if the angles are not halved.
     assert!(((1.0 / 60.0_f64.to_radians().sin()).powi(4) - 1.78).abs() < 0.005);
     // came-square: 90° before and 90° after.
     let came = with_id("came-square").unwrap().hit.unwrap();

@@ -70,7 +70,7 @@ impl MovingPair {
         })
     }
 
-    /// A question about this pair, including the given sentence about where the discs meet.
+    /// A question about this pair; `place` is a sentence on where the discs meet.
     fn outline(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
             0 => "ahead of it in the same direction".into(),

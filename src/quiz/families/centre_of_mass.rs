@@ -38,7 +38,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// The impact angle, with as many digits as calculating Θ = 180° − 2α requires.
+/// The impact angle, with enough digits for the printed value to give Θ = 180° − 2α as printed.
 fn shown(alpha: f64) -> Intermediate {
     Intermediate::angle(alpha, |alpha| degrees(PI - 2.0 * alpha))
 }

@@ -18,7 +18,7 @@ fn any(family: Family, difficulty: Difficulty, dice: &mut Dice) -> Option<Questi
     question(dice.pick(&concepts)?, dice)
 }
 
-/// The question for a concept, with its choices shuffled unless they have a natural order.
+/// The question of a concept, with its choices shuffled unless they have a natural order.
 pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
     let picture = match concept.hit {
         Some(collision) => Illustration::before(collision, Markings::default()),

@@ -13,8 +13,8 @@ pub(super) const ALL: &[Pieces] = &[Pieces::Equal, Pieces::Tournament, Pieces::M
 
 pub(super) const NO_LOSS: &[f64] = &[1.0];
 
-/// The values from which a hit on a target at rest is drawn: sets of pieces; the range of impact
-/// angles in degrees, which are multiples of five; and values of e.
+/// The values from which a hit on a target at rest is drawn: sets of pieces, a range of impact
+/// angles in degrees (the angles are multiples of five), and values of e.
 pub(super) struct HitDraws<'a>(
     pub(super) &'a [Pieces],
     pub(super) RangeInclusive<u32>,
@@ -107,7 +107,7 @@ pub(super) fn in_degrees(deg: impl Into<f64>) -> String {
     Measure::Angle.print(deg.into())
 }
 
-/// A number as the player reads it, which means rounded as printed.
+/// A number as the player reads it: rounded as it is printed.
 pub(super) fn read_off(x: f64) -> f64 {
     Intermediate::new(x, |_| ()).value
 }

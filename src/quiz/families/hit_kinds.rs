@@ -116,7 +116,7 @@ fn at_angle(alpha_deg: u32) -> ImpactPoint {
     ImpactPoint::Angle { alpha_deg }
 }
 
-/// Offsets in steps of a tenth of a millimetre.
+/// Offsets in millimetres, in steps of a tenth.
 fn offsets(pieces: Pieces) -> Vec<ImpactPoint> {
     let tenths = 10.0 * plain(pieces, at_angle(0), 1.0).reach_mm();
     let offset = |tenths| ImpactPoint::Offset {
@@ -153,7 +153,7 @@ fn mirrored(given: ImpactPoint) -> ImpactPoint {
     }
 }
 
-/// Whether two hits differ only in their side, speed and direction.
+/// Whether two hits are the same apart from their side, speed and direction.
 fn same_hit(a: &Hit, b: &Hit) -> bool {
     let close = |x: f64, y: f64| (x - y).abs() < 1e-9;
     a.pieces == b.pieces

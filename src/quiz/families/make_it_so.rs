@@ -4,7 +4,7 @@ use super::prelude::*;
 use crate::physics::units::m_from_mm;
 use crate::quiz::question::{AimTask, Ray, Topic};
 
-/// Strikers that are light enough to be deflected by any angle.
+/// Sets of pieces whose striker is light enough to be deflected by any angle.
 const LIGHT: [Pieces; 3] = [
     Pieces::Marbles,
     Pieces::Own {
@@ -120,8 +120,8 @@ impl ShotTask {
                 theta = bare_degrees(wanted),
             )
         };
-        // Both wrong answers need an angle below 90°: for larger angles no offset corresponds to
-        // them.
+        // Both wrong answers exist only for an angle below 90°; for larger angles no offset
+        // corresponds to them.
         let across = self.wanted_deg < 90.0;
         let if_so = |so: bool, offset_mm: f64| so.then_some(self.at(offset_mm));
         self.asks(Ray::Striker, alpha)
@@ -169,7 +169,7 @@ impl ShotTask {
         )
     }
 
-    /// The impact angle, with as many digits as calculating its offset requires.
+    /// The impact angle, with enough digits for the printed value to give the printed offset.
     fn shown(&self, alpha: f64) -> Intermediate {
         let reach_mm = self.hit.reach_mm();
         Intermediate::angle(alpha, |alpha| significant(reach_mm * alpha.sin()))

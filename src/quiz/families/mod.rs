@@ -3,8 +3,8 @@
 //! A family draws random numbers and builds a whole [`Question`] from them: the text, the picture,
 //! the right answer, the answer that each misconception leads to, and the explanation. A family
 //! need not check whether the answers are clearly different: [`Family::ask`] draws again until they
-//! are. To add a family, add a file and a row in the table below; list the family's topics in the
-//! table of topics.
+//! are. To add a family, add a file, and a row in the table below; then list the family's topics in
+//! the table of topics.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question};
 

@@ -82,13 +82,13 @@ impl Outline {
         self.figure("asked", id).topic(topic)
     }
 
-    /// Adds a value that defines the question, to be stored with its answers.
+    /// Adds a value that defines the question and is stored with each answer.
     pub(super) fn figure(mut self, name: &str, value: impl Into<Value>) -> Self {
         self.question.figures.insert(name.into(), value.into());
         self
     }
 
-    /// Sets the answer to this number.
+    /// Makes this number the right answer.
     pub(super) fn number(mut self, quantity: Measure, truth: f64) -> Self {
         self.question.form = Form::Number { quantity, truth };
         self
@@ -100,7 +100,7 @@ impl Outline {
         self
     }
 
-    /// Makes the answer a choice among these texts; `right` is the index of the right text.
+    /// Makes the question a choice among these texts; `right` is the index of the right one.
     pub(super) fn options<T: Into<String>>(
         mut self,
         options: impl IntoIterator<Item = T>,
@@ -182,7 +182,7 @@ impl Outline {
     /// Adds the explanation and completes the question, without any wrong answers that cannot be
     /// given or happen to be right.
     pub(super) fn why(self, why: impl Into<String>) -> Option<Question> {
-        /// The largest difference that can be caused by rounding alone.
+        /// The largest difference between two numbers that can be caused by rounding alone.
         const SAME: f64 = 1e-6;
         let mut question = self.question;
         question.why = why.into();

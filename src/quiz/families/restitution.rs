@@ -112,7 +112,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// Draws a collision with a loss after which the paths are at right angles.
+/// Draws a collision that loses energy and after which the paths are at right angles.
 fn square(dice: &mut Dice) -> Option<Hit> {
     let (m1_g, m2_g, e_tenths) = *dice.pick(&SQUARE.concat())?;
     let e = f64::from(e_tenths) / 10.0;

@@ -23,7 +23,7 @@ struct FoilBeam {
 }
 
 impl FoilBeam {
-    /// A question about this beam, with this picture beside it.
+    /// A question about this beam, with `picture` beside it.
     fn outline(&self, picture: Illustration) -> Outline {
         let text = format!("α-particles hit a thin {} foil.", self.foil);
         Outline::new(text, picture)

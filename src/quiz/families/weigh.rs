@@ -59,7 +59,8 @@ impl SeenHit {
         })
     }
 
-    /// A question about the observed angles, with this name for the striker.
+    /// A question about the observed angles; its text begins with `striker`, the name of the
+    /// striker.
     fn outline(&self, striker: &str) -> Outline {
         let text = format!(
             "{striker} hit a coin at rest. {}",

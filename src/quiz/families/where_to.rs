@@ -115,7 +115,7 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
         .collect()
 }
 
-/// All the figures that define a hit.
+/// All figures that define a hit.
 pub(super) fn figures(hit: &Hit) -> Figures {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
     let [m1_g, m2_g] = hit.masses_g();

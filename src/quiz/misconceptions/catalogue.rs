@@ -20,8 +20,8 @@ struct Description {
 }
 
 /// A page that corrects a misconception in questions about these topics. "centre-of-mass/turn"
-/// stands for questions that ask for the turn, and "target-speed/unequal" for questions with
-/// unequal masses.
+/// stands for the questions on the topic "centre-of-mass" that ask for Θ ("turn"), and
+/// "target-speed/unequal" for the questions on "target-speed" with unequal masses.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Elsewhere {

@@ -38,7 +38,7 @@ pub struct Clue {
 }
 
 impl Clue {
-    /// The evidence of an answer to a question.
+    /// The evidence that an answer to a question gives.
     pub fn new(question: &Question, answer: &Answer) -> Self {
         Self::of(question, answer, |belief| Some(belief.misconception))
     }

@@ -15,7 +15,7 @@ pub const OF_RAYS: [Misconception; 13] = *Misconception::ALL
 /// A prediction that differs from the truth by less than this, in radians, counts as right.
 const SAME: f64 = 1e-9;
 
-/// The rays that a misconception predicts, and the ray that reveals the misconception by itself;
+/// The rays that a misconception predicts, and which of them reveals the misconception by itself;
 /// `None` if only both rays together reveal it.
 type Prediction = (Rays, Option<Ray>);
 

@@ -64,7 +64,8 @@ fn rough(collision: &Collision) -> String {
     )
 }
 
-/// Explains where two moving discs go, with the numbers of the collision.
+/// Explains where two discs go if both move before the collision, with the numbers of the
+/// collision.
 fn both_moving(collision: &Collision) -> String {
     let outcome = collision.outcome();
     let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {

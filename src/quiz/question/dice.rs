@@ -3,10 +3,10 @@
 use rand::Rng;
 use rand_pcg::Pcg32;
 
-/// The stream of the generator, on which the codes of rounds depend.
+/// The generator's stream number, on which the codes of rounds depend.
 const STREAM: u64 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Random choices that are determined by a seed and are the same on every machine.
+/// A source of random choices that are determined by a seed and are the same on every machine.
 ///
 /// The generator is PCG-XSH-RR 64/32 ("PCG32"; M. E. O'Neill, 2014), started with the seed as its
 /// state and with a fixed stream. Neither seeding nor choosing is left to a library, which may
@@ -71,7 +71,7 @@ mod tests {
         for _ in 0..60_000 {
             counts[dice.below(6) as usize] += 1;
         }
-        // Five standard deviations on either side of 10,000.
+        // The count may deviate from 10,000 by five standard deviations.
         assert!(
             counts.iter().all(|n| (9_540..10_460).contains(n)),
             "{counts:?}"

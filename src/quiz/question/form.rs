@@ -83,7 +83,7 @@ impl AimTask {
 }
 
 impl Form {
-    /// Whether an answer is of the kind that the form requires and is in range.
+    /// Whether an answer is of the kind that the form requires, and is in range.
     ///
     /// Answers come from devices, files and databases that anybody can change. Each is checked here
     /// before it is used, so that later code can rely on it.
@@ -156,7 +156,7 @@ impl Form {
         }
     }
 
-    /// The difference between two answers in units of the largest tolerance: see
+    /// The distance between two answers in units of the largest tolerance: see
     /// [`Measure::spacing`].
     pub(crate) fn spacing(&self, a: &Response, b: &Response) -> f64 {
         let angle = |angle: f64| deg_from_rad(angle) / RIGHT_DEG;

@@ -130,7 +130,7 @@ impl Hit {
     }
 
     /// The beginning of the first sentence: "A striker of 15.0 g hits a coin of 5.50 g at rest",
-    /// with this name for the striker and this verb.
+    /// where `striker` is the name of the striker and `does` the verb.
     pub(in crate::quiz) fn who(&self, striker: &str, does: &str) -> String {
         let [m1, m2] = self.masses_g().map(significant);
         let name = self.pieces.target_name();

@@ -9,7 +9,7 @@ use crate::physics::units::mm_from_m;
 /// round.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
-/// The maximum number of characters in a choice. At present questions have at most 90; this leaves
+/// The maximum number of characters in a choice. At present the longest choice has 90; the rest is
 /// room for future questions.
 const LONGEST_CHOICE: usize = 400;
 
@@ -24,8 +24,8 @@ impl Form {
         })
     }
 
-    /// Whether a stored answer could be accepted by some form, because it is of a known kind and in
-    /// range, as in [`Form::accepts`].
+    /// Whether some form could accept a stored answer, which must be of a known kind and in range
+    /// as for [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;

@@ -122,7 +122,7 @@ impl Measure {
     }
 
     /// The largest error with which a number counts as `truth`. If the ratio counts, this is the
-    /// error upwards, which is the larger one.
+    /// upward error, which is larger than the downward one.
     pub(crate) fn tolerance(&self, truth: f64) -> f64 {
         let largest = match self {
             Self::Angle => RIGHT_DEG,

@@ -16,8 +16,7 @@ pub enum Misconception {
     HalfAndHalf,
     /// The angles of striker and target are swapped.
     Swapped,
-    /// The heavier disc is assumed to move on, or to stay at rest, as if there had been no
-    /// collision.
+    /// The heavier disc is assumed to move on, or to stay at rest, as if there were no collision.
     HeavyUnmoved,
     /// The striker is assumed to keep its direction, although it is not the heavier one
     /// (otherwise this is [`HeavyUnmoved`](Self::HeavyUnmoved)).
@@ -37,7 +36,7 @@ pub enum Misconception {
     Lossless,
     /// The striker is assumed to stop in a head-on collision, as it does with equal masses.
     AlwaysStops,
-    /// Momenta of different directions are added as plain numbers.
+    /// Momenta in different directions are added as plain numbers.
     ScalarMomentum,
     /// The final speeds are assumed to add up to the original speed.
     SpeedsAdd,
@@ -51,7 +50,7 @@ pub enum Misconception {
     MomentumAsEnergy,
     /// Kinetic energy is given a direction and components.
     EnergyComponents,
-    /// Bodies that stay together are assumed to exert the larger impulse.
+    /// Bodies that stay together are assumed to exert a larger impulse than bodies that rebound.
     StickingHitsHarder,
     /// The forces of the two discs on each other are assumed to differ.
     HeavierPushesHarder,
@@ -69,9 +68,9 @@ pub enum Misconception {
     EveryAngleAlike,
     /// A ratio is inverted, or the two masses are swapped in a formula.
     UpsideDown,
-    /// A heavier striker is assumed to rebound, and a lighter striker to move on.
+    /// A heavier striker is assumed to rebound, and a lighter one to follow the target.
     HeavyRebounds,
-    /// The larger angle is assumed to have the larger count.
+    /// More particles are expected at the larger of two angles.
     CountsReversed,
     /// An inverse proportion is assumed to be a direct proportion.
     DirectForInverse,
@@ -95,12 +94,13 @@ pub enum Misconception {
     FrameReversed,
     /// The centre of mass is assumed to be halfway between the discs, whatever the masses.
     HalfwayCentre,
-    /// The right angle is expected in the laboratory frame, even though both discs are moving.
+    /// The right angle is assumed to hold in the laboratory frame, even though both discs are
+    /// moving.
     SquareOnTheGround,
     /// The whole angle is used instead of half the angle.
     HalfAngleForgotten,
-    /// The count is assumed to fall too slowly with the angle: with the second power instead of the
-    /// fourth.
+    /// The count is assumed to decrease too slowly with the angle: with the second power of
+    /// sin(Θ/2) instead of the fourth.
     TooGentle,
     /// It is assumed that nothing heavy or fast ever bounces back.
     NeverBack,
@@ -127,18 +127,18 @@ pub enum Misconception {
     LossByFrame,
     /// The reduced mass is assumed to be between the two masses.
     ReducedAsMean,
-    /// The belief that friction only slows things down and never changes a direction.
+    /// Friction is assumed only to slow things down and never to change a direction.
     FrictionOnlySlows,
-    /// Discs without spin are taken to leave without spin.
+    /// Discs that do not spin before the collision are assumed not to spin afterwards.
     NoSpinFromRest,
-    /// A careful measurement is taken to give the true value.
+    /// A careful measurement is assumed to give the true value.
     CarefulIsExact,
-    /// A measured value that differs from the expected one is taken to disprove it, whatever the
-    /// uncertainty.
+    /// A measured value that differs from the expected value is assumed to disprove it, whatever
+    /// the uncertainty.
     AnyDifferenceDisproves,
-    /// More points are expected to remove an error that all points share.
+    /// More points are assumed to remove an error that all points share.
     FramesCureScale,
-    /// A wrong scale is expected to change angles and ratios, too.
+    /// A wrong scale is assumed to change angles and ratios, too.
     ScaleTurnsAngles,
 }
 
@@ -146,8 +146,8 @@ impl Misconception {
     /// All misconceptions.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// The most common misconceptions, for which the round that finds out what a student believes
-    /// tests first.
+    /// The most common misconceptions. The round that finds out what a student believes tests for
+    /// these first.
     pub const COMMON: [Self; 7] = [
         Self::CopiedAngle,
         Self::AlwaysSquare,

@@ -10,7 +10,7 @@ use super::{
 };
 
 /// Answers that are closer to each other than this, in units of the largest tolerance, cannot be
-/// told apart. The value is more than 2, so that no answer fits two of them.
+/// told apart. The value is more than 2, so no answer can fit two answers that are this far apart.
 pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
@@ -73,7 +73,7 @@ impl WrongAnswer {
 pub struct Diagnosis {
     /// The misconception.
     pub misconception: Misconception,
-    /// How much of the answer fits this misconception.
+    /// How much of the player's answer fits this misconception.
     pub fit: Fit,
 }
 
@@ -96,9 +96,8 @@ impl Question {
         }
     }
 
-    /// The smallest distance between any two of the following: the right answer and the answers
-    /// that misconceptions lead to. The distance is in units of the largest tolerance. Choices are
-    /// 0 or infinitely far apart.
+    /// The smallest distance, in units of the largest tolerance, between any two of these answers:
+    /// the right one and those that misconceptions lead to. Choices are 0 or infinitely far apart.
     pub fn clearance(&self) -> f64 {
         let held = self.beliefs.iter().map(|belief| belief.said);
         let answers: Vec<Response> = held.chain([self.form.truth()]).collect();
@@ -177,7 +176,8 @@ impl Question {
         }
     }
 
-    /// How well `said` fits the answer of a misconception, and the distance between the two.
+    /// How much of `said` fits the answer of a misconception, and the distance between the two
+    /// answers.
     fn fit(&self, belief: &WrongAnswer, said: &Response) -> Option<(Fit, f64)> {
         let distance = self.form.distance(said, &belief.said);
         if distance <= 1.0 {

@@ -62,7 +62,7 @@ pub struct Rays {
 }
 
 impl Rays {
-    /// The largest angle by which a ray can be turned in either direction, in degrees.
+    /// The largest angle, in degrees, by which a ray can be turned to either side.
     pub(crate) const FURTHEST_DEG: f64 = 180.0;
 
     /// Creates rays for two moving discs, given these angles in radians.
@@ -103,8 +103,8 @@ impl Rays {
         })
     }
 
-    /// Both directions in words, as seen along the striker's path, with this name for the target:
-    /// "striker 60.0° left, coin 30.0° right".
+    /// Both directions in words, as seen along the striker's path, where `target` is the name of
+    /// the target: "striker 60.0° left, coin 30.0° right".
     pub fn words(&self, target: &str) -> String {
         let [striker, other] = Ray::BOTH.map(|ray| ray.words(self.get(ray)));
         format!("striker {striker}, {target} {other}")
@@ -132,7 +132,7 @@ impl Rays {
     }
 
     /// The larger of the two [angles between corresponding rays](Self::apart); infinite if a disc
-    /// moves in one of them and stays still in the other.
+    /// moves in one prediction and stays still in the other.
     pub fn gap(&self, other: &Self) -> f64 {
         Ray::BOTH
             .map(|ray| self.apart(other, ray).unwrap_or(f64::INFINITY))

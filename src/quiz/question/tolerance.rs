@@ -9,7 +9,7 @@ pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
 /// of 90°, or a tenth of the range in which people guess, which spans a factor of two.
 pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
 
-/// The relative error that results from converting between two units.
+/// The largest relative error that a conversion between two units can cause.
 pub(super) const ROUNDING: f64 = 1e-9;
 
 /// Whether a number is in a range, or beyond the range by no more than the rounding error of a unit

@@ -1,4 +1,4 @@
-//! Rounds that ask only about chapters that the player has read.
+//! Rounds that ask only about what the player has read about in the chapters.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -50,8 +50,8 @@ impl ChaptersRead {
         found.unwrap_or(LETTERS.len())
     }
 
-    /// The set of chapters for the letters in a code; `None` if there are no letters or the letters
-    /// are not in order.
+    /// The set of chapters for the letters in a code; `None` if there are no letters or if they are
+    /// not in alphabetical order.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;
         (chapters.to_string() == letters).then_some(chapters)
@@ -70,8 +70,8 @@ impl ChaptersRead {
         ids.flat_map(|(_, id)| Topic::taught_in(id))
     }
 
-    /// At most this many questions about the topics that these chapters teach. Every topic comes
-    /// once before any topic is repeated, and easy questions come first.
+    /// At most `count` questions about the topics that these chapters teach. Every topic comes once
+    /// before any topic is repeated, and easy questions come first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
         let mut questions = review::in_turn(&topics, count, Topic::families_in_codes, dice);

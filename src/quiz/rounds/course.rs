@@ -14,7 +14,7 @@ use crate::quiz::question::{Family, Misconception, Topic};
 /// codes.
 const PERSONAL: [&str; 2] = ["review", "met"];
 
-/// The prefix before the letters of chapters in codes.
+/// The prefix before the chapters' letters in a code.
 const READ: &str = "read";
 
 /// The definition of a round.
@@ -165,8 +165,8 @@ impl Course {
         Self { kind, count }
     }
 
-    /// Creates a course of this many questions, clamped to the range from 1 to [`Course::MOST`];
-    /// ten hits are always ten, a review has one question per topic, and a set has all of its
+    /// Creates a course of `count` questions, clamped to the range from 1 to [`Course::MOST`]; ten
+    /// hits are always ten, a review has one question per topic, and a set has all of its
     /// questions.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
@@ -267,7 +267,7 @@ impl Code {
                 let fixed = kind == CourseKind::Hits;
                 let course = (count.parse().ok())
                     .map(|count| (count, Course::of(kind, count)))
-                    // A code is invalid if its count would be clamped.
+                    // A code is invalid if its number of questions would be clamped.
                     .filter(|(count, course)| course.count == *count);
                 let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
                 course.ok_or(no_count)?.1
@@ -316,10 +316,9 @@ impl Code {
         }
     }
 
-    /// The code with a teacher's own questions or their set, if it requires them.
+    /// The code with a teacher's own questions or set added, if the code requires them.
     ///
-    /// # Errors
-    /// Returns the reason in words if the code requires such questions but there are none.
+    /// # Errors Returns the reason in words if the code requires such questions but there are none.
     pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
         if let CourseKind::Own(library) = &mut self.course.kind {
             if own.concepts.is_empty() {

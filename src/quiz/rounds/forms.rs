@@ -9,12 +9,12 @@ use crate::quiz::question::{
 
 /// How many questions are drawn in search of one that is parallel to another.
 const DRAWS: usize = 1500;
-/// How many questions are tried until one has a parallel question.
+/// How many questions are tried in search of one that has a parallel question.
 const TRIES: usize = 30;
 
-/// The questions of both forms. They are mixed, so that every common misconception is tested. Only
-/// families whose questions have numbers are included, because most of their questions have many
-/// parallel ones.
+/// The questions of both forms. The questions are mixed, so that every common misconception is
+/// tested. Only families whose questions have numbers are included, because most of their questions
+/// have many parallel ones.
 pub(super) fn pairs(families: &[Family], count: usize, dice: &mut Dice) -> [Vec<Question>; 2] {
     let mut families = families.to_vec();
     families.retain(|family| *family != Family::Concept);
@@ -103,7 +103,7 @@ fn on_one_side(answer: Response) -> Response {
     }
 }
 
-/// The misconceptions that a question can show, as codes count them.
+/// The misconceptions that a question can show, counted as in the codes of rounds.
 fn held(question: &Question) -> Vec<&'static str> {
     let held = question.beliefs.iter().filter_map(|it| it.in_codes());
     let mut held: Vec<_> = held.map(Misconception::id).collect();

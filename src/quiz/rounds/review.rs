@@ -6,7 +6,7 @@ use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
-/// This many questions about these topics. Every topic comes once before any topic is repeated, and
+/// `count` questions about these topics. Every topic comes once before any topic is repeated, and
 /// easy questions come first.
 pub(super) fn in_turn(
     topics: &[Topic],

@@ -21,7 +21,8 @@ const REASON: usize = 400;
 /// The fields of a question.
 const FIELDS: [&str; 4] = ["code", "number", "id", "reason"];
 
-/// The questions of the rounds that a set has named so far, by their codes.
+/// The questions of the rounds from which the set has taken questions so far, by the codes of the
+/// rounds.
 type Rounds = HashMap<String, Vec<Question>>;
 
 impl QuestionSet {
@@ -69,7 +70,8 @@ impl QuestionSet {
 }
 
 impl Library {
-    /// Adds the set in this file. Its questions in words may be in this library.
+    /// Adds the set in this file. The questions in words that it names by id may be in this
+    /// library.
     ///
     /// # Errors
     /// Returns all errors in the file.
@@ -112,7 +114,7 @@ fn chosen(fields: &Fields, own: &Library, rounds: &mut Rounds) -> Option<ChosenQ
     })
 }
 
-/// A question, its source, and the question in words that was chosen by its id.
+/// A question, its source, and, if it was chosen by an id, the question in words with that id.
 type Found = (Question, String, Option<concepts::Concept>);
 
 /// A question of a built-in round.

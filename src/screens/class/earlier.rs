@@ -16,7 +16,7 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, SplitLayout, text};
 
-/// The largest number of columns for the names of a round.
+/// The maximum width, in columns, of the names in the row of a round.
 const NAMES: usize = 180;
 
 const ROUNDS: KeptKind = KeptKind {

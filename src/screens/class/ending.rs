@@ -1,4 +1,4 @@
-//! After the last question: the final scores, the class's misconceptions, the results of each
+//! After the last question: the final scores, the class's misconceptions, and the results of each
 //! question.
 
 use strum::{EnumMessage, FromRepr, IntoStaticStr};
@@ -43,7 +43,7 @@ impl EndPage {
         keys.by([Key::Left, Key::Right], EndAction::TurnPage, [-1, 1], "")
     }
 
-    /// The page that is `by` pages further on, or else the first or the last page.
+    /// The page that is `by` pages further on; the first or the last page if there is no such page.
     pub(super) fn turned(self, by: isize) -> Self {
         let to = (self as usize).saturating_add_signed(by);
         Self::from_repr(to).unwrap_or(Self::Items)
@@ -51,7 +51,8 @@ impl EndPage {
 
     pub(super) fn view(self, play: &Stage) -> View<'_, ClassAction> {
         let mut panel = Panel::new("");
-        // The scoreboard keeps the last question's `subject`.
+        // The scoreboard keeps the last question's `subject`, so each other page has one of its
+        // own.
         panel.subject = usize::MAX - self as usize;
         match self {
             Self::Board => return board(play),

@@ -217,7 +217,7 @@ impl ClassPlay {
     }
 
     /// The index of the question `by` questions further on; the end of the round comes after the
-    /// last question. `None` if it has not been reached yet.
+    /// last question. `None` if that question has not been reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
         let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
@@ -423,7 +423,7 @@ impl ClassPlay {
         }
     }
 
-    /// The action of the wheel: it chooses a team or a participant, or turns the page.
+    /// The action of the mouse wheel: it chooses a team or a participant, or turns the page.
     pub(super) fn wheel(&self, by: i8) -> Option<ClassAction> {
         let by = ListAction::Choose(by.into());
         match (&self.host_page, &self.phase) {
@@ -496,7 +496,7 @@ impl ClassPlay {
         }
     }
 
-    /// Handles the mouse over the picture of a step; returns whether it was used.
+    /// Handles the mouse over the picture of a step; returns whether the mouse was used.
     pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect) -> bool {
         let pressed = mouse.kind == MouseKind::Down;
         let question = self

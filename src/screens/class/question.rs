@@ -1,4 +1,4 @@
-//! The text of a question, and the priority of its picture.
+//! The text of a question, and how much its picture adds to it.
 
 use super::ClassAction;
 use super::stage::Stage;
@@ -32,7 +32,7 @@ pub(super) fn write(
     }
 }
 
-/// A choice in short form: for rays their degrees, with the letters of the discs.
+/// An answer in short form; for rays, their angles in degrees with the letters of the discs.
 fn in_short(question: &Question, choice: &Response) -> String {
     match (choice, question.picture.collision()) {
         (Response::Rays(rays), Some(collision)) => {

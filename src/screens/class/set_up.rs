@@ -193,7 +193,7 @@ impl SetUp {
             SetUpRow::Nicknames => "switch",
             SetUpRow::Earlier => "open the list",
         };
-        // In a text field, these keys move the cursor to its ends.
+        // In a text field, these keys move the cursor to the start or the end of the text.
         let ends = match at {
             SetUpRow::Team(_) | SetUpRow::Class | SetUpRow::Kind(RoundKind::Code) => {
                 [Key::Home, Key::End].as_slice()
@@ -210,7 +210,7 @@ impl SetUp {
             .when(self.can_preview())
     }
 
-    /// Whether the questions can be previewed: in the other rows the key would type a letter.
+    /// Whether the key previews the questions: in rows that contain text it types a letter instead.
     pub(super) fn can_preview(&self) -> bool {
         use SetUpRow::{Add, Class, Kind, Team};
         !matches!(self.at(), Team(_) | Add | Class | Kind(RoundKind::Code))
@@ -331,7 +331,7 @@ impl SetUp {
     fn enter(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
         let at = self.at();
         match at {
-            // Without another name, Enter continues to the kind of round.
+            // If no further name has been typed, Enter continues to the kind of round.
             SetUpRow::Add | SetUpRow::Class => self.put(SetUpRow::Kind(self.kind)),
             SetUpRow::Team(team) => {
                 self.list.choose(team + 1);

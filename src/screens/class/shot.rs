@@ -181,7 +181,8 @@ mod tests {
     use super::*;
     use crate::quiz::Code;
 
-    /// If a wrong choice fits no known misconception, the question's own feedback is shown.
+    /// If a wrong choice fits no known misconception, the question's own feedback on that choice is
+    /// shown.
     #[test]
     fn a_choice_without_a_misconception_has_feedback_too() {
         let teams = || ["Ants", "Bees", "Cats"].map(Into::into).to_vec();

@@ -140,7 +140,8 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     words.collect::<Vec<_>>().join(", ") + more
 }
 
-/// If a disc has more directions than this, not all of them are labelled.
+/// If the votes for a disc have more different directions than this, only the most frequent one is
+/// labelled.
 const MANY_WAYS: usize = 8;
 
 /// Draws all rays, from the position where the two discs will collide.
@@ -152,8 +153,7 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
         (Ray::Target, "C", Role::CoinOut),
     ];
     for (ray, name, role) in bodies {
-        // Many votes of a class are equal, so each direction in whole degrees is drawn once. If
-        // there are many, only the most frequent one is labelled.
+        // Many votes of a class are equal, so each direction in whole degrees is drawn only once.
         let mut ways: BTreeMap<i64, (usize, f64)> = BTreeMap::new();
         let said = votes.iter().filter_map(|said| said.rays()?.get(ray));
         for angle in said {

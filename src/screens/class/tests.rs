@@ -61,7 +61,7 @@ fn the_back_row_can_read_every_step_of_every_question() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The parts of a step that the back row cannot read or see.
+/// The parts of a step that cannot be read or seen from the back row.
 fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
     let question = play.stage.question().unwrap();
     let writing = Writing {
@@ -148,7 +148,7 @@ struct OnePage {
     talk: usize,
 }
 
-/// The measured questions, by the number of rows and the charset.
+/// The questions laid out so far, and the pages counted for each number of rows and each charset.
 #[derive(Default)]
 struct OnePages {
     seen: BTreeSet<String>,
@@ -157,7 +157,8 @@ struct OnePages {
 }
 
 impl OnePages {
-    /// Lays out the questions of a code on these screens, for every way of voting on choices.
+    /// Lays out the questions of a code on these screens, for every way in which a class can vote
+    /// on choices.
     fn lay_out(&mut self, code: &str, screens: &[(u16, u16)]) {
         let code = Code::parse(code).unwrap();
         let teams: Vec<String> = (1..=8).map(|team| format!("Team {team}")).collect();
@@ -255,8 +256,8 @@ fn votes_are_shown_with_all_choices_on_one_page() {
     assert!(pages.faults.is_empty(), "{}", pages.faults.join("\n"));
 }
 
-/// Every question in words and at least twenty of every other family. On larger screens letters
-/// have to be larger, and some choices are too long for one page.
+/// Tests every question in words, and at least twenty questions of every other family. On larger
+/// screens letters have to be larger, and some choices are too long for one page.
 #[test]
 #[ignore = "twenty thousand layouts take minutes"]
 fn all_questions_show_all_choices_on_one_page() {

@@ -19,7 +19,7 @@ const CHOICES: [&str; 2] = ["resume it", "begin another round"];
 #[derive(Debug, Clone)]
 pub(super) struct Unfinished {
     /// The round that begins if the interrupted one is not resumed, the name of its class, and
-    /// whether it gives nicknames.
+    /// whether the class is given nicknames.
     code: Option<Code>,
     name: String,
     nicknames: bool,
@@ -56,7 +56,7 @@ impl Unfinished {
     }
 
     /// The round that begins if the interrupted one is not resumed, the name of its class, and
-    /// whether it gives nicknames.
+    /// whether the class is given nicknames.
     pub(super) fn other(&self) -> (Option<&Code>, &str, bool) {
         (self.code.as_ref(), &self.name, self.nicknames)
     }

@@ -191,7 +191,8 @@ impl TeamVotes {
         self.booth.as_mut().map(|booth| &mut booth.input)
     }
 
-    /// The action with which the team that is voting chooses an answer.
+    /// The action by which the team that is voting now gives this choice as its answer; `None` if
+    /// no team is voting.
     pub(super) fn pick(&self, choice: usize) -> Option<VoteAction> {
         self.booth.as_ref()?;
         Some(VoteAction::Vote(AnswerAction::Choose(choice)))

@@ -45,7 +45,8 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
     let name = name_of_counts(foil.setup.counted_for());
-    // On a board all bins have the same size, as they do for a small screen in space.
+    // On a board every bin covers the same angle, so its counts need no correction for the size of
+    // the ring.
     let counted_for = foil.setup.counted_for().unwrap_or(CountedFor::Ring);
     let most = Counts::expected(&law, particles)
         .into_iter()
@@ -109,7 +110,8 @@ pub(super) fn expected_at(
     Some(thrown as f64 * share)
 }
 
-/// Possible positions of the curve's label, from just past the middle towards its beginning.
+/// Possible positions of the curve's label, from just past the middle of the curve to its
+/// beginning.
 fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
     let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
     let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));

@@ -28,7 +28,7 @@ fn cautions(setup: &FoilSetup) -> Vec<String> {
     if d < touching {
         cautions.push(format!(
             "d = {d:.1} fm is less than the touching distance of the two nuclei, about \
-             {touching:.1} fm. The nuclear force, which reaches about 1 fm further, would act; carrom \
+             {touching:.1} fm. The nuclear force, which reaches about 1 fm farther, would act; carrom \
              leaves it out."
         ));
     }
@@ -79,7 +79,7 @@ mod tests {
         );
     }
 
-    /// 2 · 13 · 1.44 MeV fm / E is 1.2 fm (4^⅓ + 27^⅓) at 6.80 MeV.
+    /// At 6.80 MeV, d = 2 · 13 · 1.44 MeV fm / E equals the touching distance 1.2 fm (4^⅓ + 27^⅓).
     #[test]
     fn slow_alpha_particles_do_not_touch_and_heavy_nuclei_do_not_recoil() {
         assert!(said("aluminium", 6.85).contains("touching distance"));

@@ -21,7 +21,7 @@ impl FoilFields {
     /// The settings that apply on the page, in the order of its panel.
     pub(super) fn rows(&self) -> Vec<&'static FoilRow> {
         let is_foil = self.setup.obstacle == Obstacle::Nucleus;
-        // On a board, hits can be counted in only one way.
+        // On a board there is only one way to count the hits.
         let in_space = self.setup.counted_for().is_some();
         let rows: &[(&FoilRow, bool)] = match self.page {
             FoilPage::Tracks => &[

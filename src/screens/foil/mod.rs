@@ -68,12 +68,12 @@ pub(crate) enum FoilAction {
 pub(crate) struct FoilScreen {
     setup: FoilSetup,
     page: FoilPage,
-    /// The form whose selected setting the keys change.
+    /// The form; the keys change the setting that is selected in it.
     form: SettingsForm,
     beam: BeamPhase,
     /// The number of earlier beams.
     runs: u64,
-    /// Whether the player has switched away from the usual scale for the law.
+    /// Whether the player has switched away from the scale that is usual for this law.
     other_scale: bool,
     /// Whether the counts of 1913 are shown relative to the law.
     levelled: bool,
@@ -216,7 +216,7 @@ impl FoilScreen {
         cx.export(name, svg);
     }
 
-    /// Changes the particle's offset by this many steps.
+    /// Changes the particle's offset by `steps` steps of the form.
     fn step_offset(&mut self, steps: i8) {
         self.edit(|_, fields| OFFSET.step(&mut fields.setup, steps.into()));
     }

@@ -170,13 +170,13 @@ mod tests {
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
         assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
         assert_eq!((at(60.0) / at(120.0)).round(), 9.0);
-        // At half of a small angle the count is about sixteen times as high.
+        // At half a small angle the count is about sixteen times as high.
         for small in [4.0, 10.0, 20.0] {
             let times = at(small / 2.0) / at(small);
             assert!((times - 16.0).abs() < 0.4, "{times}");
         }
-        // The bars have the same scale. Where many particles are counted, the bars meet the curve,
-        // apart from the curvature of the law within 5°.
+        // The bars are on the same scale as the curve. Where many particles are counted, the bars
+        // meet the curve, apart from the curvature of the law within 5°.
         for bin in 2..6 {
             let bar = run.counts.bins[bin] as f64 / CountedFor::Steradian.in_bin(bin);
             let bent = bar / at(5.0 * bin as f64 + 2.5);

@@ -37,8 +37,8 @@ struct Path {
     angle: f64,
 }
 
-/// The scale of the picture: half its height, the number of offsets per unit that the mouse can
-/// set, the unit, and the number of decimals of an offset.
+/// The scale of the picture: half its height in units, the number of steps per unit in which the
+/// mouse sets the offset, the name of the unit, and the number of decimal places of an offset.
 const fn scale(setup: &FoilSetup) -> (f64, f64, &'static str, usize) {
     match setup.obstacle {
         Obstacle::Hard => (1.9, 20.0, "R", 2),

@@ -30,7 +30,7 @@ pub(super) fn rounded(number: f64) -> f64 {
     to_figures(number, 3)
 }
 
-/// A positive number, rounded to an integer and to this many significant figures.
+/// A positive number, rounded to an integer and to `figures` significant figures.
 pub(super) fn to_figures(number: f64, figures: u8) -> f64 {
     let beyond = number.log10().floor() + 1.0 - f64::from(figures);
     let unit = 10_f64.powf(beyond.max(0.0));

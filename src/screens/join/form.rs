@@ -59,7 +59,7 @@ impl JoinForm {
         form
     }
 
-    /// The route that rejoins the class of the form.
+    /// The route by which the pupil can rejoin the class that is entered in the form.
     pub(super) fn route(&self) -> Route {
         Route::Join {
             address: self.address.as_ref().map(|it| it.text().to_owned()),

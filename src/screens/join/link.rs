@@ -25,7 +25,7 @@ pub(super) struct Link {
     state: LinkState,
     /// The number of failed attempts since the last message from the host.
     tries: u32,
-    /// Why the host has not let the pupil in yet.
+    /// Why the host has not let the pupil in yet, if it has said why.
     pub(super) held_up: Option<Refusal>,
     /// The number of the last vote on this device.
     n: u64,
@@ -44,7 +44,7 @@ enum LinkState {
     /// The device has asked to join.
     Asking,
     In,
-    /// The device will reconnect after this time.
+    /// The device will try to reconnect after this time.
     Waiting(Duration),
     /// The host has refused, or the pupil has left.
     Over,
@@ -189,8 +189,8 @@ impl Link {
         }
     }
 
-    /// Processes the result of a hand-in. An unconfirmed one is sent again after the connection was
-    /// lost.
+    /// Processes the result of a hand-in. An unconfirmed hand-in is sent again after the connection
+    /// was lost.
     fn hear_of_hand_in(&mut self, handed: Option<HandedIn>, first: bool, cx: &mut Context) {
         let heard = handed.map_or(0, |it| it.n);
         if heard >= self.handed {

@@ -70,7 +70,7 @@ pub(crate) struct Join {
 
 impl Join {
     /// The screen before joining, with the known values filled in. `address` is `None` if the host
-    /// has served the page. A pupil who joins `again` sees no form.
+    /// has served the page. If a pupil joins `again`, the form is skipped.
     pub(crate) fn new(
         address: Option<&str>,
         code: Option<JoinCode>,

@@ -39,7 +39,7 @@ pub(crate) struct Lab {
     live: bool,
     /// Whether the set-up comes from another screen and is not saved for the next visit.
     lent: bool,
-    /// Whether a link hides the outcome until the player has predicted it.
+    /// Whether the outcome is hidden, at the request of a link, until the player has predicted it.
     hidden: bool,
     /// What the player saw in the hit that is being explained, if carrom asked.
     observed: Option<Observation>,

@@ -21,7 +21,7 @@ pub(super) fn pieces_name(setup: &CollisionSpec) -> &'static str {
     piece_set(setup).map_or("custom pieces", |at| PIECE_SETS[at].0)
 }
 
-/// Changes to the next set, without changing the ratio b/(r₁+r₂).
+/// Changes to the next set of pieces, and keeps the ratio b/(r₁+r₂).
 pub(super) fn put_out_next(setup: &mut CollisionSpec) {
     let ratio = setup.offset_mm() / setup.contact_distance_mm();
     let next = piece_set(setup).map_or(0, |at| (at + 1) % PIECE_SETS.len());

@@ -112,7 +112,7 @@ fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<File
         Some(_) => SplitLayout::square(BODY),
         None => SplitLayout::text_alone(BODY),
     };
-    // The width without the margin and the indentation of formulas.
+    // The width available to a formula: that of the text without the margin and the indentation.
     let room = usize::from(layout.panel.width).saturating_sub(3);
     let checkpoint = page.checkpoint.iter();
     let asked = checkpoint.flat_map(|it| it.question.iter().chain(&it.hint).chain(&it.after));

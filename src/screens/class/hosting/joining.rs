@@ -64,7 +64,8 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let qr = Qr::of(&link, &look).filter(|_| joining.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
     let is_below = beside.as_ref().is_some_and(|it| it.address_is_below);
-    // Beside a QR code there is room for the hint; without one, it replaces the notice below.
+    // Beside a QR code there is room for the hint; without a QR code, the hint replaces the notice
+    // below.
     let waits = session.waits_long();
     write(session, joining, (&address, is_below), &mut panel);
     if waits && beside.is_some() {
@@ -138,7 +139,7 @@ fn write(
     }
 }
 
-/// An address in one line, or with the port below the rest.
+/// An address in one line, or in two, with the port on the second.
 fn in_lines(address: &str) -> [String; 2] {
     [address.to_owned(), address.replace(':', " :")]
 }

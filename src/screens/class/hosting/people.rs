@@ -14,8 +14,8 @@ pub(in crate::screens::class) struct People {
     /// The marked row.
     marked: Option<PersonRow>,
     doing: PersonEdit,
-    /// The participant whom the open confirmation is about. Others may join or leave before the
-    /// teacher answers it.
+    /// The participant whom the open confirmation is about. Other participants may join or leave
+    /// before the teacher answers.
     asked: Option<String>,
 }
 
@@ -32,7 +32,7 @@ enum PersonEdit {
     Nothing,
     /// A new name is being typed.
     Rename(String, TextField),
-    /// The original participant is being chosen.
+    /// The teacher is choosing the participant that this one really is.
     Merge(String),
 }
 
@@ -273,7 +273,7 @@ impl People {
     }
 }
 
-/// The state of a participant: has voted, has handed in, is away.
+/// The state of a participant, in words: has voted, has handed in, or is away.
 fn state_of(one: &Participant, round: &ClassRound) -> String {
     let ballot = one.ballot(round.place().question);
     let voted = match Vote::BOTH.map(|vote| ballot.vote(vote)) {

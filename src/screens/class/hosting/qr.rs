@@ -22,13 +22,14 @@ pub(super) struct Qr {
 
 impl Qr {
     /// The QR code of a string; `None` if a phone could not read it, because the charset has no
-    /// half blocks or the theme no colours.
+    /// half blocks or the theme has no colours.
     pub(super) fn of(text: &str, look: &Look) -> Option<Self> {
         let has_cells = look.charset == Charset::Unicode && look.theme.depth != Depth::None;
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
         has_cells.then(|| Self {
             side: code.width(),
-            // Terminals let users redefine the first sixteen colours.
+            // Terminals let users redefine the first sixteen colours, so fixed ones are used if
+            // there are more.
             colours: match look.theme.depth {
                 Depth::None | Depth::Ansi16 => [Color::White, Color::Black],
                 Depth::Indexed256 | Depth::True => [Color::Indexed(231), Color::Indexed(16)],

@@ -13,11 +13,11 @@ use crate::widgets::input::{CollisionField, FieldValue};
 /// A column of the table on the screen and of the exported one.
 #[derive(Debug)]
 pub(super) struct NotebookColumn {
-    /// Its heading in a file, with the unit.
+    /// The column's heading in a file, with the unit.
     pub(super) id: &'static str,
     /// Its heading on the screen.
     pub(super) symbol: &'static str,
-    /// Its unit on the screen; may be empty.
+    /// The column's unit on the screen; may be empty.
     pub(super) unit: &'static str,
     decimals: usize,
     pub(super) of: ColumnSource,
@@ -135,12 +135,12 @@ impl NotebookColumn {
         &Self::all()[Self::index(id)]
     }
 
-    /// Whether it has numbers that can be plotted.
+    /// Whether the column has numbers that can be plotted.
     pub(super) fn is_number(&self) -> bool {
         self.of != Setting(CollisionField::Contact)
     }
 
-    /// The setting that it shows, if it shows one.
+    /// The setting that the column shows, if it shows one.
     pub(super) fn setting(&self) -> Option<CollisionField> {
         match self.of {
             Setting(field) => Some(field),
@@ -156,7 +156,7 @@ impl NotebookColumn {
         }
     }
 
-    /// The number in this column for a hit; `None` if there is none.
+    /// The number in this column for a hit; `None` if the hit has none.
     pub(super) fn value(&self, hit: &NotedHit) -> Option<f64> {
         match self.of {
             Said(ray) => angle(&hit.setup.collision(), hit.said.as_ref()?.get(ray)),

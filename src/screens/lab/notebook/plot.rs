@@ -47,8 +47,8 @@ pub(super) fn picture(notebook: &Notebook, area: Rect, look: &Look) -> Picture {
     plot.picture()
 }
 
-/// The setting that the curve of two columns varies: one that they show, otherwise the impact
-/// angle.
+/// The setting that is varied along the curve of two columns: a setting that one of them shows,
+/// otherwise the impact angle.
 pub(super) fn varied(axes: [&NotebookColumn; 2]) -> CollisionField {
     let own = axes.iter().find_map(|column| column.setting());
     own.unwrap_or(CollisionField::ImpactAngle)

@@ -11,7 +11,7 @@ use crate::widgets::{Look, Role, SplitLayout, sheet};
 
 /// The largest width of the table with its frame, in columns.
 const WIDEST: u16 = 160;
-/// The number of rows that stay free below the table.
+/// The number of rows that are left free below the table.
 const BELOW: u16 = 4;
 
 /// The table, or the plot with the chosen hit beside it.

@@ -22,7 +22,7 @@ pub(crate) enum ContentsAction {
     Glossary,
     /// forget your place and your answers in the chosen chapter
     Forget,
-    /// forget your places and answers in all chapters
+    /// forget your place and your answers in all chapters
     ForgetAll,
     /// go back
     Leave,

@@ -52,7 +52,7 @@ impl FigureDial {
         least + share * (most - least)
     }
 
-    /// The value on the steps that is nearest to this one.
+    /// The step of the dial nearest to this value.
     pub(super) fn nearest(&self, value: f64) -> f64 {
         let (least, most) = self.ends;
         tidy((value / self.step).round() * self.step).clamp(least, most)

@@ -1,4 +1,4 @@
-//! A simulated film of the collision, measured: the student sets how well it is filmed.
+//! Measurements from a simulated film of the collision; the student sets how well it is filmed.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use crate::widgets::{Lines, Look, Role, areas, measured_picture, points_picture}
 /// The length of the striker's path before the contact, in metres; the film has as many frames
 /// after the contact as before it.
 const REACH: f64 = 0.35;
-/// The time from the last frame before the contact to the contact, as a fraction of the time
+/// The time from the last frame before the contact to the contact itself, as a fraction of the time
 /// between two frames.
 const WITHIN: f64 = 0.37;
 /// The rows below the picture, enough for the longest verdict in the narrowest figure.

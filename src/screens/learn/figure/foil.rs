@@ -9,8 +9,8 @@ use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 
 /// Offsets of the particles, in units of the closest approach d.
 const OFFSETS: [f64; 8] = [-2.2, -1.4, -0.8, -0.35, 0.15, 0.5, 1.0, 1.8];
-/// The distance from the charge at which a path ends, in d, and the number of straight segments of
-/// a path.
+/// The distance from the charge at which a path ends, in units of d, and the number of straight
+/// segments of a path.
 const FARTHEST: f64 = 20.0;
 const PIECES: u32 = 240;
 /// Half the width and height of the picture, in d.

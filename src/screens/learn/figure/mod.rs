@@ -39,7 +39,7 @@ use dial::FigureDial;
 use film::FilmFigure;
 use worked::WorkedFigure;
 
-/// The number of steps, or of degrees, by which `<` and `>` change a setting.
+/// The number of steps (of degrees, for an angle) by which `<` and `>` change a setting.
 const LEAP: i8 = 10;
 
 /// What the keys do to the figure of a page.
@@ -64,7 +64,7 @@ pub(crate) enum FigureAction {
     Foil(FoilFigureAction),
 }
 
-/// A figure in its current state.
+/// A figure with its current state.
 #[derive(Debug, Clone)]
 pub(super) struct LiveFigure {
     figure: Figure,
