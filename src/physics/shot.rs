@@ -25,7 +25,7 @@ pub enum EventKind {
     /// Two discs collided. Contacts at the same instant are listed one after another; each starts
     /// from the velocities after the previous contact.
     Impact {
-        /// The two discs.
+        /// The indices of the two discs.
         discs: [usize; 2],
         /// The line of impact: the unit vector from the first centre to the second.
         normal: DVec2,
@@ -36,7 +36,7 @@ pub enum EventKind {
     },
     /// A disc hit the frame.
     Cushion {
-        /// The disc.
+        /// The index of the disc.
         disc: usize,
         /// The unit vector into the cushion.
         normal: DVec2,
@@ -47,14 +47,14 @@ pub enum EventKind {
     },
     /// A disc fell into a pocket.
     Pocket {
-        /// The disc.
+        /// The index of the disc.
         disc: usize,
         /// The corner: 0 lower left, 1 lower right, 2 upper left, 3 upper right.
         corner: usize,
     },
     /// A disc came to rest.
     Rest {
-        /// The disc.
+        /// The index of the disc.
         disc: usize,
     },
 }
@@ -100,7 +100,7 @@ pub struct Sample {
     pub position: DVec2,
     /// Velocity in m/s; zero unless moving.
     pub velocity: DVec2,
-    /// What the disc is doing.
+    /// Whether the disc is moving, at rest or in a pocket.
     pub state: DiscState,
 }
 
@@ -124,7 +124,7 @@ struct LegStart {
     time: f64,
     /// The motion from then on.
     motion: Motion,
-    /// Whether the disc fell into a pocket at that time.
+    /// Whether the disc fell into a pocket at this time.
     pocketed: bool,
 }
 

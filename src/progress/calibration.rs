@@ -10,7 +10,7 @@ const ENOUGH: usize = 3;
 /// The results of all answers with one confidence level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Calibrated {
-    /// The confidence.
+    /// The confidence level.
     pub confidence: Confidence,
     /// The counts of these answers.
     pub tally: Tally,

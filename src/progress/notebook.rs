@@ -14,7 +14,7 @@ pub struct NotedHit {
     /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` if the
     /// time is unknown.
     pub time_s: Option<i64>,
-    /// The settings.
+    /// The settings of the collision.
     pub setup: CollisionSpec,
     /// The prediction, if there was one.
     pub said: Option<Rays>,

@@ -22,11 +22,11 @@ pub struct Observation {
     pub player: String,
     /// Where the hit was observed.
     pub place: ObservationPlace,
-    /// The prediction.
+    /// Where the player predicted that the discs would go.
     pub said: Rays,
-    /// What happened.
+    /// Where the discs went.
     pub truth: Rays,
-    /// What the player saw.
+    /// Where the player saw the discs go.
     pub seen: Rays,
 }
 

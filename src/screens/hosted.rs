@@ -86,7 +86,7 @@ pub trait AnyScreen {
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
-    /// The cells of the panels that react to a click, from top to bottom.
+    /// The areas of the panels that react to a click, from top to bottom.
     fn targets(&self, cx: &Context) -> Vec<Rect>;
     /// Carries out the action of the target with this number, as a click on it would.
     fn choose(&mut self, target: usize, cx: &mut Context) -> Next;
@@ -295,7 +295,7 @@ impl<S: Screen> Hosted<S> {
         })
     }
 
-    /// The cells of the panels that react to a click, and their actions.
+    /// The areas of the panels that react to a click, and their actions.
     fn actions(&self, cx: &Context) -> Vec<(Rect, S::Action)> {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |view, _| {

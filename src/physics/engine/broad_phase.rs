@@ -102,7 +102,7 @@ impl BroadPhase {
 /// The input of a scan.
 pub(super) struct Scan<'a> {
     pub(super) seeker: &'a Seeker,
-    /// The seeker's number.
+    /// The seeker's index.
     pub(super) disc: usize,
     /// The discs to skip, because they have already been compared with the seeker.
     pub(super) have_looked: &'a [usize],

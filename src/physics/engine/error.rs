@@ -21,7 +21,7 @@ pub enum EngineError {
     /// A number that describes a disc is unusable.
     #[error("disc {disc}: the {expected}")]
     Disc {
-        /// The disc.
+        /// The index of the disc.
         disc: usize,
         /// The quantity and its expected range.
         expected: &'static str,
@@ -29,7 +29,7 @@ pub enum EngineError {
     /// A disc is not completely inside the frame.
     #[error("disc {disc} reaches {beyond_mm} mm beyond the frame: expected it on the board")]
     OffBoard {
-        /// The disc.
+        /// The index of the disc.
         disc: usize,
         /// How far outside the frame the disc is, in millimetres.
         beyond_mm: f64,
@@ -37,9 +37,9 @@ pub enum EngineError {
     /// Two discs overlap.
     #[error("discs {first} and {second} overlap by {depth_mm} mm: expected them apart or touching")]
     Overlap {
-        /// The first disc.
+        /// The index of the first disc.
         first: usize,
-        /// The second disc.
+        /// The index of the second disc.
         second: usize,
         /// The overlap, in millimetres.
         depth_mm: f64,

@@ -15,9 +15,9 @@ pub(super) const WORTHWHILE: usize = 48;
 pub(super) struct Grid {
     /// The number of cells along a side; 0 if there is no grid.
     columns: usize,
-    /// The side of a cell, in metres.
+    /// The length of a cell's side, in metres.
     size: f64,
-    /// Half the side of the board, in metres.
+    /// Half the length of the board's side, in metres.
     half: f64,
     /// The discs in each cell, row by row from the lower left.
     cells: Vec<Vec<usize>>,

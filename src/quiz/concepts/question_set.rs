@@ -6,7 +6,7 @@ use crate::quiz::question::Question;
 /// Questions that a teacher has put together, in this order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct QuestionSet {
-    /// The title.
+    /// The title of the set.
     pub title: String,
     /// The questions, each different.
     pub questions: Vec<ChosenQuestion>,

@@ -74,7 +74,7 @@ fn turned(hit: &Hit) -> Option<(f64, f64)> {
     }
 }
 
-/// Describes the two masses and the loss in words.
+/// Describes the two masses and the energy loss in words.
 fn setting(hit: &Hit) -> String {
     let who = hit.who("smooth striker", "is shot at");
     format!("{who}. {}", hit.loss())

@@ -19,7 +19,7 @@ impl RimKind {
         if self == Self::Lossless { 1.0 } else { 0.0 }
     }
 
-    /// The collision of this hit with these rims.
+    /// The collision that a hit becomes if the discs have these rims.
     fn collision(self, hit: &Hit) -> Collision {
         Collision {
             restitution: self.restitution(),

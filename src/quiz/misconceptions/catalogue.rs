@@ -30,7 +30,7 @@ struct Elsewhere {
     page: String,
 }
 
-/// The source of a misconception.
+/// Where the knowledge of a misconception comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
     /// A study that describes the misconception: "Hestenes et al. 1992: greater mass implies
@@ -53,7 +53,7 @@ impl Misconception {
         &self.description().advice
     }
 
-    /// The source of the misconception.
+    /// Where the knowledge of the misconception comes from.
     pub fn origin(self) -> Origin {
         match self.description().source.as_str() {
             "slip" => Origin::Slip,

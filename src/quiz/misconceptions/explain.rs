@@ -20,7 +20,7 @@ pub struct Explanation {
     pub(crate) passage: Option<Passage>,
 }
 
-/// Explains a question to a player who gave this answer.
+/// Explains the right answer to a player who gave `answer`.
 pub fn explain(question: &Question, answer: &Answer) -> Explanation {
     let taught = question.topic.taught_for(&question.figures);
     let (title, opening, passage) = match question.belief_of(answer) {

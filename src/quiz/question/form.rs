@@ -12,7 +12,7 @@ use crate::numbers::millimetres;
 pub enum Form {
     /// The answer consists of two rays, which the player turns or types.
     Rays {
-        /// Where the two discs go.
+        /// Where the two discs really go.
         truth: Rays,
         /// The side on which the target lies: 1 for the right, −1 for the left.
         side: f64,
@@ -109,7 +109,7 @@ impl Form {
         }
     }
 
-    /// The true answer.
+    /// The right answer.
     pub fn truth(&self) -> Response {
         match self {
             Self::Rays { truth, .. } => Response::Rays(*truth),

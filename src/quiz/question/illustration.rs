@@ -28,7 +28,7 @@ pub enum Illustration {
     Tracks {
         /// The nucleus and the particles.
         rutherford: Rutherford,
-        /// Both angles.
+        /// The angles of the two particles, in radians.
         angles: [f64; 2],
     },
 }
@@ -61,7 +61,7 @@ impl Markings {
         figures: true,
     };
 
-    /// The quantity that defines a hit is marked, with all numbers.
+    /// The quantity that defines a hit is marked, and all numbers are shown.
     pub(crate) const fn given(hit: &Hit) -> Self {
         let angle = matches!(hit.given, ImpactPoint::Angle { .. });
         Self {

@@ -110,7 +110,7 @@ impl Rays {
         format!("striker {striker}, {target} {other}")
     }
 
-    /// The angle of one of the two rays.
+    /// The angle of a ray, in radians; `None` if its disc stays still.
     pub fn get(&self, ray: Ray) -> Option<f64> {
         match ray {
             Ray::Striker => self.striker,

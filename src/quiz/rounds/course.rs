@@ -81,17 +81,17 @@ impl CourseKind {
         Self::Exam,
     ];
 
-    /// The name in codes.
+    /// The name of this kind in codes.
     pub fn id(&self) -> &'static str {
         self.entry().0
     }
 
-    /// The name as shown.
+    /// The name of this kind as shown.
     pub fn name(&self) -> &'static str {
         self.entry().1
     }
 
-    /// The usual number of questions.
+    /// The number of questions in a round of this kind, unless another is chosen.
     pub fn length(&self) -> usize {
         self.entry().2
     }
@@ -153,7 +153,7 @@ impl CourseKind {
 }
 
 impl Course {
-    /// The largest number of questions in a round.
+    /// The maximum number of questions in a round.
     pub const MOST: usize = 60;
     /// The maximum number of questions in a review; the remaining topics are left for the next
     /// review.

@@ -182,5 +182,5 @@ fn summary(question: &Question, item: &ItemAnalysis) -> String {
 /// The smallest number of rows of a panel with a title in large letters.
 const LARGE_FROM: u16 = 19;
 
-/// The largest number of answers listed with their counts.
+/// The maximum number of answers that are listed with their counts.
 const MOST_COUNTS: usize = 5;

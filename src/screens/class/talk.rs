@@ -22,7 +22,7 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role, areas, brief, draw_question};
 
-/// The largest number of different angles of a ray that are listed in words.
+/// The maximum number of different angles that are listed in words for a ray.
 const MOST_ANGLES: usize = 5;
 
 /// The question with the number of votes for each choice, and the votes in its picture or below it.

@@ -13,7 +13,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
 use crate::widgets::{Role, draw_question};
 
-/// The largest number of characters that can be typed.
+/// The maximum number of characters that can be typed.
 const LONGEST: usize = 40;
 
 /// The counts in the example of what to type, which uses one count for each choice.

@@ -32,7 +32,7 @@ pub(super) struct Unfinished {
     trouble: Option<String>,
 }
 
-/// The result of the page.
+/// What the teacher chose on the page.
 pub(super) enum UnfinishedEnd {
     /// Resumes the interrupted round.
     TakeUp(Box<ClassPlay>),

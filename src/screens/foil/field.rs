@@ -8,7 +8,7 @@ use crate::physics::beam::Beam;
 use crate::screens::route::FoilPage;
 use crate::widgets::input::{Field, FieldRow, FieldValue, FormFields};
 
-/// The settings of a page.
+/// The settings of the foil, and the page that shows them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FoilFields {
     pub(super) page: FoilPage,

@@ -6,7 +6,7 @@ use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 /// seconds.
 const PICTURES: u64 = 240;
 
-/// The largest number of particles computed per frame: less than ten milliseconds of work.
+/// The maximum number of particles computed per frame, which takes less than ten milliseconds.
 const MOST: u64 = 2_000_000;
 
 /// A beam and its progress.

@@ -9,7 +9,7 @@ use crate::widgets::{Outcome, Role};
 
 /// The port of a class if the address has none.
 pub(crate) const PORT: u16 = 8090;
-/// The largest number of letters in an address.
+/// The maximum number of letters in an address.
 const LONGEST_ADDRESS: usize = 80;
 
 /// The form for joining a class.

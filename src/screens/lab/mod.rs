@@ -32,7 +32,7 @@ pub(crate) use field::LabSettings;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lab {
     settings: LabSettings,
-    /// The setting that keys change.
+    /// The form; the keys change the setting that is selected in it.
     form: SettingsForm,
     phase: LabPhase,
     /// Whether the picture shows the outcome of the settings at once.
@@ -47,7 +47,7 @@ pub(crate) struct Lab {
 
 #[derive(Debug, Clone, Default)]
 enum LabPhase {
-    /// Setting up.
+    /// Setting up the hit.
     #[default]
     Aim,
     /// Predicting where both discs will go.

@@ -17,7 +17,7 @@ fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
     shot.events().iter().filter_map(|e| pair(e.kind)).collect()
 }
 
-/// The time in seconds that it takes to cover `distance` metres, which is the smaller root of s = v
+/// The time in seconds in which a disc covers `distance` metres, which is the smaller root of s = v
 /// t − ½ a t².
 fn time_to_cover(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
     let left = speed_after(distance, speed, deceleration)?;

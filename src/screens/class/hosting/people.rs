@@ -32,7 +32,7 @@ enum PersonEdit {
     Nothing,
     /// A new name is being typed.
     Rename(String, TextField),
-    /// The teacher is choosing the participant that this one really is.
+    /// The teacher is choosing who this participant really is.
     Merge(String),
 }
 

@@ -15,7 +15,7 @@ use crate::widgets::input::{CollisionField, FieldValue};
 pub(super) struct NotebookColumn {
     /// The column's heading in a file, with the unit.
     pub(super) id: &'static str,
-    /// Its heading on the screen.
+    /// The column's heading on the screen.
     pub(super) symbol: &'static str,
     /// The column's unit on the screen; may be empty.
     pub(super) unit: &'static str,
@@ -148,7 +148,7 @@ impl NotebookColumn {
         }
     }
 
-    /// Its symbol and unit.
+    /// The column's symbol and unit.
     pub(super) fn name(&self) -> String {
         match self.unit {
             "" => self.symbol.to_owned(),

@@ -9,7 +9,7 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 use crate::widgets::{Look, Role, SplitLayout, sheet};
 
-/// The largest width of the table with its frame, in columns.
+/// The maximum width of the table with its frame, in columns.
 const WIDEST: u16 = 160;
 /// The number of rows that are left free below the table.
 const BELOW: u16 = 4;

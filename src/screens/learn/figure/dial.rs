@@ -7,7 +7,7 @@ use crate::physics::Collision;
 
 /// A value between two ends, set in steps.
 pub(super) struct FigureDial {
-    /// The name in the line of keys.
+    /// The dial's name in the line of keys.
     pub(super) name: &'static str,
     value: f64,
     ends: (f64, f64),
