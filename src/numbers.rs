@@ -291,7 +291,7 @@ mod tests {
         }
     }
 
-    /// 1.14⁴ is 1.69, but √1.31⁴ is 1.72; (90° − 21.5°) / 2 is 34.25°.
+    /// 1.14⁴ is 1.69, but (√1.31)⁴ is 1.72; (90° − 21.5°) / 2 is 34.25°.
     #[test]
     fn intermediate_values_lead_to_the_result() {
         let ratio = 1.31_f64.sqrt();
@@ -303,7 +303,7 @@ mod tests {
         let half = |angle: f64| degrees((90.0_f64.to_radians() - angle) / 2.0);
         assert_eq!(half(most), "34.3°");
         assert_eq!(Intermediate::angle(most, half).to_string(), "21.5");
-        // 3 × 0.433² is 56.247 %, and exactly 56.25 %.
+        // 3 × 0.433² is 56.247 %, but the exact value is 56.25 %.
         let edge = Intermediate::new(0.75_f64.sqrt() / 2.0, |x| significant(300.0 * x * x));
         assert_eq!(edge.to_string(), "0.433");
         let sixty = Intermediate::angle(60.0_f64.to_radians(), degrees);

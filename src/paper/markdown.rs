@@ -233,7 +233,7 @@ mod tests {
         assert_eq!(texts[2..], NASTY.map(|text| [text, text]).concat());
         let cells = tags.iter().filter(|tag| *tag == "TableCell").count();
         assert_eq!(cells, texts.len());
-        // The tags of a table, its header, and one row per text.
+        // The tags of the cells, of the table, of its header, and of one row per text.
         assert_eq!(tags.len(), cells + 2 + NASTY.len(), "{tags:?}");
     }
 

@@ -232,9 +232,9 @@ impl<'a> PathSoFar<'a> {
         asked
     }
 
-    /// Whether a chapter is neither done nor known. It is known if the last answers on those of its
-    /// topics that were asked about show it; a chapter without topics is known if the chapter
-    /// before it is.
+    /// Whether a chapter is neither done nor known. It is known if the last answers on its topics
+    /// show it, where topics that were never asked about do not matter; a chapter without topics is
+    /// known if the chapter before it is.
     fn is_open(&self, at: usize, topics: &TopicsAsked) -> bool {
         !self.book.is_done(&self.chapters()[at]) && !self.is_known(at, topics)
     }

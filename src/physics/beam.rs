@@ -15,8 +15,8 @@ pub enum Beam {
 }
 
 impl Beam {
-    /// The fraction of a beam of half-width r₁ + r₂ with offsets below `nearness` times r₁ + r₂, 0
-    /// to 1.
+    /// The fraction of a beam of half-width r₁ + r₂ that has offsets below `nearness` · (r₁ + r₂),
+    /// for a `nearness` of 0 to 1.
     pub(crate) fn share_within(self, nearness: f64) -> f64 {
         let nearness = nearness.clamp(0.0, 1.0);
         match self {
@@ -51,7 +51,8 @@ mod tests {
         beam.share_beyond(cm_angle / 2.0)
     }
 
-    /// The fraction of a beam of evenly spread offsets, counted collision by collision.
+    /// The fraction of a beam with evenly spread offsets that is scattered by more than `beyond`,
+    /// counted collision by collision.
     fn counted(beam: Beam, scattered: impl Fn(&Collision) -> f64, beyond: f64) -> f64 {
         const SHOTS: u32 = 20_000;
         let disc = Disc::from_g_mm(15.0, 15.9);

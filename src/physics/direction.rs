@@ -55,7 +55,8 @@ impl Twofold {
     }
 }
 
-/// The unit vector at an angle in radians from +x, anticlockwise, of at most a few turns.
+/// The unit vector at an angle in radians from +x, anticlockwise. The angle must be no more than a
+/// few turns.
 pub(crate) fn direction(angle: f64) -> DVec2 {
     let quarters = (angle / QUARTER.0).round();
     let turned = QUARTER.times(Twofold(-quarters, 0.0));

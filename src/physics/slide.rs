@@ -49,8 +49,9 @@ pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
     (left >= 0.0).then(|| 2.0 * time / (1.0 + left.sqrt()))
 }
 
-/// When |d + w t| first falls to `distance`, if |d|² − `distance`² = `gap` > 0: the smaller root of
-/// the quadratic, in the form that loses no digits. `None` if the distance never falls that far.
+/// The time at which |d + w t| first falls to `distance`, if |d|² − `distance`² = `gap` > 0: the
+/// smaller root of the quadratic, in the form that loses no digits. `None` if the distance never
+/// falls that far.
 #[inline]
 pub(super) fn time_to_distance(d: DVec2, w: DVec2, distance: f64, gap: f64) -> Option<f64> {
     let ahead = -d.dot(w);

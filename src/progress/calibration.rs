@@ -140,8 +140,7 @@ mod tests {
         let mut all: Vec<_> = [false, false, true, true]
             .map(|right| answer(right, sure))
             .into();
-        // An answer without a confidence level is counted only as an attempt, not as right or
-        // wrong.
+        // An answer without a confidence level only adds to the number of attempts.
         all.insert(2, answer(true, None));
         let [guess, think_so, sure] = calibration_over_time(&all, 3);
         assert!(guess.is_empty() && think_so.is_empty());

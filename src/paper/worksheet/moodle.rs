@@ -45,13 +45,13 @@ pub(super) fn file(worksheets: &[Worksheet]) -> String {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n",
         quiz.into_string()
     );
-    // XML allows neither of these, even escaped.
+    // XML allows neither of these characters, even escaped.
     xml.replace(['\u{fffe}', '\u{ffff}'], "")
 }
 
 fn category(worksheet: &Worksheet) -> Markup {
     let name = match &worksheet.round.course().kind {
-        // A single slash separates categories.
+        // A single slash separates categories, so a slash in a title is doubled.
         CourseKind::Set(_) => worksheet.title.replace('/', "//"),
         _ => worksheet.round.code().to_string(),
     };

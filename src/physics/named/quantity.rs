@@ -326,11 +326,11 @@ mod tests {
                 "rim_friction=1 spin1=5",
                 5.0 - 400.0 / 9.0 - 5.0 / 3.0,
             ),
-            // Θ in the centre-of-mass frame from the velocities: friction opposes the slip.
+            // Without friction, Θ in the centre-of-mass frame is 180° − 2 · 30°.
             ("cm_angle_deg", "rim_friction=0", 120.0),
             ("relative_speed", "target_speed=3 target_deg=90", 5.0),
             ("reduced_mass_g", marbles, 40.0 / 3.0),
-            // 90 mJ: ½ · 60 g · 1² and ½ · 40/3 g · 3².
+            // 90 mJ in all: 30 mJ = ½ · 60 g · (1 m/s)², and 60 mJ = ½ · 40/3 g · (3 m/s)².
             ("cm_energy_mj", marbles, 30.0),
             ("relative_energy_mj", marbles, 60.0),
             ("relative_share", marbles, 2.0 / 3.0),

@@ -37,7 +37,7 @@ fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let mu = grams(reduced_mass(c.striker.mass, c.target.mass));
     let b = mm(c.offset);
     let w = number(c.relative_velocity().length());
-    // g mm² are 10⁻⁹ kg m².
+    // 1 g mm² is 10⁻⁹ kg m².
     let inertia = number(moment_of_inertia(c.striker, c.target) * 1e9);
     let sense = match after.spin {
         spin if spin > 0.0 => ", clockwise",

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::Concept;
 use crate::files::FileError;
 
-/// The minimum number of questions for patterns across all questions to be checked.
+/// Patterns across all questions are checked only if there are at least this many questions.
 const ENOUGH: usize = 8;
-/// A right choice stands out if it is longer than every wrong choice, or shorter, by more than this
-/// many letters and by more than this factor.
+/// A right choice stands out if it is longer than every wrong choice, or shorter than every wrong
+/// choice, by more than this number of letters and by more than this factor.
 const STANDING_OUT: (usize, f64) = (8, 1.5);
 /// The characters that end a sentence, including those used in Hindi and Bengali, Chinese, Arabic
 /// and Urdu.

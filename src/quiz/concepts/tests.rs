@@ -194,9 +194,9 @@ fn figures_typed_in_texts_are_correct() {
         }
         other => panic!("{other:?}"),
     }
-    // no-electron-can: an electron has 1/7294 of the mass of an α particle.
+    // no-electron-can: an electron has 1/7294 of the mass of an α-particle.
     assert!(deg_from_rad((1.0_f64 / 7294.0).asin()) < 0.01);
-    // one-in-8000: less than 1 in 100 000 of the gold foil of 1913.
+    // one-in-8000: the gold foil of 1913 turns back less than 1 in 100,000.
     let mut beyond = Constant::named("rutherford_beyond").unwrap();
     beyond.set("angle_deg", "90").unwrap();
     assert!(beyond.value().unwrap() < 1e-5);

@@ -31,7 +31,8 @@ impl FoilBeam {
             .figure("energy_mev", self.energy_mev)
     }
 
-    /// A question that compares the counts at two angles in degrees, with both tracks beside it.
+    /// A question that compares the counts at two angles, in degrees, with the tracks for both
+    /// angles beside it.
     fn compared(&self, from_deg: f64, to_deg: f64) -> Outline {
         let angles_deg = [from_deg.min(to_deg), from_deg.max(to_deg)];
         self.outline(Illustration::Tracks {

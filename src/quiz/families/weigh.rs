@@ -88,7 +88,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
     let right = place(seen.coin_g.total_cmp(&STRIKER));
     let turned_less = place(tenths(seen.theta1).cmp(&tenths(seen.theta2)));
     if right == ALIKE && turned_less == ALIKE {
-        // Merely comparing the two angles would give the right answer by accident.
+        // For such a hit, merely comparing the two angles would give the right answer by accident.
         return None;
     }
     let why = match right {

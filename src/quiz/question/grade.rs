@@ -28,8 +28,8 @@ fn credit(distance: f64) -> f64 {
 /// How good the prediction of one ray is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayGrade {
-    /// The error in radians, from 0 to π; 0 if the disc correctly stays still, `None` if it moves
-    /// only in the answer or only in reality.
+    /// The error in radians, from 0 to π; 0 if the disc stays still both in the answer and in
+    /// reality, `None` if it moves in only one of them.
     pub error: Option<f64>,
 }
 

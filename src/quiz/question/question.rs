@@ -115,7 +115,7 @@ impl Question {
     }
 
     /// All wrong answers that have separate feedback, each with the misconception behind it, if
-    /// any: first the answers of misconceptions, then other choices.
+    /// any: first the answers that misconceptions lead to, then other choices.
     pub(crate) fn wrong_answers(&self) -> Vec<(Response, Option<Misconception>, &str)> {
         let beliefs = self.beliefs.iter();
         let beliefs = beliefs.map(|it| (it.said, Some(it.misconception), it.says.as_str()));

@@ -11,7 +11,8 @@ use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Questi
 
 /// The probability, before the first answer, that the student holds none of the misconceptions.
 const NONE_BEFORE: f64 = 0.25;
-/// How many times more likely a common misconception is than any other, before the first answer.
+/// How many times more likely a common misconception is than an uncommon one, before the first
+/// answer.
 const COMMON: f64 = 5.0;
 /// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
@@ -156,8 +157,9 @@ pub(super) fn ask_first(dice: &mut Dice) -> Option<Question> {
     ask_from(&FIRST_CANDIDATES, &[], &[], dice)
 }
 
-/// The most informative question, among those drawn with the dice, after these answers, in which
-/// misconceptions are counted as in the codes of rounds. No question in `asked` is asked again.
+/// The most informative of the questions drawn with `dice`, given the evidence of the answers so
+/// far; `in_codes` counts misconceptions as in the codes of rounds. No question in `asked` is asked
+/// again.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     ask_from(&CANDIDATES, asked, in_codes, dice)
 }

@@ -24,10 +24,10 @@ pub(super) fn in_turn(
     questions(&order, families, dice)
 }
 
-/// A question about each of these topics, from the families that the function returns for the
-/// topic, in random order but with easy questions first as far as possible. No family comes twice
-/// in a row if this can be avoided, because it is best to return to an idea after doing something
-/// else. A topic without questions is left out.
+/// A question about each of these topics, from the families that `families` returns for the topic,
+/// in random order but with easy questions first as far as possible. No family comes twice in a row
+/// if this can be avoided, because it is best to return to an idea after doing something else. A
+/// topic without questions is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,

@@ -172,7 +172,7 @@ impl Round {
         }
     }
 
-    /// A question of the same kind as this question of the round.
+    /// A question of the same kind as `asked`, which is a question of the round.
     fn like(&self, asked: &Question, draw: usize, dice: &mut Dice) -> Option<Question> {
         if let CourseKind::Own(library) = &self.code.course.kind {
             let id = asked.figures.get("id")?.as_str()?;

@@ -179,7 +179,7 @@ fn summary(question: &Question, item: &ItemAnalysis) -> String {
     summary.join(". ")
 }
 
-/// The smallest number of rows of a panel with a title in large letters.
+/// A panel with at least this number of rows has its title in large letters.
 const LARGE_FROM: u16 = 19;
 
 /// The maximum number of answers that are listed with their counts.

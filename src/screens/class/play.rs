@@ -418,7 +418,7 @@ impl ClassPlay {
             RoundAction::Tables => {
                 cx.ask(StoreRequest::ExportClass(self.stage.session.shared_round()));
             }
-            // The screen itself handles these.
+            // The screen itself handles these actions.
             RoundAction::Pause | RoundAction::Light | RoundAction::Leave => {}
         }
     }
@@ -528,7 +528,7 @@ impl ClassPlay {
             ClassPhase::Shot(shown) => shown.reveal.wake(pace),
             _ => None,
         };
-        // Until the countdown shows the next second.
+        // The time until the countdown shows the next second.
         let left = self.stage.countdown.filter(|left| !left.is_zero());
         let second = left.map(|left| match left.subsec_nanos() {
             0 => Duration::from_secs(1),

@@ -351,7 +351,8 @@ impl SetUp {
     fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<SetUpEnd> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
-            // Counted hands are anonymous, and pupils on devices enter their names themselves.
+            // Counted hands are anonymous, and pupils on devices enter their names themselves, so
+            // the teams are not needed.
             Err(_) if at != SetUpRow::Start => Vec::new(),
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));

@@ -206,7 +206,7 @@ fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look:
     let highest = heaps.iter().map(|(_, count)| *count).max().unwrap_or(1);
     let y = Axis::linear("teams", 0.0, (highest + 1) as f64).every(1.0);
     let mut plot = Plot::new(area, *look, x, y);
-    // Wide enough to be seen from the back row.
+    // Each bar is wide enough to be seen from the back row.
     let half = 0.012 * (largest - least + 2.0 * margin);
     for (number, count) in &heaps {
         plot.bar(number - half, number + half, *count as f64, Role::Predicted);

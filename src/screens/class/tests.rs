@@ -139,8 +139,8 @@ fn a_long_scoreboard_can_be_scrolled_to_its_end() {
 /// The screen sizes for which the test counts the questions that show all choices at once.
 const SCREENS: [(u16, u16); 3] = [(80, 24), (100, 30), (120, 40)];
 
-/// How many pages were laid out, and on how many of them the first page shows all choices with
-/// their bars, at both votes and at the discussion.
+/// How many questions were laid out, and how many of them show all choices with their bars on the
+/// first page, at both votes (`vote`) and at the discussion (`talk`).
 #[derive(Debug, Clone, Copy, Default)]
 struct OnePage {
     asked: usize,

@@ -122,7 +122,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
         let at = dvec2(point.1, percent(series.excess(*point)));
         plot.mark(at, metal.mark(look.charset), role);
     }
-    // The upper left corner is empty.
+    // The upper left corner is empty, so the labels start there.
     let mut at = dvec2(1.5, 35.0);
     if name == "gold" {
         let (low, high) = series.band();

@@ -114,7 +114,7 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let reach = 1.2 * wide.hypot(half).max(half);
     let axis = Pen::new(Role::Axis).dotted();
     picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
-    // A head-on particle would return along its own path.
+    // A head-on particle would return along its own path, so none is drawn.
     for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
         picture.curve(beside.points, Pen::new(Role::Trail).dotted());

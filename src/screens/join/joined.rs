@@ -32,7 +32,7 @@ pub(super) enum Doing {
 }
 
 impl JoinedClass {
-    /// The seat, with this state from the host.
+    /// The seat in the given state, which the host has sent.
     pub(super) fn new(state: PupilState, pace: HitPace) -> Self {
         let question = state.question.as_ref().and_then(|asked| asked.question());
         let question = match (&state.revealed, question) {

@@ -166,7 +166,7 @@ impl Link {
                 self.hang_up(cx);
                 LinkNews::Refused(why)
             }
-            // A newer host may send other messages.
+            // A newer host may send messages that this version does not know.
             None => LinkNews::Nothing,
         }
     }

@@ -145,7 +145,7 @@ impl Join {
         let (Some(history), Some(link)) = (self.history.history(), &mut self.link) else {
             return;
         };
-        // The host replaces the name with the one used in the class.
+        // The host replaces the player's name with the name used in the class.
         let hand_in = HandIn::new(&cx.settings.player, "", history.attempts.clone());
         let revealed = match hand_in.value() {
             Ok(file) => match link.hand_in(file, cx) {

@@ -91,7 +91,7 @@ fn step_name(step: PupilStep) -> &'static str {
 }
 
 fn write(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
-    // After the end the host may quit.
+    // After the end of the round the host may quit.
     if !link.is_in() && joined.state.step != PupilStep::End {
         let words = "The teacher's carrom is out of reach. Trying again ..";
         panel.paragraph(words, Role::Warn);

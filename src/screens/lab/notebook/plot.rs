@@ -70,8 +70,8 @@ fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -
     (0..=PIECES).map(at).collect()
 }
 
-/// The range over which the curve varies a setting: for an angle, an offset and e it includes every
-/// collision, otherwise a little more than the hits.
+/// The range over which the curve varies a setting. For an angle, an offset and e it includes every
+/// collision; for any other setting it is slightly wider than the range of the hits.
 fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f64, f64) {
     let FieldValue::Number { range, .. } = field.field(setup).value else {
         return (0.0, 0.0);
