@@ -105,8 +105,8 @@ impl Intermediate {
         decimals.map_or(0, |(_, decimals)| decimals.len())
     }
 
-    /// The intermediate value `x`. `result` formats the result that follows from a value; it gives
-    /// the same text for the rounded [`value`](Self::value) as for `x`.
+    /// The intermediate value `x`. `result` gives what is printed in the end; it is the same for
+    /// the rounded [`value`](Self::value) as for `x`.
     pub(crate) fn new<T: PartialEq>(x: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(x, decimals_for(x, 3) + more);
         Self::leading_to(x, text, |read| read, result)

@@ -224,8 +224,8 @@ impl Attempt {
     }
 
     /// An upper bound, based on the answer, for the probability that a guess fits a misconception;
-    /// used if the probability itself was not stored. There were at least three choices, and at
-    /// least one for each stored misconception and one that is right.
+    /// used if the probability itself was not stored. The number of choices was at least three, and
+    /// greater than the number of stored misconceptions.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
         match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,

@@ -48,8 +48,8 @@ const APART_DEG: f64 = 20.0;
 /// How many observations are considered: the most recent of those that can show whether a player
 /// sees what they expect.
 const LATEST: usize = 10;
-/// The minimum number of observations closer to the prediction before carrom reports that the
-/// player sees what they expect.
+/// carrom reports that the player sees what they expect only if at least this number of
+/// observations are closer to the prediction.
 const ENOUGH: usize = 3;
 
 impl Observation {

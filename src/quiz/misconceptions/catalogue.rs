@@ -30,7 +30,7 @@ struct Elsewhere {
     page: String,
 }
 
-/// Where the knowledge of a misconception comes from.
+/// The kind of source for a misconception: a study, a common slip, or a plausible wrong step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
     /// A study that describes the misconception: "Hestenes et al. 1992: greater mass implies
@@ -53,7 +53,7 @@ impl Misconception {
         &self.description().advice
     }
 
-    /// Where the knowledge of the misconception comes from.
+    /// The source for this misconception.
     pub fn origin(self) -> Origin {
         match self.description().source.as_str() {
             "slip" => Origin::Slip,

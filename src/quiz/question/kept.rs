@@ -9,8 +9,8 @@ use crate::physics::units::mm_from_m;
 /// round.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
-/// The maximum number of characters in a choice. At present the longest choice has 90; the rest is
-/// room for future questions.
+/// The maximum number of characters in a choice. At present a choice can have at most 90; the rest
+/// is room for future questions.
 const LONGEST_CHOICE: usize = 400;
 
 impl Form {

@@ -1,4 +1,4 @@
-//! Rounds that ask only about what the player has read about in the chapters.
+//! Rounds about what the player has read in the chapters, and nothing else.
 
 use std::collections::BTreeSet;
 use std::fmt;

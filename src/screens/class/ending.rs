@@ -51,8 +51,8 @@ impl EndPage {
 
     pub(super) fn view(self, play: &Stage) -> View<'_, ClassAction> {
         let mut panel = Panel::new("");
-        // The scoreboard keeps the last question's `subject`, so each other page has one of its
-        // own.
+        // Each page has a `subject` of its own, except the scoreboard, which keeps the last
+        // question's.
         panel.subject = usize::MAX - self as usize;
         match self {
             Self::Board => return board(play),

@@ -216,7 +216,7 @@ impl FoilScreen {
         cx.export(name, svg);
     }
 
-    /// Changes the particle's offset by `steps` steps of the form.
+    /// Changes the particle's offset by `steps` of the form's steps.
     fn step_offset(&mut self, steps: i8) {
         self.edit(|_, fields| OFFSET.step(&mut fields.setup, steps.into()));
     }
