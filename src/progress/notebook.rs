@@ -21,7 +21,8 @@ pub struct NotedHit {
 }
 
 impl NotedHit {
-    /// The maximum number of hits that are read for one player; these are the latest hits.
+    /// The maximum number of a player's hits that are read; if there are more, only the latest are
+    /// read.
     pub(crate) const MOST: usize = 1000;
 
     /// Creates a hit that has not been stored yet.

@@ -11,9 +11,9 @@
 //!
 //! - Wrong, or right by a guess: the topic leaves the ladder and is due at once.
 //! - Right while off the ladder: the topic goes to the first step.
-//! - Right when due: the topic goes one step up, as far as the last step. After a rest that was
-//!   longer than planned, it may go further up: after n days, the next interval is the largest
-//!   power of two that is at most n.
+//! - Right when due: the topic goes one step up, as far as the last step. After a wait that was
+//!   longer than planned, it may go up more than one step: after n days, the next interval is the
+//!   largest power of two that is at most n.
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
 //!   than one.
 //!

@@ -100,8 +100,8 @@ impl Tally {
 const ENOUGH_TO_TELL_APART: usize = 10;
 
 /// The discrimination of a question, which is the correlation between the points for the question
-/// and the points for all other questions, from −1 to 1; `None` if there are fewer than ten answers
-/// or if all answers have equal points.
+/// and the points for all other questions, from −1 to 1; `None` if there are fewer than ten
+/// answers, or if the points for the question, or those for all other questions, are all equal.
 pub(crate) fn discrimination(own_and_rest: impl IntoIterator<Item = (f64, f64)>) -> Option<f64> {
     let (own, rest): (Vec<f64>, Vec<f64>) = own_and_rest.into_iter().unzip();
     correlation(&own, &rest).filter(|_| own.len() >= ENOUGH_TO_TELL_APART)

@@ -20,7 +20,7 @@ const CLEAR: f64 = 0.95;
 const NONE_LEFT: f64 = 0.9;
 /// The minimum number of questions before the round can end.
 const FEWEST: usize = 3;
-/// The number of questions before the first hard question.
+/// The number of questions that are asked before the first hard one.
 const BEFORE_HARD: usize = 3;
 
 /// The candidates drawn for each question: the families, and how many questions of each difficulty

@@ -295,7 +295,7 @@ impl ClassPlay {
             }
             ClassPhase::Tally(_) => (table.with(tally::keys(), ClassAction::Count), false),
             ClassPhase::Shot(shown) => {
-                // The replay uses the space bar, and Enter until its explanation is complete.
+                // The replay uses the space bar and, until its explanation is complete, Enter.
                 let on = match shown.reveal.watch() {
                     Some(_) => {
                         KeyTable::new("class").on(Key::Enter, RoundAction::Forward, "the scores")

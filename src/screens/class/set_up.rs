@@ -262,7 +262,8 @@ impl SetUp {
                 let Some(code) = self.chosen_code(cx) else {
                     return Outcome::Used;
                 };
-                // The round now has a code, so that it begins with the questions that were seen.
+                // The round now has a code, so it will begin with the questions that were
+                // previewed.
                 self.code = TextField::new(&code.to_string(), LONGEST);
                 self.kind = RoundKind::Code;
                 self.put(SetUpRow::Start);

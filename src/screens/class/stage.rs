@@ -45,8 +45,8 @@ impl Stage {
         self.session.round().place().step
     }
 
-    /// A panel for the text of the current step. While the class votes and talks, its first page
-    /// shows all choices; once a page has been turned, it stays turned.
+    /// A panel for the text of the current step. While the class votes and talks, the panel's first
+    /// page shows all choices; once a page has been turned, it stays turned.
     pub(super) fn words(&self) -> Panel<ClassAction> {
         let mut panel = Panel::new("");
         panel.open = true;
