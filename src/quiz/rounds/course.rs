@@ -318,7 +318,8 @@ impl Code {
 
     /// The code with a teacher's own questions or set added, if the code requires them.
     ///
-    /// # Errors Returns the reason in words if the code requires such questions but there are none.
+    /// # Errors
+    /// Returns the reason in words if the code requires such questions but there are none.
     pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
         if let CourseKind::Own(library) = &mut self.course.kind {
             if own.concepts.is_empty() {

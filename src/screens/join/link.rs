@@ -124,7 +124,7 @@ impl Link {
                 self.tries += 1;
                 self.state = LinkState::Waiting(wait);
             }
-            // The connection may be lost without notice.
+            // The connection may have been lost without notice while the device was asleep.
             JoinNews::Awake => self.redial(cx),
         }
         LinkNews::Nothing
