@@ -28,7 +28,7 @@ pub(crate) fn explain(said: f64, share: f64) -> String {
         super::words::count(super::words::to_figures(times, 2) as u64)
     };
     if said > share {
-        format!("You expected about {times} times as many.")
+        format!("You expected a share about {times} times as large.")
     } else {
         format!("It is about {times} times what you expected.")
     }
@@ -42,7 +42,7 @@ mod tests {
     fn the_nearest_answer_is_right_and_feedback_on_others_gives_the_factor() {
         assert!(explain(0.7, 0.707).starts_with("Right"));
         assert!(explain(1e-5, 8.5e-6).starts_with("Right"));
-        assert!(explain(0.5, 8.5e-6).contains("59,000 times as many"));
+        assert!(explain(0.5, 8.5e-6).contains("59,000 times as large"));
         assert!(explain(0.5, 0.707).contains("about 1.4 times what you expected"));
     }
 }

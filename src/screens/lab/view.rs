@@ -292,13 +292,13 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
             .into()
     } else if outcome.energy_rotation > 0.0 {
         format!(
-            "They meet from opposite sides and stay together. Here their centre of mass is at \
+            "The discs stay together. Here their centre of mass is at \
              rest, and they rotate about it {} times a second; the final speeds are those of the \
              two centres. Add V, and the pair moves on, rotating.",
             turns_a_second(outcome)
         )
     } else {
-        "They meet from opposite sides, stick and stay at rest: the total momentum is zero. \
+        "The discs stick and stay at rest: the total momentum is zero. \
          Add V, and the pair moves on."
             .into()
     };

@@ -150,7 +150,7 @@ pub(super) fn about_curve(notebook: &Notebook) -> String {
         .find(|it| it.of == ColumnSource::Setting(field));
     let symbol = name.map_or("α", |it| it.symbol);
     format!(
-        "The line is exact: it varies {symbol} and keeps the other settings of the chosen hit. A \
+        "The line is exact. Along it only {symbol} varies; the other settings are those of the chosen hit. A \
          point with other settings may lie beside it."
     )
 }

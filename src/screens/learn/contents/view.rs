@@ -132,7 +132,7 @@ fn summary(contents: &Contents, book: &Book) -> Panel<ContentsAction> {
     panel.heading("On the board, try this:");
     for idea in [
         "Two equal coins, off-centre: look for the right angle.",
-        "A striker that hits a coin is deflected by at most 21.5°. At which offset?",
+        "A 5.5 g coin deflects a striker of 15 g by at most 21.5°. At which offset?",
         "Levels: use the line of impact to aim.",
     ] {
         panel.item(idea, Role::Text);
