@@ -72,7 +72,7 @@ const OF_MISCONCEPTIONS: &str = "
     speeds do not | speeds-add
     momentum is conserved for any e, all the momentum, total momentum. a collision does not change | momentum-lost
     each momentum changes | each-keeps-momentum
-    the total may be zero, only if the total momentum is zero | gone-at-rest
+    if the total is zero, only if the total momentum is zero | gone-at-rest
     energy is not momentum, the energy does increase | momentum-as-energy
     no components | energy-components
     with a full rebound it is twice as large, a ball that rebounds | sticking-hits-harder
