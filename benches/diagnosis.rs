@@ -35,7 +35,7 @@ struct Outcome {
     named: usize,
     /// The wrong misconceptions that were named first.
     others: Vec<Misconception>,
-    /// The number of questions that each student was asked, in ascending order.
+    /// How many questions the students were asked: one number per student, in ascending order.
     asked: Vec<usize>,
 }
 

@@ -1,7 +1,7 @@
 //! How fast the engine plays: `cargo bench --bench engine`.
 //!
-//! Each figure is the best of many rounds on one core, which is the time for the work itself with
-//! the least disturbance by other programs. The median of the rounds is printed beside it.
+//! Each figure is the shortest time of many rounds on one core, the one that other programs
+//! disturbed least. The median of the rounds is printed beside it.
 
 mod scenes;
 

@@ -2,7 +2,8 @@
 //!
 //! For each law, particles are counted into 36 bins on one core. The table of edges and the plain
 //! loop, which computes the angle of each particle, run in the same rounds. Both count the same
-//! particles, so their counts must be equal. The best and the median of many rounds are printed.
+//! particles, so their counts must be equal. The highest rate of many rounds and the median rate
+//! are printed.
 
 use std::hint::black_box;
 use std::time::Instant;

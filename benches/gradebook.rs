@@ -71,7 +71,7 @@ fn best<T>(work: impl Fn() -> T) -> Duration {
         let start = Instant::now();
         black_box(work());
         shortest = shortest.min(start.elapsed());
-        // Work that takes this long need not be repeated.
+        // A measurement that takes this long is not repeated.
         if shortest > Duration::from_secs(5) {
             break;
         }

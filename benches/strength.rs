@@ -130,7 +130,7 @@ fn lengths(games: u64) {
     }
 }
 
-/// Plays boards on all cores; the result of each seed does not depend on the number of cores.
+/// Plays boards on all cores; the result for each seed does not depend on the number of cores.
 fn contest(strong: Player, weak: Player, boards: u64) -> Tally {
     let next = AtomicU64::new(0);
     let cores = thread::available_parallelism().map_or(1, usize::from);
@@ -248,7 +248,7 @@ fn thinking(strength: Strength) {
         let mut game = new_game(seed);
         while game.play().won.is_none() {
             let thought: u64 = hand.random();
-            // The best of three is disturbed least.
+            // The shortest of the three times is the one that other programs disturbed least.
             let time = (0..3).map(|_| {
                 let start = Instant::now();
                 std::hint::black_box(think(&game, strength, thought));

@@ -1,7 +1,8 @@
-//! Simulated students. Their rays and numbers are calculated here, without the grader's code. Among
-//! choices, they take the one that agrees with their belief. If their belief gives no answer, they
-//! either guess or know the right answer. Every angle has a random error with a standard deviation
-//! of 2°, and every other number has a relative error with a standard deviation of 2 %.
+//! Simulated students. The rays and numbers of their answers are calculated here, without the
+//! grader's code. Among choices, they take the one that agrees with their belief. If their belief
+//! gives no answer, they either guess or know the right answer. Every angle has a random error with
+//! a standard deviation of 2°, and every other number has a relative error with a standard
+//! deviation of 2 %.
 
 use std::f64::consts::{PI, TAU};
 
@@ -31,8 +32,8 @@ pub(crate) enum Belief {
     HeavyUnmoved,
     /// The head-on formula is used with the whole velocity, at any angle.
     HeadOnFormula,
-    /// The right angle is expected in the centre-of-mass frame, and the angles of that frame and of
-    /// the laboratory frame are confused.
+    /// The 90° between the paths is expected in the centre-of-mass frame, and the angles of that
+    /// frame are confused with those of the laboratory frame.
     SquareInTheCentreFrame,
     /// No misconception; every answer is right.
     Knows,

@@ -12,8 +12,9 @@
 //! that carrom reads are damaged and read. Nothing may panic, take longer than a second, show
 //! "NaN", or put a character that is not ASCII on an ASCII screen.
 //!
-//! The counts are saved in FOLDER (`target/fuzz` by default), so that results accumulate; a fault
-//! is recorded there with the number that reproduces it.
+//! The numbers of inputs, files and faults are saved in FOLDER (`target/fuzz` by default), so they
+//! add up over all runs. Each fault is recorded there with the number of the session or file that
+//! reproduces it.
 
 #[path = "../../tests/common/damage.rs"]
 mod damage;

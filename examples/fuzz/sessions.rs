@@ -91,7 +91,7 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
 
 /// The current state of the game.
 struct Moment {
-    /// The prefix of the names of its keys.
+    /// The prefix of the names of this screen's keys.
     screen: String,
     /// The keys with a meaning on this screen.
     own: Vec<Key>,

@@ -46,7 +46,8 @@ use crate::widgets::{Outcome, Palette, PictureSizes};
 
 use layer::{AppLayer, LayerDone};
 
-/// The size below which only one line of advice is drawn.
+/// The smallest size, in columns and rows, of a screen that is drawn; on a smaller one, a single
+/// line states this size.
 pub(crate) const SMALLEST: (u16, u16) = (60, 20);
 
 /// The contents of an app: everything that can be read, played and answered.
@@ -487,9 +488,9 @@ impl App {
         self.with_screen(|screen, cx| screen.input(input, cx))
     }
 
-    /// Passes an input to the topmost screen or, if that screen ignores the input, to a class
-    /// below, because the class continues for its other members. If the class then opens or closes
-    /// a screen, the screens above the class are closed first.
+    /// Passes an input to the topmost screen or, if that screen ignores the input, to the screen of
+    /// a class below it, because the class continues for its other members. If the class then opens
+    /// or closes a screen, the screens above the class are closed first.
     fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
         let top = self.stack.len().saturating_sub(1);
         let mut screens = self.stack.iter_mut().enumerate().rev();

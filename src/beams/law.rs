@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::Rutherford;
 
-/// The target of a beam. It is treated as fixed: so heavy that it does not move.
+/// The target of a beam. It is treated as fixed, as if it were too heavy to move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BeamTarget {
     /// Hard discs or spheres, e = 1. The beam is as wide as the target: b goes up to r₁ + r₂.

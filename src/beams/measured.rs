@@ -104,18 +104,19 @@ pub fn read(table: &str) -> Result<Vec<Angle>, CountsFault> {
     Ok(angles)
 }
 
-/// The counts for one metal compared with the law; it determines the ratios of the counts but not
-/// their scale.
+/// The counts for one metal compared with the law, which determines the ratios of the counts but
+/// not their scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Mean of the counts times sin⁴(φ/2): the scale that fits the counts best.
+    /// Mean of count × sin⁴(φ/2): the scale that fits the counts best.
     pub scale: f64,
     /// Angle φ in radians, 1/sin⁴(φ/2), and the count.
     pub points: Vec<(f64, f64, f64)>,
 }
 
 impl Series {
-    /// The series of the metal that `of` selects; `None` if there are no angles.
+    /// The series of one metal, whose count at an angle is returned by `of`; `None` if there are no
+    /// angles.
     pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
         let points: Vec<_> = angles
             .iter()
@@ -133,7 +134,7 @@ impl Series {
         count / (law * self.scale) - 1.0
     }
 
-    /// The smallest and the largest excess.
+    /// The smallest and the largest relative deviation of a count from the law.
     pub fn band(&self) -> (f64, f64) {
         let excess = self.points.iter().map(|point| self.excess(*point));
         excess.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), excess| {

@@ -44,7 +44,7 @@ impl Sampler {
     pub fn new(law: &ScatteringLaw) -> Self {
         let mut edges = [0; PLACES];
         for (bin, edge) in edges.iter_mut().enumerate().take(BINS) {
-            // Truncated to a whole number; 2⁶⁴, for the whole beam, is clamped to `u64::MAX`.
+            // The cast truncates, and it clamps 2⁶⁴, the value for the whole beam, to `u64::MAX`.
             let share = law.share_beyond(bin as f64 * BIN_WIDTH);
             *edge = (share * 2_f64.powi(64)) as u64;
         }
@@ -60,7 +60,7 @@ impl Sampler {
         sampler
     }
 
-    /// The bin of `w`, at `from` or later.
+    /// The bin of `w`, which is bin `from` or a later one.
     fn search(&self, from: usize, w: u64) -> usize {
         let mut bin = from;
         // The edges end with zeros, and no `w` is below 0.

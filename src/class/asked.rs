@@ -48,7 +48,7 @@ enum AskedPicture {
     Nothing,
     Before {
         hit: AskedHit,
-        /// Whether the offset, the angle and the numbers are marked.
+        /// Whether the picture shows the offset, the impact angle and the numbers.
         shown: [bool; 3],
     },
     /// Both angles in radians, both radii, and the striker's initial path: many masses and energy

@@ -58,7 +58,7 @@ fn gain(right: [Option<f64>; 2]) -> Option<f64> {
     (first < 1.0).then(|| (second - first) / (1.0 - first))
 }
 
-/// The number of votes for each answer, at both votes.
+/// The number of votes for each answer, in each of the two votes.
 fn counts(round: &ClassRound, question: usize) -> Vec<(Response, [usize; 2])> {
     let asked = round.questions().get(question);
     let has_choices = asked.is_some_and(|it| matches!(it.form, Form::Choice { .. }));

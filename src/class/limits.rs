@@ -71,12 +71,13 @@ impl Bucket {
         (self.left + back).min(self.allowance.at_once)
     }
 
-    /// Whether the allowance is enough for one more.
+    /// Whether at least 1 is left.
     fn has_one(&self, now: Duration) -> bool {
         self.left(now) >= 1.0
     }
 
-    /// Takes this many, even if fewer are left; returns the time until the balance is 0 again.
+    /// Uses `count` of the allowance, even if less is left; returns the time until the balance is 0
+    /// again.
     pub fn take(&mut self, count: f64, now: Duration) -> Duration {
         self.left = self.left(now) - count;
         self.since = self.since.max(now);
@@ -90,7 +91,7 @@ struct Addresses {
     allowance: Allowance,
     /// The allowances of the addresses that have used part of theirs.
     known: BTreeMap<IpAddr, Bucket>,
-    /// At this many addresses, those with a full allowance are forgotten.
+    /// Once `known` has this many addresses, those with a full allowance are forgotten.
     most: usize,
 }
 
@@ -306,7 +307,7 @@ mod tests {
         assert!(seats.has_one(address(1), now));
         seats.take(address(1), now);
         assert!(!seats.has_one(address(1), now));
-        // A time before the last one restores nothing.
+        // A time earlier than the last one restores nothing.
         assert!(!seats.has_one(address(1), Duration::ZERO));
         now += Duration::from_secs(3600);
         for host in 0..=u32::from(u16::MAX) {

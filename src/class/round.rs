@@ -68,7 +68,8 @@ pub struct ClassRound {
     class: String,
     /// Whether carrom gives nicknames to pupils' devices instead of asking for names.
     nicknames: bool,
-    /// The number of votes that were dropped when the file was read, because they did not fit.
+    /// The number of votes that were dropped when the file was read, because they did not fit their
+    /// questions.
     pub(super) dropped: usize,
 }
 
@@ -280,7 +281,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Removes a participant and all their votes; only after being readmitted can they rejoin.
+    /// Removes a participant and all their votes; they can rejoin only after being readmitted.
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
         let Participant { seat, name, .. } = self.participant(person)?.clone();
         self.vacate(person)?;

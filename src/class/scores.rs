@@ -15,8 +15,8 @@ pub struct Standing {
     pub gain: f64,
 }
 
-/// The standings after the first `asked` questions, the best first; teams with equal points in the
-/// order in which they were named.
+/// The standings after the first `asked` questions, the best first; teams with equal points are in
+/// the order in which they were named.
 pub fn standings(round: &ClassRound, asked: usize) -> Vec<Standing> {
     let sum = |team: usize, questions: usize| -> f64 {
         let each = (0..questions).map(|question| round.points(question, team));

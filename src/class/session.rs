@@ -206,8 +206,8 @@ impl Session {
         away.map(|(person, _)| person).collect()
     }
 
-    /// "27 of 32 have voted". The total includes those who are connected, and those who have voted
-    /// and are away.
+    /// "27 of 32 have voted". The total consists of everyone who is connected, and of those who
+    /// have voted but are away.
     pub fn turnout(&self, vote: Vote) -> String {
         let question = self.round.place().question;
         let voted = |it: &Participant| it.ballot(question).said(vote).is_some();
@@ -549,8 +549,8 @@ impl Session {
         }
     }
 
-    /// Continues after the round was saved. If it could not be saved, the teacher has been notified
-    /// and the class continues anyway.
+    /// Continues after an attempt to save the round. If the attempt failed, the teacher has been
+    /// notified and the class continues anyway.
     pub fn saved(&mut self) {
         self.keeping.asked = self.keeping.asked.saturating_sub(1);
         self.go_on();

@@ -305,7 +305,7 @@ impl OpenCommand {
 /// The names of the teams of a class.
 type Teams = Vec<String>;
 
-/// The requested round: by its code, or ten hits by a seed alone.
+/// The requested round: the one with this code or, if only a seed is given, ten hits.
 ///
 /// # Errors
 /// If the round requires a teacher's own questions and there are none.

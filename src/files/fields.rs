@@ -489,7 +489,8 @@ impl<'a> Fields<'a> {
         self.parse(name, value)
     }
 
-    /// A table, read by serde, which would also read the fields of a struct from a list.
+    /// A table, read by serde. Anything else is refused first, because serde would also accept a
+    /// list of a struct's fields.
     pub(crate) fn table_parsed<T: DeserializeOwned>(
         &self,
         name: &str,

@@ -20,11 +20,11 @@ pub struct List {
     pub odd: Vec<FileError>,
 }
 
-/// The subfolders of a folder, and at most this many files with this extension (given without its
-/// dot).
+/// The subfolders of a folder, and its files with the extension `ending` (given without its dot),
+/// of which there may be at most `most`.
 ///
 /// # Errors
-/// If the folder cannot be read, or contains more files.
+/// If the folder cannot be read, or contains more of these files.
 pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError> {
     let fault = |message| FileError::of_file(&folder.display().to_string(), message);
     let paths = fs::read_dir(folder).and_then(|entries| {

@@ -1,10 +1,10 @@
 //! The opening pack (14): nineteen pieces in a hexagon around the centre.
 //!
 //! The queen is in the centre, with six coins of alternating colour around her and twelve around
-//! those. The second row has six corners, straight behind the coins of the first, and six positions
-//! between them. Three white corners make a Y with the whites of the first row; alternating the
-//! rest makes every corner white and every position between corners black: 3 + 6 = 9 white and 3 +
-//! 6 = 9 black.
+//! those. The second ring has six corners, straight behind the coins of the first, and six
+//! positions between them. Three white corners make a Y with the whites of the first ring;
+//! alternating the rest makes every corner white and every position between corners black: 3 + 6 =
+//! 9 white and 3 + 6 = 9 black.
 
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};

@@ -79,12 +79,12 @@ pub enum MoveError {
     /// The game does not allow the move.
     #[error(transparent)]
     Game(#[from] GameError),
-    /// There is a legal position for the striker.
+    /// The turn cannot be passed, because there is a legal position for the striker.
     #[error("there is a legal position for the striker on the base lines")]
     RoomLeft,
 }
 
-/// Why a record cannot be played: a move is impossible.
+/// Why a record cannot be played: one of its moves is impossible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("move {number}: {error}")]
 pub struct RecordError {

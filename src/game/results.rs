@@ -46,7 +46,7 @@ pub(crate) struct ResultsRow {
 }
 
 impl Results {
-    /// The results of a player with this name, from saved games, the latest first.
+    /// The results of the player with this name. The saved games are given with the latest first.
     pub(crate) fn of<'a>(
         player: &str,
         games: impl IntoIterator<Item = &'a (SavedGame, Game)>,

@@ -21,7 +21,7 @@ const SIDE_MM: i32 = 300;
 /// How far below and above the centre a coin may lie, in mm: beyond the player's own base lines,
 /// and within reach of the opposite cushion.
 const HEIGHT_MM: (i32, i32) = (-190, 300);
-/// The smallest number that is the code of a day; the codes below are those of other boards.
+/// The smallest number that is the code of a day; smaller codes are those of other boards.
 const FIRST_DAY: u32 = 20_000_101;
 /// The largest code that is not that of a day.
 const MOST: u32 = 999_999;

@@ -12,7 +12,7 @@ use crate::physics::units::deg_from_rad;
 
 /// A step of the striker along the base lines, in metres.
 pub(crate) const PLACE_STEP: f64 = 0.002;
-/// Rounding error of a step, in metres.
+/// The rounding error allowed in a position, in metres.
 const SLACK: f64 = 1e-9;
 /// Steps of direction per degree.
 pub(crate) const STEPS_PER_DEGREE: f64 = 10.0;

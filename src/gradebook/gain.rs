@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn the_gain_is_that_of_the_definition_and_nothing_is_claimed_from_too_little() {
-        // 40 % before and 70 % after on average: half of what was missing.
+        // On average 40 % before and 70 % after: half of the possible gain.
         let class: Vec<[f64; 2]> = (0..10)
             .map(|i| match i % 2 {
                 0 => [0.3, 0.7],

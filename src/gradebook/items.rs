@@ -65,7 +65,8 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     each.collect()
 }
 
-/// The misconception that fits the most of these answers; the first in order if there are several.
+/// The misconception that fits the largest number of these answers and, if several do, the first of
+/// them.
 fn commonest<'a>(answers: impl Iterator<Item = &'a Attempt>) -> Option<(Misconception, usize)> {
     let shown = answers.filter_map(Attempt::shows);
     let shown: Vec<Misconception> = shown.collect();

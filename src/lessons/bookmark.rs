@@ -132,9 +132,9 @@ impl Bookmark {
         }
     }
 
-    /// Adds later entries. If these have a page or an angle, it replaces the earlier page or angle.
-    /// A page that has been seen remains seen, and keeps its answer until the question is answered
-    /// again.
+    /// Adds later entries. Their current page and their angle, if they have them, replace the
+    /// earlier ones. A page that has been seen remains seen, and keeps its answer until the
+    /// question is answered again.
     pub(crate) fn merge(&mut self, later: Self) {
         self.place = later.place.or_else(|| self.place.take());
         self.alpha_deg = later.alpha_deg.or(self.alpha_deg);

@@ -83,7 +83,7 @@ pub struct Filming {
     pub rate: f64,
     /// The standard deviation of a point, in millimetres.
     pub noise_mm: f64,
-    /// How much too large all lengths are, in per cent.
+    /// By how many per cent all lengths are too large.
     pub scale_percent: f64,
     /// The tilt of the camera in degrees, which makes lengths along y seem shorter.
     pub tilt_deg: f64,

@@ -121,7 +121,7 @@ fn table(all: &[Covered]) -> String {
     format!("{:24}{:>9}{:>9}{:>9}\n", "", "68.3 %", "95 %", "of") + &rows.collect::<String>()
 }
 
-/// The quantities whose coverage is wrong by more than `points`.
+/// The quantities whose coverage is wrong by more than `points` percentage points.
 fn wrong(all: &[Covered], points: f64) -> Vec<&'static str> {
     let stated = [100.0 * (1.0 - ONE_SIGMA), 95.0];
     let far = |covered: &Covered| {
@@ -134,7 +134,7 @@ fn wrong(all: &[Covered], points: f64) -> Vec<&'static str> {
         .collect()
 }
 
-/// Films like those of [`film`], but on surfaces that slow both bodies at one of these rates.
+/// Films like those of [`film`], but on surfaces that slow both bodies down, at one of these rates.
 fn slowed(rates: &'static [f64]) -> impl Fn(&mut Pcg64Mcg) -> Film {
     move |random| Film {
         slowing: rates[random.random_range(0..rates.len())],

@@ -9,21 +9,21 @@ use super::student::{beyond_f, beyond_t, t_beyond};
 use super::track::{LEGS, Leg, Point, Track, thinned};
 use super::{Fault, SlowingDown};
 
-/// Straight lines are rejected in favour of slowing down if chance alone would improve the fit this
-/// much in less than this fraction of measurements.
+/// Straight lines are rejected in favour of slowing down if chance alone would improve the fit as
+/// much in less than this fraction of all measurements.
 pub const LEVEL: f64 = 0.01;
 /// With fewer degrees of freedom than this, the noise of each body alone would be too uncertain.
 /// Both bodies then share one noise in x and one in y.
 const FEW: f64 = 25.0;
 /// The standard uncertainty of the sum of two radii, as measured with a calliper, in metres.
 const RADII_SIGMA: f64 = 1e-4;
-/// A quantity smaller than this many times its uncertainty is not clearly different from zero: it
+/// A quantity smaller than its uncertainty times this factor is not clearly different from zero: it
 /// has no direction, and nothing is divided by it.
 const CLEAR: f64 = 4.0;
-/// Beyond this number of uncertainties, the distance between the centres at contact contradicts the
-/// radii.
+/// If the distance between the centres at contact differs from the sum of the radii by more than
+/// this number of standard uncertainties, the tracks contradict the radii.
 const CONTRADICTS: f64 = 3.0;
-/// The probability of a standard normal variable beyond ±1.
+/// The probability that a standard normal variable is outside ±1.
 pub(super) const ONE_SIGMA: f64 = 0.317_310_507_862_914;
 
 /// A quantity as a function of the state.
@@ -468,7 +468,7 @@ impl TracksFit {
 }
 
 /// Starting states slightly earlier and later than a guess. Without them, the fit could get stuck
-/// at a time at which a row changes sides.
+/// at a time of contact at which a row passes from one leg to the other.
 fn around(guess: &State, points: [&[Point]; 2]) -> Vec<State> {
     let times: Vec<f64> = points
         .iter()
@@ -500,7 +500,8 @@ fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> Vec<State> {
             let side = if moves_after { Leg::After } else { Leg::Before };
             let speed = start.velocity(body, side).length();
             let rate = share * speed / duration(body);
-            // The same distance in the same time, from the speed at contact.
+            // The body covers the same distance in the same time, so its speed at contact is
+            // `first` times its mean speed.
             let first = if share < 2.0 {
                 1.0 + 0.5 * share
             } else {

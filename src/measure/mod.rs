@@ -40,7 +40,8 @@ pub enum SlowingDown {
     /// If the data require it.
     #[default]
     Auto,
-    /// Always; the uncertainties are larger, but not even a small deceleration distorts anything.
+    /// Always; the uncertainties are larger, but not even a small deceleration distorts the
+    /// results.
     Always,
     /// Never.
     Never,

@@ -13,8 +13,8 @@ use glam::{DVec2, dvec2};
 
 use super::track::{Leg, Point};
 
-/// Two coordinates of the centre at contact for each body, two of each of four velocities, the
-/// time of contact, and the deceleration of each body.
+/// The number of parameters: two coordinates of each body's centre at contact, two of each of the
+/// four velocities, the time of contact, and the deceleration of each body.
 pub(super) const PARAMETERS: usize = 15;
 const TIME: usize = 12;
 /// The number of coordinates that have separate noise: x and y of each body.
@@ -155,7 +155,7 @@ struct Moved {
 /// What the fit may adjust.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Model {
-    /// Which legs of each body slow down.
+    /// On which of its legs each body slows down.
     pub(crate) slows: [[bool; 2]; 2],
     /// The sum of the radii and its standard uncertainty, if it is used to find the contact.
     pub(crate) apart: Option<(f64, f64)>,
@@ -388,7 +388,7 @@ pub(super) fn dot(a: &Vector, b: &Vector) -> f64 {
 /// The inverse of a symmetric positive definite matrix by Cholesky's decomposition, after scaling
 /// to a unit diagonal.
 fn inverse(matrix: &Matrix) -> Option<Matrix> {
-    /// Beyond this, a parameter is determined by rounding errors.
+    /// Below this pivot, a parameter would be determined by rounding errors alone.
     const SINGULAR: f64 = 1e-13;
     let mut scale = [0.0; PARAMETERS];
     for i in 0..PARAMETERS {

@@ -40,7 +40,7 @@ impl Unit {
         }
     }
 
-    /// The ending of a name in JSON.
+    /// The unit as the ending of a quantity's name in JSON.
     pub(crate) const fn ending(self) -> &'static str {
         match self {
             Self::Seconds => "_s",
@@ -122,9 +122,9 @@ pub(crate) enum Need {
 
 /// A reported quantity.
 pub(crate) struct Quantity {
-    /// Its name in JSON, without the unit.
+    /// The name of the quantity in JSON, without the unit.
     pub(crate) id: &'static str,
-    /// Its name in a table.
+    /// The name of the quantity in a table.
     pub(crate) name: &'static str,
     pub(crate) unit: Unit,
     pub(crate) needs: &'static [Need],

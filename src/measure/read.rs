@@ -12,11 +12,11 @@ use crate::files::{FileError, FileErrors, Source, quoted, short_name};
 
 /// The largest file in bytes: a million rows with full precision take up about 100 MB.
 pub const LARGEST: usize = 1 << 28;
-/// The lines at the start of a file that may come before the first row of numbers.
+/// The number of lines at the start of a file among which the first row of numbers is sought.
 const MOST_HEADS: usize = 100;
 /// The number of errors after which reading stops.
 const MOST_ERRORS: usize = 20;
-/// The largest time in seconds and coordinate in metres.
+/// The largest permitted size of a time in seconds and of a coordinate in metres.
 const MOST: f64 = 1e6;
 /// The longest name of a body, in letters.
 const LONGEST_NAME: usize = 24;

@@ -23,7 +23,7 @@ pub(super) struct Film {
     pub(super) slowing: f64,
     /// Frames per second.
     pub(super) rate: f64,
-    /// Frames before and after the contact.
+    /// The numbers of frames before and after the contact.
     pub(super) frames: [usize; 2],
     /// The noise of a point, in pixels, and the size of a pixel along x and y.
     pub(super) noise: f64,

@@ -41,7 +41,8 @@ fn row(name: impl Into<String>, text: impl Into<String>) -> ReportRow {
     }
 }
 
-/// The decimals for an uncertainty: one figure, or two if the first is a 1.
+/// The number of decimal places that show an uncertainty with one significant figure, or with two
+/// if the first is a 1.
 fn decimals(uncertainty: f64) -> usize {
     if !(uncertainty > 0.0 && uncertainty.is_finite()) {
         return 4;
@@ -101,14 +102,14 @@ impl Agreement {
         }
     }
 
-    /// For a difference that chance alone exceeds with this probability.
+    /// The verdict on a difference that would be exceeded by chance alone with this probability.
     fn of_chance(chance: f64) -> Self {
         Self::of_sigmas(t_beyond(chance, 1e9))
     }
 }
 
-/// Compares a measured value with an exact one. Agreement is weak evidence if the 95 % interval
-/// extends further than `wide`.
+/// Compares a measured value with an exact one. Agreement is weak evidence if half the width of the
+/// 95 % interval is more than `wide`.
 fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) -> String {
     let both = [printed(estimate, unit), rounded(exact, unit)];
     judged(what, both, estimate, exact, unit, wide)
@@ -384,7 +385,7 @@ impl Measurement {
         }
     }
 
-    /// The distance of the centres at contact, and the radii.
+    /// The distance between the centres at contact, and the radii.
     fn distance(&self) -> Option<String> {
         let apart = self.fit.apart?;
         let found = printed(&apart.found, Unit::Length);

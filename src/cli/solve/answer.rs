@@ -54,11 +54,11 @@ struct RimAnswer {
     /// Positive anticlockwise.
     spin1_ccw_rad_s: f64,
     spin2_ccw_rad_s: f64,
-    /// On the target, along the line of impact.
+    /// The impulse on the target along the line of impact.
     normal_impulse_n_s: f64,
-    /// On the target, along n turned by 90° anticlockwise.
+    /// The impulse on the target along n turned by 90° anticlockwise.
     friction_impulse_n_s: f64,
-    /// From n to the change of the target's velocity, positive anticlockwise.
+    /// The angle from n to the change of the target's velocity, positive anticlockwise.
     throw_deg: Option<f64>,
 }
 

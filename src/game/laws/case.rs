@@ -189,7 +189,7 @@ pub(super) fn coins(number: u8, colour: Colour) -> String {
     format!("{} {adjective} coin{plural}", in_words(number))
 }
 
-/// A number of pieces: up to nine as a word.
+/// A number of pieces, written as a word up to nine.
 pub(super) fn in_words(number: u8) -> String {
     const WORDS: [&str; 10] = [
         "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine",

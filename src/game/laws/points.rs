@@ -100,7 +100,7 @@ pub(super) fn judge(case: &Case) -> Verdict {
         .queen_if(covers, QueenFate::Covered)
 }
 
-/// What happened in the stroke, as a sentence without its end.
+/// What happened in the stroke, as the beginning of a sentence, without its full stop.
 fn told(case: &Case, fell: u8, covers: bool, own: u8, back: Option<Colour>) -> String {
     let score = points(own);
     if case.striker_fell {

@@ -28,7 +28,7 @@ const AIMS_A_COURSE: usize = 4;
 const DRIVEN: usize = 12;
 /// Speeds of a break in m/s.
 const BREAK: Range<f64> = 2.8..FASTEST;
-/// Speeds of other strokes that do not aim for a pocket, in m/s.
+/// Speeds of all other strokes that are not aimed at a pocket, in m/s.
 const KNOCK: Range<f64> = 0.6..3.0;
 
 /// A stroke, its expected value, and how often a piece fell.

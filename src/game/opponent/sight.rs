@@ -13,7 +13,7 @@ pub(super) struct Sight<'a> {
     pub(super) coins: &'a [Coin],
 }
 
-/// A factor above the rounding error of distances and tolerances.
+/// A factor that exceeds 1 by more than the relative rounding error of distances and tolerances.
 pub(super) const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// The walls of the frame, each given by the unit vector that points into it.

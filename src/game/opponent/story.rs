@@ -158,7 +158,8 @@ fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + '
 }
 
 impl Fallen {
-    /// How the piece reached the pocket: goes back through the record to the last impact.
+    /// How the piece reached the pocket, found by going back through the record to the last
+    /// collision of the piece.
     fn described(&self, coins: &[Coin], shot: &Shot) -> Option<Fall> {
         let mut cushions = 0_u8;
         for event in shot.events().iter().take(self.when).rev() {

@@ -14,7 +14,7 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 /// Below this angle, in radians (1.5°), a hit is called full and a path straight.
 const FULL: f64 = 0.026;
 
-/// Below this fraction of its speed, a sentence says that the striker stops.
+/// Below this fraction of its speed before the hit, the striker is said to nearly stop.
 const NEARLY_STOPPED: f64 = 0.05;
 
 /// The smallest error in direction that is mentioned, in radians: it rounds to 0.1°.

@@ -155,8 +155,8 @@ fn law_30_the_match_ends_with_the_second_game() {
     assert_eq!(game.0.no_place(), Err(StrokeError::Ended));
 }
 
-/// Asserts how the board ends at scores at which the queen is worth points and at which she is not:
-/// (law, winner, points below 22, points from 22 on).
+/// Asserts how the board ends, both at a score at which the queen is worth points and at one at
+/// which she is not: (law, winner, points below 22, points from 22 on).
 #[track_caller]
 fn ends(
     lay: impl Fn() -> Table,

@@ -13,7 +13,7 @@ pub(in super::super) struct PocketPath {
     pub(in super::super) coin: usize,
     /// The direction in which the coin must move.
     pub(in super::super) toward: DVec2,
-    /// The minimum speed required, in m/s.
+    /// The minimum speed that the coin requires, in m/s.
     pub(in super::super) speed: f64,
     /// The largest tolerable error in the coin's direction, in radians.
     pub(in super::super) allowance: f64,

@@ -24,14 +24,14 @@ pub(super) use strike::{ProposedStroke, allowance, ghost, kicks, most_allowed, s
 /// The thinnest hit that is considered, as the cosine of the impact angle: 78°.
 const THINNEST: f64 = 0.2;
 
-/// A link of a shot whose path a coin may still block.
+/// A link of a shot, before its path is checked: a coin may be in the way.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Unchecked<T> {
     pub(super) link: T,
     way: Way,
-    /// Radius of the disc on this path.
+    /// Radius of the disc that takes this path.
     radius: f64,
-    /// That disc, if it is a coin, and the coin that it hits at the end.
+    /// The disc that takes this path, if it is a coin, and the coin that it hits at the end.
     part: [Option<usize>; 2],
 }
 

@@ -14,7 +14,7 @@ pub(in super::super) struct ProposedStroke {
     pub(in super::super) from: DVec2,
     /// The direction of the stroke.
     pub(in super::super) toward: DVec2,
-    /// The minimum speed required, in m/s.
+    /// The minimum speed that the striker requires, in m/s.
     pub(in super::super) speed: f64,
     /// The largest tolerable error in the stroke's direction, in radians.
     pub(in super::super) allowance: f64,
@@ -59,8 +59,8 @@ pub(in super::super) fn strike(
     stroke(sight, course, Way::straight(from, ghost)?)
 }
 
-/// The tolerance of that stroke, except for rounding, computed without a square root: for most
-/// strokes nothing else is computed.
+/// The tolerance of the straight stroke, apart from rounding, computed without a square root
+/// because most strokes are discarded for their tolerance alone.
 pub(in super::super) fn allowance(
     sight: &Sight,
     course: &PocketPath,
