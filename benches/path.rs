@@ -23,7 +23,7 @@ const IN_A_ROW: usize = 8;
 
 /// The progress of one learner.
 struct Journey {
-    /// The number of steps and days to the end of the chapters; `None` if it was not reached.
+    /// The number of steps and days to the end of the chapters; `None` if the end was not reached.
     arrived: Option<(usize, i64)>,
     /// The number of steps until only the table was left; `None` if this point was not reached.
     finished: Option<usize>,

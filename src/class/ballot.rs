@@ -81,7 +81,7 @@ impl TryFrom<String> for Said {
 pub struct Ballot([Option<Said>; 2]);
 
 impl Ballot {
-    /// One of its votes.
+    /// The answer in one of the two votes.
     pub fn vote(&self, vote: Vote) -> Option<Response> {
         self.given(vote).map(|said| said.response)
     }
@@ -91,7 +91,7 @@ impl Ballot {
         self.0[vote as usize] = said;
     }
 
-    /// A vote with the voter's confidence.
+    /// One of the two votes, with the voter's confidence.
     pub fn given(&self, vote: Vote) -> Option<Said> {
         self.0[vote as usize]
     }

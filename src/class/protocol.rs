@@ -1,7 +1,6 @@
 //! The messages between a pupil's device and the host, in JSON.
 //!
 //! Every message from the host is the pupil's whole state, so voting, joining late, reconnecting
-//! Every message from the host is the pupil's whole state, so voting, joining late, reconnecting
 //! and going back a question all work the same way. A device shows the latest state. `n` is a
 //! number that a device increments with each vote and receives back with its state: a state whose
 //! `n` is at least as large confirms that the vote is on the host's disk or, with `misfit`, that
@@ -116,7 +115,7 @@ pub enum Refusal {
     Version,
     /// The message is not valid.
     Format,
-    /// The device sent another message first, or did not ask to join in time.
+    /// The device sent another message before it asked to join, or did not ask in time.
     Join,
     /// The pupil has joined on another device or in another tab.
     Elsewhere,

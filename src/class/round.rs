@@ -417,8 +417,8 @@ impl ClassRound {
         given.count()
     }
 
-    /// The answers to a question in a vote, as [`Ballot::said`]: one per team, or one per counted
-    /// hand.
+    /// The answers to a question in a vote, as [`Ballot::said`] returns them: one per team, or one
+    /// per counted hand.
     pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         self.answers(question, vote).into_iter().map(|it| it.said)
     }
@@ -441,7 +441,7 @@ impl ClassRound {
         Tally::of_grades(said.filter_map(|said| self.grade(question, Some(said))))
     }
 
-    /// The misconceptions that answers fit, each with the answer.
+    /// The misconceptions that the answers in a vote fit, each with the answer that fits it.
     pub fn held(
         &self,
         question: usize,

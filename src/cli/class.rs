@@ -101,7 +101,7 @@ impl Args {
         self.report.is_some() || self.forget.is_some()
     }
 
-    /// The screen to open, with the `code` completed.
+    /// The screen to open; `code` is the complete code of the round.
     ///
     /// # Errors
     /// If the round cannot be the same for everyone.

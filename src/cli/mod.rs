@@ -494,7 +494,7 @@ fn is_odd(word: &String) -> bool {
 /// The message with such arguments shortened or escaped.
 fn quoting_briefly(mut message: String, odd: &[String]) -> String {
     for word in odd {
-        // clap quotes only the value after a `=`.
+        // clap quotes only the value after the `=`.
         let value = word
             .split_once('=')
             .map_or(word.as_str(), |(_, value)| value);

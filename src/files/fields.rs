@@ -35,7 +35,7 @@ pub(crate) struct Fields<'a> {
 
 impl Source<'_> {
     /// Reads TOML with `format` set to one of the `formats` that can still be read. `what` names
-    /// the document in messages, such as "a saved game"; `known` are its fields.
+    /// the document in messages, such as "a saved game"; `known` lists its fields.
     ///
     /// # Errors
     /// All errors; for a file in a newer format, only that error.

@@ -16,7 +16,7 @@ use super::seat::Seat;
 /// The pack with the stem of the Y towards the player at `breaker`, mirror-symmetric about that
 /// player's line of sight, with [`GAP`] between neighbours.
 ///
-/// The queen comes first, then the first row, then the second.
+/// The queen comes first, then the first ring, then the second.
 pub(crate) fn pack(set: PieceSet, breaker: Seat) -> Vec<Coin> {
     let spacing = 2.0 * set.coin_radius() + GAP;
     let place = |piece, at: DVec2| Coin {

@@ -1,8 +1,8 @@
 //! The pieces, the sets of pieces, and the lines drawn on the board.
 //!
-//! Dimensions are metres and kilograms. Where the Laws of Carrom give a range for a piece, the
-//! upper end is used. Base circles, centre circle and outer circle have their customary sizes.
-//! Side, pockets and friction are those of the default [`Board`](crate::physics::Board).
+//! Lengths are in metres, and masses in kilograms. Where the Laws of Carrom give a range for a
+//! piece, the upper end is used. Base circles, centre circle and outer circle have their customary
+//! sizes. Side, pockets and friction are those of the default [`Board`](crate::physics::Board).
 
 use std::fmt;
 

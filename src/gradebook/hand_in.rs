@@ -9,8 +9,8 @@ use crate::files::{BYTE_ORDER_MARK, LONGEST_QUOTE, escape_control, newer, quoted
 use crate::progress::{Attempt, LESSON, ROUND};
 use crate::quiz::{Code, Course, CourseKind, Family, Topic};
 
-/// The latest version of the format. It adds calls at the table and predictions in levels; a file
-/// without them is written in the first version, which every carrom reads.
+/// The latest version of the format. It adds the predictions made at the table and in levels; a
+/// file without them is written in the first version, which every carrom reads.
 const FORMAT: u32 = 2;
 /// The value that identifies such a file.
 const KIND: &str = "hand-in";

@@ -14,7 +14,7 @@ static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 /// Levels that belong together, sorted by the names of their files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// The name of the folder, without the number that may precede the name and that only
+    /// The name of the folder. A number in front of the name is left out, because it only
     /// determines the order.
     pub name: String,
     /// The levels; no two have the same id.

@@ -42,8 +42,8 @@ impl Scene {
         Ok(shot)
     }
 
-    /// Plays as much of the shot as the smallest work budget allows, which goes beyond the first
-    /// contact.
+    /// Plays as much of the shot as the smallest work budget allows, which is enough to go beyond
+    /// the first contact.
     pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();
         // If there is an error, the record contains the shot up to that point.

@@ -12,7 +12,7 @@ pub(super) const FEWEST: usize = 3;
 
 /// Refuses tracks whose bodies change places from one row to the next.
 pub(super) fn refuse_exchanged(tracks: &[Track; 2]) -> Result<(), Fault> {
-    /// Exchanged tracks jump by the distance of the centres; genuine ones move much less.
+    /// Exchanged tracks jump by the distance between the centres; genuine ones move much less.
     const MUCH_SHORTER: f64 = 0.5;
     let both = together(tracks);
     let mut swaps = both.windows(2).filter_map(|pair| {
@@ -166,7 +166,7 @@ impl Sums {
         }
     }
 
-    /// The sums over each leg of a contact at `time`, if both have enough points.
+    /// The sums over both legs of a contact at `time`, if both legs have enough points.
     fn split(&self, time: f64) -> Option<[[f64; 8]; 2]> {
         let before = self.times.partition_point(|t| *t < time);
         let (sums, all) = (self.sums.get(before)?, self.sums.last()?);
@@ -174,7 +174,8 @@ impl Sums {
         (before >= FEWEST && self.times.len() - before >= FEWEST).then_some([*sums, rest])
     }
 
-    /// The sum of the squared distances from two straight lines.
+    /// The sum of the squared distances of the points from two straight lines, one fitted to each
+    /// leg.
     fn cost(&self, time: f64) -> Option<f64> {
         let cost = |sums: &[f64; 8]| {
             let [n, t, tt, x, y, xt, yt, rr] = *sums;

@@ -147,8 +147,8 @@ struct Moved {
     by: DVec2,
     /// The time since the contact, but at most until the body stops.
     since: f64,
-    /// If the body slows down: its direction, the distance divided by the speed at contact, and its
-    /// speed.
+    /// If the body slows down: its direction, the distance moved since the contact divided by the
+    /// speed at contact, and its speed at that time.
     along: Option<(DVec2, f64, f64)>,
 }
 

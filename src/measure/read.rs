@@ -27,7 +27,7 @@ pub struct Reading {
     /// The columns of the time, and of x and y of each body, by their headings or numbers; empty to
     /// find them by their headings.
     pub columns: Vec<String>,
-    /// The metres per unit of x and of y if the headings give no unit, or pixels.
+    /// The lengths of a unit of x and of y in metres, if the headings give no unit or give pixels.
     pub scale: Option<[f64; 2]>,
     /// Whether a pixel counts as 1 mm if there is no scale, so that the scale can be set later.
     pub takes_pixels: bool,
@@ -168,7 +168,7 @@ fn opening<'a>(source: &Source<'a>) -> Result<TableHead<'a>, FileError> {
     })
 }
 
-/// The separator with which a line is a row of at least three numbers.
+/// The separator that makes a line a row of at least three numbers; `None` if none does.
 fn separator(line: &str) -> Option<u8> {
     b"\t;, ".iter().copied().find(|&separator| {
         let numbers = fields(line, separator)

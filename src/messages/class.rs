@@ -1,5 +1,5 @@
 //! A class on the pupils' own devices: the requests that a pupil's carrom sends to its connection
-//! with the host, and the events that it sends back.
+//! with the host, and the events that the connection sends back.
 
 /// A request from a pupil's carrom to its connection with the host.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //!
 //! A [`Case`] contains the facts that the rules use, as numbers of coins; a [`Verdict`] is the
 //! decision. Neither contains positions. Each file contains one chapter of the Laws of Carrom of
-//! the International Carrom Federation:
+//! the International Carrom Federation, or one set of other rules:
 //!
 //! | file | laws |
 //! |---|---|

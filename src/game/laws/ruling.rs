@@ -51,7 +51,7 @@ impl fmt::Display for Law {
 /// One decision of the referee: the law, the reason and the effects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ruling {
-    /// The law; `None` for a rule of the friendly or practice game.
+    /// The law; `None` for a house rule.
     pub law: Option<Law>,
     /// What happened and the reason for the decision.
     pub text: String,

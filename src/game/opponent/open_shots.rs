@@ -90,7 +90,7 @@ mod tests {
         let game = game(&coins);
         let place = game.base_lines().at(0.0);
         assert_eq!(open_shots(&game, place), [DVec2::Y]);
-        // At the break, too, the coins of the first row can be hit.
+        // At the break, too, the coins in front can be hit.
         let game = Game::new(GameSetup::default());
         assert!(!open_shots(&game, place).is_empty());
     }

@@ -302,7 +302,7 @@ fn bits(stroke: Motion) -> u64 {
 }
 
 /// The search may get faster, but its results never change. The test pins the stroke of each
-/// strength, and the hint, after this many strokes by club players.
+/// strength, and the hint, in games begun by club players.
 #[test]
 fn decisions_do_not_change_by_a_single_bit() {
     use Hands::{Four, Two};

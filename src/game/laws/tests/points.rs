@@ -95,7 +95,7 @@ fn seventeen_points_win_the_game() {
     assert_eq!(table.0.points()[Team::First], 0);
     assert_eq!(table.0.score().games[Team::First], 1);
 
-    // With the striker, two white coins are only one.
+    // If the striker falls with two white coins, one of them goes back.
     let mut sunk = points(3, 5, Queen::OnBoard);
     let rulings = sunk.pocket(&[White, White, Striker]);
     expect_end(&rulings, "house", Team::First, 18);

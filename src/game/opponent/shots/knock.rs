@@ -1,5 +1,5 @@
-//! Strokes that do not aim for a pocket: they break the pack, open a cluster or leave the opponent
-//! a difficult position.
+//! Strokes that are not aimed at a pocket: they break the pack, open a cluster or leave the
+//! opponent a difficult position.
 
 use std::ops::Range;
 
@@ -10,9 +10,9 @@ use rand_pcg::Pcg64;
 use super::super::sight::Sight;
 use crate::physics::Motion;
 
-/// `count` strokes at coins. Each starts from one of `places`, aims at any coin, anywhere between
-/// its two edges, and has a speed in m/s from `speeds`. If there is no coin, they go straight
-/// ahead.
+/// `count` strokes at coins. Each starts from one of `places`, is aimed at a random coin, at a
+/// random point between its two edges, and has a speed in m/s from `speeds`. If there is no coin,
+/// the strokes are aimed near the centre of the board.
 pub(in super::super) fn knocks(
     sight: &Sight,
     places: &[DVec2],
