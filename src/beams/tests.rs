@@ -19,8 +19,8 @@ const SPHERE: ScatteringLaw = ScatteringLaw {
     beam: Beam::Space,
 };
 
-/// Radium C on gold in a beam so narrow that every bin gets enough particles: the outermost
-/// particles are scattered by 2.5°.
+/// α-particles from radium C on gold, in a beam so narrow that every bin gets enough particles: the
+/// outermost particles are scattered by 2.5°.
 fn coulomb(beam: Beam) -> ScatteringLaw {
     let scatterer = Rutherford::radium_c_on_gold();
     let half_width = scatterer.impact_parameter(2.5_f64.to_radians());
@@ -232,7 +232,7 @@ fn a_foil_scatters_few_particles_backwards() {
         .cross_section_beyond(PI / 2.0)
         .unwrap();
     assert!((back / (5.9e28 * 2.1e-7 * sigma) - 1.0).abs() < 1e-12);
-    // d = 29.6 fm gives 1 in 117,000.
+    // With d = 29.6 fm, 1 particle in 117,000 is scattered backwards.
     assert!((1.0 / back / 117_000.0 - 1.0).abs() < 0.01, "{back}");
     assert!((foil(4.2e-7).share_beyond(PI / 2.0) / back - 2.0).abs() < 1e-12);
     // Halving the energy doubles the distance d and quadruples the count.

@@ -234,10 +234,10 @@ mod tests {
     #[test]
     fn guessing_for_a_lesson_finds_less_than_a_ten_thousandth_of_the_codes() {
         let alone = looked_at(1);
-        // 60 at once, then one every ten seconds.
+        // One address: 60 codes at once, then one every ten seconds.
         assert!((300..=331).contains(&alone), "{alone}");
-        // All 254 addresses of a network: 400 at once, then 1.5 per second; in addition, the first
-        // two from each address and one more every half hour.
+        // All 254 addresses of a network: 400 codes at once, then 1.5 per second; in addition, the
+        // first two from each address and one more every half hour.
         let most = looked_at(254);
         assert!((4000..=400 + 4050 + 254 * 4).contains(&most), "{most}");
         for guesses in [alone, most] {

@@ -60,7 +60,7 @@ pub(super) fn read(fields: &Fields, round: &mut ClassRound) -> Option<()> {
         }
     }
     for then in tables("then", &["changes"])? {
-        // A file left by a crash may lack them.
+        // A crash may leave a table without its changes.
         let changes = then.or("changes", Vec::new(), |name| then.any_texts(name))?;
         for (at, text) in changes.into_iter().enumerate() {
             let change = change(text)

@@ -18,7 +18,7 @@ pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
     /// Writes text to a new file in `folder`, and syncs it to the disk. If it is `private` and the
-    /// system has permissions, only this user can ever read it; otherwise the umask decides.
+    /// system has file permissions, only this user can ever read it; otherwise the umask decides.
     ///
     /// # Errors
     /// If the file cannot be written completely; it is then removed.

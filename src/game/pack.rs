@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn law_14_colours_alternate_in_both_rows_and_three_whites_make_a_y() {
+    fn law_14_colours_alternate_in_both_rings_and_three_whites_make_a_y() {
         let coins = pack(PieceSet::Tournament, Seat::South);
         let (first, second) = (&coins[1..7], &coins[7..19]);
         for row in [first, second] {

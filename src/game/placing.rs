@@ -1,8 +1,8 @@
 //! Where the striker may be placed.
 //!
-//! The striker must be between the two base lines of its side and touch both, clear of the base
-//! circles, or cover a base circle fully. It must not cover part of a base circle ("cutting the
-//! moon") or touch a coin.
+//! The striker must touch both base lines of its side. It must be clear of the base circles, or
+//! cover one of them fully. It must not cover part of a base circle ("cutting the moon") or touch a
+//! coin.
 
 use glam::DVec2;
 use thiserror::Error;

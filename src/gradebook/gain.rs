@@ -24,7 +24,8 @@ pub struct NormalizedGain {
 pub enum NoGain {
     /// There are too few matched pupils.
     TooFew,
-    /// So few answers were wrong before that the confidence interval of the gain is unbounded.
+    /// Before the unit, so few answers were wrong that the confidence interval of the gain is
+    /// unbounded.
     NothingToLearn,
 }
 

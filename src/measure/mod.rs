@@ -167,7 +167,7 @@ impl Measurement {
         Some((quantity, self.estimate(quantity)))
     }
 
-    /// The motion that follows from the state before the contact alone.
+    /// The motion that is predicted from nothing but the state before the contact.
     pub(crate) fn predicted(&self) -> Option<State> {
         let [v1, v2] = quantities::predicted(&self.fit.state, &self.known)?;
         let mut state = self.fit.state;

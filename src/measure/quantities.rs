@@ -306,14 +306,14 @@ pub(crate) static QUANTITIES: [Quantity; 46] = [
     ),
     quantity!(
         "p_change_along",
-        "change of momentum along p",
+        "change parallel to p",
         Percent,
         [Need::Momentum],
         |s, k| { Some(changed(s, k)?.x) }
     ),
     quantity!(
         "p_change_across",
-        "change of momentum across p",
+        "change perpendicular to p",
         Percent,
         [Need::Momentum],
         |s, k| { Some(changed(s, k)?.y) }
@@ -418,7 +418,7 @@ pub(crate) static QUANTITIES: [Quantity; 46] = [
     ),
     quantity!(
         "centres_apart",
-        "distance of the centres at contact",
+        "distance between the centres at contact",
         Length,
         [],
         |s, _| { Some(s.centre(0).distance(s.centre(1))) }

@@ -621,7 +621,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_are_chosen_by_head_or_number_and_pixels_are_scaled() {
+    fn columns_are_chosen_by_heading_or_number_and_pixels_are_scaled() {
         let text = "frame;t;xA (px);yA (px);xB (px);yB (px)\n0;0;1;2;3;4\n1;1;1;2;3;4\n";
         let refused = tracks(text).unwrap_err();
         assert!(

@@ -228,7 +228,7 @@ impl Measurement {
         data.push(row("legs", self.legs()));
         data.extend(
             self.distance()
-                .map(|text| row("distance of the centres", text)),
+                .map(|text| row("distance between the centres", text)),
         );
         let velocity = |name: &str, body: usize, id: &str| {
             let name = format!("{name} {}", names[body]);
@@ -500,7 +500,7 @@ impl Measurement {
         })
     }
 
-    /// The friction of the rims, or a bound.
+    /// The friction of the rims: a bound on its coefficient, or why there is none.
     fn friction_sentence(&self) -> String {
         let ratio = match self.quantity("impulse_ratio") {
             Some((_, Ok(ratio))) => ratio,

@@ -38,7 +38,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
     let flushed = |status| out.flush().map(|()| status).map_err(BatchError::Write);
     match written.and_then(flushed) {
         Err(BatchError::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
-            // The rest cannot be written anywhere.
+            // The reader has closed the pipe, so the rest of the buffer is discarded.
             let _ = out.into_parts();
             Ok(ExitCode::SUCCESS)
         }

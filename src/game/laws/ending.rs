@@ -117,12 +117,12 @@ const fn worth_at_least_one(queen: u8) -> u8 {
     if queen == 0 { 1 } else { queen }
 }
 
-/// The player wins by clause a of the law of this number.
+/// The player wins by clause a of the law with this number.
 fn won(case: &Case, law: u8, by: u8, why: String) -> Verdict {
     ends(case, law, by, why, true)
 }
 
-/// The player loses by clause a of the law of this number.
+/// The player loses by clause a of the law with this number.
 fn lost(case: &Case, law: u8, by: u8, why: String) -> Verdict {
     ends(case, law, by, why, false)
 }

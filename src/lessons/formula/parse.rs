@@ -103,7 +103,7 @@ impl FormulaReader<'_> {
                 _ => break,
             };
             if slot.is_some() {
-                return Err("expected at most one _ and one ^ at a letter".into());
+                return Err("expected at most one _ and one ^ after a letter".into());
             }
             self.at += 1;
             *slot = Some(self.script()?);
@@ -266,7 +266,7 @@ mod tests {
             ("(a + b", "expected a closing bracket"),
             ("a)", "expected the end of the formula, found )"),
             ("v_", "expected letters, digits or a bracket after _ or ^"),
-            ("v_1_2", "expected at most one _ and one ^ at a letter"),
+            ("v_1_2", "expected at most one _ and one ^ after a letter"),
             ("\\frac", "expected a letter, a number or a sign, found \\"),
             ("\"m/s", "expected a closing double quote"),
             ("()", "expected something between the brackets"),

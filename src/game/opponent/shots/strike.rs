@@ -96,7 +96,7 @@ pub(in super::super) fn kicks<'a>(
 ///
 /// The coin's speed is a fixed multiple of the striker's velocity component along the line of
 /// impact. An error in the striker's direction becomes a shift at the end of its path; divided by
-/// r₁ + r₂ and the cosine, this shift gives the error in the line of impact.
+/// r₁ + r₂ and the cosine of the impact angle, this shift gives the error in the line of impact.
 fn stroke(sight: &Sight, course: &PocketPath, way: Way) -> Option<Unchecked<ProposedStroke>> {
     let cosine = way.arriving.dot(course.toward);
     if cosine <= THINNEST || cosine.is_nan() {
