@@ -34,7 +34,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     title_line(app, screen.as_ref(), area, buf, look);
     let body = body(area);
     screen.draw(buf, &app.context);
-    // The key `?` is the last key of the screen.
+    // The key line ends with `?`.
     let table = screen.table(&app.context);
     let rows = table.rows().iter().filter(|row| !row.name.is_empty());
     let rows = rows.map(|row| (row.brief(), row.name));

@@ -228,7 +228,7 @@ impl App {
             Input::Resize(columns, rows) => {
                 self.size = Rect::new(0, 0, *columns, *rows);
                 self.context.body = chrome::body(self.size);
-                // The requests of the first screen are returned.
+                // The first screen may already have made requests.
                 return self.context.take_asked();
             }
             Input::Key(Key::Ctrl('c')) => self.leave(),

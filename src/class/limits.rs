@@ -23,9 +23,8 @@ const ALL_WRONG_CODES: Allowance = Allowance {
     at_once: 400.0,
     per_s: 1.5,
 };
-/// The number of wrong codes from each address that do not count towards the limit for all
-/// addresses together, so that guessing from many addresses does not keep out a pupil who has
-/// just arrived.
+/// Wrong codes from each address that do not count towards the limit for all addresses together, so
+/// that guessing from many addresses does not keep out a pupil who has just arrived.
 const FIRST_WRONG_CODES: Allowance = Allowance {
     at_once: 2.0,
     per_s: 1.0 / 1800.0,

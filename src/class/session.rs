@@ -404,8 +404,8 @@ impl Session {
     /// In a full class, the person whose seat goes to a newcomer from this address. Only a
     /// participant who has never voted or handed anything in loses a seat: one who is away or, if
     /// there is none, one whose address differs from the newcomer's and has more than half of all
-    /// seats, because it may be one device. Of these, the address with the most seats loses its
-    /// last one.
+    /// seats, because those may belong to a single device. Of several candidates, the last to join
+    /// from the address with the most seats loses the seat.
     fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
         let people = self.round.participants();
         let held = |by: &Participant| {

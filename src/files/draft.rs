@@ -63,7 +63,7 @@ impl UnplacedFile {
     pub(crate) fn place(&self, path: &Path) -> io::Result<bool> {
         // A hard link fails if the name exists; a rename would replace it.
         match fs::hard_link(&self.0, path) {
-            // The temporary name is removed when this is dropped.
+            // The temporary name is removed when `self` is dropped.
             Ok(()) => Ok(true),
             Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(false),
             // Not every file system supports hard links.

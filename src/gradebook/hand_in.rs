@@ -180,8 +180,8 @@ impl HandIn {
     }
 }
 
-/// A cache of which topics belong to which families, because a file has thousands of answers about
-/// few topics.
+/// Whether a topic belongs to a family. The results are cached, because a file has thousands of
+/// answers on few topics.
 type KnownTopics = HashMap<(Family, String), bool>;
 
 /// Checks that carrom could have stored this answer, and writes its round and topic as carrom does.

@@ -250,8 +250,8 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String
     })
 }
 
-/// The quantity with this name, which belongs to a named shot, belongs to the page's figure, or
-/// does not depend on a shot.
+/// Reads the name of a number: a constant, a quantity of a named shot, or a quantity of the page's
+/// figure.
 fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
     if let Some(constant) = words.constant(&name)? {

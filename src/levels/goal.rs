@@ -132,7 +132,7 @@ pub struct GoalCircle {
 /// The maximum number of cushions that a goal may require.
 const MOST_CUSHIONS: usize = 20;
 
-/// The kinds of goals by their names in a file, each with the fields that it requires.
+/// The kinds of goals by their names in a file, each with its fields.
 const KINDS: [(&str, &[&str]); 12] = [
     ("pocket", &["kind", "discs"]),
     ("keep", &["kind", "disc"]),

@@ -122,8 +122,8 @@ fn refusal(tracks: &[Track; 2], nearest: Option<f64>) -> Fault {
     Fault::new(few.unwrap_or_else(|| "expected a contact with points on both sides".into()))
 }
 
-/// The maximum number of points in which the contact is sought; in longer tracks, points between
-/// these are skipped.
+/// The maximum number of points among which the contact is sought; in longer tracks, some points
+/// are skipped.
 const SOUGHT: usize = 20_000;
 
 /// Sums over the first points of a track, from which any straight line follows at once.

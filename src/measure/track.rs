@@ -39,7 +39,7 @@ pub(super) const LEGS: [Leg; 2] = [Leg::Before, Leg::After];
 /// If there are more points than this, neighbours are averaged: the mean of points on a straight
 /// line is on the line, and the fit then takes no longer for a million rows than for this number.
 const MOST_POINTS: usize = 5_000;
-/// How many groups on each side of the contact are not averaged.
+/// The number of groups of points, on each side of the contact, that are not averaged.
 const SINGLE: usize = 3;
 
 /// The points with neighbours averaged, except near the contact.

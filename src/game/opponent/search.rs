@@ -39,7 +39,7 @@ pub(super) struct Candidate {
     pub(super) chance: Chance,
     /// Whether the striker falls if the stroke is exact.
     pub(super) fouls: bool,
-    /// How far the direction may be changed in the search for a better one.
+    /// The range of directions, in radians, that is tried in the search for a better stroke.
     allowance: f64,
 }
 

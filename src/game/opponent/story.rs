@@ -115,7 +115,7 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
                 before,
                 after,
             } if a == 0 || b == 0 => {
-                // The coin may be the first disc in the record.
+                // In the record of an impact, the coin may come before the striker.
                 let (disc, u1, v1, normal) = match a {
                     0 => (b, before[0], after[0], normal),
                     _ => (a, before[1], after[1], -normal),
