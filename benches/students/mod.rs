@@ -250,7 +250,7 @@ impl Student {
         if family == "both-moving" {
             let [u1, u2] = ["speed", "target_speed"].map(figure);
             return match (self.belief, asked) {
-                // Equal discs exchange their whole velocities.
+                // By the head-on formula, equal discs exchange their whole velocities.
                 (HeadOnFormula, "striker-speed") => u2,
                 (HeadOnFormula, "target-speed") => u1,
                 (HalfAndHalf | AlwaysSquare | IgnoresMass, "separation") => Some(90.0),

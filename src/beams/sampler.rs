@@ -16,8 +16,8 @@ const CELLS: usize = 4096;
 /// Length of the tables of bins: a power of two, so that no index is out of range.
 const PLACES: usize = 64;
 
-/// The number of particles that are computed in parallel, so that no step waits for the result of
-/// the previous step.
+/// The number of particles that are computed in parallel, so that no step has to wait for the
+/// result of the step before.
 const LANES: usize = 4;
 
 /// Draws the particles of a beam and counts them by angle.

@@ -191,7 +191,8 @@ impl<'a> BaseLines<'a> {
             .collect()
     }
 
-    /// How far from the middle the striker may be placed without touching a circle.
+    /// How far from the middle, in metres, the striker may be placed without touching a base
+    /// circle.
     fn end_of_the_lines(&self) -> f64 {
         Self::base_circle_along() - BASE_CIRCLE_RADIUS - self.set.striker_radius()
     }

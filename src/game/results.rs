@@ -30,7 +30,8 @@ pub(crate) struct ClearedBoard {
     pub(crate) strokes: usize,
 }
 
-/// The results with one set of rules against one strength of the computer.
+/// The results with one set of rules, against one strength of the computer and with one steadiness
+/// of the player's hand.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct ResultsRow {
     pub(crate) rules: Rules,

@@ -231,7 +231,7 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
     Ok(attempt)
 }
 
-/// Rewrites the name of an answer's round as carrom does; returns its code.
+/// Rewrites the name of an answer's round as carrom writes it, and returns the code of the round.
 fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
     // Earlier versions stored only the seed.
     let Some(round) = attempt.question.get_mut(ROUND) else {

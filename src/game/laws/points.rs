@@ -46,7 +46,8 @@ impl Taken {
         }
     }
 
-    /// Removes the coin that is put back if the striker falls; `None` if there is none.
+    /// Removes the coin that is put back if the striker falls, and returns its colour; `None` if
+    /// the side has no coin.
     pub(crate) const fn give_back(&mut self) -> Option<Colour> {
         if self.white > 0 {
             self.white -= 1;

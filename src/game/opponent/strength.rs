@@ -61,7 +61,7 @@ pub(super) struct Skill {
     pub(super) refinements: usize,
     /// Whether the position after the stroke is evaluated.
     pub(super) looks_ahead: bool,
-    /// Whether the first of the tries with an unsteady hand is exact.
+    /// Whether the first of the `slips` tries of each stroke is made without an error.
     pub(super) is_exact: bool,
     /// Whether strokes are restricted to the [steps](crate::game::steps) in which a player sets
     /// them, and to those that are not fouls when played exactly.
