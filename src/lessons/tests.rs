@@ -75,7 +75,7 @@ const OF_MISCONCEPTIONS: &str = "
     if the total is zero, only if the total momentum is zero | gone-at-rest
     energy is not momentum, the energy does increase | momentum-as-energy
     no components | energy-components
-    with a full rebound it is twice as large, a ball that rebounds | sticking-hits-harder
+    with e = 1 the impulse is twice as large, a ball that rebounds | sticking-hits-harder
     equally hard, impulses are equal | heavier-pushes-harder
     head-on formulas, enough for a head-on collision | one-line-formula
     sin alpha, cos alpha, cos^2 alpha, sin theta_1, cos theta_1, u_1n, along t | sine-cosine
