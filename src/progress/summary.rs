@@ -148,7 +148,7 @@ impl<'a> Summary<'a> {
         let first = *self.named().first()?;
         let name = first.misconception.name();
         Some(format!(
-            "It showed in {first} answers that could have shown it: {name}."
+            "It showed in {first} answers that could show it: {name}."
         ))
     }
 

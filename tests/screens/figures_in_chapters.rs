@@ -192,7 +192,7 @@ fn claims() -> Vec<Claim> {
     );
     claim(
         5,
-        "(The sum of the components, [2.23] m/s,",
+        "(The components add up to [2.23] m/s,",
         along(&uneven) + across,
     );
     claim(

@@ -171,7 +171,7 @@ fn a_misconception_held_throughout_is_named_at_the_end() {
     let screen = game.screen();
     assert!(
         screen.contains(
-            "It showed in 9 of 9 answers that could have shown it: impact angle used for both."
+            "It showed in 9 of 9 answers that could show it: impact angle used for both."
         ),
         "{screen}"
     );
