@@ -223,8 +223,8 @@ fn the_share_per_steradian_integrates_to_the_share_of_a_ring() {
     assert!((sphere - 4.0 * PI).abs() < 1e-12);
 }
 
-/// The fraction scattered by more than an angle in a foil is n t σ, so it is proportional to the
-/// thickness.
+/// The fraction that a foil scatters by more than a given angle is n t σ, so it is proportional to
+/// the thickness.
 #[test]
 fn a_foil_scatters_few_particles_backwards() {
     let back = foil(2.1e-7).share_beyond(PI / 2.0);

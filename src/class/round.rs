@@ -61,7 +61,7 @@ pub struct ClassRound {
     pub(super) participants: Vec<Participant>,
     /// For each question, the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
-    /// How pupils join on their own devices; `None` once they can no longer return.
+    /// How pupils join on their own devices; `None` while joining is closed.
     pub(super) joining: Option<Joining>,
     place: ClassPlace,
     /// The name of the class; may be empty.

@@ -289,7 +289,7 @@ impl State {
 }
 
 impl StiffContact<'_> {
-    /// The line between the centres, and the overlap, without subtracting nearly equal lengths.
+    /// The line between the centres, and the overlap, calculated without subtracting nearly equal lengths.
     fn place(&self, state: &State) -> (DVec2, f64) {
         let reach = self.c.contact_distance();
         let line = reach * self.normal + state.apart;

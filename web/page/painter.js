@@ -16,7 +16,7 @@ const painter = (() => {
   // A cell in pixels of the device, the font that fits it, and the baseline of its letters.
   let cell = { width: 9, height: 18, size: 15, base: 14 };
   let ratio = 1;
-  // The pictures by their numbers: canvas, area, vectors, cells.
+  // The pictures, indexed by number; each has a canvas, an area, vectors and cells.
   const all = [];
   const shapes = new Map(), widths = new Map();
   // The greatest height of the window for each width: an on-screen keyboard hides a part of it.

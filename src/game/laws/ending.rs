@@ -3,7 +3,7 @@
 use super::case::{Case, QueenBefore, QueenFate, Verdict, points};
 use super::ruling::Law;
 
-/// The maximum number of points for a board (28).
+/// The maximum number of points for a board (law 28).
 pub(crate) const MOST_POINTS: u8 = 12;
 
 /// The verdict on a stroke that ends the board; `None` if the board continues.

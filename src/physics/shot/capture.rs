@@ -76,8 +76,8 @@ impl StuckPair {
 }
 
 impl Shot {
-    /// The record, `duration` seconds long, of two discs on a frictionless open sheet that stick
-    /// together when they meet. If the discs miss each other, this is the record of the miss. The
+    /// The record, `duration` seconds long, of two discs that slide on a frictionless open sheet and
+    /// stick together when they meet. If the discs miss each other, this is the record of the miss. The
     /// numbers must be valid for a shot, and the duration finite.
     pub(in super::super) fn captured(
         board: &Board,

@@ -80,7 +80,7 @@ fn chapters(book: &Book, panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// The number of solid topics, those due now, and those due next.
+/// Writes the number of solid topics, the topics that are due now, and the one due next.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let solid = topics_of_the_quiz(history)
         .iter()

@@ -304,7 +304,7 @@ impl Quiz {
         named.map(|(misconception, _)| misconception)
     }
 
-    /// Asks further questions to check whether the player still has the misconception found.
+    /// Asks further questions to check whether the player still has the misconception that was found.
     fn check(&mut self) {
         if let Some(misconception) = self.found() {
             let course = Course::new(CourseKind::Check(misconception));

@@ -11,8 +11,8 @@ use super::pages::{PageContents, PageLayout, Pages, Tree, values};
 /// The table of answers, and the index that also lists them.
 const ANSWERS: &str = "attempt";
 const LIST_OF_ANSWERS: &str = "attempt_of_player";
-/// The minimum size of an answer, in bytes. An id is accepted as valid only if the file has room for
-/// that many answers.
+/// The minimum size of an answer, in bytes. No id may be larger than the number of answers
+/// of this size that the file has room for.
 const LEAST_ANSWER: usize = 32;
 
 /// The names of tables, each with a number of rows.

@@ -9,7 +9,8 @@ use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
 
 /// The length of the longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
-/// The length of the longest arrow of a velocity with components, in radii of the larger disc.
+/// The length of the longest arrow of a velocity that is drawn with its components, in radii of
+/// the larger disc.
 const LONGEST_ROOTED: f64 = 2.9;
 /// The length of the longest component along n that begins at a disc's centre, as a fraction of the
 /// distance to the other centre, where the component of the other disc begins.

@@ -640,7 +640,7 @@ const MOST_ROWS: usize = 3;
 /// The minimum number of rows for the text that scrolls between fixed blocks.
 const LEAST: u16 = 6;
 
-/// The indentation, in columns, of formulas and of continued lines of working.
+/// The indentation, in columns, of formulas and of continuation lines of working.
 const FORMULA: u16 = 2;
 const WORKING: u16 = 4;
 /// The maximum width of a gauge, in columns.
