@@ -73,7 +73,7 @@ const OF_MISCONCEPTIONS: &str = "
     momentum is conserved for any e, all the momentum, total momentum. a collision does not change | momentum-lost
     each momentum changes | each-keeps-momentum
     if the total is zero, only if the total momentum is zero | gone-at-rest
-    energy is not momentum, the energy does increase | momentum-as-energy
+    energy is not momentum, the kinetic energy does increase | momentum-as-energy
     no components | energy-components
     with e = 1 the impulse is twice as large, a ball that rebounds | sticking-hits-harder
     equally hard, impulses are equal | heavier-pushes-harder
