@@ -478,8 +478,8 @@ fn claims() -> Vec<Claim> {
     );
     claim(14, "gets more of it, [90] mJ", 0.5 * 20.0 * 9.0);
     claim(14, "A body of [85] g at rest explodes", 20.0 + 40.0 + 25.0);
-    claim(14, "The first two are [60] and 80 g m/s.", right);
-    claim(14, "The first two are 60 and [80] g m/s.", up);
+    claim(14, "The first two momenta are [60] and 80 g m/s.", right);
+    claim(14, "The first two momenta are 60 and [80] g m/s.", up);
     claim(14, "closes the triangle: its length is [100] g m/s.", sum);
     claim(
         14,
