@@ -14,14 +14,10 @@ pub(crate) struct Chromium {
     session: String,
 }
 
-impl Chromium {
-    /// Opens a window of this size in CSS pixels; if `finger` is set, the window is a phone's.
-    pub(crate) fn start(size: (u32, u32), finger: bool) -> Self {
-        Self::start_as(size, finger, &json!({}))
-    }
-
-    /// Opens a window with these browser settings (`prefs`).
-    pub(crate) fn start_as((width, height): (u32, u32), finger: bool, prefs: &Value) -> Self {
+/// Starts chromedriver on a free port. It exits if another program takes the port before it has
+/// opened it for both IPv4 and IPv6, so this may need several attempts.
+fn start_driver() -> (Child, u16) {
+    for _ in 0..5 {
         let driver = Command::new("chromedriver")
             .arg("--port=0")
             .stdout(Stdio::piped())
@@ -35,7 +31,23 @@ impl Chromium {
             let (_, port) = line.split_once("started successfully on port ")?;
             port.trim_end_matches('.').parse().ok()
         };
-        let port = output.lines().find_map(started).expect("a port");
+        if let Some(port) = output.lines().find_map(started) {
+            return (driver, port);
+        }
+        driver.wait().unwrap();
+    }
+    panic!("chromedriver finds no free port");
+}
+
+impl Chromium {
+    /// Opens a window of this size in CSS pixels; if `finger` is set, the window is a phone's.
+    pub(crate) fn start(size: (u32, u32), finger: bool) -> Self {
+        Self::start_as(size, finger, &json!({}))
+    }
+
+    /// Opens a window with these browser settings (`prefs`).
+    pub(crate) fn start_as((width, height): (u32, u32), finger: bool, prefs: &Value) -> Self {
+        let (driver, port) = start_driver();
         let mut options = json!({
             "args": ["--headless=new", "--no-sandbox", format!("--window-size={width},{height}")],
             "prefs": prefs,
