@@ -306,14 +306,14 @@ pub(crate) static QUANTITIES: [Quantity; 46] = [
     ),
     quantity!(
         "p_change_along",
-        "change parallel to p",
+        "momentum change parallel to p",
         Percent,
         [Need::Momentum],
         |s, k| { Some(changed(s, k)?.x) }
     ),
     quantity!(
         "p_change_across",
-        "change perpendicular to p",
+        "momentum change normal to p",
         Percent,
         [Need::Momentum],
         |s, k| { Some(changed(s, k)?.y) }
