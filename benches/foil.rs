@@ -78,8 +78,8 @@ fn plain(law: &ScatteringLaw) -> Counts {
     counts
 }
 
-/// Times the app's work for each frame while a beam of 10⁸ runs, in 120 columns and 40 rows: a
-/// batch of the beam, and the drawing.
+/// Times the app's work for each frame, in a terminal of 120 columns and 40 rows, while a beam
+/// of 10⁸ particles is running: one batch of the beam, and the drawing.
 fn pictures() {
     let settings = Settings {
         predict: false,

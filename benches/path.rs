@@ -18,7 +18,7 @@ use students::Belief;
 
 /// More steps than any learner should need.
 const MOST_STEPS: usize = 1_000;
-/// How often the same step must be suggested in succession to count as a loop.
+/// How many times in a row the same step must be suggested to count as a loop.
 const IN_A_ROW: usize = 8;
 
 /// The progress of one learner.

@@ -31,7 +31,7 @@ pub enum HostCall {
 /// News from the class for the teacher's carrom.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostNews {
-    /// Pupils can join, or the reason why they cannot.
+    /// How pupils can join, or the reason why they cannot.
     Opened(Result<JoinDetails, String>),
     /// A pupil who has the right code is asking to join.
     Came {

@@ -385,7 +385,7 @@ pub(super) fn dot(a: &Vector, b: &Vector) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The inverse of a symmetric positive definite matrix by Cholesky's decomposition, after scaling
+/// The inverse of a symmetric positive definite matrix by Cholesky decomposition, after scaling
 /// to a unit diagonal.
 fn inverse(matrix: &Matrix) -> Option<Matrix> {
     /// Below this pivot, a parameter would be determined by rounding errors alone.

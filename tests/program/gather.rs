@@ -249,7 +249,7 @@ fn calls_and_predictions_are_handed_in_but_make_no_items() {
     }
 }
 
-/// A gradebook once parsed all answers of a pupil again for every cell, which took minutes with
+/// A gradebook once parsed all of a pupil's answers again for every cell, which took minutes with
 /// 4,000 rounds.
 #[test]
 fn a_hand_in_with_many_rounds_is_gathered_in_seconds() {

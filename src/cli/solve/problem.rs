@@ -129,8 +129,8 @@ pub(super) struct Solvable {
 }
 
 impl Problem {
-    /// The problem with default masses and speed if they are not given, and a list of these
-    /// assumptions. Lines of a batch must give them.
+    /// The problem, with default values for any mass or speed that it does not give, and a list
+    /// of these assumptions. Lines of a batch must give them.
     pub(super) fn with_usual(self) -> (Self, Vec<Cow<'static, str>>) {
         let mut assumed = Vec::new();
         for (mass, name) in [(self.m1_g, "m1"), (self.m2_g, "m2")] {

@@ -27,7 +27,8 @@ const LOSSY_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(10, 20, 9), (10, 30, 6), (15, 30, 8), (20, 40, 9)],
 ];
 
-/// A lighter striker with m₁ = e m₂, and lighter strikers whose e is larger or smaller than m₁/m₂.
+/// A lighter striker with m₁ = e m₂, and lighter strikers in collisions whose e is larger or
+/// smaller than m₁/m₂.
 const NEAR_SQUARE: [&[MassesAndLoss]; 5] = [
     &[(10, 20, 5), (10, 20, 8), (10, 20, 3)],
     &[(12, 20, 6), (12, 20, 9), (12, 20, 3)],

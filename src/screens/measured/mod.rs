@@ -56,8 +56,8 @@ pub(crate) struct MeasuredScreen {
     shown: MeasuredPage,
     form: SettingsForm,
     settings: MeasuredSettings,
-    /// Why the tracks cannot be measured with the current settings; the results are then the
-    /// previous ones.
+    /// Why the tracks cannot be measured with the current settings; the previous results are
+    /// then kept.
     fault: Option<String>,
 }
 

@@ -42,7 +42,7 @@ enum OptionRow {
 /// A choice on a line: the options that result from it, its text and its description.
 type Choice = (Options, String, Cow<'static, str>);
 
-/// What the keys do on the page of a new game.
+/// What the keys do on the new-game page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NewGameAction {

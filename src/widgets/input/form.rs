@@ -241,14 +241,14 @@ impl SettingsForm {
         self.line(form).is_some()
     }
 
-    /// Handles a key that edits the selected text; returns whether the key was used. A question
+    /// Handles a key that edits the selected text field; returns whether the key was used. A question
     /// mark opens the help.
     pub(crate) fn typed(&mut self, key: Key, form: &mut impl FormFields) -> bool {
         let line = self.line(form).filter(|_| key != Key::Char('?'));
         line.is_some_and(|mut line| line.update(key) && self.put(line, form))
     }
 
-    /// Adds pasted text to the selected text; returns whether a text is selected.
+    /// Inserts pasted text into the selected text field; returns whether a text field is selected.
     pub(crate) fn paste(&mut self, pasted: &str, form: &mut impl FormFields) -> bool {
         self.line(form).is_some_and(|mut line| {
             line.paste(pasted.trim());
