@@ -241,8 +241,8 @@ impl SettingsForm {
         self.line(form).is_some()
     }
 
-    /// Handles a key that edits the selected text field; returns whether the key was used. A question
-    /// mark opens the help.
+    /// Handles a key that edits the selected text field; returns whether the key was used. A
+    /// question mark opens the help.
     pub(crate) fn typed(&mut self, key: Key, form: &mut impl FormFields) -> bool {
         let line = self.line(form).filter(|_| key != Key::Char('?'));
         line.is_some_and(|mut line| line.update(key) && self.put(line, form))
