@@ -22,17 +22,14 @@ const TOLD: &str = "return window.carrom.told()";
 
 /// The answers in the bytes of a database, as the program reads them from a file.
 fn answers(bytes: &[u8]) -> Vec<Attempt> {
-    let folder = std::env::temp_dir().join(format!("carrom-page-{}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("progress.db"), bytes).unwrap();
-    let mut store = Store::in_folder(&folder);
+    let folder = Folder::new("page-answers");
+    fs::write(folder.path().join("progress.db"), bytes).unwrap();
+    let mut store = Store::in_folder(folder.path());
     let request = StoreRequest::Recall(None);
     let StoreReply::Recalled(Ok(history)) = store.answer(&StoreCall { ticket: 0, request }).done
     else {
         panic!("the program cannot read the page's database");
     };
-    drop(store);
-    fs::remove_dir_all(&folder).unwrap();
     history.attempts
 }
 
