@@ -125,9 +125,31 @@ fn no_answer_reported_as_saved_is_lost_when_a_tab_is_closed() {
     );
 }
 
+/// A part of the message that appears when nothing can be saved.
+const UNSAVED: &str = "cannot be saved";
+
+/// Waits until the screen contains this text.
+fn wait_until_shown(chromium: &mut Chromium, text: &str) {
+    for _ in 0..100 {
+        if chromium.run(SCREEN, &[]).as_str().unwrap().contains(text) {
+            return;
+        }
+        wait(100);
+    }
+    panic!("no \"{text}\" on the screen");
+}
+
 /// Plays two questions while nothing can be saved, and returns how many times the page reported
 /// that.
 fn times_told(chromium: &mut Chromium) -> usize {
+    // Any key closes the message, so the screen is read in the same step in which the next key is
+    // pressed.
+    let read_and_press = format!(
+        "const screen = (() => {{ {SCREEN} }})();
+        document.body.dispatchEvent(new KeyboardEvent(
+          'keydown', {{ key: arguments[0], bubbles: true, cancelable: true }}));
+        return screen;"
+    );
     let mut times = 0;
     let mut before = false;
     for key in ["a", "Enter", "2"]
@@ -136,13 +158,18 @@ fn times_told(chromium: &mut Chromium) -> usize {
         .chain(["a", "Enter", "2"])
         .chain(std::iter::repeat_n("Enter", 20))
     {
-        press(chromium, &[key]);
-        // The message appears after a moment, and the next key would close it.
-        wait(150);
-        let screen = chromium.run(SCREEN, &[]);
-        let now = screen.as_str().unwrap().contains("cannot be saved");
+        if key == "2" {
+            wait_until_shown(chromium, "How sure");
+        }
+        let screen = chromium.run(&read_and_press, &[json!(key)]);
+        let now = screen.as_str().unwrap().contains(UNSAVED);
         times += usize::from(now && !before);
         before = now;
+        wait(200);
+    }
+    if times == 0 {
+        wait_until_shown(chromium, UNSAVED);
+        times = 1;
     }
     times
 }
