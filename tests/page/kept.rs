@@ -142,13 +142,16 @@ fn wait_until_shown(chromium: &mut Chromium, text: &str) {
 /// Plays two questions while nothing can be saved, and returns how many times the page reported
 /// that.
 fn times_told(chromium: &mut Chromium) -> usize {
-    // Any key closes the message, so the screen is read in the same step in which the next key is
-    // pressed.
+    // Any key closes the message, even before it is drawn. So the screen is read after two frames,
+    // in the same step in which the next key is pressed.
     let read_and_press = format!(
-        "const screen = (() => {{ {SCREEN} }})();
-        document.body.dispatchEvent(new KeyboardEvent(
-          'keydown', {{ key: arguments[0], bubbles: true, cancelable: true }}));
-        return screen;"
+        "const read = () => {{ {SCREEN} }};
+        return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {{
+          const screen = read();
+          document.body.dispatchEvent(new KeyboardEvent(
+            'keydown', {{ key: arguments[0], bubbles: true, cancelable: true }}));
+          done(screen);
+        }})));"
     );
     let mut times = 0;
     let mut before = false;
