@@ -13,9 +13,7 @@ use crate::game::Rules;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
-use crate::widgets::{
-    Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, scroll_keys, sheet, text,
-};
+use crate::widgets::{Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, sheet, text};
 
 /// What the keys do on every screen, unless the screen uses the key for something else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -54,7 +52,12 @@ pub(crate) fn shared_keys() -> KeyTable<SharedAction> {
 fn view_keys() -> KeyTable<SharedAction> {
     use SharedAction::Scroll;
     KeyTable::new("everywhere")
-        .each(scroll_keys(Scroll), "")
+        .by(
+            [Key::PageUp, Key::PageDown],
+            Scroll,
+            [-PAGE_ROWS, PAGE_ROWS],
+            "",
+        )
         .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))])
 }
 
@@ -224,7 +227,7 @@ impl<S: Screen> Hosted<S> {
         let of = (panel.title.as_str(), panel.subject);
         let scrolled = { self.scrolled.iter() }.find(|it| (it.of.0.as_str(), it.of.1) == of);
         let rows = match scrolled {
-            Some(it) if it.chosen == placed.chosen() => it.rows.min(placed.overflow()),
+            Some(it) if it.chosen == placed.chosen => it.rows.min(placed.overflow()),
             _ if panel.from_top => 0,
             _ => placed.following(),
         };
@@ -256,7 +259,7 @@ impl<S: Screen> Hosted<S> {
             (rows != shown.rows).then(|| Scrolled {
                 of: (shown.of.0.to_owned(), shown.of.1),
                 rows,
-                chosen: shown.placed.chosen(),
+                chosen: shown.placed.chosen,
                 stays: panel.stays,
             })
         });
@@ -326,7 +329,7 @@ impl<S: Screen> Hosted<S> {
             let is_followed = |it: &Shown| {
                 let placed = &it.placed;
                 let is_list = placed.is_list || placed.pages().is_some();
-                is_list || !has_picture && placed.chosen().is_some()
+                is_list || !has_picture && placed.chosen.is_some()
             };
             let is_long = under.map(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
             (view.picture, hit, is_long)

@@ -61,5 +61,5 @@ pub use text::{
     Blocks, Charset, Item, Look, PictureSizes, Section, Sheet, SheetKind, Words, cells, formula,
     keys, recorded,
 };
-pub(crate) use text::{Lines, PAGE_ROWS, Room, areas, big, flow, scroll_keys, sheet, signs};
+pub(crate) use text::{Lines, PAGE_ROWS, Room, areas, big, flow, sheet, signs};
 pub use theme::{Depth, Palette, Role, Theme};

@@ -81,7 +81,7 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
 }
 
 fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
-    panel.large(["Your beliefs", "Beliefs"], Role::Title, LARGE_FROM);
+    panel.large(["Your beliefs", "Beliefs"], LARGE_FROM);
     panel.gap();
     let held = beliefs(round);
     if held.is_empty() {
@@ -120,7 +120,7 @@ fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
 }
 
 fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
-    panel.large(["Questions"], Role::Title, LARGE_FROM);
+    panel.large(["Questions"], LARGE_FROM);
     panel.gap();
     for heads in [
         ["right", "", "degrees off", "", "tells"],

@@ -136,7 +136,7 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
         let is_said = said.said() == Some(Response::Choice(i));
         let text = vec![Run::new(*name, Role::Text)];
         let say = FoilAction::Guess(AnswerAction::Choose(i));
-        panel.choice(letter(i), text, is_said, Some(say));
+        panel.choice(letter(i), text, is_said, say);
     }
     panel.gap();
     match said.said() {

@@ -271,7 +271,7 @@ fn write_answer(
         write_standing(panel);
     }
     panel.part(JoinAction::answer, |panel| {
-        input.write_prompt(form, "next, how sure?", panel);
+        panel.prompts([input.next(form, "next, how sure?")]);
     });
     panel.worth(1, |panel| {
         panel.gap();

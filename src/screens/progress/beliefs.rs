@@ -38,7 +38,7 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
             ];
             TableRow::of(cells, role(belief))
         });
-        panel.table(heads, rows.collect());
+        panel.table(heads, rows.collect(), None);
     } else {
         for belief in &beliefs {
             let HeldBelief { before, since, .. } = belief;

@@ -51,7 +51,7 @@ pub(super) fn table(
         };
         TableRow::of(cells, role)
     });
-    panel.table(columns, rows.collect());
+    panel.table(columns, rows.collect(), None);
     panel.gap();
     panel.paragraph(Mastery::legend(), Role::Dim);
     chapters(book, panel);

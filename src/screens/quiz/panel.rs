@@ -26,7 +26,7 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     panel.worth(2, |panel| {
         panel.gap();
         panel.part(QuizAction::answer, |panel| {
-            input.write_prompt(form, "next, how sure?", panel);
+            panel.prompts([input.next(form, "next, how sure?")]);
         });
     });
 }

@@ -158,7 +158,7 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
             }
         };
     let lines = summary.attempts.iter().zip(answered()).enumerate();
-    panel.table(columns, lines.map(row).collect());
+    panel.table(columns, lines.map(row).collect(), None);
     if summary.attempts.iter().any(was_far_off) {
         panel.line("! sure, but wrong", Role::Dim);
     }

@@ -514,7 +514,7 @@ fn text(words: &Words, is_help: bool) -> Option<String> {
             read(&format!("{name}: {}", value_words(value)))
         }
         Words::TextField { name, value } => read(&listed(name, [value.as_str()])),
-        Words::Code { text, command, .. } => format!("{}: {command}", read(text)),
+        Words::Code(share) => format!("{}: {}", read(&share.text), share.command),
         Words::Tab { name } => read(name),
         Words::Meter { name, value, .. } => read(&listed(name, [value.as_str()])),
         Words::Large { runs } => read(&joined(runs)),

@@ -202,7 +202,7 @@ impl AnswerInput {
                         panel.worth(apart, Panel::gap);
                     }
                     let text = vec![Run::new(option, Role::Text)];
-                    let pick = Some(AnswerAction::Choose(i));
+                    let pick = AnswerAction::Choose(i);
                     panel.choice(letter(i), text, Some(i) == *chosen, pick);
                 }
             }
@@ -210,18 +210,8 @@ impl AnswerInput {
         }
     }
 
-    /// The action of the prompt that leads on: entering the typed number, switching to the other
-    /// ray, or submitting the answer.
-    fn go_on(&self) -> AnswerAction {
-        match self {
-            Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
-            Self::Number(number) | Self::Shot(number) => AnswerAction::Number(number.enter()),
-            Self::Choice { .. } => AnswerAction::Enter,
-        }
-    }
-
-    /// The label and the action of the prompt that leads on; `last` is the label for submitting the
-    /// answer.
+    /// The label and the action of the prompt that leads on: entering the typed number, switching
+    /// to the other ray, or submitting the answer, for which `last` is the label.
     pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning == Ray::Striker => {
@@ -229,12 +219,12 @@ impl AnswerInput {
             }
             _ => last.to_owned(),
         };
-        (words, self.go_on())
-    }
-
-    /// Writes the prompt that leads on.
-    pub(crate) fn write_prompt(&self, form: &Form, last: &str, panel: &mut Panel<AnswerAction>) {
-        panel.prompts([self.next(form, last)]);
+        let action = match self {
+            Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
+            Self::Number(number) | Self::Shot(number) => AnswerAction::Number(number.enter()),
+            Self::Choice { .. } => AnswerAction::Enter,
+        };
+        (words, action)
     }
 
     /// One or two sentences on how to enter the answer.

@@ -85,13 +85,13 @@ impl Asking {
     pub(crate) fn act(&mut self, action: AskingAction) -> Outcome<(Response, Confidence)> {
         let chosen = match (action, self.sure) {
             (AskingAction::Answer(action), None) => {
-                return match self.input.act(action) {
-                    Outcome::Done(()) => {
-                        self.sure = Some(Confidence::ThinkSo);
-                        Outcome::Used
-                    }
-                    Outcome::Used => Outcome::Used,
+                let outcome = self.input.act(action);
+                if outcome == Outcome::Done(()) {
+                    self.sure = Some(Confidence::ThinkSo);
+                }
+                return match outcome {
                     Outcome::Ignored => Outcome::Ignored,
+                    _ => Outcome::Used,
                 };
             }
             (AskingAction::MoreSure(by), Some(sure)) => {

@@ -46,18 +46,20 @@ impl BoardRow {
     fn write_large(&self, [name, points]: [&Big; 2], high: u16, lines: &mut Lines) {
         let top = lines.written();
         let words = |_| Words::Pair {
-            name: Run::new(self.name.as_str(), Role::Title),
-            value: Run::new(self.points.as_str(), Role::Title),
+            name: Run::new(&self.name, Role::Title),
+            value: Run::new(&self.points, Role::Title),
         };
         lines.written_as(words, |lines| {
-            lines.big(&[(name, Align::Left), (points, Align::Right)], Role::Title);
+            lines.big(&[(name, Align::Left), (points, Align::Right)]);
         });
         lines.skip_to(top + LETTERS);
         let bar = bar(self.share, lines.width().saturating_sub(9), lines.charset());
-        lines.written_as(
-            |_| Words::meter("", self.share, &self.gain, Role::Predicted),
-            |lines| lines.pair(&bar, &self.gain, Role::Predicted, Role::Title),
+        let (bar, gain) = (
+            Run::new(bar, Role::Predicted),
+            Run::new(&self.gain, Role::Title),
         );
+        let words = |_| Words::meter("", self.share, &self.gain, Role::Predicted);
+        lines.written_as(words, |lines| lines.pair(&bar, &gain));
         lines.skip_to(top + high.min(LARGE[1]));
     }
 
@@ -67,13 +69,12 @@ impl BoardRow {
         let room = usize::from(lines.width().saturating_sub(NUMBERS));
         let name = text::clipped(&self.name, room);
         let numbers = format!("{:>NUMBER$}  {:>NUMBER$}", self.points, self.gain);
-        lines.pair(&name, &numbers, Role::Title, Role::Title);
+        let [name, numbers] = [name, numbers].map(|text| Run::new(text, Role::Title));
+        lines.pair(&name, &numbers);
         if high > 1 {
             let bar = bar(self.share, lines.width().saturating_sub(1), lines.charset());
-            lines.written_as(
-                |_| Words::meter("", self.share, "", Role::Predicted),
-                |lines| lines.line(&bar, Role::Predicted),
-            );
+            let words = |_| Words::meter("", self.share, "", Role::Predicted);
+            lines.written_as(words, |lines| lines.line(&bar, Role::Predicted));
         }
         lines.skip_to(top + high.clamp(1, 3));
     }
@@ -87,10 +88,11 @@ fn large(rows: &[BoardRow], high: u16, lines: &Lines) -> Option<Vec<[Big; 2]>> {
     let (width, charset) = (lines.width(), lines.charset());
     let texts = |of: fn(&BoardRow) -> &String| rows.iter().map(|row| of(row).as_str()).collect();
     let points: Vec<&str> = texts(|row| &row.points);
-    let points = Big::fit_lines(&points, (width + 1) / 3, charset)?;
+    let points = Big::fit_all(&points, (width + 1) / 3, LETTERS, charset)?;
     let widest = points.iter().map(Big::columns).max()?;
     let names: Vec<&str> = texts(|row| &row.name);
-    let names = Big::fit_lines(&names, width.saturating_sub(widest + APART + 1), charset)?;
+    let room = width.saturating_sub(widest + APART + 1);
+    let names = Big::fit_all(&names, room, LETTERS, charset)?;
     let letters = names.into_iter().zip(points);
     Some(letters.map(<[Big; 2]>::from).collect())
 }

@@ -1,6 +1,7 @@
 //! The layout of panels in cells: how many rows each block has, which blocks fit, and which cells
 //! can be clicked.
 
+use std::iter;
 use std::ops::Range;
 
 use ratatui::buffer::Buffer;
@@ -21,16 +22,16 @@ pub(crate) struct Writing {
 }
 
 /// A panel after layout: the blocks that fit, with their positions.
+#[derive(Default)]
 pub(crate) struct Placed<'p> {
-    area: Rect,
-    /// The blocks that stay visible above the scrollable text, and those below it.
-    fixed: [Fixed<'p>; 2],
-    /// Each block with its first row, counted from the top of the text.
-    blocks: Vec<(u16, PlacedBlock<'p>)>,
-    rows: u16,
-    targets: Vec<Target>,
-    /// The rows of the selected item.
-    chosen: Option<Range<u16>>,
+    /// The blocks that stay visible above the text.
+    head: Part<'p>,
+    /// The text, which can be scrolled.
+    body: Part<'p>,
+    /// The blocks that stay visible below the text.
+    foot: Part<'p>,
+    /// The first row of the selected item.
+    pub(crate) chosen: Option<u16>,
     /// Whether the selected item belongs to a list rather than being a setting.
     pub(crate) is_list: bool,
     /// The height, in rows, of the area in which the panel was laid out.
@@ -39,55 +40,59 @@ pub(crate) struct Placed<'p> {
     pages: Option<PlacedPages<'p>>,
 }
 
-/// Blocks that are not scrolled.
+/// Consecutive blocks, and the cells that can be clicked, counted from the first row of the part.
 #[derive(Default)]
-struct Fixed<'p> {
+struct Part<'p> {
     area: Rect,
-    pieces: Vec<PlacedBlock<'p>>,
-    targets: Vec<Target>,
+    blocks: Vec<PlacedBlock<'p>>,
+    targets: Vec<(Rect, ActionAt)>,
     rows: u16,
+}
+
+impl<'p> Part<'p> {
+    /// Adds a block with its rows and its cells that can be clicked.
+    fn push(&mut self, block: PlacedBlock<'p>, rows: u16, targets: Vec<(Rect, ActionAt)>) {
+        let top = self.rows;
+        let below = |cells: Rect| Rect {
+            y: top + cells.y,
+            ..cells
+        };
+        let targets = targets.into_iter();
+        self.targets
+            .extend(targets.map(|(cells, action)| (below(cells), action)));
+        self.blocks.push(block);
+        self.rows += rows;
+    }
+
+    /// The cells of the screen that can be clicked if the part is scrolled by `scrolled` rows.
+    fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
+        let area = self.area;
+        self.targets.iter().filter_map(move |(cells, action)| {
+            let top = cells.y.saturating_sub(scrolled);
+            let height = cells.bottom().checked_sub(scrolled)? - top;
+            let seen = Rect::new(area.x + cells.x, area.y + top, cells.width, height);
+            let seen = seen.intersection(area);
+            (!seen.is_empty()).then_some((seen, *action))
+        })
+    }
+
+    /// Draws the part of a panel that has `whole` rows, scrolled by `scrolled` rows.
+    fn draw(&self, scrolled: u16, whole: u16, buf: &mut Buffer, look: Look) {
+        let mut lines = Lines::new(self.area, buf, look).of_panel(whole, scrolled);
+        for block in &self.blocks {
+            block.write(&mut lines);
+        }
+    }
 }
 
 /// A block without its actions.
 struct PlacedBlock<'p> {
     content: &'p Content,
+    chosen: Option<bool>,
     worth: Option<u8>,
     /// For each action, the label of its key; `None` if the action has no key or the label is not
     /// shown.
     keys: Vec<Option<String>>,
-}
-
-/// Cells that can be clicked, in rows from the top of the text and columns from the left.
-#[derive(Debug, Clone, PartialEq, Eq)]
-struct Target {
-    rows: Range<u16>,
-    columns: Range<u16>,
-    action: ActionAt,
-}
-
-impl Target {
-    /// This target moved down by `rows` rows.
-    fn below(self, rows: u16) -> Self {
-        Self {
-            rows: rows + self.rows.start..rows + self.rows.end,
-            ..self
-        }
-    }
-
-    /// The cells of the target in an area whose text is scrolled by `scrolled` rows; `None` if the
-    /// target is not visible.
-    fn cells(&self, area: Rect, scrolled: u16) -> Option<Rect> {
-        let top = area.y + self.rows.start.saturating_sub(scrolled);
-        let below = area.y + self.rows.end.checked_sub(scrolled)?;
-        let cells = Rect {
-            x: area.x + self.columns.start,
-            y: top,
-            width: self.columns.end - self.columns.start,
-            height: below.saturating_sub(top),
-        };
-        let cells = cells.intersection(area);
-        (!cells.is_empty()).then_some(cells)
-    }
 }
 
 /// The position of an action in a panel: the index of the block, and the index of the action in the
@@ -111,6 +116,7 @@ impl<A: Copy> Panel<A> {
         };
         let pieces = self.blocks.iter().map(|block| PlacedBlock {
             content: &block.content,
+            chosen: block.chosen,
             worth: block.worth,
             keys: piece(block),
         });
@@ -118,7 +124,7 @@ impl<A: Copy> Panel<A> {
         let mut placed = placed(pieces.collect(), self.pinned..below, area, writing);
         if self.open && placed.overflow() > 0 {
             // The note that there is more text has a separate row.
-            placed.area.height = placed.area.height.saturating_sub(1);
+            placed.body.area.height = placed.body.area.height.saturating_sub(1);
         }
         placed
     }
@@ -157,18 +163,17 @@ fn placed<'p>(
     let mut lengths = Vec::new();
     for (number, piece) in pieces.iter().enumerate() {
         let from = lines.written();
-        let mut targets = Vec::new();
-        piece.write(&mut lines, &mut |rows, columns, own| {
-            targets.push(Target {
-                rows: rows.start - from..rows.end - from,
-                columns,
-                action: (number, own),
-            });
+        piece.write(&mut lines);
+        let targets = lines.targets.drain(..).map(|(cells, own)| {
+            let y = cells.y - from;
+            (Rect { y, ..cells }, (number, own))
         });
+        let targets: Vec<_> = targets.collect();
         lengths.push((lines.written() - from, targets));
     }
-    let is_shown = with_room(&pieces, area.height, lengths.iter().map(|(rows, _)| *rows));
-    let rows = |part: Range<usize>| -> u16 { lengths[part].iter().map(|(rows, _)| rows).sum() };
+    let rows: Vec<u16> = lengths.iter().map(|(rows, _)| *rows).collect();
+    let is_shown = with_room(&pieces, area.height, &rows);
+    let rows = |part: Range<usize>| -> u16 { rows[part].iter().sum() };
     let head = rows(0..middle.start);
     // An empty row separates the foot from the blocks above.
     let foot = match rows(middle.end..pieces.len()) {
@@ -189,12 +194,12 @@ fn placed<'p>(
     let mut after_gap = true;
     let blocks = pieces.into_iter().zip(is_shown).zip(lengths);
     for (number, ((piece, shown), (rows, targets))) in blocks.enumerate() {
-        if !middle.contains(&number) {
-            let part = &mut placed.fixed[usize::from(number >= middle.end)];
-            part.targets
-                .extend(targets.into_iter().map(|it| it.below(part.rows)));
-            part.rows += rows;
-            part.pieces.push(piece);
+        if number < middle.start {
+            placed.head.push(piece, rows, targets);
+            continue;
+        }
+        if number >= middle.end {
+            placed.foot.push(piece, rows, targets);
             continue;
         }
         let is_gap = matches!(piece.content, Content::Gap);
@@ -203,32 +208,26 @@ fn placed<'p>(
             continue;
         }
         after_gap = is_gap;
-        let top = placed.rows;
-        if piece.content.is_chosen() {
-            placed.chosen = Some(top..top + rows);
+        if piece.chosen == Some(true) {
+            placed.chosen = Some(placed.body.rows);
             let sets = matches!(
                 piece.content,
                 Content::Field { .. } | Content::TextField { .. }
             );
             placed.is_list = !sets;
         }
-        placed
-            .targets
-            .extend(targets.into_iter().map(|it| it.below(top)));
-        placed.blocks.push((top, piece));
-        placed.rows += rows;
+        placed.body.push(piece, rows, targets);
     }
-    let [_, below] = areas::upper(rest, placed.rows.min(area.height) + u16::from(foot > 0));
-    placed.fixed[0].area = above;
-    placed.fixed[1].area = below;
+    let body_rows = placed.body.rows.min(area.height);
+    placed.head.area = above;
+    placed.foot.area = areas::upper(rest, body_rows + u16::from(foot > 0))[1];
     placed
 }
 
 /// For each block, whether it is shown in a panel of this height.
-fn with_room(pieces: &[PlacedBlock], height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
-    let rows: Vec<u16> = rows.collect();
+fn with_room(pieces: &[PlacedBlock], height: u16, rows: &[u16]) -> Vec<bool> {
     let of = |worth: Option<u8>| -> u16 {
-        let blocks = pieces.iter().zip(&rows);
+        let blocks = pieces.iter().zip(rows);
         blocks
             .filter(|(block, _)| block.worth == worth)
             .map(|(_, rows)| rows)
@@ -250,23 +249,22 @@ fn with_room(pieces: &[PlacedBlock], height: u16, rows: impl Iterator<Item = u16
 
 impl<'p> Placed<'p> {
     fn empty(area: Rect) -> Self {
-        Self {
+        let body = Part {
             area,
-            fixed: Default::default(),
-            blocks: Vec::new(),
-            rows: 0,
-            targets: Vec::new(),
-            chosen: None,
-            is_list: false,
+            ..Part::default()
+        };
+        Self {
+            body,
             whole: area.height,
-            pages: None,
+            ..Self::default()
         }
     }
 
     /// This panel in another area of the same size.
     #[must_use]
-    pub(crate) fn moved(self, area: Rect) -> Self {
-        Self { area, ..self }
+    pub(crate) fn moved(mut self, area: Rect) -> Self {
+        self.body.area = area;
+        self
     }
 
     /// The pages, if the panel is read page by page.
@@ -276,7 +274,7 @@ impl<'p> Placed<'p> {
 
     /// The number of rows in the scrollable text.
     pub(crate) fn rows(&self) -> u16 {
-        self.rows
+        self.body.rows
     }
 
     /// The number of rows that do not fit into the area; if there are pages, the number of pages
@@ -284,35 +282,22 @@ impl<'p> Placed<'p> {
     pub(crate) fn overflow(&self) -> u16 {
         match &self.pages {
             Some(pages) => pages.count().saturating_sub(1),
-            None => self.rows.saturating_sub(self.area.height),
+            None => self.body.rows.saturating_sub(self.body.area.height),
         }
-    }
-
-    /// The first row of the selected item.
-    pub(crate) fn chosen(&self) -> Option<u16> {
-        self.chosen.as_ref().map(|rows| rows.start)
     }
 
     /// The scroll position until the player scrolls: if not everything fits, the selected item is
     /// in the middle.
     pub(crate) fn following(&self) -> u16 {
-        let chosen = self.chosen().unwrap_or(0);
-        let above = chosen.saturating_sub(self.area.height / 2);
-        above.min(self.overflow())
+        let above = self.body.area.height / 2;
+        let first = self.chosen.unwrap_or(0).saturating_sub(above);
+        first.min(self.overflow())
     }
 
     /// The cells that can be clicked and their actions, with the text scrolled by `scrolled` rows.
     pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
-        let [head, foot] = &self.fixed;
-        let parts = [
-            (&head.targets, head.area, 0),
-            (&self.targets, self.area, scrolled),
-            (&foot.targets, foot.area, 0),
-        ];
-        let targets = parts.into_iter().flat_map(|(targets, area, scrolled)| {
-            let cells = move |it: &Target| Some((it.cells(area, scrolled)?, it.action));
-            targets.iter().filter_map(cells)
-        });
+        let targets = self.head.targets(0).chain(self.body.targets(scrolled));
+        let targets = targets.chain(self.foot.targets(0));
         let pages = self.pages.iter();
         targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
@@ -323,131 +308,74 @@ impl<'p> Placed<'p> {
         if let Some(pages) = &self.pages {
             return pages.draw(scrolled, buf, writing);
         }
-        let write_fixed = |part: &Fixed, buf: &mut Buffer| {
-            let mut lines = Lines::new(part.area, buf, writing.look).of_whole(self.whole);
-            for piece in &part.pieces {
-                piece.write(&mut lines, &mut |_, _, _| ());
-            }
-        };
-        write_fixed(&self.fixed[0], buf);
-        let lines = Lines::new(self.area, buf, writing.look).of_whole(self.whole);
-        let mut lines = lines.scrolled(scrolled);
-        for (row, piece) in &self.blocks {
-            debug_assert_eq!(lines.written(), *row);
-            piece.write(&mut lines, &mut |_, _, _| ());
+        for (part, scrolled) in [(&self.head, 0), (&self.body, scrolled), (&self.foot, 0)] {
+            part.draw(scrolled, self.whole, buf, writing.look);
         }
-        write_fixed(&self.fixed[1], buf);
         if let (Some([back, on]), 1..) = (&writing.pages, self.overflow()) {
             let hint = match scrolled < self.overflow() {
                 true => format!(" {on}: more "),
                 false => format!(" {back}: back "),
             };
-            text::hint_below(self.area, buf, writing.look, &hint);
+            text::hint_below(self.body.area, buf, writing.look, &hint);
         }
     }
 }
-
-/// A callback for cells that can be clicked: their rows, their columns, and the index of the action
-/// in its block.
-type TakeTarget<'t> = dyn FnMut(Range<u16>, Range<u16>, usize) + 't;
 
 impl PlacedBlock<'_> {
-    /// Writes the block, and passes the cells that can be clicked to `take`.
-    fn write(&self, lines: &mut Lines, take: &mut TakeTarget) {
-        let from = lines.written();
-        match self.content {
-            Content::Table {
-                columns,
-                rows,
-                leaves,
-            } => return write_table(columns, rows, *leaves, lines, take),
-            Content::Prompts(prompts) => return write_prompts(prompts, &self.keys, lines, take),
-            Content::Tabs { names, open } => return write_tabs(names, *open, lines, take),
-            Content::Grid { cells, chosen } => return write_grid(cells, *chosen, lines, take),
-            content => write(content, lines),
+    /// Writes the block, with the cells that can be clicked.
+    fn write(&self, lines: &mut Lines) {
+        if self.chosen.is_none() {
+            return write_content(self, lines);
         }
-        if !self.keys.is_empty() {
-            take(from..lines.written(), 0..lines.width() + 1, 0);
-        }
+        let action = (!self.keys.is_empty()).then_some(0);
+        lines.item(self.chosen, action, |lines| write_content(self, lines));
     }
 }
 
-/// Writes a block that has a single action for all its cells, or none.
-fn write(content: &Content, lines: &mut Lines) {
-    match content {
-        Content::Gap => lines.gap(),
-        Content::Heading(text) => lines.line(text, Role::Title),
-        Content::Large(texts, role, from) => lines.large(texts, *role, *from),
+fn write_content(block: &PlacedBlock, lines: &mut Lines) {
+    let chosen = block.chosen;
+    match block.content {
+        Content::Gap | Content::PageBreak => lines.gap(),
+        Content::Large(texts, from) => lines.large(texts, *from),
         Content::LargeText(text) => {
             let words = |charset| text.words(charset);
-            let write = |lines: &mut Lines| lines.paragraph(&text.text, text.role);
-            match text.whole {
-                true => lines.clicked_as(words, Some(false), write),
-                false => lines.written_as(words, write),
-            }
+            lines.written_as(words, |lines| lines.paragraph(&text.text, text.role));
             lines.gap();
         }
-        Content::PageBreak => lines.gap(),
         Content::Board(rows) => board::write(rows, lines),
-        Content::Line(text, role) => lines.line(text, *role),
-        Content::Paragraph(text, role) => lines.paragraph(text, *role),
-        Content::Code {
-            text,
-            command,
-            address,
-            is_result,
-        } => {
-            let recorded = |_| Words::Code {
-                text: text.clone(),
-                command: command.clone(),
-                address: address.clone(),
-                is_result: *is_result,
-            };
-            lines.written_as(recorded, |lines| {
-                lines.paragraph(&format!("{text}: {command}"), Role::Dim);
-            });
+        Content::Line(run) => lines.line(&run.text, run.role),
+        Content::Paragraph(mark, run) => lines.hanging(mark, &run.text, run.role),
+        Content::Code(share) => {
+            let text = format!("{}: {}", share.text, share.command);
+            let words = |_| Words::Code(share.clone());
+            lines.written_as(words, |lines| lines.paragraph(&text, Role::Dim));
         }
-        Content::Fact { name, value, roles } => lines.pair(name, value, roles[0], roles[1]),
-        Content::Columns { name, values } => {
-            let values: Vec<_> = values
-                .iter()
-                .map(|(it, role)| (it.as_str(), *role))
-                .collect();
-            lines.columns((&name.0, name.1), &values);
-        }
-        Content::Row {
-            name,
-            side,
-            roles,
-            chosen,
-        } => {
-            let (_, side_role) = roles[1].of_choice(*chosen);
-            lines.choice(*chosen, roles[0], |lines, mark, role| {
-                let name = format!("{mark} {name}");
-                // The name takes precedence over the text beside it.
-                let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
-                let side = Some(side).filter(|side| text::width(side) <= room);
-                lines.pair(&name, side.map_or("", String::as_str), role, side_role);
-            });
+        Content::Fact(name, value) => lines.pair(name, value),
+        Content::Columns(name, values) => lines.columns(&marked(name, chosen), values),
+        Content::Row(name, side) => {
+            let name = marked(name, chosen);
+            // The name takes precedence over the text beside it.
+            let room = usize::from(lines.width()).saturating_sub(text::width(&name.text) + 2);
+            let shown = Some(&side.text).filter(|side| text::width(side) <= room);
+            let (_, role) = side.role.of_choice(chosen == Some(true));
+            lines.pair(&name, &Run::new(shown.map_or("", String::as_str), role));
         }
         Content::Entry {
             letter,
             name,
             about,
-            role,
-            chosen,
         } => {
             let recorded = |charset: Charset| Words::Pair {
-                name: Run::new(name, *role).spelt(charset),
+                name: name.spelt(charset),
                 value: Run::new(about, Role::Dim).spelt(charset),
             };
-            let (mark, role) = role.of_choice(*chosen);
-            let mut row = format!("{mark} {letter}  {name}");
+            let named = Run::new(format!("{letter}  {}", name.text), name.role);
+            let Run { mut text, role, .. } = marked(&named, chosen);
             let room = usize::from(lines.width()).saturating_sub(ENTRY);
             if text::width(about) <= room && !about.is_empty() {
-                row = format!("{row:ENTRY$}{about}");
+                text = format!("{text:ENTRY$}{about}");
             }
-            lines.clicked_as(recorded, Some(*chosen), |lines| lines.line(&row, role));
+            lines.written_as(recorded, |lines| lines.line(&text, role));
         }
         Content::Flow(mark, runs) => {
             let indent = match mark.as_str() {
@@ -470,26 +398,21 @@ fn write(content: &Content, lines: &mut Lines) {
         Content::Field {
             name,
             value,
-            role,
-            chosen,
             locked,
         } => {
-            let (mark, name_role) = role.of_choice(*chosen);
-            let (value, value_role) = match (locked, name_role) {
-                (true, role) => (format!("({value})"), role),
-                (false, Role::Dim) => (value.clone(), Role::Text),
-                (false, role) => (value.clone(), role),
+            let shown = marked(name, chosen);
+            let value = match (locked, shown.role) {
+                (true, role) => Run::new(format!("({value})"), role),
+                (false, Role::Dim) => Run::new(value, Role::Text),
+                (false, role) => Run::new(value, role),
             };
             let words = |charset: Charset| Words::Field {
-                name: charset.text(name).into_owned(),
-                value: charset.text(&value).into_owned(),
+                name: charset.text(&name.text).into_owned(),
+                value: charset.text(&value.text).into_owned(),
                 locked: *locked,
             };
-            lines.clicked_as(words, Some(*chosen), |lines| {
-                lines.pair(&format!("{mark} {name}"), &value, name_role, value_role);
-            });
+            lines.written_as(words, |lines| lines.pair(&shown, &value));
         }
-        Content::Marked { mark, text, role } => lines.hanging(mark, text, *role),
         Content::Meter { name, share, value } => {
             let before = match name.as_str() {
                 "" => String::new(),
@@ -498,10 +421,9 @@ fn write(content: &Content, lines: &mut Lines) {
             let beside = text::width(&before) + text::width(value).max(SHARE) + 2;
             let width = lines.width().saturating_sub(beside as u16);
             let bar = bar(*share, width, lines.charset());
-            lines.written_as(
-                |_| Words::meter(name, *share, value, Role::Text),
-                |lines| lines.pair(&format!("{before}{bar}"), value, Role::Text, Role::Text),
-            );
+            let [bar, shown] = [&(before + &bar), value].map(|it| Run::new(it, Role::Text));
+            let words = |_| Words::meter(name, *share, value, Role::Text);
+            lines.written_as(words, |lines| lines.pair(&bar, &shown));
         }
         Content::Gauge {
             share,
@@ -514,68 +436,59 @@ fn write(content: &Content, lines: &mut Lines) {
                 .width()
                 .min(LONGEST_GAUGE)
                 .saturating_sub(BESIDE_GAUGE);
-            let full = bar(*share, width, lines.charset());
-            lines.written_as(
-                |_| Words::meter("", *share, value, *role),
-                |lines| lines.pair(&full, value, *role, Role::Text),
-            );
-            let stretch = stretch(*from, *to, width, lines.charset());
+            let full = Run::new(bar(*share, width, lines.charset()), *role);
+            let words = |_| Words::meter("", *share, value, *role);
+            let shown = Run::new(value, Role::Text);
+            lines.written_as(words, |lines| lines.pair(&full, &shown));
             let shares = format!("from {:.0} to {:.0} %", 100.0 * from, 100.0 * to);
-            let [meant, shares] = [name, &shares].map(|it| Run::new(it.as_str(), Role::Dim));
-            lines.written_as(
-                |_| Words::Pair {
-                    name: meant,
-                    value: shares,
-                },
-                |lines| lines.pair(&stretch, name, Role::Dim, Role::Dim),
-            );
+            let stretch = stretch(*from, *to, width, lines.charset());
+            let [name, shares, stretch] =
+                [name, &shares, &stretch].map(|it| Run::new(it, Role::Dim));
+            let words = |_| Words::Pair {
+                name: name.clone(),
+                value: shares,
+            };
+            lines.written_as(words, |lines| lines.pair(&stretch, &name));
         }
-        Content::Choice {
-            letter,
-            text,
-            chosen,
-        } => {
-            lines.choice(*chosen, Role::Text, |lines, mark, role| {
-                let mark = format!("{mark} {letter} ");
-                match text.as_slice() {
-                    [run] => lines.hanging(&mark, &run.text, role),
-                    runs => lines.flowing(&mark, 4, runs),
-                }
-            });
-        }
-        Content::ChoiceColumns {
-            name,
-            values,
-            chosen,
-        } => {
-            let values: Vec<_> = values.iter().map(|it| (it.as_str(), Role::Text)).collect();
-            lines.choice(*chosen, Role::Text, |lines, mark, role| {
-                lines.columns((&format!("{mark} {name}"), role), &values);
-            });
+        Content::Choice(letter, text) => {
+            let mark = marked(&Run::new(format!("{letter} "), Role::Text), chosen);
+            match text.as_slice() {
+                [run] => lines.hanging(&mark.text, &run.text, mark.role),
+                runs => lines.flowing(&mark.text, 4, runs),
+            }
         }
         Content::TextField {
             label,
             typed: [before, after],
-            chosen,
         } => {
-            let (mark, role) = Role::Text.of_choice(*chosen);
-            let cursor = if *chosen { "_" } else { "" };
+            let cursor = if chosen == Some(true) { "_" } else { "" };
+            let row = format!("{label:LABEL$}{before}{cursor}{after} ");
+            let row = marked(&Run::new(row, Role::Text), chosen);
             let name = label.trim_end().trim_end_matches(':');
             let words = |_| Words::text_field(name, &format!("{before}{after}"));
-            lines.clicked_as(words, Some(*chosen), |lines| {
-                let row = format!("{mark} {label:LABEL$}{before}{cursor}{after} ");
-                lines.line(&row, role);
-            });
+            lines.written_as(words, |lines| lines.line(&row.text, row.role));
         }
-        Content::Table { .. }
-        | Content::Prompts(_)
-        | Content::Tabs { .. }
-        | Content::Grid { .. } => {}
+        Content::Table {
+            columns,
+            rows,
+            leaves,
+        } => write_table(columns, rows, *leaves, lines),
+        Content::Prompts(prompts) => write_prompts(prompts, &block.keys, lines),
+        Content::Tabs { names, open } => write_tabs(names, *open, lines),
+        Content::Grid { cells, chosen } => write_grid(cells, *chosen, lines),
+    }
+}
+
+/// Text with the mark of one of several items before it, if it is one.
+fn marked(run: &Run, chosen: Option<bool>) -> Run {
+    match chosen.map(|chosen| run.role.of_choice(chosen)) {
+        Some((mark, role)) => Run::new(format!("{mark} {}", run.text), role),
+        None => run.clone(),
     }
 }
 
 /// Writes the names of several pages side by side.
-fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeTarget) {
+fn write_tabs(names: &[String], open: usize, lines: &mut Lines) {
     let row = lines.written();
     let mut column = 0;
     for (i, name) in names.iter().enumerate() {
@@ -587,7 +500,8 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
         lines.beside(column, words, &shown, role, i == open);
         let end = column + text::width(&shown) as u16;
         // The first column of a panel is its margin.
-        take(row..row + 1, column + 1..end + 1, i);
+        let cells = Rect::new(column + 1, row, end - column, 1);
+        lines.targets.push((cells, i));
         column = end + BETWEEN_TABS;
     }
     lines.unrecorded(|lines| lines.line("", Role::Text));
@@ -595,22 +509,15 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
 
 /// Writes names side by side, as closely together as possible. If there are too many rows, the
 /// first rows are left out.
-fn write_grid(
-    cells: &[[String; 2]],
-    chosen: Option<usize>,
-    lines: &mut Lines,
-    take: &mut TakeTarget,
-) {
+fn write_grid(cells: &[[String; 2]], chosen: Option<usize>, lines: &mut Lines) {
     let widest = cells.iter().map(|[name, _]| text::width(name)).max();
     let widest = widest.unwrap_or(0) + BESIDE_NAME;
     let width = usize::from(lines.width() + 1);
     let per_row = (width / widest).max(1);
     let most = usize::from(lines.whole()) * MOST_ROWS / 10;
     let rows: Vec<_> = cells.chunks(per_row).enumerate().collect();
-    let at = chosen
-        .unwrap_or(cells.len())
-        .min(cells.len().saturating_sub(1))
-        / per_row;
+    let last = cells.len().saturating_sub(1);
+    let at = chosen.map_or(last, |at| at.min(last)) / per_row;
     let first = (at + 1).saturating_sub(most.max(1));
     let column = (width / per_row) as u16;
     for (row, cells) in rows.into_iter().skip(first).take(most.max(1)) {
@@ -626,7 +533,9 @@ fn write_grid(
             let row = format!("{mark} {words}");
             let words = |charset| Words::text(Run::new(words, role).spelt(charset));
             lines.beside(start, words, &row, role, is_chosen);
-            take(top..top + 1, start..start + column, number);
+            lines
+                .targets
+                .push((Rect::new(start, top, column, 1), number));
         }
         lines.unrecorded(|lines| lines.line("", Role::Text));
     }
@@ -670,12 +579,11 @@ fn write_table(
     rows: &[TableRow<()>],
     leaves: Option<u16>,
     lines: &mut Lines,
-    take: &mut TakeTarget,
 ) {
     let width = lines.width();
     let gap = if width >= WIDE_TABLE { "   " } else { "" };
     let charset = lines.charset();
-    let written = |mark: &str, cells: &mut dyn Iterator<Item = &str>| {
+    let written = |mark: &str, cells: &[String]| {
         let mut row = mark.to_owned();
         let shown = columns.iter().zip(cells);
         let mut before: Option<&TableColumn> = None;
@@ -693,23 +601,21 @@ fn write_table(
         }
         row
     };
-    let recorded = |cells: &[&str], role: Role, charset: Charset| {
+    let recorded = |cells: &[String], role: Role| {
         let shown = columns.iter().zip(cells);
         let shown = shown.filter(|(column, _)| width >= column.room && !column.drawn);
-        let mut runs = shown.map(|(_, cell)| Run::new(*cell, role).spelt(charset));
+        let mut runs = shown.map(|(_, cell)| Run::new(cell, role).spelt(charset));
         Words::Columns {
             name: runs.next().unwrap_or_else(|| Run::new("", role)),
             values: runs.collect(),
         }
     };
-    let heads: Vec<_> = columns.iter().map(|column| column.head.as_str()).collect();
+    let heads: Vec<_> = columns.iter().map(|column| column.head.clone()).collect();
     // Only rows with an action can be selected.
     let has_marks = rows.iter().any(|row| row.action.is_some());
-    let head = written(if has_marks { " " } else { "" }, &mut heads.iter().copied());
-    lines.written_as(
-        |charset| recorded(&heads, Role::Dim, charset),
-        |lines| lines.line(&head, Role::Dim),
-    );
+    let head = written(if has_marks { " " } else { "" }, &heads);
+    let words = |_| recorded(&heads, Role::Dim);
+    lines.written_as(words, |lines| lines.line(&head, Role::Dim));
     let most = leaves.map(|leaves| usize::from(lines.whole().saturating_sub(leaves + 1).max(3)));
     let most = most.unwrap_or(rows.len());
     let chosen = rows.iter().position(|row| row.chosen).unwrap_or(0);
@@ -717,40 +623,23 @@ fn write_table(
     let first = first.min(rows.len().saturating_sub(most));
     for (own, row) in rows.iter().enumerate().skip(first).take(most) {
         let (mark, role) = row.role.of_choice(row.chosen);
-        let from = lines.written();
-        let cells: Vec<_> = row.cells.iter().map(String::as_str).collect();
-        let mark = if has_marks { mark } else { "" };
-        let line = written(mark, &mut cells.iter().copied());
-        lines.clicked_as(
-            |charset| recorded(&cells, row.role, charset),
-            row.action.map(|_| row.chosen),
-            |lines| lines.line(&line, role),
-        );
-        if row.action.is_some() {
-            take(from..lines.written(), 0..width + 1, own);
-        }
+        let line = written(if has_marks { mark } else { "" }, &row.cells);
+        let words = |_| recorded(&row.cells, row.role);
+        let (chosen, action) = row.action.map(|()| (row.chosen, own)).unzip();
+        lines.item(chosen, action, |lines| {
+            lines.written_as(words, |lines| lines.line(&line, role));
+        });
     }
 }
 
 /// Writes the possible next actions as running text, each with its key and its description.
-fn write_prompts(
-    prompts: &[String],
-    keys: &[Option<String>],
-    lines: &mut Lines,
-    take: &mut TakeTarget,
-) {
+fn write_prompts(prompts: &[String], keys: &[Option<String>], lines: &mut Lines) {
     let charset = lines.charset();
     let sentence = |(words, key): (&String, &Option<String>)| {
-        let stop = if words.ends_with(['.', '!', '?']) {
-            ""
-        } else {
-            "."
-        };
-        let words = match key {
-            Some(key) => format!("{key}: {words}{stop}"),
-            None => format!("{words}{stop}"),
-        };
-        charset.text(&words).into_owned()
+        let has_stop = words.ends_with(['.', '!', '?']);
+        let stop = if has_stop { "" } else { "." };
+        let key = key.as_ref().map_or(String::new(), |key| format!("{key}: "));
+        charset.text(&format!("{key}{words}{stop}")).into_owned()
     };
     let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
@@ -758,32 +647,30 @@ fn write_prompts(
     // The written rows differ from the text only in their spaces, so only the other characters are
     // counted.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
-    let mut end = 0;
-    for (number, sentence) in sentences.iter().enumerate() {
-        let own = end..end + letters(sentence);
-        end = own.end;
-        let mut before = 0;
-        let mut first = None;
-        for (row, text) in (from..).zip(&rows) {
-            let mut columns: Option<Range<u16>> = None;
-            // The first column of a panel is its margin.
-            let mut column = 1;
-            for letter in text.chars() {
-                let next = column + text::width(letter.encode_utf8(&mut [0; 4])) as u16;
-                if !letter.is_whitespace() {
-                    if own.contains(&before) {
-                        columns = Some(columns.map_or(column, |it| it.start)..next);
-                    }
-                    before += 1;
+    let owners = sentences.iter().enumerate();
+    let mut owners = owners.flat_map(|(own, text)| iter::repeat_n(own, letters(text)));
+    let mut places: Vec<Vec<Rect>> = vec![Vec::new(); sentences.len()];
+    for (row, text) in (from..).zip(&rows) {
+        // The first column of a panel is its margin.
+        let mut column = 1;
+        for letter in text.chars() {
+            let width = text::width(letter.encode_utf8(&mut [0; 4])) as u16;
+            if !letter.is_whitespace()
+                && let Some(places) = owners.next().and_then(|own| places.get_mut(own))
+            {
+                match places.last_mut().filter(|place| place.y == row) {
+                    Some(place) => place.width = column + width - place.x,
+                    None => places.push(Rect::new(column, row, width, 1)),
                 }
-                column = next;
             }
-            if let Some(columns) = columns {
-                first.get_or_insert((columns.start - 1, row));
-                take(row..row + 1, columns, number);
-            }
+            column += width;
         }
-        lines.record_prompt(&prompts[number], keys[number].clone(), first);
+    }
+    for (own, places) in places.into_iter().enumerate() {
+        let first = places.first().map(|place| (place.x - 1, place.y));
+        lines.record_prompt(&prompts[own], keys[own].clone(), first);
+        let places = places.into_iter();
+        lines.targets.extend(places.map(|place| (place, own)));
     }
     lines.unrecorded(|lines| lines.paragraph(&sentences.join(" "), Role::Key));
 }

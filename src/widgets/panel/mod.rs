@@ -16,6 +16,7 @@ use cells::ActionAt;
 use crate::lessons::Formula;
 use crate::widgets::Role;
 use crate::widgets::flow::Run;
+use crate::widgets::sheet::Share;
 
 /// A list of blocks under a title, from top to bottom; `A` is the type of their actions.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,8 @@ struct Block<A> {
     /// The actions triggered by clicks: none or one for most blocks, one per row for a table, and
     /// one per prompt for prompts.
     actions: Vec<A>,
+    /// Whether this is the selected one of several items; `None` if it cannot be selected.
+    chosen: Option<bool>,
     /// If not all blocks fit, those with the highest priority are kept. Blocks of the same priority
     /// are either all shown or all left out; a block without a priority is always shown.
     worth: Option<u8>,
@@ -59,11 +62,9 @@ struct Block<A> {
 enum Content {
     /// An empty row after the block above.
     Gap,
-    /// A heading for the blocks that follow, in a single row.
-    Heading(String),
     /// Short text in large letters if the panel has at least the given number of rows; the first of
     /// the strings that fits is used.
-    Large(Vec<String>, Role, u16),
+    Large(Vec<String>, u16),
     /// Text in the largest letters that fit.
     LargeText(LargeText),
     /// Starts a new page in a panel with [`LargeText`].
@@ -76,47 +77,24 @@ enum Content {
     /// Names with their scores, large if there is room.
     Board(Vec<BoardRow>),
     /// Short text in a single row.
-    Line(String, Role),
-    /// Text that is wrapped over several rows.
-    Paragraph(String, Role),
-    /// Something to share: a description, the command that opens it, and an address.
-    Code {
-        text: String,
-        command: String,
-        address: String,
-        /// Whether the page copies the description, too.
-        is_result: bool,
-    },
+    Line(Run),
+    /// Text that is wrapped over several rows, all indented to the right of a mark, which may be
+    /// empty.
+    Paragraph(String, Run),
+    /// Something to share.
+    Code(Share),
     /// The name of a quantity, and its value.
-    Fact {
-        name: String,
-        value: String,
-        roles: [Role; 2],
-    },
-    /// One row of a table: a name, and a value for each column.
-    Columns {
-        name: (String, Role),
-        values: Vec<(String, Role)>,
-    },
-    /// An item of a list, in a single row.
-    Row {
-        name: String,
-        /// The text at the right edge.
-        side: String,
-        /// The role of the line unless it is selected; the two values are for the name and for the
-        /// text at the right edge.
-        roles: [Role; 2],
-        chosen: bool,
-    },
+    Fact(Run, Run),
+    /// One row of a table, which may be one of several items: a name, and a value for each column.
+    Columns(Run, Vec<Run>),
+    /// An item of a list, in a single row: its name, and the text at the right edge.
+    Row(Run, Run),
     /// A line of a menu: the letter that opens it, the name, and, if there is room, the
     /// description.
     Entry {
         letter: char,
-        name: String,
+        name: Run,
         about: String,
-        /// The role of the name unless this item is selected.
-        role: Role,
-        chosen: bool,
     },
     /// The names of several tabs in one row, one of which is open.
     Tabs { names: Vec<String>, open: usize },
@@ -128,18 +106,9 @@ enum Content {
     Working(String),
     /// A setting.
     Field {
-        name: String,
+        name: Run,
         value: String,
-        /// The role of the name unless this setting is selected.
-        role: Role,
-        chosen: bool,
         locked: bool,
-    },
-    /// Text after a mark. All its rows are indented to the same column, to the right of the mark.
-    Marked {
-        mark: String,
-        text: String,
-        role: Role,
     },
     /// A fraction between 0 and 1, as a bar.
     Meter {
@@ -156,24 +125,10 @@ enum Content {
         name: String,
     },
     /// One of several answers, with its letter.
-    Choice {
-        letter: char,
-        text: Vec<Run>,
-        chosen: bool,
-    },
-    /// One of several items of a list, with a value for each column.
-    ChoiceColumns {
-        name: String,
-        values: Vec<String>,
-        chosen: bool,
-    },
+    Choice(char, Vec<Run>),
     /// A text field, with the text before and after the cursor, which is visible while the field is
     /// selected.
-    TextField {
-        label: String,
-        typed: [String; 2],
-        chosen: bool,
-    },
+    TextField { label: String, typed: [String; 2] },
     /// Rows of cells under column headings; rows can be selected.
     Table {
         columns: Vec<TableColumn>,
@@ -292,13 +247,19 @@ impl<A> Panel<A> {
     }
 
     fn push(&mut self, content: Content) {
-        self.push_with(content, []);
+        self.push_with(content, None, []);
     }
 
-    fn push_with(&mut self, content: Content, actions: impl IntoIterator<Item = A>) {
+    fn push_with(
+        &mut self,
+        content: Content,
+        chosen: Option<bool>,
+        actions: impl IntoIterator<Item = A>,
+    ) {
         self.blocks.push(Block {
             content,
             actions: actions.into_iter().collect(),
+            chosen,
             worth: self.worth,
         });
     }
@@ -328,6 +289,7 @@ impl<A> Panel<A> {
         let blocks = part.blocks.into_iter().map(|block| Block {
             content: block.content,
             actions: block.actions.into_iter().map(&wrap).collect(),
+            chosen: block.chosen,
             worth: block.worth.or(worth),
         });
         self.blocks.extend(blocks);
@@ -338,21 +300,16 @@ impl<A> Panel<A> {
         self.push(Content::Gap);
     }
 
-    /// Adds a heading for the next blocks.
+    /// Adds a heading for the next blocks, in a single row.
     pub(crate) fn heading(&mut self, text: impl Into<String>) {
-        self.push(Content::Heading(text.into()));
+        self.line(text, Role::Title);
     }
 
     /// Adds text that is legible from a distance if the panel has at least `from` rows: the first
     /// of the `texts` that fits in large letters.
-    pub(crate) fn large<'t>(
-        &mut self,
-        texts: impl IntoIterator<Item = &'t str>,
-        role: Role,
-        from: u16,
-    ) {
+    pub(crate) fn large<'t>(&mut self, texts: impl IntoIterator<Item = &'t str>, from: u16) {
         let texts = texts.into_iter().map(str::to_owned).collect();
-        self.push(Content::Large(texts, role, from));
+        self.push(Content::Large(texts, from));
     }
 
     /// Adds text that must be legible from the back row, in the largest letters that fit.
@@ -379,7 +336,7 @@ impl<A> Panel<A> {
             whole: true,
             share,
         });
-        self.push_with(content, action);
+        self.push_with(content, Some(false), action);
     }
 
     /// Starts a new page in a panel with large text.
@@ -394,7 +351,7 @@ impl<A> Panel<A> {
         chosen: Option<usize>,
     ) {
         let (cells, actions): (_, Vec<A>) = cells.into_iter().unzip();
-        self.push_with(Content::Grid { cells, chosen }, actions);
+        self.push_with(Content::Grid { cells, chosen }, None, actions);
     }
 
     /// Adds names with their scores, in the largest letters that fit.
@@ -404,12 +361,12 @@ impl<A> Panel<A> {
 
     /// Adds short text in a single row.
     pub(crate) fn line(&mut self, text: impl Into<String>, role: Role) {
-        self.push(Content::Line(text.into(), role));
+        self.push(Content::Line(Run::new(text, role)));
     }
 
     /// Adds text that is wrapped over several rows.
     pub(crate) fn paragraph(&mut self, text: impl Into<String>, role: Role) {
-        self.push(Content::Paragraph(text.into(), role));
+        self.marked("", text, role);
     }
 
     /// Adds something to share: a description, the command that opens it, and an address, which the
@@ -420,22 +377,22 @@ impl<A> Panel<A> {
         command: impl Into<String>,
         address: impl Into<String>,
     ) {
-        self.push(Content::Code {
+        self.push(Content::Code(Share {
             text: text.into(),
             command: command.into(),
             address: address.into(),
             is_result: false,
-        });
+        }));
     }
 
     /// Adds a result to share, which the web page copies together with its link.
     pub(crate) fn result(&mut self, text: String, command: String, address: String) {
-        self.push(Content::Code {
+        self.push(Content::Code(Share {
             text,
             command,
             address,
             is_result: true,
-        });
+        }));
     }
 
     /// Adds the name of a quantity, and its value.
@@ -459,11 +416,8 @@ impl<A> Panel<A> {
         (name, name_role): (impl Into<String>, Role),
         (value, value_role): (impl Into<String>, Role),
     ) {
-        self.push(Content::Fact {
-            name: name.into(),
-            value: value.into(),
-            roles: [name_role, value_role],
-        });
+        let name = Run::new(name, name_role);
+        self.push(Content::Fact(name, Run::new(value, value_role)));
     }
 
     /// Adds one row of a table: a name, and a value for each column.
@@ -472,11 +426,10 @@ impl<A> Panel<A> {
         (name, role): (impl Into<String>, Role),
         values: impl IntoIterator<Item = (V, Role)>,
     ) {
-        let values = values.into_iter().map(|(value, role)| (value.into(), role));
-        self.push(Content::Columns {
-            name: (name.into(), role),
-            values: values.collect(),
-        });
+        let values = values
+            .into_iter()
+            .map(|(value, role)| Run::new(value, role));
+        self.push(Content::Columns(Run::new(name, role), values.collect()));
     }
 
     /// Adds one of several items of a list, with a name, the text at the right edge, and the action
@@ -488,13 +441,8 @@ impl<A> Panel<A> {
         chosen: bool,
         action: A,
     ) {
-        let content = Content::Row {
-            name: name.into(),
-            side: side.into(),
-            roles: [role, side_role],
-            chosen,
-        };
-        self.push_with(content, [action]);
+        let content = Content::Row(Run::new(name, role), Run::new(side, side_role));
+        self.push_with(content, Some(chosen), [action]);
     }
 
     /// Adds a line of a menu, with a letter, a name, a description, and the action triggered by
@@ -506,14 +454,13 @@ impl<A> Panel<A> {
         (role, chosen): (Role, bool),
         action: A,
     ) {
+        let (name, about) = (Run::new(name, role), about.into());
         let content = Content::Entry {
             letter,
-            name: name.into(),
-            about: about.into(),
-            role,
-            chosen,
+            name,
+            about,
         };
-        self.push_with(content, [action]);
+        self.push_with(content, Some(chosen), [action]);
     }
 
     /// Adds a row of tabs, one of which is open, each with a name and the action triggered by
@@ -526,7 +473,7 @@ impl<A> Panel<A> {
         let pages = pages.into_iter();
         let (names, actions): (_, Vec<A>) =
             pages.map(|(name, action)| (name.into(), action)).unzip();
-        self.push_with(Content::Tabs { names, open }, actions);
+        self.push_with(Content::Tabs { names, open }, None, actions);
     }
 
     pub(crate) fn item(&mut self, text: impl Into<String>, role: Role) {
@@ -556,13 +503,11 @@ impl<A> Panel<A> {
         action: Option<A>,
     ) {
         let content = Content::Field {
-            name: name.into(),
+            name: Run::new(name, role),
             value: value.into(),
-            role,
-            chosen,
             locked: false,
         };
-        self.push_with(content, action);
+        self.push_with(content, Some(chosen), action);
     }
 
     /// Adds a setting that cannot be changed at present.
@@ -574,22 +519,16 @@ impl<A> Panel<A> {
         action: Option<A>,
     ) {
         let content = Content::Field {
-            name: name.into(),
+            name: Run::new(name, role),
             value: value.into(),
-            role,
-            chosen,
             locked: true,
         };
-        self.push_with(content, action);
+        self.push_with(content, Some(chosen), action);
     }
 
     /// Adds text after a mark, with all rows indented to the right of the mark.
     pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
-        self.push(Content::Marked {
-            mark: mark.into(),
-            text: text.into(),
-            role,
-        });
+        self.push(Content::Paragraph(mark.into(), Run::new(text, role)));
     }
 
     /// Adds a fraction between 0 and 1, as a bar with its value.
@@ -617,13 +556,8 @@ impl<A> Panel<A> {
     }
 
     /// Adds one of several answers, with a letter and the action triggered by clicking it.
-    pub(crate) fn choice(&mut self, letter: char, text: Vec<Run>, chosen: bool, action: Option<A>) {
-        let content = Content::Choice {
-            letter,
-            text,
-            chosen,
-        };
-        self.push_with(content, action);
+    pub(crate) fn choice(&mut self, letter: char, text: Vec<Run>, chosen: bool, action: A) {
+        self.push_with(Content::Choice(letter, text), Some(chosen), [action]);
     }
 
     /// Adds one of several items of a list, with a value for each column.
@@ -634,12 +568,9 @@ impl<A> Panel<A> {
         chosen: bool,
         action: A,
     ) {
-        let content = Content::ChoiceColumns {
-            name: name.into(),
-            values: values.into_iter().collect(),
-            chosen,
-        };
-        self.push_with(content, [action]);
+        let values = values.into_iter().map(|value| Run::new(value, Role::Text));
+        let content = Content::Columns(Run::new(name, Role::Text), values.collect());
+        self.push_with(content, Some(chosen), [action]);
     }
 
     /// Adds a text field, with the action triggered by clicking it.
@@ -650,31 +581,14 @@ impl<A> Panel<A> {
         chosen: bool,
         action: Option<A>,
     ) {
-        let content = Content::TextField {
-            label: label.into(),
-            typed: [before.into(), after.into()],
-            chosen,
-        };
-        self.push_with(content, action);
+        let (label, typed) = (label.into(), [before.into(), after.into()]);
+        self.push_with(Content::TextField { label, typed }, Some(chosen), action);
     }
 
-    /// Adds a table with column headings; either all its rows can be selected or none.
-    pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
-        self.push_table(columns, rows, None);
-    }
-
-    /// Adds a table that may be longer than the panel. In that case only the part around the
-    /// selected row is shown, and `leaves` rows of the panel stay free for other blocks.
-    pub(crate) fn long_table(
-        &mut self,
-        columns: Vec<TableColumn>,
-        rows: Vec<TableRow<A>>,
-        leaves: u16,
-    ) {
-        self.push_table(columns, rows, Some(leaves));
-    }
-
-    fn push_table(
+    /// Adds a table with column headings; either all its rows can be selected or none. If the
+    /// number of panel rows that the table `leaves` for other blocks is given, the table may be
+    /// longer than the panel, and only the part around the selected row is shown.
+    pub(crate) fn table(
         &mut self,
         columns: Vec<TableColumn>,
         rows: Vec<TableRow<A>>,
@@ -686,7 +600,7 @@ impl<A> Panel<A> {
             rows,
             leaves,
         };
-        self.push_with(content, actions.into_iter().flatten());
+        self.push_with(content, None, actions.into_iter().flatten());
     }
 
     /// Adds a possible next action, with a short description that does not mention the key.
@@ -700,21 +614,6 @@ impl<A> Panel<A> {
         let (words, actions): (_, Vec<A>) = prompts
             .map(|(words, action)| (words.into(), action))
             .unzip();
-        self.push_with(Content::Prompts(words), actions);
-    }
-}
-
-impl Content {
-    /// Whether the block is the selected one.
-    fn is_chosen(&self) -> bool {
-        match self {
-            Self::Field { chosen, .. }
-            | Self::Row { chosen, .. }
-            | Self::Entry { chosen, .. }
-            | Self::Choice { chosen, .. }
-            | Self::ChoiceColumns { chosen, .. }
-            | Self::TextField { chosen, .. } => *chosen,
-            _ => false,
-        }
+        self.push_with(Content::Prompts(words), None, actions);
     }
 }

@@ -59,10 +59,14 @@ pub(crate) struct PlacedPages<'p> {
     parts: Vec<PagedText<'p>>,
 }
 
-/// Consecutive paragraphs, the first of which begins a new page.
+/// Consecutive paragraphs divided into pages, the first of which begins a new page.
 struct PagedText<'p> {
     texts: Vec<PagedParagraph<'p>>,
-    set: SetPages,
+    pages: BigPages,
+    /// The size of the smallest letters.
+    size: LetterSize,
+    /// The layout of the first page, and that of all other pages.
+    layouts: [VotePageLayout; 2],
 }
 
 /// A paragraph of a panel.
@@ -75,15 +79,6 @@ struct PagedParagraph<'p> {
     shown: &'p str,
     /// Whether the paragraph can be clicked.
     acts: bool,
-}
-
-/// Paragraphs divided into pages.
-struct SetPages {
-    pages: BigPages,
-    /// The size of the smallest letters.
-    size: LetterSize,
-    /// The layout of the first page, and that of all other pages.
-    layouts: [VotePageLayout; 2],
 }
 
 /// The area of the picture, which may be empty, and the area of the text.
@@ -135,44 +130,37 @@ impl<'p> PlacedPages<'p> {
                 look,
             };
             if panel.together && number == 0 && room.pictures.is_none() {
-                let one = SetPages::new(&texts, setting, 1).map(|set| {
-                    let texts = texts.clone();
-                    vec![PagedText { texts, set }]
-                });
+                let one = PagedText::new(&texts, setting, 1).map(|one| vec![one]);
                 if let Some(of_part) = one.or_else(|| on_one_page(&texts, setting)) {
                     parts.extend(of_part);
                     continue;
                 }
             }
-            let set = SetPages::new(&texts, setting, usize::MAX)?;
-            parts.push(PagedText { texts, set });
+            parts.push(PagedText::new(&texts, setting, usize::MAX)?);
         }
         Some(Self { parts })
     }
 
     /// The number of pages.
     pub(crate) fn count(&self) -> u16 {
-        self.parts
-            .iter()
-            .map(|part| part.set.pages())
-            .sum::<usize>() as u16
+        self.parts.iter().map(PagedText::count).sum::<usize>() as u16
     }
 
     /// The part on a page, and the number of the page within that part.
     fn at(&self, page: u16) -> Option<(&PagedText<'p>, usize)> {
         let mut page = usize::from(page);
         self.parts.iter().find_map(|part| {
-            if page < part.set.pages() {
+            if page < part.count() {
                 return Some((part, page));
             }
-            page -= part.set.pages();
+            page -= part.count();
             None
         })
     }
 
     /// The area of the picture, which may be empty, and the area of the text on a page.
     pub(crate) fn places(&self, page: u16) -> [Rect; 2] {
-        let layout = self.at(page).map(|(part, page)| part.set.layout(page));
+        let layout = self.at(page).map(|(part, page)| part.layout(page));
         layout.map_or([Rect::default(); 2], |it| [it.picture, it.words])
     }
 
@@ -183,8 +171,7 @@ impl<'p> PlacedPages<'p> {
         let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
             return false;
         };
-        let [own, other] = [&own.set, &other.set];
-        (own.pages(), other.pages()) == (1, 1)
+        (own.count(), other.count()) == (1, 1)
             && own.size == other.size
             && own.size.is_of_names(look.charset)
             && 4 * own.layouts[0].picture.height >= 3 * other.layouts[0].picture.height
@@ -194,24 +181,29 @@ impl<'p> PlacedPages<'p> {
     /// area of the picture on the first page.
     #[cfg(test)]
     pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
-        self.parts.iter().map(|PagedText { texts, set }| {
-            let letters = { texts.iter() }.map(|it| it.shown.chars().count());
-            (set.size, letters.sum(), set.pages(), set.layouts[0].picture)
+        self.parts.iter().map(|part| {
+            let letters = part.texts.iter().map(|it| it.shown.chars().count());
+            (
+                part.size,
+                letters.sum(),
+                part.count(),
+                part.layouts[0].picture,
+            )
         })
     }
 
     /// Whether the first page shows all choices with their bars.
     #[cfg(test)]
     pub(crate) fn begins_with_all_choices(&self) -> bool {
-        let Some(PagedText { texts, set }) = self.parts.first() else {
+        let Some(part) = self.parts.first() else {
             return false;
         };
-        let area = Rect::new(0, 0, 1, set.layout(0).words.height);
+        let area = Rect::new(0, 0, 1, part.layout(0).words.height);
         let look = Look::default();
-        let page = set.pages.page(0);
+        let page = part.pages.page(0);
         let ends =
             page.map(|page| page.draw(area, &mut Buffer::empty(area), &look, |_| Role::Text));
-        texts
+        part.texts
             .iter()
             .enumerate()
             .all(|(number, PagedParagraph { text, .. })| {
@@ -235,7 +227,7 @@ impl<'p> PlacedPages<'p> {
             return;
         };
         part.draw(own, buf, &writing.look);
-        let (count, place) = (self.count(), part.set.layout(own).words);
+        let (count, place) = (self.count(), part.layout(own).words);
         if count > 1 && place.height > 0 {
             let page = page + 1;
             let key = match &writing.pages {
@@ -254,10 +246,18 @@ impl<'p> PlacedPages<'p> {
 }
 
 impl PagedText<'_> {
+    fn count(&self) -> usize {
+        self.pages.count()
+    }
+
+    fn layout(&self, page: usize) -> VotePageLayout {
+        self.layouts[page.min(1)]
+    }
+
     /// The indices and areas of the blocks on a page that can be clicked.
     fn places(&self, page: usize) -> impl Iterator<Item = (usize, Rect)> + '_ {
-        let words = self.set.layout(page).words;
-        let shown = self.set.pages.page(page).into_iter();
+        let words = self.layout(page).words;
+        let shown = self.pages.page(page).into_iter();
         shown
             .flat_map(|page| page.places())
             .filter_map(move |(number, rows)| {
@@ -273,11 +273,11 @@ impl PagedText<'_> {
     }
 
     fn draw(&self, page: usize, buf: &mut Buffer, look: &Look) {
-        let place = self.set.layout(page).words;
+        let place = self.layout(page).words;
         self.record(page, place, look.charset);
         let text = |number: usize| self.texts.get(number).map(|it| it.text);
         let role = |number| text(number).map_or(Role::Text, |it| it.role);
-        let Some(shown) = self.set.pages.page(page) else {
+        let Some(shown) = self.pages.page(page) else {
             return;
         };
         for (number, row) in shown.draw(place, buf, look, role) {
@@ -343,11 +343,10 @@ fn on_one_page<'p>(
     let with_picture = { SMALLER.into_iter() }.find_map(|smaller| {
         let tenths = setting.beside.tenths();
         let tenths = tenths.start().saturating_sub(smaller)..=*tenths.end();
-        SetPages::on_one_page(texts, tenths, setting)
+        PagedText::on_one_page(texts, tenths, setting)
     });
-    if let Some(set) = with_picture {
-        let texts = texts.to_vec();
-        return Some(vec![PagedText { texts, set }]);
+    if let Some(one) = with_picture {
+        return Some(vec![one]);
     }
     let choices = texts.iter().position(|it| it.text.whole)?;
     let (stem, choices) = texts.split_at(choices);
@@ -364,14 +363,10 @@ fn on_one_page<'p>(
         beside: Beside::Nothing,
         ..setting
     };
-    let first = [texts, &short, choices].into_iter().find_map(|texts| {
-        let set = SetPages::on_one_page(texts, 0..=0, alone)?;
-        let texts = texts.to_vec();
-        Some(PagedText { texts, set })
-    })?;
-    let texts = stem.to_vec();
-    let set = SetPages::new(&texts, setting, usize::MAX)?;
-    Some(vec![first, PagedText { texts, set }])
+    let first = [texts, &short, choices]
+        .into_iter()
+        .find_map(|texts| PagedText::on_one_page(texts, 0..=0, alone))?;
+    Some(vec![first, PagedText::new(stem, setting, usize::MAX)?])
 }
 
 /// The last sentence of a text.
@@ -380,22 +375,16 @@ fn last_sentence(text: &str) -> &str {
     text[start..].trim_start()
 }
 
-impl SetPages {
+impl<'p> PagedText<'p> {
     /// Sets paragraphs in letters of one size on as few pages as possible, preferring larger
     /// letters and then a larger picture. Characters without a large form are spelt out; `None` if
     /// that is not possible, or if there would be more than `most` pages.
-    fn new(paragraphs: &[PagedParagraph], setting: PageSetting, most: usize) -> Option<Self> {
-        let PageSetting {
-            beside,
-            more,
-            room,
-            screen_rows,
-            look,
-        } = setting;
+    fn new(paragraphs: &[PagedParagraph<'p>], setting: PageSetting, most: usize) -> Option<Self> {
+        let (beside, look) = (setting.beside, setting.look);
         let last = bar_below(paragraphs);
-        let alone = VotePageLayout::new(room, Beside::Nothing, 0);
+        let alone = VotePageLayout::new(setting.room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }
-            .map(|tenths| VotePageLayout::new(room, beside, tenths))
+            .map(|tenths| VotePageLayout::new(setting.room, beside, tenths))
             .flat_map(|with| [[with, with], [with, alone]])
             .collect();
         let has_bars = paragraphs.iter().any(|it| it.text.share.is_some());
@@ -406,9 +395,10 @@ impl SetPages {
                 BigPages::set(texts, rooms, most)
             };
             // If there are several pages, the last row shows the page number.
-            let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
+            let one = set(u16::from(setting.more)).filter(|pages| pages.count() == 1);
             let pages = one.or_else(|| set(1).filter(|_| most > 1))?;
             Some(Self {
+                texts: paragraphs.to_vec(),
                 pages,
                 size,
                 layouts,
@@ -420,7 +410,7 @@ impl SetPages {
             // Layouts with larger letters and pictures are tried first.
             let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
             let sizes = gaps.flat_map(|gap| {
-                let sizes = LetterSize::legible(look.charset, screen_rows);
+                let sizes = LetterSize::legible(look.charset, setting.screen_rows);
                 sizes.map(move |size| (gap, size))
             });
             fewest_pages(sizes.flat_map(|(gap, size)| {
@@ -442,14 +432,13 @@ impl SetPages {
     /// full height. Choices have the largest letters that leave enough room for the letters of the
     /// question. `None` if that is not possible.
     fn on_one_page(
-        paragraphs: &[PagedParagraph],
+        paragraphs: &[PagedParagraph<'p>],
         tenths: RangeInclusive<u16>,
         setting: PageSetting,
     ) -> Option<Self> {
-        let PageSetting { room, look, .. } = setting;
-        let layouts =
-            { tenths.rev() }.map(|tenths| VotePageLayout::new(room, setting.beside, tenths));
-        let layouts: Vec<_> = layouts.collect();
+        let look = setting.look;
+        let layout = |tenths| VotePageLayout::new(setting.room, setting.beside, tenths);
+        let layouts: Vec<_> = tenths.rev().map(layout).collect();
         let foot = bar_below(paragraphs) + u16::from(setting.more);
         let sizes = LetterSize::for_one_page(look.charset, setting.screen_rows);
         let pairs = { sizes.iter().enumerate() }
@@ -472,6 +461,7 @@ impl SetPages {
                         let rows = layout.words.height.saturating_sub(foot);
                         let pages = BigPages::set(&texts, [(layout.words.width, rows); 2], 1)?;
                         Some(Self {
+                            texts: paragraphs.to_vec(),
                             pages,
                             size: stem,
                             layouts: [*layout; 2],
@@ -479,14 +469,6 @@ impl SetPages {
                     })
                 })
             })
-    }
-
-    fn pages(&self) -> usize {
-        self.pages.count()
-    }
-
-    fn layout(&self, page: usize) -> VotePageLayout {
-        self.layouts[page.min(1)]
     }
 }
 
@@ -536,11 +518,11 @@ fn bar_below(paragraphs: &[PagedParagraph]) -> u16 {
 
 /// The first layout with the fewest pages, where a page that ends early counts twice. The search
 /// stops at the first layout with a single page.
-fn fewest_pages(all: impl Iterator<Item = SetPages>) -> Option<SetPages> {
-    let cost = |it: &SetPages| it.pages() + usize::from(it.pages.ends_early);
-    let mut best: Option<SetPages> = None;
+fn fewest_pages<'p>(all: impl Iterator<Item = PagedText<'p>>) -> Option<PagedText<'p>> {
+    let cost = |it: &PagedText| it.count() + usize::from(it.pages.ends_early);
+    let mut best: Option<PagedText> = None;
     for placed in all {
-        if placed.pages() == 1 {
+        if placed.count() == 1 {
             return Some(placed);
         }
         if best.as_ref().is_none_or(|it| cost(&placed) < cost(it)) {

@@ -33,6 +33,14 @@ pub(crate) const LEFT: [char; 7] = ['▏', '▎', '▍', '▌', '▋', '▊', '�
 /// a grid of 2 × 4. Unicode numbers dots 1-3 down the left, 4-6 down the right, then 7 and 8.
 pub(crate) const BRAILLE: [u32; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
 
+/// The braille character with the given dots, numbered row by row from the top left in a grid of
+/// 2 × 4 (bit 0 first).
+pub(crate) fn braille(dots: u16) -> char {
+    let bits = { BRAILLE.iter().enumerate() }.filter(|(dot, _)| dots >> dot & 1 == 1);
+    let code = bits.fold(0x2800, |code, (_, bit)| code | bit);
+    char::from_u32(code).unwrap_or(' ')
+}
+
 /// The sextants and their parts as bits, numbered row by row from the top left as in the name BLOCK
 /// SEXTANT-1346. The sextants are sorted by their bits; the left half and the right half are left
 /// out because they are older characters.
@@ -90,5 +98,14 @@ mod tests {
             assert!(octants().any(|it| it == (symbol, named(name))), "{name}");
         }
         assert_eq!((sextants().count(), octants().count()), (60, 230));
+    }
+
+    #[test]
+    fn braille_dots_are_where_unicode_defines_them() {
+        assert_eq!(braille(0), '\u{2800}');
+        assert_eq!(braille(0b1111_1111), '⣿');
+        assert_eq!(braille(0b0000_1111), '⠛');
+        assert_eq!(braille(0b0101_0101), '⡇');
+        assert_eq!(braille(0b1100_0000), '⣀');
     }
 }

@@ -25,15 +25,13 @@ pub(crate) struct Lines<'a> {
     look: Look,
     /// Whether text is being recorded with its meaning.
     is_recorded: bool,
-    /// Whether the text being written can be clicked, and whether it is the selected item of
-    /// several.
-    standing: Standing,
-}
-
-/// The state of the text being written, if the text can be clicked or selected.
-#[derive(Debug, Clone, Copy, Default)]
-struct Standing {
+    /// The cells that can be clicked, in rows from the top of the text and columns from the left,
+    /// each with the index of its action in the current block.
+    pub(in crate::widgets) targets: Vec<(Rect, usize)>,
+    /// Whether the text being written can be clicked.
     can_be_clicked: bool,
+    /// Whether the text being written is the selected item of several; `None` if it cannot be
+    /// selected.
     chosen: Option<bool>,
 }
 
@@ -49,7 +47,9 @@ impl<'a> Lines<'a> {
             buf,
             look,
             is_recorded: true,
-            standing: Standing::default(),
+            targets: Vec::new(),
+            can_be_clicked: false,
+            chosen: None,
         }
     }
 
@@ -62,18 +62,15 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Skips the first `rows`, so that the rows after them are visible.
+    /// Marks the text as part of a panel that has `whole` rows, and skips the first `scrolled` rows
+    /// of the text.
     #[must_use]
-    pub(crate) fn scrolled(mut self, rows: u16) -> Self {
-        self.scrolled = rows;
-        self
-    }
-
-    /// Marks the text as part of a panel that has `rows` rows.
-    #[must_use]
-    pub(crate) fn of_whole(mut self, rows: u16) -> Self {
-        self.whole = rows;
-        self
+    pub(crate) fn of_panel(self, whole: u16, scrolled: u16) -> Self {
+        Self {
+            whole,
+            scrolled,
+            ..self
+        }
     }
 
     /// The number of rows in the panel to which this text belongs.
@@ -100,26 +97,20 @@ impl<'a> Lines<'a> {
         self.area.height.saturating_sub(self.written)
     }
 
-    /// Writes one of several items that can be selected. `write` receives the mark before the item
-    /// and the role of the item, which is `role` unless the item is selected.
-    pub(crate) fn choice(
+    /// Writes an item that may be the selected one of several. All cells of its rows trigger the
+    /// action with this index, if there is one.
+    pub(crate) fn item(
         &mut self,
-        chosen: bool,
-        role: Role,
-        write: impl FnOnce(&mut Self, &'static str, Role),
+        chosen: Option<bool>,
+        action: Option<usize>,
+        write: impl FnOnce(&mut Self),
     ) {
-        let (mark, role) = role.of_choice(chosen);
-        let standing = Standing {
-            can_be_clicked: true,
-            chosen: Some(chosen),
-        };
-        self.standing(standing, |lines| write(lines, mark, role));
-    }
-
-    fn standing(&mut self, standing: Standing, write: impl FnOnce(&mut Self)) {
-        let around = std::mem::replace(&mut self.standing, standing);
+        let top = self.written;
+        (self.can_be_clicked, self.chosen) = (true, chosen);
         write(self);
-        self.standing = around;
+        (self.can_be_clicked, self.chosen) = (false, None);
+        let cells = Rect::new(0, top, self.area.width + 1, self.written - top);
+        self.targets.extend(action.map(|action| (cells, action)));
     }
 
     /// Writes something that is recorded as `words`, regardless of how its rows are written.
@@ -142,51 +133,39 @@ impl<'a> Lines<'a> {
     /// Records a possible next action and its key, with the position at which the action is
     /// written: the column, and the row counted from the top.
     pub(crate) fn record_prompt(&self, words: &str, key: Option<String>, cell: Option<(u16, u16)>) {
-        if !self.is_recorded {
-            return;
-        }
-        let area = self.area;
-        let seen = cell.and_then(|(column, row)| {
-            let row = row.checked_sub(self.scrolled)?;
-            (row < area.height).then(|| [area.x + column, area.y + row])
-        });
-        sheet::note(area, || Item {
-            words: Words::Prompt {
-                words: self.look.charset.text(words).into_owned(),
-                key,
-            },
-            press: seen,
-            chosen: None,
-        });
-    }
-
-    /// Like [`Self::written_as`], for an item that can be clicked and may be the selected one.
-    pub(crate) fn clicked_as(
-        &mut self,
-        words: impl FnOnce(Charset) -> Words,
-        chosen: Option<bool>,
-        write: impl FnOnce(&mut Self),
-    ) {
-        let standing = Standing {
-            can_be_clicked: true,
-            chosen,
+        let words = |charset: Charset| Words::Prompt {
+            words: charset.text(words).into_owned(),
+            key,
         };
-        self.standing(standing, |lines| lines.written_as(words, write));
+        self.note(words, cell.and_then(|cell| self.seen(cell)), None);
     }
 
     /// Records the text that is about to be written in the next row.
     fn record(&self, words: impl FnOnce(Charset) -> Words) {
-        if !self.is_recorded {
-            return;
+        let press = self.seen((0, self.written)).filter(|_| self.can_be_clicked);
+        self.note(words, press, self.chosen);
+    }
+
+    fn note(
+        &self,
+        words: impl FnOnce(Charset) -> Words,
+        press: Option<[u16; 2]>,
+        chosen: Option<bool>,
+    ) {
+        if self.is_recorded {
+            sheet::note(self.area, || Item {
+                words: words(self.look.charset),
+                press,
+                chosen,
+            });
         }
-        let (area, standing) = (self.area, self.standing);
-        let row = self.written.checked_sub(self.scrolled);
-        let row = row.filter(|row| *row < area.height && standing.can_be_clicked);
-        sheet::note(area, || Item {
-            words: words(self.look.charset),
-            press: row.map(|row| [area.x, area.y + row]),
-            chosen: standing.chosen,
-        });
+    }
+
+    /// The cell of the screen at a column and a row counted from the top; `None` if the row is
+    /// scrolled away.
+    fn seen(&self, (column, row): (u16, u16)) -> Option<[u16; 2]> {
+        let row = row.checked_sub(self.scrolled)?;
+        (row < self.area.height).then(|| [self.area.x + column, self.area.y + row])
     }
 
     /// Records text; text that consists only of spaces is recorded as a gap.
@@ -204,7 +183,7 @@ impl<'a> Lines<'a> {
     /// Writes an empty row, unless nothing has been written above.
     pub(crate) fn gap(&mut self) {
         if self.written > 0 {
-            self.record(|_| Words::Gap);
+            self.note(|_| Words::Gap, None, None);
             self.written += 1;
         }
     }
@@ -216,7 +195,7 @@ impl<'a> Lines<'a> {
 
     /// Writes a single row, which is cut off at the edge.
     pub(crate) fn line(&mut self, text: &str, role: Role) {
-        self.record_text("", &[Run::new(self.unmarked(text), role)]);
+        self.record_text("", &[Run::new(text, role)]);
         self.put(0, text, role);
         self.written += 1;
     }
@@ -230,42 +209,37 @@ impl<'a> Lines<'a> {
         role: Role,
         chosen: bool,
     ) {
-        if self.is_recorded {
-            sheet::note(self.area, || Item {
-                words: words(self.look.charset),
-                press: Some([self.area.x + column, self.area.y + self.written]),
-                chosen: Some(chosen),
-            });
-        }
+        let press = [self.area.x + column, self.area.y + self.written];
+        self.note(words, Some(press), Some(chosen));
         self.put(column, row, role);
     }
 
     /// Writes the first of the `texts` that fits in large letters, if the panel has at least `from`
     /// rows; otherwise writes the first text in a single row.
-    pub(crate) fn large(&mut self, texts: &[String], role: Role, from: u16) {
+    pub(crate) fn large(&mut self, texts: &[String], from: u16) {
         let Some(first) = texts.first() else {
             return;
         };
-        self.record(|charset| Words::large(&charset.text(first), role));
+        self.record(|charset| Words::large(&charset.text(first), Role::Title));
         let width = self.area.width.saturating_sub(1);
         // In a small window, only the shorter alternatives may use a second line.
         let rows = |at: usize| LARGE[usize::from(at > 0 || self.whole >= LARGER_FROM)];
         let fit = |(at, text): (usize, &String)| Big::fit(text, width, rows(at), self.look.charset);
         let big = texts.iter().enumerate().find_map(fit);
         match big.filter(|_| self.whole >= from) {
-            Some(big) => self.big(&[(&big, Align::Left)], role),
-            None => self.unrecorded(|lines| lines.line(first, role)),
+            Some(big) => self.big(&[(&big, Align::Left)]),
+            None => self.unrecorded(|lines| lines.line(first, Role::Title)),
         }
     }
 
     /// Writes strings in large type side by side, in as many rows as they need.
-    pub(crate) fn big(&mut self, all: &[(&Big, Align)], role: Role) {
+    pub(crate) fn big(&mut self, all: &[(&Big, Align)]) {
         let mut rows = 0;
         for (big, align) in all {
             if let Some(row) = self.written.checked_sub(self.scrolled) {
                 let [_, place] = areas::upper(self.area, row);
                 let [place, _] = areas::left(place, place.width.saturating_sub(1));
-                big.draw(place, self.buf, &self.look, role, *align);
+                big.draw(place, self.buf, &self.look, Role::Title, *align);
             }
             rows = rows.max(big.rows());
         }
@@ -274,42 +248,39 @@ impl<'a> Lines<'a> {
 
     /// Writes a single row with a name on the left and a right-aligned value. A name that is too
     /// long for the space beside the value is truncated with an ellipsis.
-    pub(crate) fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
+    pub(crate) fn pair(&mut self, name: &Run, value: &Run) {
         self.record(|charset| Words::Pair {
-            name: Run::new(self.unmarked(name), name_role).spelt(charset),
-            value: Run::new(value, value_role).spelt(charset),
+            name: Run::new(self.unmarked(&name.text), name.role).spelt(charset),
+            value: value.spelt(charset),
         });
-        let width = self.width_of(value) as u16;
+        let width = self.width_of(&value.text) as u16;
         let column = self.area.width.saturating_sub(width + 1);
-        let name = self.look.charset.text(name);
-        let room = match value {
+        let room = match value.text.as_str() {
             "" => usize::from(self.area.width),
             _ => usize::from(column.saturating_sub(1)),
         };
-        self.put(0, &text::clipped(&name, room), name_role);
-        self.put(column, value, value_role);
+        let shown = text::clipped(&self.look.charset.text(&name.text), room);
+        self.put(0, &shown, name.role);
+        self.put(column, &value.text, value.role);
         self.written += 1;
     }
 
     /// Writes a single row with a name and right-aligned values in columns. The name has twice the
     /// space of a value; a value that is too wide for its column moves to the right instead of
     /// touching the text before it.
-    pub(crate) fn columns(&mut self, name: (&str, Role), values: &[(&str, Role)]) {
-        self.record(|charset| {
-            let spelt = |(text, role): &(&str, Role)| Run::new(*text, *role).spelt(charset);
-            Words::Columns {
-                name: Run::new(self.unmarked(name.0), name.1).spelt(charset),
-                values: values.iter().map(spelt).collect(),
-            }
+    pub(crate) fn columns(&mut self, name: &Run, values: &[Run]) {
+        self.record(|charset| Words::Columns {
+            name: Run::new(self.unmarked(&name.text), name.role).spelt(charset),
+            values: values.iter().map(|value| value.spelt(charset)).collect(),
         });
         let width = usize::from(self.area.width);
-        self.put(0, name.0, name.1);
-        let mut free = self.width_of(name.0) + 1;
-        for (i, &(value, role)) in values.iter().enumerate() {
+        self.put(0, &name.text, name.role);
+        let mut free = self.width_of(&name.text) + 1;
+        for (i, value) in values.iter().enumerate() {
             let end = (width * (i + 2) / (values.len() + 1)).min(width.saturating_sub(1));
-            let start = end.saturating_sub(self.width_of(value)).max(free);
-            self.put(start as u16, value, role);
-            free = start + self.width_of(value) + 1;
+            let start = end.saturating_sub(self.width_of(&value.text)).max(free);
+            self.put(start as u16, &value.text, value.role);
+            free = start + self.width_of(&value.text) + 1;
         }
         self.written += 1;
     }
@@ -372,7 +343,7 @@ impl<'a> Lines<'a> {
 
     /// `text` without the mark that shows whether the item is selected.
     fn unmarked<'t>(&self, text: &'t str) -> &'t str {
-        match self.standing.chosen {
+        match self.chosen {
             Some(_) => text.get(1..).unwrap_or_default().trim_start(),
             None => text,
         }

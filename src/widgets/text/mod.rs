@@ -24,7 +24,7 @@ pub use blocks::Blocks;
 pub use charset::Charset;
 pub(crate) use lines::Lines;
 pub use look::Look;
-pub(crate) use scroll::{PAGE_ROWS, hint_below, scroll_keys};
+pub(crate) use scroll::{PAGE_ROWS, hint_below};
 pub use sheet::{Item, Section, Sheet, SheetKind, Words, recorded};
 pub use terms::held;
 pub(crate) use terms::unbroken;

@@ -2,7 +2,6 @@
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
-use crate::messages::Key;
 use crate::widgets::{Look, Role, text};
 
 /// The number of rows by which the page keys scroll.
@@ -17,13 +16,4 @@ pub(crate) fn hint_below(area: Rect, buf: &mut Buffer, look: Look, hint: &str) {
         let style = look.theme.style(Role::Key);
         buf.set_stringn(column, area.bottom(), hint, room, style);
     }
-}
-
-/// The keys that scroll text by pages; `action` converts a number of rows to the screen's scroll
-/// action.
-pub(crate) fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
-    [
-        (Key::PageUp, action(-PAGE_ROWS)),
-        (Key::PageDown, action(PAGE_ROWS)),
-    ]
 }

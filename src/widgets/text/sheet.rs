@@ -156,16 +156,7 @@ pub enum Words {
         role: Role,
     },
     /// Something to share.
-    Code {
-        /// A description of what is shared.
-        text: String,
-        /// The command that opens it.
-        command: String,
-        /// The part of the link's address after `#`.
-        address: String,
-        /// Whether the page copies the description together with the link.
-        is_result: bool,
-    },
+    Code(Share),
     /// Large text for the back row.
     Large {
         /// The text in several styles.
@@ -173,6 +164,20 @@ pub enum Words {
     },
 }
 
+/// Something to share.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Share {
+    /// A description of what is shared.
+    pub text: String,
+    /// The command that opens it.
+    pub command: String,
+    /// The part of the link's address after `#`.
+    pub address: String,
+    /// Whether the page copies the description together with the link.
+    pub is_result: bool,
+}
+
+#[derive(Default)]
 struct Recorder {
     sheets: Vec<Sheet>,
     pictures: usize,
@@ -222,16 +227,22 @@ impl Sheet {
         let at = framed.map(|(at, _)| at);
         let at = at.or_else(|| self.sections.iter().position(own));
         let at = at.unwrap_or_else(|| {
-            self.sections.push(Section {
-                title: String::new(),
-                items: Vec::new(),
-                places: Vec::new(),
-                area,
-                is_framed: false,
-            });
+            self.sections.push(Section::new("", area, false));
             self.sections.len() - 1
         });
         &mut self.sections[at]
+    }
+}
+
+impl Section {
+    fn new(title: &str, area: Rect, is_framed: bool) -> Self {
+        Self {
+            title: title.to_owned(),
+            items: Vec::new(),
+            places: Vec::new(),
+            area,
+            is_framed,
+        }
     }
 }
 
@@ -284,14 +295,9 @@ impl Item {
 /// Runs the drawing function and returns its result together with the recorded text: first the text
 /// of the screen, then that of the layers over the screen.
 pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
-    RECORDED.set(Some(Recorder {
-        sheets: Vec::new(),
-        pictures: 0,
-        shows: Vec::new(),
-        drag: None,
-    }));
+    RECORDED.set(Some(Recorder::default()));
     let drawn = draw();
-    let sheets = RECORDED.take().map_or_else(Vec::new, |it| it.sheets);
+    let sheets = RECORDED.take().unwrap_or_default().sheets;
     (drawn, sheets.into_iter().map(tidied).collect())
 }
 
@@ -316,7 +322,7 @@ pub(crate) fn is_recording() -> bool {
 }
 
 fn with(note: impl FnOnce(&mut Recorder)) {
-    RECORDED.with_borrow_mut(|recorder| recorder.iter_mut().next().map_or((), note));
+    RECORDED.with_borrow_mut(|recorder| recorder.as_mut().map_or((), note));
 }
 
 /// Records the start of a screen, or of a layer over the screen.
@@ -330,13 +336,8 @@ pub(crate) fn frame(area: Rect, title: &str) {
         return;
     }
     with(|recorder| {
-        recorder.sheet().sections.push(Section {
-            title: title.to_owned(),
-            items: Vec::new(),
-            places: Vec::new(),
-            area,
-            is_framed: true,
-        });
+        let frame = Section::new(title, area, true);
+        recorder.sheet().sections.push(frame);
     });
 }
 

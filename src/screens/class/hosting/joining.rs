@@ -74,7 +74,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     }
     let mut foot = Panel::new("");
     if is_below {
-        foot.large([address.as_str()], Role::Title, 0);
+        foot.large([address.as_str()], 0);
     }
     if let Err(reason) = &joining.page {
         let words = format!("Browsers cannot join: {reason}. Other computers: carrom join ADDRESS");
@@ -114,15 +114,11 @@ fn write(
         panel.line("In the browser, type the address below", Role::Key);
     } else {
         panel.line("In the browser, type the address", Role::Key);
-        panel.large(
-            in_lines(address).iter().map(String::as_str),
-            Role::Title,
-            LARGE_FROM,
-        );
+        panel.large(in_lines(address).iter().map(String::as_str), LARGE_FROM);
         panel.gap();
     }
     panel.line("and the code of this class", Role::Key);
-    panel.large([joining.code.to_string().as_str()], Role::Title, LARGE_FROM);
+    panel.large([joining.code.to_string().as_str()], LARGE_FROM);
     panel.gap();
     let in_words = match (session.present(), session.round().participants().len()) {
         (0, 0) => "Nobody has joined yet.".to_owned(),

@@ -95,7 +95,7 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
         action: Some(NotebookAction::List(ListAction::Point(number))),
     };
     let rows = notebook.hits().iter().enumerate().map(row).collect();
-    panel.long_table(columns.collect(), rows, BELOW);
+    panel.table(columns.collect(), rows, Some(BELOW));
     panel.gap();
     panel.prompts([
         ("plot two columns", NotebookAction::Plot),

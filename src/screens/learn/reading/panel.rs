@@ -122,7 +122,7 @@ fn asking(
                     rays.write_prompt(panel, target, "watch");
                 });
             }
-            _ if input.said().is_some() => input.write_prompt(form, "confirm", panel),
+            _ if input.said().is_some() => panel.prompts([input.next(form, "confirm")]),
             _ => panel.paragraph(input.about(form), Role::Key),
         });
     });

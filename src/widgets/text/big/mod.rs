@@ -16,7 +16,7 @@ use std::rc::Rc;
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
-use crate::widgets::text::blocks::{BRAILLE, QUARTERS};
+use crate::widgets::text::blocks::{QUARTERS, braille};
 use crate::widgets::{Charset, Look, Role};
 use letters::pixels_of;
 pub(crate) use measured::BigText;
@@ -33,9 +33,6 @@ const HEIGHT: usize = 8;
 const CAPITAL: usize = 7;
 /// The height of a small letter such as x, in pixels.
 const SMALL_LETTER: usize = 5;
-
-/// The number of rows in a line of letters of the ordinary sizes.
-const LINE: u16 = 4;
 
 /// The horizontal alignment of text in its area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,34 +73,23 @@ impl Big {
     /// rows, broken at spaces; `None` if the text does not fit at all or contains letters without a
     /// large form.
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
-        let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
-        let sizes = LetterSize::of_name(charset);
-        Self::of_one_size(&[text], sizes, columns, charset, fits)?.pop()
+        Self::fit_all(&[text], columns, rows, charset)?.pop()
     }
 
-    /// Sets several names in letters of the same size, each on one line of at most four rows;
-    /// `None` in the same cases as for [`Self::fit`].
-    pub(crate) fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
-        let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
-        Self::of_one_size(texts, LetterSize::of_name(charset), columns, charset, fits)
-    }
-
-    /// Sets all strings in the largest letters for which they are narrow enough and `fit` returns
-    /// true.
-    fn of_one_size(
+    /// Sets several names in letters of the same size, each in this many columns and rows; `None`
+    /// in the same cases as for [`Self::fit`].
+    pub(crate) fn fit_all(
         texts: &[&str],
-        sizes: &[LetterSize],
         columns: u16,
+        rows: u16,
         charset: Charset,
-        fit: impl Fn(&[Self]) -> bool,
     ) -> Option<Vec<Self>> {
         let texts = { texts.iter() }.map(|text| Rc::new(BigText::new(text, charset)));
         let texts: Vec<_> = texts.collect();
-        let set = |size: &LetterSize| -> Option<Vec<Self>> {
-            let each = texts.iter();
-            each.map(|text| Self::set(text, *size, columns)).collect()
-        };
-        sizes.iter().filter_map(set).find(|all| fit(all))
+        LetterSize::of_name(charset).iter().find_map(|size| {
+            let set = |text| Self::set(text, *size, columns).filter(|big| big.rows() <= rows);
+            texts.iter().map(set).collect()
+        })
     }
 
     /// Sets text in lines of `columns` columns, broken between words but not between a number and
@@ -247,23 +233,18 @@ fn symbol(
         (LetterSize::Middle, Charset::Ascii) => [' ', '"', '.', '#'][halves(column, 2 * row)],
         (LetterSize::Middle, Charset::Unicode) => [' ', '▀', '▄', '█'][halves(column, 2 * row)],
         (LetterSize::Dots, _) => {
-            let dots = BRAILLE.iter().enumerate().filter(|(dot, _)| {
+            let dots = (0..8).filter(|dot| {
                 let y = (4 * row + dot / 2).checked_sub(above);
                 y.is_some_and(|y| pixel(2 * column + dot % 2, y))
             });
-            let bits = dots.fold(0, |bits, (_, bit)| bits | bit);
-            char::from_u32(0x2800 | bits)
-                .filter(|_| bits > 0)
-                .unwrap_or(' ')
+            match dots.fold(0, |bits, dot| bits | 1 << dot) {
+                0 => ' ',
+                bits => braille(bits),
+            }
         }
         (LetterSize::Small | LetterSize::Strokes | LetterSize::Plain, _) => {
-            let (x, y) = (2 * column, 2 * row);
-            let quarters = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
-            let bits = quarters.into_iter().enumerate();
-            let index: usize = bits
-                .map(|(bit, (x, y))| usize::from(pixel(x, y)) << bit)
-                .sum();
-            QUARTERS[index]
+            let quarters = (0..4).filter(|at| pixel(2 * column + at % 2, 2 * row + at / 2));
+            QUARTERS[quarters.fold(0, |bits, at| bits | 1 << at)]
         }
     }
 }

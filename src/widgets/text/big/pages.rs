@@ -6,7 +6,7 @@ use std::rc::Rc;
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::{Align, Big, BigText, LetterSize};
-use crate::widgets::{Look, Role};
+use crate::widgets::{Look, Role, areas};
 
 /// Paragraphs in large letters, divided into pages.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -127,11 +127,7 @@ impl BigPage {
     ) -> Vec<(usize, u16)> {
         let mut ends = Vec::new();
         for part in &self.parts {
-            let place = Rect {
-                y: area.y + part.row.min(area.height),
-                height: area.height.saturating_sub(part.row),
-                ..area
-            };
+            let [_, place] = areas::upper(area, part.row);
             part.big
                 .draw(place, buf, look, role(part.paragraph), Align::Left);
             if part.ends {
