@@ -106,7 +106,7 @@ fn key_line(
         .iter()
         .map(|(keys, name)| (keys.as_str(), *name))
         .collect();
-    let line = keys::key_line(&pairs, area.width, look.charset, &look.theme);
+    let line = keys::key_line(&pairs, area.width, &look);
     let row = Rect::new(area.x, area.bottom() - 1, area.width, 1);
     clear(row, buf, look);
     buf.set_line(row.x, row.y, &line, row.width);
@@ -196,7 +196,7 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
         buf,
         look,
     );
-    let inside = draw_panel(buf, frame, &panel.title, look.charset, &look.theme);
+    let inside = draw_panel(buf, frame, &panel.title, &look);
     panel
         .placed(inside, &writing, &|_| None)
         .draw(scrolled, buf, &writing);

@@ -294,7 +294,7 @@ fn each_arrow_is_visible_from_end_to_end_in_the_colour_of_its_label() {
                         continue;
                     };
                     let colour = theme.colour(pen.role);
-                    let labels = canvas.labels().iter();
+                    let labels = canvas.labels.iter();
                     let own = labels.filter(|label| label.role == pen.role);
                     let like = |it: &&Mark| matches!(it, Mark::Arrow { pen: other, .. } if other.role == pen.role);
                     let arrows_like = picture.marks.iter().filter(like).count();
@@ -371,7 +371,7 @@ fn no_name_is_beside_the_other_disc() {
                 let canvas = Canvas::of(&picture, &look);
                 let (c1, c2) = collision.placed_at_contact();
                 for (body, name) in names.into_iter().enumerate() {
-                    let mut labels = canvas.labels().iter();
+                    let mut labels = canvas.labels.iter();
                     let label = labels
                         .find(|it| it.text == name || it.text.starts_with(&format!("{name} =")));
                     // In a narrow picture there may be no room for a label.

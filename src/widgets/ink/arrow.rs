@@ -42,7 +42,7 @@ impl Canvas {
         let head = full.min(0.6 * length);
         let base = tip - forward * head;
         let side = forward.perp() * head * HEAD_SLIMNESS;
-        let stroke = self.stroke_mut();
+        let stroke = &mut self.stroke;
         stroke.piece(tail, base, pen);
         stroke.triangle([tip, base + side, base - side]);
         // Near the tip the triangle is narrower than a dot, so its axis is drawn.
@@ -53,7 +53,7 @@ impl Canvas {
     fn glyph_head(&mut self, tail: DVec2, tip: DVec2, pen: Pen) {
         // The shaft ends in the middle of the cell that contains the tip's glyph.
         let middle = DVec2::new(tip.x.floor() + 0.5, 2.0 * (tip.y / 2.0).floor() + 1.0);
-        self.stroke_mut().piece(tail, middle, pen);
+        self.stroke.piece(tail, middle, pen);
         self.commit(pen);
         let along = tip - tail;
         let symbol = match (along.x.abs() >= along.y.abs(), along.x > 0.0, along.y > 0.0) {

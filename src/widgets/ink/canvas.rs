@@ -12,13 +12,14 @@ use ratatui::{
 use super::{
     cell::Cell,
     gallery,
-    glyphs::{ascii, block, braille},
+    glyphs::{ascii, block},
     grid,
     label::PlacedLabel,
     shades::Shades,
     stroke::StrokeSamples,
 };
 use crate::widgets::picture::{Dash, DrawLayer, Mark, Pen, Picture, View};
+use crate::widgets::text::blocks::braille;
 use crate::widgets::{Blocks, Charset, Look, Role, Theme};
 
 /// A cell of the canvas: column and row.
@@ -42,10 +43,10 @@ pub(in crate::widgets) struct Canvas {
     /// Whether the terminal has no colours at all.
     pub(super) is_mono: bool,
     pub(super) cells: Vec<Cell>,
-    pub(super) labels: Vec<PlacedLabel>,
+    pub(in crate::widgets) labels: Vec<PlacedLabel>,
     /// The cells of the points that labels refer to, counted from the corner of the area.
     pub(super) expected: Vec<CellPlace>,
-    stroke: StrokeSamples,
+    pub(super) stroke: StrokeSamples,
 }
 
 impl Canvas {
@@ -102,11 +103,6 @@ impl Canvas {
             Mark::Reserved(at) => self.reserve(*at),
             Mark::Axes(_) => self.reserve_axes(),
         }
-    }
-
-    /// The labels that have been placed.
-    pub(in crate::widgets) fn labels(&self) -> &[PlacedLabel] {
-        &self.labels
     }
 
     /// The mapping from the world to this canvas.
@@ -249,7 +245,7 @@ impl Canvas {
 
     /// The mean colour of everything below the strokes of a cell.
     fn paper_of(&self, cell: &Cell, theme: &Theme) -> Color {
-        theme.shade(Shades::of(cell, theme).mean(u64::MAX))
+        theme.reduced(Shades::of(cell, theme).mean(u64::MAX))
     }
 
     fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
@@ -261,7 +257,7 @@ impl Canvas {
         }
         if self.has_shades {
             let (symbol, [ink, paper]) = Shades::of(cell, theme).fitted(self.blocks);
-            let style = Style::new().fg(theme.shade(ink)).bg(theme.shade(paper));
+            let style = Style::new().fg(theme.reduced(ink)).bg(theme.reduced(paper));
             return (symbol, style);
         }
         let block = block::nearest(self.blocks, disc.bits, !mono);
@@ -351,10 +347,6 @@ impl Canvas {
             (from.x, to.x) = (middle, middle);
         }
         (from, to)
-    }
-
-    pub(super) fn stroke_mut(&mut self) -> &mut StrokeSamples {
-        &mut self.stroke
     }
 
     /// Ends a stroke and copies its samples into the cells.

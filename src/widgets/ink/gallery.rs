@@ -66,7 +66,7 @@ pub(super) fn note(picture: &Picture, canvas: &Canvas, buffer: &Buffer, look: &L
         gathered.push(DrawnPicture {
             picture: picture.clone(),
             look: *look,
-            labels: canvas.labels().to_vec(),
+            labels: canvas.labels.clone(),
             cells,
         });
     });

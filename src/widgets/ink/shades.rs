@@ -40,18 +40,14 @@ impl Shades {
 
     /// The sum of each colour channel over part of the cell.
     fn sum(&self, bits: u64) -> [f64; 3] {
-        self.parts.iter().filter(|(part, _)| part & bits != 0).fold(
-            [0.0; 3],
-            |sum, (part, colour)| {
-                let count = f64::from((part & bits).count_ones());
-                let [red, green, blue] = channels(*colour);
-                [
-                    sum[0] + count * red,
-                    sum[1] + count * green,
-                    sum[2] + count * blue,
-                ]
-            },
-        )
+        let mut sum = [0.0; 3];
+        for (part, Rgb(red, green, blue)) in self.parts {
+            let count = f64::from((part & bits).count_ones());
+            for (sum, channel) in sum.iter_mut().zip([red, green, blue]) {
+                *sum += count * f64::from(channel);
+            }
+        }
+        sum
     }
 
     /// The sum of squared errors, up to a constant, if part of the cell and the rest are each drawn
@@ -78,10 +74,6 @@ impl Shades {
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .unwrap_or_default()
     }
-}
-
-fn channels(Rgb(red, green, blue): Rgb) -> [f64; 3] {
-    [red, green, blue].map(f64::from)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use ratatui::{
     widgets::{Block, Widget},
 };
 
-use crate::widgets::{Charset, Role, Theme, sheet};
+use crate::widgets::{Charset, Look, Role, sheet};
 
 /// A frame made of characters that every terminal has.
 const ASCII: border::Set<'static> = border::Set {
@@ -24,24 +24,18 @@ const ASCII: border::Set<'static> = border::Set {
 
 /// Draws an empty frame with a title, like `+- title --+` in ASCII and with rounded corners in
 /// Unicode, and returns the area inside. If the title is empty, the top line has no gap.
-pub(crate) fn draw_panel(
-    buffer: &mut Buffer,
-    area: Rect,
-    title: &str,
-    charset: Charset,
-    theme: &Theme,
-) -> Rect {
-    let title = charset.text(title);
+pub(crate) fn draw_panel(buffer: &mut Buffer, area: Rect, title: &str, look: &Look) -> Rect {
+    let title = look.charset.text(title);
     sheet::frame(area, &title);
-    let lines = match charset {
+    let lines = match look.charset {
         Charset::Ascii => ASCII,
         Charset::Unicode => border::ROUNDED,
     };
-    let style = theme.style(Role::Border);
+    let style = look.theme.style(Role::Border);
     let mut block = Block::bordered().border_set(lines).border_style(style);
     if !title.is_empty() {
         let stub = Span::styled(lines.horizontal_top, style);
-        let title = Span::styled(format!(" {title} "), theme.style(Role::Title));
+        let title = Span::styled(format!(" {title} "), look.theme.style(Role::Title));
         block = block.title(vec![stub, title]);
     }
     let inside = block.inner(area);
@@ -56,7 +50,11 @@ mod tests {
     fn drawn(title: &str, charset: Charset) -> Vec<String> {
         let area = Rect::new(0, 0, 16, 3);
         let mut buffer = Buffer::empty(area);
-        let inside = draw_panel(&mut buffer, area, title, charset, &Theme::default());
+        let look = Look {
+            charset,
+            ..Look::default()
+        };
+        let inside = draw_panel(&mut buffer, area, title, &look);
         assert_eq!(inside, Rect::new(1, 1, 14, 1));
         (0..3)
             .map(|y| (0..16).map(|x| buffer[(x, y)].symbol()).collect())
@@ -81,13 +79,7 @@ mod tests {
             for height in 0..4 {
                 let area = Rect::new(0, 0, width, height);
                 let mut buffer = Buffer::empty(area);
-                draw_panel(
-                    &mut buffer,
-                    area,
-                    "title",
-                    Charset::Ascii,
-                    &Theme::default(),
-                );
+                draw_panel(&mut buffer, area, "title", &Look::default());
             }
         }
     }

@@ -1,7 +1,8 @@
 //! The layout of a picture and a panel of text in separate frames, side by side or, on a portrait
 //! screen, one above the other.
 
-use ratatui::{buffer::Buffer, layout::Rect};
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Margin, Rect};
 
 use super::draw_panel;
 use crate::widgets::{Look, Room, areas};
@@ -34,12 +35,8 @@ impl SplitLayout {
     pub fn new(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
-        let wanted = if area.width >= WIDE {
-            PANEL + MORE
-        } else {
-            PANEL
-        };
-        Self::with_panel(room, wanted.min(area.width / 2))
+        let more = if area.width >= WIDE { MORE } else { 0 };
+        Self::with_panel(room, (PANEL + more).min(area.width / 2))
     }
 
     /// Lays out a picture just wide enough for a square board of the same height, and gives the
@@ -62,14 +59,8 @@ impl SplitLayout {
 
     /// Lays out a centred panel of text without a picture, at most `columns` columns wide.
     pub(crate) fn text_of(room: impl Into<Room>, columns: u16) -> Self {
-        let area = room.into().area;
-        let panel = areas::middle(area, columns);
-        let nothing = Rect { width: 0, ..area };
-        Self {
-            picture: nothing,
-            panel: inside(panel),
-            frames: [nothing, panel],
-        }
+        let frame = areas::middle(room.into().area, columns);
+        Self::alone(frame, inside(frame))
     }
 
     /// Lays out a centred card of text without a picture, with a margin if there is room.
@@ -81,25 +72,22 @@ impl SplitLayout {
             Some(_) => area.height,
             None => area.height.min(CARD.1),
         };
-        let (width, height) = (area.width.min(CARD.0), rows);
         let card = Rect {
-            x: area.x + (area.width - width) / 2,
-            y: area.y + (area.height - height) / 2,
-            width,
-            height,
+            y: area.y + (area.height - rows) / 2,
+            height: rows,
+            ..areas::middle(area, CARD.0)
         };
-        let text = inside(card);
-        let (across, down) = (2 * u16::from(width == CARD.0), u16::from(height == CARD.1));
-        let nothing = Rect { width: 0, ..card };
+        let across = 2 * u16::from(card.width == CARD.0);
+        let down = u16::from(card.height == CARD.1);
+        Self::alone(card, inside(card).inner(Margin::new(across, down)))
+    }
+
+    fn alone(frame: Rect, panel: Rect) -> Self {
+        let picture = Rect { width: 0, ..frame };
         Self {
-            picture: nothing,
-            panel: Rect {
-                x: text.x + across,
-                y: text.y + down,
-                width: text.width - 2 * across,
-                height: text.height - 2 * down,
-            },
-            frames: [nothing, card],
+            picture,
+            panel,
+            frames: [picture, frame],
         }
     }
 
@@ -138,8 +126,8 @@ impl SplitLayout {
 
     /// Draws both frames with their titles.
     pub fn draw(&self, buf: &mut Buffer, look: &Look, picture: &str, panel: &str) {
-        draw_panel(buf, self.frames[0], picture, look.charset, &look.theme);
-        draw_panel(buf, self.frames[1], panel, look.charset, &look.theme);
+        draw_panel(buf, self.frames[0], picture, look);
+        draw_panel(buf, self.frames[1], panel, look);
     }
 }
 

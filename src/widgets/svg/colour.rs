@@ -49,26 +49,17 @@ fn colour_of(colour: Color, otherwise: Rgb) -> Rgb {
     }
 }
 
-/// The two colours that a cell shows.
-pub(super) struct CellColours {
-    /// The foreground colour.
-    pub(super) ink: Rgb,
-    /// The background colour.
-    pub(super) ground: Rgb,
-}
-
-impl CellColours {
-    /// The colours of a cell after applying the reverse and dim modifiers.
-    pub(super) fn of(cell: &Cell) -> Self {
-        let (mut ink, mut ground) = (colour_of(cell.fg, INK), colour_of(cell.bg, PAPER));
-        if cell.modifier.contains(Modifier::REVERSED) {
-            (ink, ground) = (ground, ink);
-        }
-        if cell.modifier.contains(Modifier::DIM) {
-            ink = ground.mixed(ink, 0.6);
-        }
-        Self { ink, ground }
+/// The foreground and the background colour of a cell, after applying the reverse and dim
+/// modifiers.
+pub(super) fn colours(cell: &Cell) -> [Rgb; 2] {
+    let (mut ink, mut ground) = (colour_of(cell.fg, INK), colour_of(cell.bg, PAPER));
+    if cell.modifier.contains(Modifier::REVERSED) {
+        (ink, ground) = (ground, ink);
     }
+    if cell.modifier.contains(Modifier::DIM) {
+        ink = ground.mixed(ink, 0.6);
+    }
+    [ink, ground]
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@ use unicode_width::UnicodeWidthStr;
 use super::cells::{rows, symbols};
 use super::theme::{Rgb, Role};
 use super::{Look, panels::draw_panel, picture::Picture};
-use colour::{CellColours, PAPER};
+use colour::{PAPER, colours};
 
 /// The width and height of a cell, in units of the picture.
 const CELL: (usize, usize) = (9, 18);
@@ -46,7 +46,7 @@ pub(crate) fn of_panel(
     let area = Rect::new(0, 0, PANEL.0, PANEL.1);
     let mut cells = Buffer::empty(area);
     cells.set_style(area, look.theme.base());
-    let inside = draw_panel(&mut cells, area, title, look.charset, &look.theme);
+    let inside = draw_panel(&mut cells, area, title, look);
     let pictures = fill(inside, &mut cells);
     let draw = |picture: &Picture| vector::draw(picture, look);
     screen(&cells, &pictures.iter().map(draw).collect::<String>())
@@ -68,7 +68,7 @@ fn screen(cells: &Buffer, vectors: &str) -> String {
         let y = row * CELL.1;
         let line: Vec<(usize, &Cell)> = symbols(line).collect();
         let taken = |cell: &Cell| cell.symbol().width().max(1) * CELL.0;
-        let ground = |cell: &Cell| CellColours::of(cell).ground;
+        let ground = |cell: &Cell| colours(cell)[1];
         for run in line.chunk_by(|(_, a), (_, b)| ground(a) == ground(b)) {
             let (column, cell) = run[0];
             if ground(cell) != PAPER {
@@ -78,27 +78,39 @@ fn screen(cells: &Buffer, vectors: &str) -> String {
                 let _ = write!(path, "M{x} {y}h{width}v{}h-{width}z", CELL.1);
             }
         }
-        let mut word = SvgWord::default();
+        let mut letters = Vec::new();
         for (column, cell) in line {
             let x = column * CELL.0;
-            let look = CellColours::of(cell);
+            let [ink, ground] = colours(cell);
             let taken = taken(cell);
             if cell.modifier.contains(Modifier::UNDERLINED) {
                 let y = y + CELL.1 - 2;
-                let _ = write!(shapes.of(look.ink), "M{x} {y}h{taken}v1h-{taken}z");
+                let _ = write!(shapes.of(ink), "M{x} {y}h{taken}v1h-{taken}z");
             }
             let blank = cell.symbol().trim().is_empty() || cell.modifier.contains(Modifier::HIDDEN);
-            let strength = shape::strength(cell.symbol());
-            let ink = look.ground.mixed(look.ink, strength);
+            let faded = ground.mixed(ink, shape::strength(cell.symbol()));
             let dotted = shape::is_dotted(cell.symbol());
-            let path = if dotted { &mut dots } else { &mut shapes }.of(ink);
-            if blank || shape::draw(cell.symbol(), (x, y), path) {
-                word.end(&mut words);
-            } else {
-                word.add(cell, look.ink, (x, y), taken, &mut words);
+            let path = if dotted { &mut dots } else { &mut shapes }.of(faded);
+            if !blank && !shape::draw(cell.symbol(), (x, y), path) {
+                let style = (ink, cell.modifier & (Modifier::BOLD | Modifier::ITALIC));
+                letters.push((x, cell, style));
             }
         }
-        word.end(&mut words);
+        // Adjacent letters in one style are one word.
+        for word in letters.chunk_by(|a, b| a.0 + taken(a.1) == b.0 && a.2 == b.2) {
+            let (x, _, (ink, modifier)) = word[0];
+            let text: String = word.iter().map(|(_, cell, _)| cell.symbol()).collect();
+            let width: usize = word.iter().map(|(_, cell, _)| taken(cell)).sum();
+            let set = |flag, text| if modifier.contains(flag) { text } else { "" };
+            let bold = set(Modifier::BOLD, " font-weight=\"bold\"");
+            let italic = set(Modifier::ITALIC, " font-style=\"italic\"");
+            let (y, text) = (y + BASE, escape(&text));
+            let _ = writeln!(
+                words,
+                "<text x=\"{x}\" y=\"{y}\" textLength=\"{width}\" lengthAdjust=\"spacingAndGlyphs\" \
+                 fill=\"{ink}\"{bold}{italic}>{text}</text>"
+            );
+        }
     }
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -211,50 +223,6 @@ impl std::fmt::Display for Paths {
             writeln!(f, "<path fill=\"{colour}\" d=\"{path}\"/>")?;
         }
         Ok(())
-    }
-}
-
-/// Adjacent letters in one style.
-#[derive(Default)]
-struct SvgWord {
-    text: String,
-    at: (usize, usize),
-    width: usize,
-    look: Option<(Rgb, Modifier)>,
-}
-
-impl SvgWord {
-    fn add(&mut self, cell: &Cell, ink: Rgb, at: (usize, usize), width: usize, words: &mut String) {
-        let look = Some((ink, cell.modifier & (Modifier::BOLD | Modifier::ITALIC)));
-        if self.look != look {
-            self.end(words);
-            self.look = look;
-            self.at = at;
-        }
-        self.text.push_str(cell.symbol());
-        self.width += width;
-    }
-
-    fn end(&mut self, words: &mut String) {
-        let Self {
-            text,
-            at: (x, y),
-            width,
-            look,
-        } = std::mem::take(self);
-        let Some((ink, modifier)) = look else {
-            return;
-        };
-        let set = |flag, text| if modifier.contains(flag) { text } else { "" };
-        let bold = set(Modifier::BOLD, " font-weight=\"bold\"");
-        let italic = set(Modifier::ITALIC, " font-style=\"italic\"");
-        let text = escape(&text);
-        let y = y + BASE;
-        let _ = writeln!(
-            words,
-            "<text x=\"{x}\" y=\"{y}\" textLength=\"{width}\" lengthAdjust=\"spacingAndGlyphs\" \
-             fill=\"{ink}\"{bold}{italic}>{text}</text>"
-        );
     }
 }
 

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Modifier;
 
-use super::{CellColours, shape, vector};
+use super::{colour::colours, shape, vector};
 use crate::widgets::Charset;
 use crate::widgets::ink::gallery::DrawnPicture;
 use crate::widgets::theme::{Rgb, Role, Theme};
@@ -46,10 +46,10 @@ pub fn painted(
         .content()
         .iter()
         .map(|cell| {
-            let colours = CellColours::of(cell);
+            let [ink, paper] = colours(cell).map(code);
             PaintedCell {
-                ink: code(colours.ink),
-                paper: code(colours.ground),
+                ink,
+                paper,
                 modifier: cell.modifier,
                 is_vector: false,
             }
@@ -92,11 +92,7 @@ pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
 impl DrawnPicture {
     /// Whether something has been drawn over most of the picture.
     fn is_erased(&self, screen: &Buffer) -> bool {
-        let drawn = |at: &Position| {
-            self.cells
-                .cell(*at)
-                .is_some_and(|cell| cell.symbol() != " ")
-        };
+        let drawn = |at: &Position| self.cells[*at].symbol() != " ";
         let (mut all, mut gone) = (0, 0);
         for at in self.cells.area.positions().filter(drawn) {
             all += 1;

@@ -30,7 +30,7 @@ const DOT: f64 = 3.5;
 
 /// The elements of a picture, in units in which a cell has the size [`CELL`].
 pub(super) fn draw(picture: &Picture, look: &Look) -> String {
-    draw_labelled(picture, look, Canvas::of(picture, look).labels())
+    draw_labelled(picture, look, &Canvas::of(picture, look).labels)
 }
 
 /// The elements of a picture whose labels have already been placed.
@@ -366,8 +366,8 @@ impl Vectors<'_> {
         let radius = self.length(body.radius);
         if body.letter != ' ' && radius > DOT {
             let colours = [self.rgb(Role::Text), self.look.theme.faint(body.role)];
-            let at = self.at(at);
-            self.write(&body.letter.to_string(), at, Anchor::Middle, colours);
+            let (at, letter) = (self.at(at), body.letter.to_string());
+            self.write(LETTERS, &letter, at, Anchor::Middle, colours);
         }
     }
 
@@ -382,7 +382,7 @@ impl Vectors<'_> {
             let at = self.at(body.at);
             let sign = body.letter.to_string();
             let colours = [role.ink(), role];
-            self.write_of(SIGN * radius, &sign, at, Anchor::Middle, colours);
+            self.write(SIGN * radius, &sign, at, Anchor::Middle, colours);
         }
         if body.pointed_out {
             let stroke = self.stroke(Pen::new(Role::Good).bold());
@@ -393,17 +393,12 @@ impl Vectors<'_> {
     /// Writes text on the background, vertically centred at a point.
     fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
         let colours = [self.rgb(role), self.paper];
-        self.write(text, at, anchor, colours);
+        self.write(LETTERS, text, at, anchor, colours);
     }
 
-    /// Writes text with an outline in the background colour, so that it is readable on top of a
-    /// line.
-    fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
-        self.write_of(LETTERS, text, at, anchor, colours);
-    }
-
-    /// Writes outlined text in letters of the given size, but no larger than the usual size.
-    fn write_of(&mut self, size: f64, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
+    /// Writes text in letters of the given size, but no larger than the usual size. The text has an
+    /// outline in the background colour, so that it is readable on top of a line.
+    fn write(&mut self, size: f64, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         let [ink, rim] = colours;
         let size = size.min(LETTERS);
         self.put(format_args!(

@@ -1,5 +1,6 @@
 //! Running text in more than one style, broken into rows.
 
+use std::mem;
 use std::ops::Range;
 
 use serde::Serialize;
@@ -54,7 +55,7 @@ type FlowWord = Vec<Run>;
 /// number stays with its unit, and a word longer than a row is broken at the end of the row.
 pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let columns = columns.max(1);
-    let mut rows = vec![Vec::new()];
+    let (mut rows, mut row) = (Vec::new(), Vec::new());
     let mut used = 0;
     let words: Vec<FlowWord> = words(runs)
         .into_iter()
@@ -64,11 +65,11 @@ pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Ru
         let width = width(&word);
         let gap = usize::from(used > 0);
         if used > 0 && used + gap + width > columns {
-            rows.push(Vec::new());
+            rows.push(mem::take(&mut row));
             used = 0;
         } else if gap > 0 {
             let role = word.first().map_or(Role::Text, |run| run.role);
-            push(&mut rows, " ", role);
+            push(&mut row, " ", role);
             used += 1;
         }
         for run in word {
@@ -76,14 +77,15 @@ pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Ru
                 let letter = letter.to_string();
                 let width = text::width(&letter);
                 if used > 0 && used + width > columns {
-                    rows.push(Vec::new());
+                    rows.push(mem::take(&mut row));
                     used = 0;
                 }
-                push(&mut rows, &letter, run.role);
+                push(&mut row, &letter, run.role);
                 used += width;
             }
         }
     }
+    rows.push(row);
     rows
 }
 
@@ -109,10 +111,7 @@ fn held(words: &[FlowWord], columns: usize) -> Vec<FlowWord> {
     held.into_iter().map(joined).collect()
 }
 
-fn push(rows: &mut [Vec<Run>], text: &str, role: Role) {
-    let Some(row) = rows.last_mut() else {
-        return;
-    };
+fn push(row: &mut Vec<Run>, text: &str, role: Role) {
     match row.last_mut() {
         Some(last) if last.role == role => last.text.push_str(text),
         _ => row.push(Run::new(text, role)),

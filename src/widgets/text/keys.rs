@@ -3,24 +3,20 @@
 use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr;
 
-use crate::widgets::{Charset, Role, Theme};
+use crate::widgets::{Charset, Look, Role};
 
 /// The keys of a screen in one line: each hint is a key and its label. Hints that do not fit into
 /// `width` are left out completely, so the most useful hints should come first; the last hint
 /// (usually help) is always kept if there is room for any hint.
 ///
 /// ```
-/// use carrom::widgets::{Charset, Theme, keys::key_line};
+/// use carrom::widgets::{Look, keys::key_line};
 /// let hints = [("Space", "again"), (". ,", "step"), ("?", "help")];
-/// let line = key_line(&hints, 80, Charset::Ascii, &Theme::default());
+/// let line = key_line(&hints, 80, &Look::default());
 /// assert_eq!(line.to_string(), " Space again  . , step  ? help");
 /// ```
-pub fn key_line(
-    hints: &[(&str, &str)],
-    width: u16,
-    charset: Charset,
-    theme: &Theme,
-) -> Line<'static> {
+pub fn key_line(hints: &[(&str, &str)], width: u16, look: &Look) -> Line<'static> {
+    let (charset, theme) = (look.charset, look.theme);
     let written: Vec<(String, String)> = hints
         .iter()
         .map(|(key, does)| {
@@ -66,7 +62,11 @@ mod tests {
         let hints = [("Space", "shoot"), ("←→", "offset"), ("?", "help")];
         for charset in [Charset::Ascii, Charset::Unicode] {
             for width in 0..60u16 {
-                let line = key_line(&hints, width, charset, &Theme::default());
+                let look = Look {
+                    charset,
+                    ..Look::default()
+                };
+                let line = key_line(&hints, width, &look);
                 assert!(line.width() <= usize::from(width), "{width}");
                 let text = line.to_string();
                 for (key, does) in [("Space", "shoot"), ("?", "help")] {

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use strum::VariantArray;
+
 use super::wrap::width;
 
 /// Units, as written in both charsets.
@@ -20,7 +22,7 @@ const NUMBERED: [&str; 8] = [
 
 /// How strongly a space keeps the words on its two sides together. A formula that is too long for a
 /// row is broken at its weakest space.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, VariantArray)]
 enum Hold {
     /// Not at all: between words of a sentence.
     Free,
@@ -40,19 +42,6 @@ enum Hold {
     Fast,
 }
 
-impl Hold {
-    /// All except `Free`, the weakest first.
-    const WEAKEST_FIRST: [Self; 7] = [
-        Self::Equality,
-        Self::Term,
-        Self::Vector,
-        Self::Factor,
-        Self::Inner,
-        Self::InnerFactor,
-        Self::Fast,
-    ];
-}
-
 /// Groups of words that belong together, as ranges of `words`, each short enough for a row of
 /// `columns` columns.
 pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
@@ -61,20 +50,13 @@ pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     let mut start = 0;
     for end in 1..=words.len() {
         if holds.get(end).is_none_or(|hold| *hold == Hold::Free) {
-            let widths = |range: Range<usize>| {
-                let words = words.get(range).unwrap_or_default();
-                words.iter().map(|word| width(word.as_ref()) + 1).sum()
+            let fits = |range: Range<usize>| {
+                let words = words.get(range).unwrap_or_default().iter();
+                words.map(|word| width(word.as_ref()) + 1).sum::<usize>() <= columns + 1
             };
-            split(
-                start..end,
-                &holds,
-                &Hold::WEAKEST_FIRST,
-                &mut held,
-                &|range| {
-                    let taken: usize = widths(range);
-                    taken <= columns + 1
-                },
-            );
+            // `Free`, which comes first, holds nothing together.
+            let weakest = &Hold::VARIANTS[1..];
+            split(start..end, &holds, weakest, &mut held, &fits);
             start = end;
         }
     }

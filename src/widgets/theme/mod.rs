@@ -107,15 +107,11 @@ impl Theme {
         if self.is_mono() {
             return Style::new().add_modifier(role.mono_modifier());
         }
-        let style = Style::new()
-            .fg(self.colour(role))
-            .add_modifier(role.modifier());
-        if role == Role::Selected {
-            style
-                .fg(self.colour(Role::Background))
-                .bg(self.colour(Role::Selected))
-        } else {
-            style
+        let (ink, paper) = (self.colour(role), self.colour(Role::Background));
+        let style = Style::new().add_modifier(role.modifier());
+        match role {
+            Role::Selected => style.fg(paper).bg(ink),
+            _ => style.fg(ink),
         }
     }
 
@@ -207,11 +203,7 @@ impl Theme {
     }
 
     /// The terminal's nearest colour.
-    pub(super) fn shade(self, rgb: Rgb) -> Color {
-        self.reduced(rgb)
-    }
-
-    fn reduced(self, rgb: Rgb) -> Color {
+    pub(super) fn reduced(self, rgb: Rgb) -> Color {
         if self.depth == Depth::Indexed256 {
             Color::Indexed(rgb.indexed())
         } else {

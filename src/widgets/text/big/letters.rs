@@ -30,10 +30,8 @@ fn letter_columns(letter: char) -> Option<Vec<u8>> {
             // The ASCII spelling of the letter is used if it is a single unambiguous letter.
             let text = letter.to_string();
             let plain = Charset::Ascii.text(&text);
-            let mut plain = plain.chars();
-            match (plain.next(), plain.next()) {
-                (Some('?'), _) => None,
-                (Some(plain), None) => BASIC_FONTS.get(plain),
+            match plain.as_bytes() {
+                [plain] if *plain != b'?' => BASIC_FONTS.get(char::from(*plain)),
                 _ => None,
             }
         })?;
@@ -55,20 +53,18 @@ fn own(letter: char) -> Option<[u8; HEIGHT]> {
         '√' => return Some([0x78, 0x08, 0x08, 0x09, 0x0b, 0x0e, 0x04, 0]),
         _ => {}
     }
-    let (small, from) = match letter {
-        '₀'..='₉' => (
-            char::from_digit(letter as u32 - '₀' as u32, 10)?,
-            HEIGHT - RAISED,
-        ),
-        'ₙ' => ('n', HEIGHT - RAISED),
-        'ᵣ' => ('r', HEIGHT - RAISED),
-        'ₛ' => ('s', HEIGHT - RAISED),
-        'ₜ' => ('t', HEIGHT - RAISED),
-        'ₓ' => ('x', HEIGHT - RAISED),
-        'ᵧ' => ('y', HEIGHT - RAISED),
-        _ => (superscript(letter)?, 0),
+    let index = match letter {
+        '₀'..='₉' => char::from_digit(letter as u32 - '₀' as u32, 10),
+        'ₙ' => Some('n'),
+        'ᵣ' => Some('r'),
+        'ₛ' => Some('s'),
+        'ₜ' => Some('t'),
+        'ₓ' => Some('x'),
+        'ᵧ' => Some('y'),
+        _ => None,
     };
-    let small = small_letter(small)?;
+    let from = index.map_or(0, |_| HEIGHT - RAISED);
+    let small = small_letter(index.or_else(|| superscript(letter))?)?;
     let mut rows = [0; HEIGHT];
     rows[from..from + RAISED].copy_from_slice(&small);
     Some(rows)

@@ -88,25 +88,17 @@ pub(super) fn joined(word: &str) -> Option<LetterRows> {
             }
         }
     }
-    let soft = |c: &mut char| {
-        if *c == HARD {
-            *c = ' ';
-        }
-    };
-    joined.iter_mut().flatten().for_each(soft);
-    // Only ordinary spaces may be removed at the ends.
-    let empty = |rows: &LetterRows, at: usize| rows.iter().all(|row| row.get(at) == Some(&' '));
-    while !joined[0].is_empty() && empty(&joined, joined[0].len() - 1) {
-        joined
-            .iter_mut()
-            .for_each(|row| row.truncate(row.len() - 1));
+    for hard in joined.iter_mut().flatten().filter(|c| **c == HARD) {
+        *hard = ' ';
     }
-    while !joined[0].is_empty() && empty(&joined, 0) {
-        joined.iter_mut().for_each(|row| {
-            row.remove(0);
-        });
-    }
-    Some(joined)
+    let has_ink = |at: &usize| joined.iter().any(|row| row[*at] != ' ');
+    let mut columns = 0..joined[0].len();
+    // Empty columns at the ends are removed.
+    let first = columns.find(has_ink).unwrap_or(columns.end);
+    let end = columns
+        .rfind(has_ink)
+        .map_or(columns.start, |last| last + 1);
+    Some(joined.map(|row| row[first..end].to_vec()))
 }
 
 #[cfg(test)]

@@ -30,25 +30,16 @@ impl FormulaBlock {
         self.rows.first().map_or(0, |row| text::width(row))
     }
 
-    pub(super) fn height(&self) -> usize {
-        self.rows.len()
-    }
-
     /// Whether the baseline ends in a letter.
     pub(super) fn ends_with_letter(&self) -> bool {
         let last = self.rows.get(self.base).and_then(|row| row.chars().last());
         last.is_some_and(char::is_alphabetic)
     }
 
-    /// This block, with another baseline.
-    pub(super) fn with_base(self, base: usize) -> Self {
-        Self { base, ..self }
-    }
-
     /// This block, with its last row as the baseline.
-    pub(super) fn with_base_at_end(self) -> Self {
-        let base = self.rows.len().saturating_sub(1);
-        self.with_base(base)
+    pub(super) fn with_base_at_end(mut self) -> Self {
+        self.base = self.rows.len().saturating_sub(1);
+        self
     }
 
     /// This block followed by `right`, both on the same baseline.

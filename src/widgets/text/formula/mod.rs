@@ -72,18 +72,18 @@ impl Setter {
 
     fn bracketed(&self, inside: &FormulaBlock) -> FormulaBlock {
         let brackets = match self.charset {
-            _ if inside.height() == 1 => [["("; 3], [")"; 3]],
+            _ if inside.rows.len() == 1 => [["("; 3], [")"; 3]],
             Charset::Ascii => [["/", "|", "\\"], ["\\", "|", "/"]],
             Charset::Unicode => [["⎛", "⎜", "⎝"], ["⎞", "⎟", "⎠"]],
         };
         let [left, right] = brackets.map(|[top, middle, bottom]| {
-            let last = inside.height() - 1;
+            let last = inside.rows.len() - 1;
             let row = |i| match i {
                 0 => top,
                 i if i == last => bottom,
                 _ => middle,
             };
-            let rows = (0..inside.height()).map(|i| row(i).to_owned());
+            let rows = (0..inside.rows.len()).map(|i| row(i).to_owned());
             FormulaBlock::of(rows, inside.base)
         });
         left.beside(inside).beside(&right)
@@ -96,11 +96,12 @@ impl Setter {
             Charset::Ascii => ("\\/", " |"),
             Charset::Unicode => ("√", "│"),
         };
-        let last = inside.height() - 1;
+        let last = inside.rows.len() - 1;
         let left = (0..=last).map(|i| if i == last { hook } else { side }.to_owned());
         let left = FormulaBlock::of(left, inside.base);
-        let roofed = FormulaBlock::line(&roof).over(inside);
-        left.beside(&roofed.with_base(inside.base + 1))
+        let mut roofed = FormulaBlock::line(&roof).over(inside);
+        roofed.base = inside.base + 1;
+        left.beside(&roofed)
     }
 
     /// Sets superscripts and subscripts: on the row itself if Unicode has letters for them,
@@ -123,7 +124,7 @@ impl Setter {
         let mut high = None;
         if let Some(above) = above {
             match superscript(&above.inline()) {
-                Some(letters) if self.charset == Charset::Unicode && base.height() == 1 => {
+                Some(letters) if self.charset == Charset::Unicode && base.rows.len() == 1 => {
                     set = set.beside(&FormulaBlock::line(&letters));
                 }
                 _ => high = Some(self.row(above)),
