@@ -338,9 +338,8 @@ impl SettingsForm {
         self.commit(form);
         let fields = form.fields();
         let at = at.min(fields.len().saturating_sub(1));
-        match fields.get(at) {
-            Some(field) if field.locked.is_none() => form.set(at, field.value.stepped(steps)),
-            _ => {}
+        if let Some(field) = fields.get(at).filter(|field| field.locked.is_none()) {
+            form.set(at, field.value.stepped(steps));
         }
     }
 
@@ -374,24 +373,19 @@ impl SettingsForm {
         let fields = form.fields();
         let selected = self.selected(fields.len());
         for (i, field) in fields.into_iter().enumerate() {
-            let typed = self.entry.shown().filter(|_| i == selected);
-            let marked = (Role::Dim, i == selected);
+            let is_selected = i == selected;
+            let marked = (Role::Dim, is_selected);
             let action = Some(FormAction::Point(i));
             if let FieldValue::Text(_) = field.value {
-                let label = format!("{} ", field.name);
-                let line = self.line(form).filter(|_| i == selected);
+                let line = self.line(form).filter(|_| is_selected);
                 let typed = line.as_ref().map(TextField::around_cursor);
-                panel.text_field(
-                    label,
-                    typed.unwrap_or((&field.shown, "")),
-                    i == selected,
-                    action,
-                );
-                continue;
-            }
-            match field.locked {
-                Some(_) => panel.locked_field(field.name, field.shown, marked, action),
-                None => panel.field(field.name, typed.unwrap_or(field.shown), marked, action),
+                let typed = typed.unwrap_or((&field.shown, ""));
+                panel.text_field(format!("{} ", field.name), typed, is_selected, action);
+            } else if field.locked.is_some() {
+                panel.locked_field(field.name, field.shown, marked, action);
+            } else {
+                let typed = self.entry.shown().filter(|_| is_selected);
+                panel.field(field.name, typed.unwrap_or(field.shown), marked, action);
             }
         }
     }

@@ -68,16 +68,9 @@ impl ListView {
             ListAction::End(by) => self.go(by.saturating_mul(isize::MAX), lines),
             ListAction::Open if lines > 0 => return Outcome::Done(self.chosen(lines)),
             ListAction::Open => {}
-            ListAction::Point(line) => return self.point(line, lines),
+            ListAction::Point(line) if line == self.chosen(lines) => return Outcome::Done(line),
+            ListAction::Point(line) => self.at = line,
         }
-        Outcome::Used
-    }
-
-    fn point(&mut self, line: usize, lines: usize) -> Outcome<usize> {
-        if line == self.chosen(lines) {
-            return Outcome::Done(line);
-        }
-        self.at = line;
         Outcome::Used
     }
 

@@ -25,20 +25,11 @@ pub struct NumberInput {
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum NumberAction {
     /// change the number: Left and Right in small steps, Up and Down in big steps
-    Dial(DialStep),
+    Dial(i8),
     /// enter the number
     Enter,
     /// type a number
     Number(EntryAction),
-}
-
-/// A step up or down made with an arrow key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum DialStep {
-    /// A number of small steps; negative for steps down.
-    Small(i8),
-    /// A number of large steps; negative for steps down.
-    Large(i8),
 }
 
 impl NumberInput {
@@ -74,12 +65,10 @@ impl NumberInput {
     /// The keys for entering the number.
     pub(crate) fn keys(&self) -> KeyTable<NumberAction> {
         use NumberAction::{Dial, Enter};
-        let [up, down] = [1, -1].map(DialStep::Large);
-        let [left, right] = [-1, 1].map(DialStep::Small);
         let keys = KeyTable::new("dial").with(self.entry.keys(), NumberAction::Number);
         match steps(&self.quantity) {
-            Some(_) => keys
-                .by(Key::ARROWS, Dial, [up, down, left, right], "dial")
+            Some((_, large)) => keys
+                .by(Key::ARROWS, Dial, [large, -large, -1, 1], "dial")
                 .on(Key::Enter, Enter, "next"),
             None => keys,
         }
@@ -90,12 +79,9 @@ impl NumberInput {
     pub(crate) fn act(&mut self, action: NumberAction) -> Outcome {
         self.refused = false;
         match action {
-            NumberAction::Dial(step) => {
-                if let Some((small, large)) = steps(&self.quantity) {
-                    self.step(match step {
-                        DialStep::Small(by) => small * f64::from(by),
-                        DialStep::Large(by) => large * f64::from(by),
-                    });
+            NumberAction::Dial(by) => {
+                if let Some((small, _)) = steps(&self.quantity) {
+                    self.step(small * f64::from(by));
                 }
             }
             NumberAction::Enter if self.value.is_some() => return Outcome::Done(()),
@@ -173,12 +159,13 @@ impl NumberInput {
     }
 }
 
-/// The sizes of the small and the large step; `None` if the number can only be typed.
-const fn steps(quantity: &Measure) -> Option<(f64, f64)> {
+/// The size of a small step, and the number of small steps in a large one; `None` if the number can
+/// only be typed.
+const fn steps(quantity: &Measure) -> Option<(f64, i8)> {
     match quantity {
-        Measure::Angle | Measure::Share => Some((1.0, 5.0)),
-        Measure::Speed | Measure::Restitution => Some((0.05, 0.5)),
-        Measure::Mass | Measure::Length | Measure::Times => Some((0.5, 5.0)),
+        Measure::Angle | Measure::Share => Some((1.0, 5)),
+        Measure::Speed | Measure::Restitution => Some((0.05, 10)),
+        Measure::Mass | Measure::Length | Measure::Times => Some((0.5, 10)),
         Measure::Own { .. } => None,
     }
 }

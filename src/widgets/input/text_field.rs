@@ -49,7 +49,10 @@ impl TextField {
     /// the ends; or a key that deletes. Returns whether the key was used.
     pub fn update(&mut self, key: Key) -> bool {
         let request = match key {
-            Key::Char(c) if !c.is_control() => Request::InsertChar(c),
+            Key::Char(c) if !c.is_control() => {
+                self.insert(c.encode_utf8(&mut [0; 4]));
+                return true;
+            }
             Key::Backspace | Key::Ctrl('h') => Request::DeletePrevChar,
             Key::Delete | Key::Ctrl('d') => Request::DeleteNextChar,
             Key::Left | Key::Ctrl('b') => Request::GoToPrevChar,
@@ -61,12 +64,7 @@ impl TextField {
             Key::Ctrl('k') => Request::DeleteTillEnd,
             _ => return false,
         };
-        match key {
-            Key::Char(c) => {
-                self.insert(c.encode_utf8(&mut [0; 4]));
-            }
-            _ => drop(self.line.handle(request)),
-        }
+        self.line.handle(request);
         true
     }
 
