@@ -48,16 +48,9 @@ pub(crate) fn square(area: Rect) -> Rect {
 /// The view of a whole board in a [`square`] area. A surface without a frame is drawn at the scale
 /// of a tournament board.
 pub(crate) fn view(area: Rect, board: &Board) -> View {
-    let half = DVec2::splat(side(board) / 2.0);
+    let side = Some(board.side).filter(|side| side.is_finite());
+    let half = DVec2::splat(side.unwrap_or(Board::default().side) / 2.0);
     View::stretch(area, -half, half)
-}
-
-fn side(board: &Board) -> f64 {
-    if board.side.is_finite() {
-        board.side
-    } else {
-        Board::default().side
-    }
 }
 
 /// The centre of a corner's pocket; corners are numbered as in the engine: lower left, lower right,
@@ -83,11 +76,8 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     // The lengths are those of a tournament board; the lines of other boards are scaled.
     let scale = board.side / Board::default().side;
     for pocket in board.pockets() {
-        picture.ground(
-            Region::Circle(pocket, radius),
-            Role::Hole,
-            Some(Role::Pocket),
-        );
+        let hole = Region::Circle(pocket, radius);
+        picture.ground(hole, Role::Hole, Some(Role::Pocket));
         arrow(picture, pocket, radius, scale);
     }
     for quarter in 0..4 {

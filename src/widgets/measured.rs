@@ -4,8 +4,8 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{DrawLayer, LabelSide, Pen, Picture, View};
-use crate::measure::{Known, Leg, LineFrom, Measurement, line};
+use super::picture::{DrawLayer, LabelSide, Pen, Picture, View, around};
+use crate::measure::{Leg, LineFrom, Measurement, line};
 
 /// The maximum number of points of a leg that are drawn.
 const MOST_POINTS: usize = 150;
@@ -28,18 +28,11 @@ pub(crate) fn measured_rows(columns: u16, measurement: &Measurement) -> u16 {
 
 /// The lower left and the upper right corner of everything that is drawn, with a margin.
 fn corners(measurement: &Measurement) -> [DVec2; 2] {
-    let mut low = DVec2::INFINITY;
-    let mut high = DVec2::NEG_INFINITY;
-    for track in &measurement.tracks {
-        for point in &track.points {
-            (low, high) = (low.min(point.at), high.max(point.at));
-        }
-    }
+    let points = measurement.tracks.iter().flat_map(|track| &track.points);
+    let points = points.map(|point| (point.at, 0.0));
     let radii = measurement.given.radii.unwrap_or([0.0; 2]);
-    for (body, radius) in radii.into_iter().enumerate() {
-        let centre = measurement.fit.state.centre(body);
-        (low, high) = (low.min(centre - radius), high.max(centre + radius));
-    }
+    let discs = [0, 1].map(|body| (measurement.fit.state.centre(body), radii[body]));
+    let [low, high] = around(points.chain(discs));
     let margin = MARGIN * low.distance(high).max(1e-9);
     [low - margin, high + margin]
 }
@@ -85,35 +78,24 @@ pub(crate) fn measured_picture(area: Rect, measurement: &Measurement) -> Picture
         if radii[body] > 0.0 {
             picture.ring(centre, radii[body], disc, (['1', '2'][body], centre));
         }
-        let (sign, out) = (["₁", "₂"][body], state.velocity(body, Leg::After));
-        picture.label(
-            format!("v{sign} {}", track.name),
-            last.at,
-            &LabelSide::towards(out),
-            after,
-        );
-        let into = state.velocity(body, Leg::Before);
+        let sign = ["₁", "₂"][body];
+        let text = format!("v{sign} {}", track.name);
+        let outwards = LabelSide::towards(state.velocity(body, Leg::After));
+        picture.label(text, last.at, &outwards, after);
         if start.distance(centre) > margin {
-            picture.label(
-                format!("u{sign}"),
-                start,
-                &LabelSide::towards(-into),
-                before,
-            );
+            let outwards = LabelSide::towards(-state.velocity(body, Leg::Before));
+            picture.label(format!("u{sign}"), start, &outwards, before);
         }
     }
-    let known: &Known = &measurement.known;
+    let known = &measurement.known;
     let along = line(state, known);
     let reach = match known.line {
         LineFrom::Centres => 1.6 * radii[0].max(radii[1]),
         LineFrom::Impulse => 1.5 * margin,
     };
-    let pen = Pen::new(Role::LineOfImpact).dotted();
-    picture.line(
-        state.centre(0) - reach * along,
-        state.centre(1) + reach * along,
-        pen,
-    );
+    let from = state.centre(0) - reach * along;
+    let to = state.centre(1) + reach * along;
+    picture.line(from, to, Pen::new(Role::LineOfImpact).dotted());
     picture
 }
 

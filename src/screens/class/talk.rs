@@ -217,5 +217,5 @@ fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look:
         let sides = [LabelSide::Above, LabelSide::AboveRight];
         plot.label(&label, at, &sides, Role::Title);
     }
-    plot.draw(buf);
+    plot.picture().draw(buf, look);
 }

@@ -267,7 +267,7 @@ impl Screen for Lab {
                     .on(Key::Escape, SetUp, "set up")
             }
             LabPhase::Watch(watch) => {
-                let weighing = watch.is_revealed() && watch.frame() == Frame::Laboratory;
+                let weighing = watch.is_revealed() && watch.frame == Frame::Laboratory;
                 let coin = self.settings.mystery.as_ref().filter(|_| weighing);
                 let mass = coin.map(Mystery::keys);
                 let takes_digits = mass.as_ref().is_some_and(|keys| !keys.rows().is_empty());

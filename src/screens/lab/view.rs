@@ -194,10 +194,10 @@ fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
         watch.write_explanation(&mut panel);
         return panel;
     }
-    if watch.frame() != Frame::Laboratory {
+    if watch.frame != Frame::Laboratory {
         given(lab, &mut panel);
         panel.gap();
-        match watch.frame() {
+        match watch.frame {
             Frame::Target => from_target(watch, &mut panel),
             _ => from_centre_of_mass(watch, &mut panel),
         }
@@ -238,7 +238,7 @@ fn answers<A>(watch: &Watch, panel: &mut Panel<A>) {
     let outcome = watch.outcome();
     let sticks = watch.collision().bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let truth = degrees(watch.collision(), &Rays::from(outcome));
-    match watch.said() {
+    match &watch.said {
         Some(said) => {
             let names = ["striker", "coin"].map(Some);
             said_and_true(watch.collision(), said, names, false, panel);

@@ -87,12 +87,11 @@ pub(super) static SETTINGS: [Setting; 11] = [
         name: "speed of shots",
         about: "The speed of shots on the board, at the table and in the levels. Usual means real speed at the table and a quarter of it in the levels. You can also change it while a shot is running.",
         at: |settings| {
-            let chosen = |rate| WatchRate::ALL.iter().position(|it| *it == rate);
+            let chosen = |rate| WatchRate::all().position(|it| it == rate);
             settings.watch_rate.and_then(chosen).map_or(0, |at| at + 1)
         },
         choose: |settings, at| {
-            let rate = at.checked_sub(1).and_then(|at| WatchRate::ALL.get(at));
-            settings.watch_rate = rate.copied();
+            settings.watch_rate = at.checked_sub(1).and_then(|at| WatchRate::all().nth(at));
         },
     },
     Setting {

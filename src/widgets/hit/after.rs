@@ -28,7 +28,7 @@ pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
             let rim = centre - radius * direction;
             let tail = rim - room(rim, -direction) * direction;
             sketch.picture.arrow(tail, rim, Role::Incoming);
-            let across = direction.perp() * stage.side();
+            let across = direction.perp() * stage.collision.side();
             sketch.label("before", rim.lerp(tail, 0.6), across, Role::Incoming);
         }
         let role = [Role::StrikerOut, Role::CoinOut][body];

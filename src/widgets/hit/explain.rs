@@ -30,7 +30,7 @@ pub(crate) fn explain(watch: &Watch) -> (&'static str, String) {
         }
         Meeting::Hit if collision.bond == Bond::Stick => stuck(watch),
         Meeting::Hit => {
-            let (title, text) = why(collision, watch.said().copied());
+            let (title, text) = why(collision, watch.said);
             if collision.u2 == DVec2::ZERO {
                 return (title, text);
             }

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::Face;
+use super::{Face, Watch};
 use crate::numbers::{Intermediate, significant, true_minus};
 use crate::physics::impact::reduced_mass;
 use crate::physics::units::g_from_kg;
@@ -51,72 +51,37 @@ impl ExplanationStep {
             (Meeting::Hit, Bond::Slip) => &[Contact, Line, Split, Coin, Striker, Whole],
         }
     }
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Contact => "contact",
-            Self::Line => "line of impact",
-            Self::Split => "the components",
-            Self::Friction => "friction at the rims",
-            Self::Coin => "the struck disc",
-            Self::Striker => "the striking disc",
-            Self::Whole => "the result",
-        }
-    }
 }
 
-/// Generates the text of each step for one collision in a given frame.
-pub(super) struct StepWords<'a> {
-    collision: &'a Collision,
-    outcome: &'a CollisionOutcome,
-    frame: Frame,
-    names: [&'static str; 2],
-}
-
-/// The components of a velocity along n and t, in m/s.
-#[derive(Clone, Copy)]
-struct Parts {
-    n: f64,
-    t: f64,
-}
-
-impl<'a> StepWords<'a> {
-    pub(super) fn new(
-        collision: &'a Collision,
-        outcome: &'a CollisionOutcome,
-        frame: Frame,
-        faces: [Face; 2],
-    ) -> Self {
-        Self {
-            collision,
-            outcome,
-            frame,
-            names: names(faces),
-        }
-    }
-
+/// The text of each step.
+impl Watch {
     /// How many seconds a step lasts if no key is pressed: enough to look at the picture and read
     /// the text.
     pub(super) fn hold(&self, step: ExplanationStep) -> f64 {
-        let words = self.of(step).split_whitespace().count() as f64;
+        let words = self.step_words(step).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)
     }
 
     /// The heading of a step: its number, the total number of steps, and its name.
-    pub(super) fn heading(&self, step: ExplanationStep) -> String {
-        let steps = ExplanationStep::of(self.collision, self.outcome);
+    pub(super) fn step_heading(&self, step: ExplanationStep) -> String {
+        let steps = ExplanationStep::of(&self.collision, &self.outcome);
+        let [striking, struck] = names(self.faces);
         let number = steps.iter().position(|it| *it == step).map_or(1, |i| i + 1);
         let name = match step {
-            ExplanationStep::Coin => format!("what the {} gets", self.names[1]),
-            ExplanationStep::Striker => format!("what the {} keeps", self.names[0]),
-            _ => step.name().to_owned(),
+            ExplanationStep::Contact => "contact",
+            ExplanationStep::Line => "line of impact",
+            ExplanationStep::Split => "the components",
+            ExplanationStep::Friction => "friction at the rims",
+            ExplanationStep::Coin => &format!("what the {struck} gets"),
+            ExplanationStep::Striker => &format!("what the {striking} keeps"),
+            ExplanationStep::Whole => "the result",
         };
         format!("{number} of {}: {name}", steps.len())
     }
 
     /// The text of a step. The last step has no text here, because every screen explains that step
     /// differently.
-    pub(super) fn of(&self, step: ExplanationStep) -> String {
+    pub(super) fn step_words(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.bond == Bond::Stick;
         match step {
             ExplanationStep::Contact if self.outcome.meeting == Meeting::Graze => {
@@ -173,7 +138,7 @@ impl<'a> StepWords<'a> {
 
     /// Explains friction's impulse: how large it can be, and how large it must be to stop the slip.
     fn friction(&self) -> String {
-        let (collision, outcome) = (self.collision, self.outcome);
+        let (collision, outcome) = (&self.collision, &self.outcome);
         let slip = collision.slip().unwrap_or_default().abs();
         if is_none(slip) {
             return "The rims do not slip past each other, so there is no friction, Jₜ = 0, and the \
@@ -200,17 +165,15 @@ impl<'a> StepWords<'a> {
         )
     }
 
-    fn parts(&self, v: DVec2) -> Parts {
-        let seen = v - self.frame.velocity(self.collision);
-        let along = |axis: Option<DVec2>| axis.map_or(0.0, |axis| seen.dot(axis));
-        Parts {
-            n: along(self.outcome.normal),
-            t: along(self.outcome.tangent),
-        }
+    /// The components of a velocity along n and t, in m/s.
+    fn parts(&self, v: DVec2) -> [f64; 2] {
+        let seen = v - self.frame.velocity(&self.collision);
+        let axes = [self.outcome.normal, self.outcome.tangent];
+        axes.map(|axis| axis.map_or(0.0, |axis| seen.dot(axis)))
     }
 
     fn split(&self, sticks: bool) -> String {
-        let u = self.parts(self.collision.u1);
+        let [u1n, u1t] = self.parts(self.collision.u1);
         match (sticks, self.is_plain()) {
             (true, true) => "So resolve u into u₁ₙ along n and u₁ₜ along t. Here forces act along \
                              both, so the collision changes both components."
@@ -218,14 +181,14 @@ impl<'a> StepWords<'a> {
             (true, false) => "So resolve the velocities along n and along t. Here forces act \
                               along both, so the collision changes both components."
                 .into(),
-            (false, true) if is_none(u.t) => "So resolve u: it is all along n. There is no \
+            (false, true) if is_none(u1t) => "So resolve u: it is all along n. There is no \
                                               component along t, so the collision acts on all of \
                                               u."
             .into(),
             (false, true) => format!(
                 "So resolve u: the collision changes u₁ₙ = {} along n, but not u₁ₜ = {} along t.",
-                speed(u.n),
-                speed(u.t)
+                speed(u1n),
+                speed(u1t)
             ),
             (false, false) => "So resolve both velocities. The collision changes only the \
                                components along n, not those along t."
@@ -234,32 +197,32 @@ impl<'a> StepWords<'a> {
     }
 
     fn coin(&self) -> String {
-        let name = self.names[1];
-        let (u1, v2) = (self.parts(self.collision.u1), self.parts(self.outcome.v2));
+        let [_, name] = names(self.faces);
+        let [[u1n, _], [v2n, _]] = [self.collision.u1, self.outcome.v2].map(|v| self.parts(v));
         if !self.is_plain() || self.is_rough() {
             return self.changed(1, &format!("What the {name} gets"));
         }
-        let share = match is_none(v2.n - u1.n) {
+        let share = match is_none(v2n - u1n) {
             true => "It gets all of u₁ₙ".to_owned(),
             false => format!(
                 "It gets (1 + e) m₁ / (m₁ + m₂) = {} of u₁ₙ",
-                self.fraction(v2.n)
+                self.fraction(v2n)
             ),
         };
         format!(
             "The {name} was pushed along n, so it leaves along n. {share}: v₂ = {}.",
-            speed(v2.n)
+            speed(v2n)
         )
     }
 
     fn striker(&self) -> String {
-        let name = self.names[0];
-        let v1 = self.parts(self.outcome.v1);
+        let [name, _] = names(self.faces);
+        let [v1n, v1t] = self.parts(self.outcome.v1);
         if !self.is_plain() || self.is_rough() {
             return self.changed(0, &format!("What the {name} keeps"));
         }
-        let whole = speed(v1.n.hypot(v1.t));
-        match (is_none(v1.n), is_none(v1.t)) {
+        let whole = speed(v1n.hypot(v1t));
+        match (is_none(v1n), is_none(v1t)) {
             (true, true) => {
                 format!(
                     "The {name} has no component u₁ₜ, and nothing is left of u₁ₙ: the {name} \
@@ -270,25 +233,19 @@ impl<'a> StepWords<'a> {
                 format!("The {name} keeps u₁ₜ. Nothing is left of u₁ₙ, so v₁ = u₁ₜ = {whole}.")
             }
             (false, across) => {
-                let keeps = if across {
-                    "has no component u₁ₜ"
-                } else {
-                    "keeps u₁ₜ"
+                let (keeps, end) = match across {
+                    true => ("has no component u₁ₜ", String::new()),
+                    false => ("keeps u₁ₜ", format!(" Together: v₁ = {whole}.")),
                 };
-                let goes = match v1.n > 0.0 {
+                let goes = match v1n > 0.0 {
                     true => "moves on",
                     false => "rebounds",
                 };
                 let along = format!(
                     "Along n it has (m₁ − e m₂) / (m₁ + m₂) = {} of u₁ₙ: it {goes} at {}",
-                    self.fraction(v1.n),
-                    speed(v1.n)
+                    self.fraction(v1n),
+                    speed(v1n)
                 );
-                let end = if across {
-                    String::new()
-                } else {
-                    format!(" Together: v₁ = {whole}.")
-                };
                 format!("The {name} {keeps}. {along}.{end}")
             }
         }
@@ -297,7 +254,7 @@ impl<'a> StepWords<'a> {
     /// A final component along n as a fraction of the striker's initial component along n, with as
     /// many digits as the printed speeds require.
     fn fraction(&self, after: f64) -> String {
-        let before = self.parts(self.collision.u1).n;
+        let [before, _] = self.parts(self.collision.u1);
         let read = (100.0 * before).round() / 100.0;
         let fraction = Intermediate::new(after / before, |fraction| speed(fraction * read));
         true_minus(&fraction.to_string())
@@ -305,21 +262,21 @@ impl<'a> StepWords<'a> {
 
     /// The text for a body that was already moving before the collision.
     fn changed(&self, body: usize, title: &str) -> String {
-        let before = self.parts([self.collision.u1, self.collision.u2][body]);
-        let after = self.parts([self.outcome.v1, self.outcome.v2][body]);
-        let keeps = match is_none(after.t) {
-            _ if !is_none(after.t - before.t) => format!(
+        let [un, ut] = self.parts([self.collision.u1, self.collision.u2][body]);
+        let [vn, vt] = self.parts([self.outcome.v1, self.outcome.v2][body]);
+        let keeps = match is_none(vt) {
+            _ if !is_none(vt - ut) => format!(
                 "Friction changes the component along t from {} to {}.",
-                sideways(before.t),
-                sideways(after.t)
+                sideways(ut),
+                sideways(vt)
             ),
             true => "The component along t is zero, before and after.".to_owned(),
-            false => format!("The component along t stays at {}.", speed(after.t)),
+            false => format!("The component along t stays at {}.", speed(vt)),
         };
         format!(
             "{title}. {keeps} The component along n was {} and is now {}.",
-            signed(before.n),
-            signed(after.n)
+            signed(un),
+            signed(vn)
         )
     }
 }
@@ -369,10 +326,11 @@ fn names(faces: [Face; 2]) -> [&'static str; 2] {
 mod tests {
     use super::*;
     use crate::physics::{Disc, Rims};
+    use crate::widgets::hit::HitPace;
 
     fn words(collision: &Collision, frame: Frame, step: ExplanationStep) -> String {
-        let outcome = collision.outcome();
-        StepWords::new(collision, &outcome, frame, Face::STRIKER_AND_COIN).of(step)
+        let watch = Watch::new(*collision, None, HitPace::Still).seen_from(frame);
+        watch.step_words(step)
     }
 
     fn hit(m1: f64, m2: f64, alpha_deg: f64) -> Collision {
@@ -417,17 +375,11 @@ mod tests {
     #[test]
     fn every_step_lasts_long_enough_to_be_read() {
         let collision = hit(15.0, 15.0, 30.0);
-        let outcome = collision.outcome();
-        let all = StepWords::new(
-            &collision,
-            &outcome,
-            Frame::Laboratory,
-            Face::STRIKER_AND_COIN,
-        );
-        for step in ExplanationStep::of(&collision, &outcome) {
-            let words = all.of(*step).split_whitespace().count() as f64;
+        let watch = Watch::new(collision, None, HitPace::Still);
+        for step in ExplanationStep::of(&collision, &collision.outcome()) {
+            let words = watch.step_words(*step).split_whitespace().count() as f64;
             // 200 words per minute is fast reading.
-            assert!(all.hold(*step) >= f64::max(5.0, words / 200.0 * 60.0));
+            assert!(watch.hold(*step) >= f64::max(5.0, words / 200.0 * 60.0));
         }
     }
 

@@ -57,6 +57,11 @@ impl Default for Overlays {
 }
 
 impl Overlays {
+    /// No layers.
+    pub(crate) const NONE: Self = Self {
+        on: [false; Overlay::ALL.len()],
+    };
+
     pub(crate) fn shows(self, layer: Overlay) -> bool {
         self.on[layer as usize]
     }

@@ -9,7 +9,7 @@ use super::{Face, HitLayout, Markings};
 use crate::physics::{Collision, units::m_from_mm};
 use crate::quiz::{AimTask, Ray};
 use crate::widgets::Role;
-use crate::widgets::picture::{Pen, Picture};
+use crate::widgets::picture::{Pen, Picture, around};
 
 /// The radius of the larger disc in a picture with a protractor, in columns.
 const COLUMNS: f64 = 4.7;
@@ -22,21 +22,9 @@ const NUMBER_MM: i32 = 10;
 const WAY: f64 = 2.8;
 const ARC: f64 = 1.9;
 
-/// The corners of the smallest rectangle that contains the circles with these centres and radii.
-fn around(circles: impl IntoIterator<Item = (DVec2, f64)>) -> [DVec2; 2] {
-    let mut corners = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-    for (centre, radius) in circles {
-        corners[0] = corners[0].min(centre - DVec2::splat(radius));
-        corners[1] = corners[1].max(centre + DVec2::splat(radius));
-    }
-    corners
-}
-
 fn along(collision: &Collision) -> DVec2 {
-    collision
-        .relative_velocity()
-        .try_normalize()
-        .unwrap_or(DVec2::X)
+    let relative = collision.relative_velocity();
+    relative.try_normalize().unwrap_or(DVec2::X)
 }
 
 /// Two discs that are about to collide, with an empty protractor around the position of the striker

@@ -36,7 +36,7 @@ impl Reveal {
     /// in a replay.
     pub(crate) fn is_explaining(&self) -> bool {
         let watch = self.watch.as_ref();
-        let at_step = watch.is_some_and(|watch| watch.has_met() && !watch.is_revealed());
+        let at_step = watch.is_some_and(|watch| watch.clock().has_met() && !watch.is_revealed());
         at_step || !self.revealed
     }
 
@@ -88,6 +88,6 @@ impl Reveal {
 
     /// The layers on top of the collision, if there is one.
     pub(crate) fn layers(&self) -> Option<Overlays> {
-        self.watch.as_ref().map(Watch::layers)
+        self.watch.as_ref().map(|watch| watch.layers)
     }
 }

@@ -7,7 +7,7 @@ use super::sketch::Sketch;
 use super::{Face, HitLayout, VelocityNames};
 use crate::physics::{Collision, Frame};
 use crate::quiz::{AimTask, Ray};
-use crate::widgets::picture::{Pen, Picture, View};
+use crate::widgets::picture::{Pen, Picture, View, around};
 use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
@@ -40,10 +40,7 @@ pub(crate) const CONTACT: &str = "the contact, enlarged";
 pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collision) -> Picture {
     let [striker, target]: [DVec2; 2] = collision.placed_at_contact().into();
     let [r1, r2] = [collision.striker, collision.target].map(|disc| disc.radius);
-    let rims = [(striker, r1), (target, r2)];
-    let low = rims.map(|(at, r)| at - r).into_iter().reduce(DVec2::min);
-    let high = rims.map(|(at, r)| at + r).into_iter().reduce(DVec2::max);
-    let [low, high] = [low, high].map(|corner| corner.unwrap_or(DVec2::ZERO));
+    let [low, high] = around([(striker, r1), (target, r2)]);
     let mut picture = Picture::new(View::fit(area, low, high));
     let along = collision.relative_velocity().normalize_or_zero();
     let start = striker - 2.0 * (high - low).length() * along;
@@ -170,9 +167,8 @@ fn impact_angle(sketch: &mut Sketch, beyond: f64, figures: bool) {
     };
     if alpha.abs() > 0.05 {
         let (radius, start) = (0.8 * stage.radius(0), along.to_angle());
-        sketch
-            .picture
-            .arc(c1, radius, start, start - alpha, Role::Arc);
+        let picture = &mut sketch.picture;
+        picture.arc(c1, radius, start, start - alpha, Role::Arc);
     }
     let alpha_deg = alpha.to_degrees().abs();
     let text = named("α", figures.then(|| format!("{alpha_deg:.1}°")));
@@ -204,7 +200,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
         let pen = Pen::new(Role::Incoming).bold();
         sketch.picture.arrow(from, from + length * direction, pen);
         let text = named(name, figures.then(|| format!("{:.2} m/s", v.length())));
-        let beside = direction.perp() * stage.side();
+        let beside = direction.perp() * stage.collision.side();
         // The label is beside its own disc, on the side away from the other disc.
         let away = match body {
             1 if beside.dot(places[1] - places[0]) < 0.0 => -beside,

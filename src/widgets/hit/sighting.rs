@@ -8,8 +8,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{
-    Face, HitPace, Markings, Overlay, Overlays, Watch, WatchAction, degrees, point_at,
-    setup_picture,
+    Face, HitPace, Markings, Overlays, Watch, WatchAction, degrees, point_at, setup_picture,
 };
 use crate::messages::Key;
 use crate::physics::Collision;
@@ -28,8 +27,6 @@ pub(crate) struct Sighting {
     /// The information given in the picture in which the rays are set.
     given: Markings,
     rays: RayInput,
-    /// Whether the collision is over, so that the rays can be set.
-    is_over: bool,
 }
 
 /// What the keys do while the player is describing what they saw.
@@ -49,33 +46,28 @@ pub(crate) enum SightingAction {
 impl Sighting {
     /// The collision from its start.
     pub(crate) fn new(collision: Collision, given: Markings, pace: HitPace) -> Self {
-        let nothing = Overlays::default().without([
-            Overlay::Lines,
-            Overlay::Split,
-            Overlay::Velocities,
-            Overlay::Angles,
-            Overlay::Triangle,
-            Overlay::Trails,
-            Overlay::Prediction,
-        ]);
         let watch = Watch::new(collision, None, pace).at_once();
         Self {
             rays: RayInput::new(collision.side()),
-            watch: watch.with_layers(nothing),
+            watch: watch.with_layers(Overlays::NONE),
             given,
-            is_over: false,
         }
+    }
+
+    /// Whether the collision is over, so that the rays can be set.
+    fn is_over(&self) -> bool {
+        self.watch.clock().is_over()
     }
 
     /// The hint that says what can be dragged, once the rays can be set.
     pub(crate) fn drag(&self) -> Option<&'static str> {
-        self.is_over.then_some(RayInput::DRAG)
+        self.is_over().then_some(RayInput::DRAG)
     }
 
     pub(crate) fn keys(&self) -> KeyTable<SightingAction> {
         use SightingAction::{Again, GoOn, Say, Skip};
         let keys = KeyTable::new("sighting");
-        let keys = match self.is_over {
+        let keys = match self.is_over() {
             true => {
                 keys.with(self.rays.keys("next, then compare"), Say)
                     .on('a', Again, "see it again")
@@ -92,17 +84,13 @@ impl Sighting {
             SightingAction::GoOn => {
                 self.watch.act(WatchAction::GoOn);
                 self.pass_contact();
-                self.is_over = self.watch.clock().is_over();
             }
             SightingAction::Say(action) => {
                 if self.rays.act(action) == Outcome::Done(()) {
                     return Outcome::Done(self.rays.said());
                 }
             }
-            SightingAction::Again => {
-                self.is_over = false;
-                self.watch.act(WatchAction::Again);
-            }
+            SightingAction::Again => self.watch.act(WatchAction::Again),
             SightingAction::Skip => return Outcome::Done(None),
         }
         Outcome::Used
@@ -110,7 +98,7 @@ impl Sighting {
 
     /// Turns a ray when the player points at the picture.
     pub(crate) fn point(&mut self, picture: Rect, place: DVec2, pressed: bool) {
-        if self.is_over {
+        if self.is_over() {
             let collision = *self.watch.collision();
             point_at(picture, &collision, &mut self.rays, place, pressed);
         }
@@ -122,7 +110,6 @@ impl Sighting {
         if pace != HitPace::Still {
             self.pass_contact();
         }
-        self.is_over |= self.watch.clock().is_over();
     }
 
     /// The delay until the picture next has to change.
@@ -140,7 +127,7 @@ impl Sighting {
 
     /// The title of the picture.
     pub(crate) fn title(&self) -> String {
-        match self.is_over {
+        match self.is_over() {
             true => "what did you see?".into(),
             false => self.watch.slowed_title(),
         }
@@ -149,7 +136,7 @@ impl Sighting {
     /// The picture of the collision; once the collision is over, the picture before the collision,
     /// with the rays.
     pub(crate) fn picture(&self, area: Rect) -> Picture {
-        match self.is_over {
+        match self.is_over() {
             true => {
                 let collision = self.watch.collision();
                 let faces = Face::STRIKER_AND_COIN;
@@ -161,7 +148,7 @@ impl Sighting {
 
     /// Writes the question, and the rays once they can be set.
     pub(crate) fn write(&self, target: &str, panel: &mut Panel<SightingAction>) {
-        if !self.is_over {
+        if !self.is_over() {
             panel.heading("Watch where they go");
             let text = "In a moment carrom asks what you saw, before it shows any angle.";
             panel.paragraph(text, Role::Text);
@@ -256,7 +243,7 @@ mod tests {
     fn no_number_of_the_outcome_is_drawn() {
         let collision = CollisionSpec::default().collision();
         let mut sighting = Sighting::new(collision, Markings::ALL, HitPace::Flowing);
-        while !sighting.is_over {
+        while !sighting.is_over() {
             let area = Rect::new(0, 0, 60, 24);
             let mut buf = Buffer::empty(area);
             sighting.picture(area).draw(&mut buf, &Look::default());

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::stage::HitLayout;
 use crate::quiz::AimTask;
 use crate::widgets::Role;
-use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
+use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture, around};
 
 /// The length of the longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
@@ -221,7 +221,8 @@ impl Sketch {
         let radius = stage.radius(body);
         let way = scale.per_speed * v;
         // The label is beside the arrow, on the side away from the coin.
-        let across = DVec2::from_angle(stage.side()).rotate(direction).perp() * stage.side();
+        let side = stage.collision.side();
+        let across = DVec2::from_angle(side).rotate(direction).perp() * side;
         let (tip, anchor, across) = if stage.runs_ahead(body, v) {
             let out = direction.perp();
             let out = out * 1.0_f64.copysign(out.dot(stage.centres[body]));
@@ -380,8 +381,7 @@ impl Sketch {
     pub(super) fn triangle(&mut self, p1: DVec2, p2: DVec2, busy: &[DVec2]) {
         let total = p1 + p2;
         let points = [DVec2::ZERO, p1, total];
-        let low = points.into_iter().fold(DVec2::INFINITY, DVec2::min);
-        let high = points.into_iter().fold(DVec2::NEG_INFINITY, DVec2::max);
+        let [low, high] = around(points.map(|point| (point, 0.0)));
         let half = self.stage.half_extent();
         let size = 2.0 * INSET * half;
         let spread = high - low;

@@ -83,11 +83,6 @@ impl HitLayout {
         self.collision.u1.try_normalize().unwrap_or(DVec2::X)
     }
 
-    /// +1 if the coin lies to the right of the striker's path, −1 if to the left.
-    pub(crate) fn side(&self) -> f64 {
-        self.collision.side()
-    }
-
     /// Whether the other disc, at these positions, is straight ahead of a disc that moves in the
     /// given direction.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
@@ -101,16 +96,11 @@ impl HitLayout {
         self.is_towards(self.centres, body, -v)
     }
 
-    /// The direction of a ray at an angle in radians, with the sign convention of physics.
-    fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
-        DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
-    }
-
-    /// A disc's ray at an angle in radians, starting from the disc's position at contact: its
-    /// direction, the point where it leaves the rim, and its end.
+    /// A disc's ray at an angle in radians, with the sign convention of physics, starting from the
+    /// disc's position at contact: its direction, the point where it leaves the rim, and its end.
     pub(crate) fn ray(&self, ray: Ray, angle: f64) -> (DVec2, [DVec2; 2]) {
         let centre = self.centres[ray as usize];
-        let direction = self.direction(ray, angle);
+        let direction = DVec2::from_angle(turn(ray) * angle).rotate(self.heading());
         let length = self.room(centre, direction).min(RAY * self.unit());
         let ends = [self.radius(ray as usize), length];
         (direction, ends.map(|away| centre + away * direction))
@@ -120,7 +110,8 @@ impl HitLayout {
     /// striker's angle is positive on the side away from the coin, the coin's angle on the coin's
     /// side.
     pub(crate) fn angle_deg_of(&self, ray: Ray, direction: DVec2) -> f64 {
-        self.side() * turn(ray) * self.heading().angle_to(direction).to_degrees()
+        let angle_deg = self.heading().angle_to(direction).to_degrees();
+        self.collision.side() * turn(ray) * angle_deg
     }
 
     /// Half the width and height of the picture, minus a margin for arrow tips and labels. A low

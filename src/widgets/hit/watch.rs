@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
+use glam::DVec2;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::explanation_step::{ExplanationStep, StepWords};
+use super::explanation_step::ExplanationStep;
 use super::playback::{HitPace, Playback};
 use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
@@ -20,13 +21,15 @@ const SCRUB: f64 = 1.0 / 16.0;
 /// A collision being watched.
 #[derive(Debug, Clone)]
 pub(crate) struct Watch {
-    collision: Collision,
+    pub(super) collision: Collision,
     pub(super) outcome: CollisionOutcome,
     pub(super) shot: Option<Shot>,
     pub(super) clock: Playback,
     pub(super) layers: Overlays,
-    pub(super) frame: Frame,
-    pub(super) said: Option<Rays>,
+    /// The reference frame.
+    pub(crate) frame: Frame,
+    /// The player's prediction.
+    pub(crate) said: Option<Rays>,
     pub(super) wanted: Option<AimTask>,
     pub(super) measured: bool,
     pub(super) faces: [Face; 2],
@@ -84,24 +87,24 @@ impl Watch {
     pub(crate) fn new(collision: Collision, said: Option<Rays>, pace: HitPace) -> Self {
         let (contact, end) = times(&collision);
         let outcome = collision.outcome();
-        let (frame, faces) = (Frame::Laboratory, Face::STRIKER_AND_COIN);
-        let steps = ExplanationStep::of(&collision, &outcome);
-        let words = StepWords::new(&collision, &outcome, frame, faces);
-        let holds = steps.iter().map(|step| words.hold(*step)).collect();
-        Self {
+        let mut watch = Self {
             collision,
             outcome,
             shot: collision.shot(contact, end),
-            clock: Playback::new(contact, end, holds, pace),
+            clock: Playback::new(contact, end, Vec::new(), pace),
             layers: Overlays::default(),
-            frame,
+            frame: Frame::Laboratory,
             said,
             wanted: None,
             measured: false,
-            faces,
-            steps,
+            faces: Face::STRIKER_AND_COIN,
+            steps: ExplanationStep::of(&collision, &outcome),
             switched: None,
-        }
+        };
+        // Each step lasts as long as it takes to read its text.
+        let holds = watch.steps.iter().map(|step| watch.hold(*step)).collect();
+        watch.clock = Playback::new(contact, end, holds, pace);
+        watch
     }
 
     /// The collision at the moment of contact, with the whole explanation.
@@ -167,30 +170,11 @@ impl Watch {
         &self.clock
     }
 
-    /// The layers.
-    pub(crate) fn layers(&self) -> Overlays {
-        self.layers
-    }
-
-    /// The reference frame.
-    pub(crate) fn frame(&self) -> Frame {
-        self.frame
-    }
-
-    pub(crate) fn said(&self) -> Option<&Rays> {
-        self.said.as_ref()
-    }
-
     /// The step of the explanation that has been reached; `None` before the contact.
     pub(super) fn step(&self) -> Option<ExplanationStep> {
         self.clock
             .step_reached()
             .and_then(|step| self.steps.get(step).copied())
-    }
-
-    /// Whether the contact has been reached.
-    pub(crate) fn has_met(&self) -> bool {
-        self.clock.has_met()
     }
 
     /// Whether the outcome may be revealed, which is the case once all steps at the contact have
@@ -203,11 +187,8 @@ impl Watch {
     /// After a layer has been switched on or off, the title shows the layer's name.
     pub(crate) fn title(&self, name: &str) -> String {
         if let Some(layer) = self.switched {
-            let state = if self.layers.shows(layer) {
-                "on"
-            } else {
-                "off"
-            };
+            let is_on = self.layers.shows(layer);
+            let state = if is_on { "on" } else { "off" };
             return format!("{}: {state}", layer.name());
         }
         match self.frame {
@@ -266,9 +247,8 @@ impl Watch {
 
     /// The text for the current step of the explanation; from the contact on, it has a heading.
     pub(crate) fn explanation(&self) -> (Option<String>, String) {
-        let words = StepWords::new(&self.collision, &self.outcome, self.frame, self.faces);
         match self.step() {
-            Some(step) => (Some(words.heading(step)), words.of(step)),
+            Some(step) => (Some(self.step_heading(step)), self.step_words(step)),
             None => (None, "Watch the contact …".into()),
         }
     }
@@ -314,7 +294,7 @@ impl Watch {
             WatchAction::Frame => {
                 self.frame = match self.frame {
                     Frame::Laboratory => Frame::CentreOfMass,
-                    Frame::CentreOfMass if self.collision.u2 != glam::DVec2::ZERO => Frame::Target,
+                    Frame::CentreOfMass if self.collision.u2 != DVec2::ZERO => Frame::Target,
                     _ => Frame::Laboratory,
                 }
             }
@@ -348,11 +328,8 @@ impl Watch {
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
-    let fastest = collision
-        .u1
-        .length()
-        .max(collision.u2.length())
-        .max(relative);
+    let [u1, u2] = [collision.u1, collision.u2].map(DVec2::length);
+    let fastest = u1.max(u2).max(relative);
     let lead = (2.6 * largest / fastest).max(1.15 * collision.contact_distance() / relative);
     if lead.is_finite() && lead > 0.0 {
         (lead, lead + time_in_sight(collision).min(1.1 * lead))

@@ -34,6 +34,7 @@ use super::Role;
 pub use label::{Label, LabelSide};
 pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
+pub(in crate::widgets) use view::{around, positive};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Mark {

@@ -115,7 +115,18 @@ impl View {
     }
 }
 
-fn positive(scale: f64) -> f64 {
+/// The corners of the smallest rectangle that contains the circles with these centres and radii.
+pub(in crate::widgets) fn around(circles: impl IntoIterator<Item = (DVec2, f64)>) -> [DVec2; 2] {
+    let mut corners = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    for (centre, radius) in circles {
+        corners[0] = corners[0].min(centre - radius);
+        corners[1] = corners[1].max(centre + radius);
+    }
+    corners
+}
+
+/// This scale, or 1 if it is not a positive number.
+pub(in crate::widgets) fn positive(scale: f64) -> f64 {
     let is_scale = scale > 0.0 && scale.is_finite();
     if is_scale { scale } else { 1.0 }
 }

@@ -5,7 +5,8 @@ use super::ticks::{Tick, decades, even};
 /// An axis of a plot.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axis {
-    name: String,
+    /// The name of the quantity, with its unit.
+    pub(super) name: String,
     from: f64,
     to: f64,
     scale: AxisScale,
@@ -46,11 +47,6 @@ impl Axis {
     pub(crate) fn every(mut self, step: f64) -> Self {
         self.step = Some(step);
         self
-    }
-
-    /// The name of the quantity, with its unit.
-    pub(crate) fn name(&self) -> &str {
-        &self.name
     }
 
     /// The position of a value, in units in which the axis is linear; `None` if the value has no

@@ -1,7 +1,7 @@
 //! Building a plot.
 
 use glam::{DVec2, dvec2};
-use ratatui::{buffer::Buffer, layout::Rect};
+use ratatui::layout::Rect;
 
 use super::{Axis, ticks::Tick};
 use crate::widgets::picture::{Axes, Label, LabelSide, Mark, Pen, Picture, View};
@@ -14,7 +14,6 @@ use crate::widgets::{Look, Role, text};
 #[derive(Debug, Clone)]
 pub(crate) struct Plot {
     axes: [Axis; 2],
-    look: Look,
     picture: Picture,
 }
 
@@ -24,7 +23,7 @@ impl Plot {
     pub(crate) fn new(area: Rect, look: Look, x: Axis, y: Axis) -> Self {
         let rows = area.height.saturating_sub(3);
         let y_ticks = y.ticks(usize::from(rows / 3).max(1));
-        let width_of = |tick: &Tick| text::width(&look.charset.text(&tick.text)) as u16;
+        let width_of = |(_, name): &Tick| text::width(&look.charset.text(name)) as u16;
         let left = (y_ticks.iter().map(width_of).max().unwrap_or(0) + 1).min(area.width);
         // Half of the last number below the axis extends beyond the right end of the axis.
         let right = 2.min(area.width - left);
@@ -40,14 +39,12 @@ impl Plot {
         let ((x0, x1), (y0, y1)) = (x.ends(), y.ends());
         let view = View::stretch(paper, dvec2(x0, y0), dvec2(x1, y1));
         let mut picture = Picture::new(view).within(area);
-        let placed = |tick: Tick| (tick.place, tick.text);
         picture.marks.push(Mark::Axes(Axes {
-            ticks: [x_ticks, y_ticks].map(|ticks| ticks.into_iter().map(placed).collect()),
-            names: [&x, &y].map(|axis| axis.name().to_owned()),
+            ticks: [x_ticks, y_ticks],
+            names: [&x, &y].map(|axis| axis.name.clone()),
         }));
         Self {
             axes: [x, y],
-            look,
             picture,
         }
     }
@@ -150,14 +147,12 @@ impl Plot {
     pub(crate) fn picture(self) -> Picture {
         self.picture
     }
-
-    pub(crate) fn draw(&self, buf: &mut Buffer) {
-        self.picture.draw(buf, &self.look);
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use ratatui::buffer::Buffer;
+
     use super::*;
     use crate::widgets::{Charset, Depth, Palette, Theme};
 
@@ -184,7 +179,8 @@ mod tests {
     #[test]
     fn names_and_numbers_are_beside_the_axes() {
         let mut buf = Buffer::empty(Rect::new(0, 0, 48, 16));
-        log_plot(Charset::Ascii).draw(&mut buf);
+        let picture = log_plot(Charset::Ascii).picture();
+        picture.draw(&mut buf, &look(Charset::Ascii));
         assert_eq!(row(&buf, 1), "  count");
         assert_eq!(row(&buf, 2).trim(), "10^6+");
         assert_eq!(
@@ -217,14 +213,14 @@ mod tests {
         let mut buf = Buffer::empty(Rect::new(0, 0, 48, 16));
         let mut empty = buf.clone();
         let mut plot = log_plot(Charset::Ascii);
-        plot.draw(&mut empty);
+        plot.picture.draw(&mut empty, &look(Charset::Ascii));
         plot.curve([dvec2(10.0, 0.0), dvec2(20.0, -1.0)], Role::CoinOut);
         plot.function(|_| None, Role::CoinOut);
         plot.mark(dvec2(f64::NAN, 1.0), 'x', Role::Contact);
         plot.mark(dvec2(10.0, 1e9), 'x', Role::Contact);
         plot.bar(0.0, 5.0, 0.0, Role::Trail);
         plot.label("far", dvec2(10.0, 0.0), &[LabelSide::Above], Role::Text);
-        plot.draw(&mut buf);
+        plot.picture.draw(&mut buf, &look(Charset::Ascii));
         assert_eq!(buf, empty);
     }
 
@@ -234,7 +230,7 @@ mod tests {
             let mut buf = Buffer::empty(Rect::new(0, 0, 48, 16));
             let mut plot = log_plot(charset);
             plot.bar(60.0, 120.0, 1000.0, Role::Trail);
-            plot.draw(&mut buf);
+            plot.picture.draw(&mut buf, &look(charset));
             let filled = |y: u16| {
                 let shown = row(&buf, y);
                 shown.contains(':') || shown.contains('░')
@@ -261,7 +257,7 @@ mod tests {
         let height = plot.picture.view().world_at(0, 5).y + 0.3 * 10.0 / 13.0;
         plot.bar(0.0, 10.0, height, Role::Trail);
         plot.function(|_| Some(height), Role::StrikerOut);
-        plot.draw(&mut buf);
+        plot.picture.draw(&mut buf, &coloured);
         let paper = coloured.theme.fill(Role::Trail).bg;
         assert_eq!(Some(buf[(20, 5)].bg), paper, "{buf:?}");
         assert_ne!(Some(buf[(20, 4)].bg), paper, "{buf:?}");
@@ -279,7 +275,7 @@ mod tests {
         for (from, height) in [(0.0, 9.0), (1.0, 2.0), (2.0, 1.0)] {
             plot.bar(from, from + 1.0, height, Role::Trail);
         }
-        plot.draw(&mut buf);
+        plot.picture.draw(&mut buf, &look(Charset::Ascii));
         assert!(row(&buf, 4).contains("|:"), "{buf:?}");
     }
 
@@ -299,7 +295,7 @@ mod tests {
                         plot.function(Some, Role::CoinOut);
                         plot.label("label", dvec2(0.5, 0.5), &LabelSide::ALL, Role::Text);
                         let mut buf = Buffer::empty(Rect::new(0, 0, 14, 9));
-                        plot.draw(&mut buf);
+                        plot.picture.draw(&mut buf, &look(charset));
                     }
                 }
             }

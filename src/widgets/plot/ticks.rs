@@ -2,14 +2,10 @@
 
 use crate::lessons::formula::superscript;
 use crate::numbers::{fixed, true_minus};
+use crate::widgets::picture::positive;
 
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Tick {
-    /// The position, in units in which the axis is linear.
-    pub place: f64,
-    /// The text beside the tick.
-    pub text: String,
-}
+/// The position of a tick, in units in which the axis is linear, and the text beside it.
+pub(crate) type Tick = (f64, String);
 
 /// More ticks than fit on any screen.
 const MOST: usize = 100;
@@ -43,10 +39,7 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
         .map(|i| {
             // Adding 0 turns -0 into 0.
             let value = (first + i as f64) * step + 0.0;
-            Tick {
-                place: value,
-                text: true_minus(&written(value)),
-            }
+            (value, true_minus(&written(value)))
         })
         .collect()
 }
@@ -65,10 +58,7 @@ pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
     (0..MOST)
         .map(|i| first + i as f64 * step)
         .take_while(|exponent| *exponent <= last)
-        .map(|exponent| Tick {
-            place: exponent,
-            text: power_of_ten(exponent as i32),
-        })
+        .map(|exponent| (exponent, power_of_ten(exponent as i32)))
         .collect()
 }
 
@@ -83,10 +73,9 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
                 -3..0 => fixed(value, decade.unsigned_abs() as usize),
                 _ => format!("{digit}×{}", power_of_ten(decade)),
             };
-            let place = f64::from(decade) + f64::log10(digit);
-            Tick { place, text }
+            (f64::from(decade) + f64::log10(digit), text)
         })
-        .filter(|tick| (from - 1e-9..=to + 1e-9).contains(&tick.place))
+        .filter(|(place, _)| (from - 1e-9..=to + 1e-9).contains(place))
         .collect()
 }
 
@@ -103,16 +92,9 @@ fn power_of_ten(exponent: i32) -> String {
 /// The smallest number of the form 1, 2 or 5 times a power of ten that is not below `least`.
 fn round_up(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
-    let digits = [1.0, 2.0, 5.0, 10.0];
-    let digit = digits
-        .into_iter()
-        .find(|d| d * power >= least * (1.0 - 1e-9));
-    let step = digit.unwrap_or(10.0) * power;
-    if step > 0.0 && step.is_finite() {
-        step
-    } else {
-        1.0
-    }
+    let mut digits = [1.0, 2.0, 5.0].into_iter();
+    let digit = digits.find(|digit| digit * power >= least * (1.0 - 1e-9));
+    positive(digit.unwrap_or(10.0) * power)
 }
 
 /// The number of decimal places needed to distinguish the multiples of a step.
@@ -130,7 +112,7 @@ mod tests {
     use super::*;
 
     fn texts(ticks: &[Tick]) -> Vec<&str> {
-        ticks.iter().map(|tick| tick.text.as_str()).collect()
+        ticks.iter().map(|(_, text)| text.as_str()).collect()
     }
 
     #[test]
@@ -182,8 +164,8 @@ mod tests {
                     even((from, to), Some(0.1), most),
                 ] {
                     assert!(ticks.len() <= most + 2, "{ticks:?}");
-                    for tick in ticks {
-                        let share = (tick.place - from) / length;
+                    for (place, _) in ticks {
+                        let share = (place - from) / length;
                         assert!((-1e-6..=1.0 + 1e-6).contains(&share));
                     }
                 }

@@ -8,17 +8,14 @@ pub struct WatchRate(i32);
 
 impl WatchRate {
     pub(crate) const REAL: Self = Self(0);
-    /// All speeds, from slowest to fastest.
-    pub(crate) const ALL: [Self; 7] = [
-        Self(-4),
-        Self(-3),
-        Self(-2),
-        Self(-1),
-        Self(0),
-        Self(1),
-        Self(2),
-    ];
     pub(crate) const QUARTER: Self = Self(-2);
+    const ENDS: [i32; 2] = [-4, 2];
+
+    /// All speeds, from slowest to fastest.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        let [slowest, fastest] = Self::ENDS;
+        (slowest..=fastest).map(Self)
+    }
 
     /// Seconds of the stroke per second on the screen.
     pub(crate) fn seconds(self) -> f64 {
@@ -28,7 +25,8 @@ impl WatchRate {
     /// The speed that is `steps` steps faster, or slower if `steps` is negative.
     #[must_use]
     pub(crate) fn faster(self, steps: i8) -> Self {
-        Self((self.0 + i32::from(steps)).clamp(-4, 2))
+        let [slowest, fastest] = Self::ENDS;
+        Self((self.0 + i32::from(steps)).clamp(slowest, fastest))
     }
 
     /// The name of the speed, such as "real speed", "1/4 speed", "2× speed".
@@ -46,7 +44,7 @@ impl WatchRate {
 pub(crate) struct ShotClock {
     time: f64,
     end: f64,
-    rate: WatchRate,
+    pub(crate) rate: WatchRate,
     running: bool,
 }
 
@@ -79,14 +77,6 @@ impl ShotClock {
     /// The time at which all discs have come to rest, in seconds since the start of the stroke.
     pub(crate) fn end(&self) -> f64 {
         self.end
-    }
-
-    pub(crate) fn rate(&self) -> WatchRate {
-        self.rate
-    }
-
-    pub(crate) fn set_rate(&mut self, rate: WatchRate) {
-        self.rate = rate;
     }
 
     /// Advances by `passed` of screen time.
@@ -133,7 +123,7 @@ mod tests {
         let mut clock = ShotClock::new(1.0, WatchRate::REAL, false);
         clock.advance(Duration::from_millis(400));
         assert!((clock.time() - 0.4).abs() < 1e-12);
-        clock.set_rate(clock.rate().faster(-1));
+        clock.rate = clock.rate.faster(-1);
         clock.advance(Duration::from_millis(400));
         assert!((clock.time() - 0.6).abs() < 1e-12);
         clock.advance(Duration::from_secs(9));

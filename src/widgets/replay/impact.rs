@@ -18,31 +18,30 @@ pub(crate) struct ShotImpact {
 
 /// All impacts, in order, of a shot that began with the disc `set_off`.
 pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotImpact> + '_ {
-    shot.events()
-        .iter()
-        .filter_map(move |event| match event.kind {
-            EventKind::Impact {
-                mut discs,
-                mut normal,
-                mut before,
-                ..
-            } => {
-                let [first, second] = discs;
-                let faster = before[1].length_squared() > before[0].length_squared();
-                if first != set_off && (second == set_off || faster) {
-                    discs.reverse();
-                    before.reverse();
-                    normal = -normal;
-                }
-                let bodies = [*shot.discs().get(discs[0])?, *shot.discs().get(discs[1])?];
-                Some(ShotImpact {
-                    time: event.time,
-                    discs,
-                    collision: collision(bodies, before, normal, shot.board().restitution),
-                })
-            }
-            _ => None,
+    shot.events().iter().filter_map(move |event| {
+        let EventKind::Impact {
+            mut discs,
+            mut normal,
+            mut before,
+            ..
+        } = event.kind
+        else {
+            return None;
+        };
+        let [first, second] = discs;
+        let faster = before[1].length_squared() > before[0].length_squared();
+        if first != set_off && (second == set_off || faster) {
+            discs.reverse();
+            before.reverse();
+            normal = -normal;
+        }
+        let bodies = [*shot.discs().get(discs[0])?, *shot.discs().get(discs[1])?];
+        Some(ShotImpact {
+            time: event.time,
+            discs,
+            collision: collision(bodies, before, normal, shot.board().restitution),
         })
+    })
 }
 
 /// The collision of two discs that touch along `normal`, from body 1 to body 2.

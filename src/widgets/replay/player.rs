@@ -221,25 +221,21 @@ impl ShotPlayer {
             ShotAction::Seek(time) => self.clock.seek(time),
             ShotAction::Again => self.clock.rewind(),
             ShotAction::Speed(by) => {
-                self.clock.set_rate(self.clock.rate().faster(by));
-                *rate = Some(self.clock.rate());
+                self.clock.rate = self.clock.rate.faster(by);
+                *rate = Some(self.clock.rate);
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
                 // This selects the last impact shown so far or, at the end of the shot, the first
                 // impact.
-                let now = if self.clock.is_over() {
-                    0.0
-                } else {
-                    self.left_at
-                };
+                let is_over = self.clock.is_over();
+                let now = if is_over { 0.0 } else { self.left_at };
                 let seen = self.impacts.partition_point(|impact| impact.time <= now);
                 self.list.choose(seen.saturating_sub(1));
                 self.showing = Showing::Impacts;
-                if self.lists {
-                    self.show_chosen();
-                } else {
-                    self.enlarge(pace);
+                match self.lists {
+                    true => self.show_chosen(),
+                    false => self.enlarge(pace),
                 }
             }
             ShotAction::List(action) => match self.list.act(action, self.impacts.len()) {
@@ -280,10 +276,9 @@ impl ShotPlayer {
         self.show_chosen();
         if let Some((number, impact)) = self.chosen() {
             let said = self.said.filter(|_| number == 0);
-            let face = |disc: usize| self.faces.get(disc).copied();
-            let faces = impact
-                .discs
-                .map(|disc| face(disc).unwrap_or(Face::STRIKER_AND_COIN[1]));
+            let [_, coin] = Face::STRIKER_AND_COIN;
+            let face = |disc: usize| self.faces.get(disc).copied().unwrap_or(coin);
+            let faces = impact.discs.map(face);
             let watch = Watch::new(impact.collision, said, pace).with_faces(faces);
             self.showing = Showing::Impact(Box::new(watch));
         }
@@ -336,7 +331,7 @@ mod tests {
         assert_eq!(press(&mut player, Key::Char(' ')), None);
         let slower = Some(WatchRate::REAL.faster(-1));
         assert_eq!(press(&mut player, Key::Char('-')), slower);
-        assert_eq!(Some(player.clock().rate()), slower);
+        assert_eq!(Some(player.clock().rate), slower);
     }
 
     #[test]

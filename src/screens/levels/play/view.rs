@@ -207,7 +207,7 @@ fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
     let mut panel = goals(play);
     let clock = made.player.clock();
     panel.fact("time", format!("{:.2} s", clock.time()));
-    panel.fact("watched at", clock.rate().words());
+    panel.fact("watched at", clock.rate.words());
     panel.gap();
     let go_on = LevelAction::Watch(ShotAction::GoOn);
     panel.prompt("go on, or skip to the end", go_on);

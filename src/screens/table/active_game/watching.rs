@@ -191,7 +191,7 @@ impl StrokeReplay {
     fn left_at_end(&self, game: &ActiveGame, pace: HitPace) -> Option<Duration> {
         let alone = game.options.count(Player::Person) == 0 && pace == HitPace::Flowing;
         let goes_on = self.live && alone && self.is_at_its_end();
-        let all = Duration::from_secs_f64(END_SEEN / self.player.clock().rate().seconds());
+        let all = Duration::from_secs_f64(END_SEEN / self.player.clock().rate.seconds());
         goes_on.then(|| all.saturating_sub(self.end_seen))
     }
 
@@ -221,7 +221,7 @@ impl StrokeReplay {
             return (watch.slowed_title(), "why".into());
         }
         let clock = self.player.clock();
-        let time = format!("{:.2} s, {}", clock.time(), clock.rate().words());
+        let time = format!("{:.2} s, {}", clock.time(), clock.rate.words());
         let name = match self.player.list() {
             Some(_) => "impacts".into(),
             None => {
@@ -346,7 +346,7 @@ impl StrokeReplay {
             let here = format!("Here the {first} acts as the striker.");
             panel.paragraph(here, Role::Dim);
         }
-        reason(&why(watch.collision(), watch.said().copied()), panel);
+        reason(&why(watch.collision(), watch.said), panel);
     }
 
     fn name(&self, disc: usize) -> &'static str {

@@ -49,12 +49,9 @@ impl Moment<'_> {
         }
         let collision = &self.stage.collision;
         let own = self.before()[body];
-        let past = collision.relative_velocity().dot(tangent);
-        let sideways = own.dot(tangent);
-        let sideways = if sideways.abs() > STANDS * own.length() {
-            sideways
-        } else {
-            past
+        let sideways = match own.dot(tangent) {
+            sideways if sideways.abs() > STANDS * own.length() => sideways,
+            _ => collision.relative_velocity().dot(tangent),
         };
         Some(-tangent * 1.0_f64.copysign(sideways))
     }

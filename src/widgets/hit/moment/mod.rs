@@ -37,10 +37,8 @@ impl Moment<'_> {
             Some(shot) => shot.at(body, time).position,
             // Two discs with equal velocities never touch; each follows its own path.
             None => {
-                let (p1, p2) = self
-                    .stage
-                    .collision
-                    .positions_before(self.watch.clock.contact - time);
+                let left = self.watch.clock.contact - time;
+                let (p1, p2) = self.stage.collision.positions_before(left);
                 [p1, p2][body]
             }
         };

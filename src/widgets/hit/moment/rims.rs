@@ -54,12 +54,8 @@ impl Moment<'_> {
         }
         let direction = DVec2::from_angle(self.mark_angle(body, time));
         let radius = self.stage.radius(body);
-        let inner = at + MARK * radius * direction;
-        picture.line(
-            inner,
-            at + radius * direction,
-            Pen::new(Role::Contact).bold(),
-        );
+        let [inner, outer] = [MARK * radius, radius].map(|away| at + away * direction);
+        picture.line(inner, outer, Pen::new(Role::Contact).bold());
     }
 
     /// Draws the spins of both discs.
@@ -111,18 +107,11 @@ impl Sketch {
         let name = ["ω₁", "ω₂"][body];
         let outwards = self.stage.centres[body].try_normalize().unwrap_or(DVec2::X);
         let anchor = at + radius * outwards;
-        match figures {
-            true => {
-                let value = true_minus(&significant(spin));
-                self.label(
-                    format!("{name} = {value} rad/s"),
-                    anchor,
-                    outwards,
-                    Role::Arc,
-                )
-                .short(format!("{name} = {value}"));
-            }
-            false => _ = self.label(name, anchor, outwards, Role::Arc),
+        let label = self.label(name, anchor, outwards, Role::Arc);
+        if figures {
+            let short = format!("{name} = {}", true_minus(&significant(spin)));
+            label.text = format!("{short} rad/s");
+            label.short(short);
         }
         if spin == 0.0 {
             return;

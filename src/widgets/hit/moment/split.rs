@@ -29,11 +29,9 @@ impl Moment<'_> {
             })
             .collect();
         // All steps have the same scale, so the arrows keep their lengths.
-        let along = before[0].dot(axes[0]) * axes[0];
-        let along = if self.target_rests() {
-            along
-        } else {
-            DVec2::ZERO
+        let along = match self.target_rests() {
+            true => before[0].dot(axes[0]) * axes[0],
+            false => DVec2::ZERO,
         };
         let scale = ArrowScale::fit_rooted(&self.stage, along, &all);
         match step {
