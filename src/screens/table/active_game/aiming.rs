@@ -12,11 +12,11 @@ use crate::game::{Aids, Game, Move, Rules, opponent};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::{capital, fixed};
 use crate::physics::units::{m_from_mm, mm_from_m};
+use crate::screens::Context;
 use crate::screens::table::aim::{Aim, SPEEDS, along_the_screen, rightwards};
 use crate::screens::table::computer_stroke::strike;
 use crate::screens::table::preview::{FirstHit, Preview, WayEnd};
 use crate::screens::table::{TableAction, picture, words};
-use crate::screens::{Context, StrikeGuard};
 use crate::widgets::input::{EntryAction, KeyTable};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{impact_angle, offset};
@@ -339,14 +339,12 @@ impl ActiveGame {
 
     /// Why the last action had no effect, or why no stroke is possible.
     fn refusal(&self, aim: &Aim) -> Option<String> {
-        let blocked = || self.game().check_place(aim.place).err();
-        if self.notice.is_some() {
-            self.notice.clone()
-        } else if self.guard.is_refusing() {
-            Some(StrikeGuard::TOO_SOON.to_owned())
-        } else {
-            blocked().map(|why| format!("No stroke is possible from here: {why}."))
-        }
+        let blocked = || {
+            let why = self.game().check_place(aim.place).err()?;
+            Some(format!("No stroke is possible from here: {why}."))
+        };
+        let notice = self.notice.as_deref().or(self.guard.refusal());
+        notice.map(str::to_owned).or_else(blocked)
     }
 
     pub(super) fn direction(&self, aim: &Aim) -> String {
