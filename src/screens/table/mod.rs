@@ -30,7 +30,7 @@ use active_game::{
 };
 use board_page::{BoardAction, BoardPage};
 use new_game::{NewGame, NewGameAction};
-pub use options::{Aids, Options, Player};
+pub use options::Options;
 use saved_games::{SavedGames, SavedGamesAction};
 
 /// The table.
@@ -138,8 +138,11 @@ impl Screen for Table {
             TablePage::Board(_) | TablePage::SavedGames(_) => return String::new(),
             TablePage::Playing(playing) => &playing.game.options,
         };
-        let rules = <&str>::from(options.rules);
-        let (masses, e) = (words::masses(options.set), fixed(options.restitution, 2));
+        let rules = <&str>::from(options.setup.rules);
+        let (masses, e) = (
+            words::masses(options.setup.set),
+            fixed(options.setup.restitution, 2),
+        );
         format!("{rules}   {masses}   e = {e}")
     }
 
@@ -154,10 +157,10 @@ impl Screen for Table {
 
     fn rules(&self) -> Option<Rules> {
         match &self.page {
-            TablePage::NewGame(page) => Some(page.options.rules),
+            TablePage::NewGame(page) => Some(page.options.setup.rules),
             TablePage::Board(_) => Some(Rules::Solo),
             TablePage::SavedGames(_) => None,
-            TablePage::Playing(playing) => Some(playing.game.options.rules),
+            TablePage::Playing(playing) => Some(playing.game.options.setup.rules),
         }
     }
 
@@ -183,7 +186,7 @@ impl Screen for Table {
                 }
                 NewGameAction::Board => return Next::Open(Route::Board { code: None }),
                 NewGameAction::Rules => {
-                    let rules = page.options.rules;
+                    let rules = page.options.setup.rules;
                     return Next::Open(Route::Rules { rules });
                 }
                 NewGameAction::Back => return Next::Back,

@@ -205,8 +205,8 @@ impl ActiveGame {
                 self.shift(steps, along);
             }
             AimAction::PlaceUp(steps) => self.shift(steps, DVec2::Y),
-            AimAction::Aid(aid) => *aid.of(&mut self.options.aids) ^= true,
-            AimAction::Call => self.options.call ^= true,
+            AimAction::Aid(aid) => *aid.of(&mut self.options.company.aids) ^= true,
+            AimAction::Call => self.options.company.call ^= true,
             AimAction::LayOut => return Some(GamePhase::Arrange(Arrange::default())),
             AimAction::Undo => self.take_back(),
             AimAction::Hint => self.help(),
@@ -217,7 +217,8 @@ impl ActiveGame {
 
     /// A coin that the player may want to pocket.
     fn wanted_coin(&self) -> &'static str {
-        let any = matches!(self.options.rules, Rules::Points | Rules::Solo) || self.is_practice();
+        let any =
+            matches!(self.options.setup.rules, Rules::Points | Rules::Solo) || self.is_practice();
         if any { "coin" } else { "coin of yours" }
     }
 
@@ -276,7 +277,7 @@ impl ActiveGame {
         }
         // A call is about the actual stroke, which includes the error of the hand.
         let struck = self.struck();
-        let preview = { self.options.call }.then(|| Preview::of(&struck, self.game()));
+        let preview = { self.options.company.call }.then(|| Preview::of(&struck, self.game()));
         match preview.flatten().as_ref().and_then(Preview::first_hit) {
             Some(hit) => Some(GamePhase::Call(Box::new(Calling::new(hit, None)))),
             None => self.play(Move::Strike(struck), cx),
@@ -387,7 +388,7 @@ impl ActiveGame {
         };
         match &preview.end {
             // During a call the impact angle would reveal the coin's direction.
-            WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.call, panel),
+            WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.company.call, panel),
             WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
             WayEnd::Stops => panel.line("no hit", Role::Dim),
             WayEnd::TooSoft(coin) => {
@@ -396,7 +397,7 @@ impl ActiveGame {
                 panel.line(format!("too soft to reach the {coin}"), Role::Warn);
             }
         }
-        if self.options.call && self.first_hit().is_some() {
+        if self.options.company.call && self.first_hit().is_some() {
             panel.line("you will call this hit", Role::Key);
         }
     }

@@ -23,11 +23,11 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::aim::Aim;
 use super::game_history::GameHistory;
-use super::options::{Options, Player};
+use super::options::Options;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
 use crate::game::opponent::StrokeHint;
-use crate::game::{BoardCode, Game, GameStage, Move, PieceSet, Rules, Seat};
+use crate::game::{BoardCode, Game, GameStage, Move, PieceSet, Player, Rules, Seat};
 use crate::numbers::capital;
 use crate::physics::Shot;
 use crate::screens::{Context, Next, StrikeGuard};
@@ -130,7 +130,7 @@ pub(super) struct Hinted {
 
 impl ActiveGame {
     pub(super) fn new(options: Options, seed: u64) -> Self {
-        let history = GameHistory::new(options.setup(seed));
+        let history = GameHistory::new(options.seeded(seed));
         Self::with(options, history)
     }
 

@@ -2,13 +2,12 @@
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{ActiveGame, After, GameAction, score};
+use super::{ActiveGame, After, GameAction, Player, score};
 use crate::game::opponent::PlayerHand;
 use crate::game::{Game, GameStage, Length, Move, Rules, Seat, Team};
 use crate::messages::Key;
 use crate::numbers::{capital, counted};
 use crate::screens::table::board_report::{BoardReport, TeamReport, run_words};
-use crate::screens::table::options::Player;
 use crate::screens::table::{TableAction, words};
 use crate::screens::{Context, Next};
 use crate::widgets::Role;

@@ -41,7 +41,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     let place = aim.place;
     let radius = active.set().striker_radius();
     let heading = aim.heading(seat);
-    let aids = active.options.aids;
+    let aids = active.options.company.aids;
     let hit = active.first_hit();
     if !active.is_practice() {
         own_side(&mut picture, seat);
@@ -80,7 +80,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
         if aids.ghost {
             board::ghost(&mut picture, ghost, radius, Role::Predicted);
         }
-        if aids.rays && !active.options.call {
+        if aids.rays && !active.options.company.call {
             departures(&mut picture, hit, ghost);
         }
     }

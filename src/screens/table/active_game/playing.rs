@@ -246,7 +246,7 @@ impl Playing {
             return View::drawn(title, |area| phase.picture(game, area), panel).dragging(dragging);
         }
         let hit = { game.first_hit() }.filter(|_| matches!(phase, GamePhase::Aim));
-        let hit = hit.filter(|_| game.options.aids.ghost);
+        let hit = hit.filter(|_| game.options.company.aids.ghost);
         let contact = hit.and_then(|hit| {
             let coin = game.game().coins().get(hit.coin)?;
             let faces = [Piece::Striker, coin.piece].map(words::face);

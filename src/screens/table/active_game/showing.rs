@@ -10,7 +10,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::aiming::{first_hit, strength};
 use super::calling::Calling;
-use super::{ActiveGame, GamePhase, Hinted, score};
+use super::{ActiveGame, GamePhase, Hinted, Player, score};
 use crate::game::opponent::{PlayerHand, Slip};
 use crate::game::{Call, Move, Strike, opponent};
 use crate::messages::Key;
@@ -19,7 +19,7 @@ use crate::screens::Context;
 use crate::screens::table::TableAction;
 use crate::screens::table::aim::Aim;
 use crate::screens::table::computer_stroke::{ComputerStroke, strike};
-use crate::screens::table::options::{Options, Player};
+use crate::screens::table::options::Options;
 use crate::screens::table::pointer::Pointer;
 use crate::screens::table::preview::Preview;
 use crate::widgets::input::KeyTable;
@@ -169,7 +169,7 @@ impl ShownStroke {
 /// How long a stroke is shown after this many of its parts have become visible. Players who predict
 /// strokes get more time; a faster replay speed shortens the time.
 fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
-    let waits = options.call && options.count(Player::Person) > 0;
+    let waits = options.company.call && options.count(Player::Person) > 0;
     if waits && parts == PARTS.len() {
         return None;
     }
@@ -194,14 +194,14 @@ impl ActiveGame {
                 return watching;
             }
         }
-        // Neither stroke can be played.
-        self.hand_to_person();
+        // Neither stroke can be played, so a person plays on; otherwise the game would stop.
+        self.options.company.players[self.seat() as usize] = Player::Person;
         GamePhase::Aim
     }
 
     /// Shows the computer's stroke before it is played.
     pub(super) fn think(&mut self, cx: &Context) -> GamePhase {
-        let strength = self.options.strength(self.seat());
+        let strength = self.options.company.strengths[self.seat() as usize];
         match opponent::think(self.game(), strength, self.next_seed()) {
             Some(decision) => {
                 let stroke = ComputerStroke::new(decision, self.game());
@@ -255,7 +255,7 @@ impl ActiveGame {
     pub(super) fn hand(&self) -> PlayerHand {
         match self.is_practice() {
             true => PlayerHand::Exact,
-            false => self.options.hand,
+            false => self.options.company.hand,
         }
     }
 
@@ -279,11 +279,5 @@ impl ActiveGame {
             .errors()
             .filter(|_| is_person && past.meant.is_none())?;
         Some(errors.slip_of(self.seed_of(number)))
-    }
-
-    /// Lets a person play if the computer cannot, so that the game does not stop.
-    pub(super) fn hand_to_person(&mut self) {
-        let seat = self.seat();
-        self.options.set_player(seat, Player::Person);
     }
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::DVec2;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{ActiveGame, After, GameAction, GamePhase, score};
+use super::{ActiveGame, After, GameAction, GamePhase, Player, score};
 use crate::game::Piece;
 use crate::messages::Key;
 use crate::numbers::capital;
@@ -13,7 +13,6 @@ use crate::physics::{EventKind, Shot};
 use crate::quiz::why;
 use crate::screens::table::calls::Called;
 use crate::screens::table::game_history::{GameHistory, Past};
-use crate::screens::table::options::Player;
 use crate::screens::table::{TableAction, words};
 use crate::screens::{Context, Settings};
 use crate::widgets::hit::{HitPace, Watch};
