@@ -37,10 +37,8 @@ use arranging::Arrange;
 pub(super) use arranging::ArrangeAction;
 use calling::Calling;
 use keeping::GameKeeping;
-pub(super) use over::OverAction;
 pub(super) use playing::Playing;
 use pulling::Grip;
-pub(super) use showing::ShowAction;
 use showing::ShownStroke;
 pub(super) use watching::StrokeAction;
 use watching::StrokeReplay;
@@ -84,7 +82,7 @@ enum GamePhase {
     Over,
 }
 
-/// Actions that are available in more than one phase of a game.
+/// What the keys do in a game, apart from aiming, calls, replays and arranging coins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum GameAction {
@@ -94,6 +92,14 @@ pub enum GameAction {
     WatchAll,
     /// export: write the game to a separate file
     Export,
+    /// let the computer strike at once
+    StrikeShown,
+    /// call: predict the directions of the two discs in the computer's collision
+    CallShown,
+    /// start the next board, or end the match
+    NextBoard,
+    /// watch the best stroke of the board again
+    WatchBest,
     /// go back
     Back,
 }
@@ -180,10 +186,6 @@ impl ActiveGame {
         self.game().setup().rules == Rules::Practice
     }
 
-    pub(super) fn is_points(&self) -> bool {
-        self.game().setup().rules == Rules::Points
-    }
-
     /// The code of the board, if it is a board for one player.
     fn board_code(&self) -> Option<BoardCode> {
         self.game().setup().board_code()
@@ -243,7 +245,7 @@ impl ActiveGame {
         let shot = self.make(stroke)?;
         let past = self.history.past(number)?;
         let at_end = cx.settings.reduced_motion;
-        let mut replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
+        let mut replay = StrokeReplay::new(number, shot, past, at_end, cx);
         replay.live = true;
         Some(GamePhase::Watch(Box::new(replay)))
     }
@@ -255,7 +257,7 @@ impl ActiveGame {
             return None;
         };
         let (past, shot) = (self.history.past(number)?, self.history.shot(number)?);
-        let replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
+        let replay = StrokeReplay::new(number, shot, past, at_end, cx);
         Some(GamePhase::Watch(Box::new(replay)))
     }
 
