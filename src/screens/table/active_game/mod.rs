@@ -9,8 +9,6 @@ mod keeping;
 mod over;
 mod pictures;
 mod playing;
-#[cfg(test)]
-mod presses;
 mod pulling;
 mod score;
 mod showing;

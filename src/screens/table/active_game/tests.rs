@@ -1,3 +1,5 @@
+mod presses;
+
 use std::time::Duration;
 
 use super::*;
