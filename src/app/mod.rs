@@ -625,7 +625,7 @@ impl App {
             } => hosted(Join::new(address.as_deref(), code, again, cx)),
             Route::Foil => hosted(FoilScreen::default()),
             Route::FoilAt { page } => hosted(FoilScreen::at(page)),
-            Route::Table => hosted(Table::ask(cx)),
+            Route::Table => hosted(Table::new_game(None, cx)),
             Route::Board { code } => hosted(Table::board(code, cx)),
             Route::Rules { rules } => hosted(RulesScreen { rules }),
             Route::Measured { measurement } => hosted(MeasuredScreen::new(measurement)),

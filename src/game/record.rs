@@ -190,6 +190,17 @@ impl Move {
     }
 }
 
+impl From<Motion> for Strike {
+    /// The stroke that gives the striker this motion, without a call.
+    fn from(striker: Motion) -> Self {
+        Self {
+            place: striker.position,
+            velocity: striker.velocity,
+            call: None,
+        }
+    }
+}
+
 impl Strike {
     /// The shot of this stroke on the current board.
     ///

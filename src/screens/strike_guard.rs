@@ -29,10 +29,6 @@ impl Default for StrikeGuard {
 }
 
 impl StrikeGuard {
-    /// The notice for a player whose press was ignored.
-    pub(crate) const TOO_SOON: &str =
-        "Too soon after the last press: wait a moment, then press again.";
-
     /// Whether a press of the strike key strikes. A press that does not strike restarts the wait,
     /// because it shows that the key is still in use.
     pub(crate) fn allows(&mut self) -> bool {
@@ -57,8 +53,9 @@ impl StrikeGuard {
         (!self.left.is_zero()).then_some(self.left)
     }
 
-    /// Whether a press was ignored, and the next one would be as well.
-    pub(crate) fn is_refusing(&self) -> bool {
-        self.has_refused && !self.left.is_zero()
+    /// The notice for a player whose press was ignored, while the next one would be ignored as well.
+    pub(crate) fn refusal(&self) -> Option<&'static str> {
+        let is_refusing = self.has_refused && !self.left.is_zero();
+        is_refusing.then_some("Too soon after the last press: wait a moment, then press again.")
     }
 }

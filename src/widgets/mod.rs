@@ -6,7 +6,7 @@
 //! ```text
 //!    answer   a question's picture, and the answer being entered
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    replay   the replay of a shot on the board, and its impacts one by one
+//!    replay   the replay of a shot on the board, and its impacts one by one, predicted or watched
 //!    curves   the outcome of a collision at every impact angle, with the collision below
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    hit      the picture of a collision, with its clock, layers and frames

@@ -12,7 +12,7 @@ use carrom::messages::{Input, Key, Mouse, MouseKind, StoreCall, StoreRequest};
 use carrom::physics::angle::unit_vector;
 use carrom::progress::{Calendar, Due, TABLE};
 use carrom::quiz::Topic;
-use carrom::screens::table::{Aids, Options, Table};
+use carrom::screens::table::{Options, Table};
 use carrom::screens::{Hosted, Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -37,10 +37,7 @@ fn at_the_table(options: Options, settings: Settings) -> Headless {
 
 /// The options for a match between two people.
 fn whole_match() -> Options {
-    Options {
-        length: Length::Match,
-        ..Options::two_people()
-    }
+    Options::two_people().with(|options| options.setup.length = Length::Match)
 }
 
 /// The game after a pause in which no key was pressed, so that the next press strikes.
@@ -176,7 +173,7 @@ fn panel(game: &mut Headless) -> String {
 #[test]
 fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
     let options = whole_match();
-    let mut game = Game::new(options.setup(SEED));
+    let mut game = Game::new(options.seeded(SEED));
     let mut screen = at_the_table(options, still());
     let mut chance = Pcg64::seed_from_u64(3);
     let mut tenths = 40;
@@ -293,10 +290,7 @@ fn place_and_strength_can_be_typed() {
 
 #[test]
 fn in_practice_pieces_are_arranged_and_strokes_are_made_and_undone() {
-    let options = Options {
-        rules: Rules::Practice,
-        ..Options::default()
-    };
+    let options = Options::default().with(|it| it.setup.rules = Rules::Practice);
     let mut game = at_the_table(options, still());
     let pack = game.screen();
     game.press("80.5 ");
@@ -317,10 +311,7 @@ fn in_practice_pieces_are_arranged_and_strokes_are_made_and_undone() {
 
 #[test]
 fn a_call_is_graded_separately_from_the_score() {
-    let options = Options {
-        call: true,
-        ..Options::two_people()
-    };
+    let options = Options::two_people().with(|it| it.company.call = true);
     let mut game = at_the_table(options, still());
     game.press("]] ");
     assert!(game.screen().contains("call it: where to?"));
@@ -342,13 +333,7 @@ fn a_call_is_graded_separately_from_the_score() {
 
 /// A game with calls against the computer, or between two people, saved in this folder.
 fn calling(options: Options, folder: &Folder) -> Headless {
-    let table = Table::playing(
-        Options {
-            call: true,
-            ..options
-        },
-        SEED,
-    );
+    let table = Table::playing(options.with(|it| it.company.call = true), SEED);
     let settings = Settings {
         player: "Mia".into(),
         ..still()
@@ -420,13 +405,7 @@ fn a_call_to_the_wrong_sides_is_shown_with_its_signs() {
 #[test]
 fn the_paths_stay_hidden_while_the_player_calls() {
     let all = Options::two_people();
-    let without = Options {
-        aids: Aids {
-            rays: false,
-            ..Aids::default()
-        },
-        ..all.clone()
-    };
+    let without = all.clone().with(|it| it.company.aids.rays = false);
     let board = |options: &Options| {
         let screen = at_the_table(options.clone(), still()).screen();
         let rows: Vec<String> = screen
@@ -436,7 +415,7 @@ fn the_paths_stay_hidden_while_the_player_calls() {
         rows
     };
     assert_ne!(board(&all), board(&without));
-    let calling = Options { call: true, ..all };
+    let calling = all.with(|it| it.company.call = true);
     assert_eq!(board(&calling), board(&without));
 }
 
@@ -657,7 +636,10 @@ proptest! {
         acts in prop::collection::vec(act(), 1..80),
     ) {
         let players = if computer { Options::default() } else { Options::two_people() };
-        let options = Options { rules, hand, length, call, ..players };
+        let options = players.with(|it| {
+            (it.setup.rules, it.setup.length) = (rules, length);
+            (it.company.hand, it.company.call) = (hand, call);
+        });
         let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
         let mut game = at_the_table(options, Settings { charset, ..Settings::default() });
         for act in &acts {
@@ -763,10 +745,7 @@ fn north_pulls_upwards() {
 
 #[test]
 fn in_practice_the_striker_is_moved_and_pulled_by_the_mouse() {
-    let options = Options {
-        rules: Rules::Practice,
-        ..Options::default()
-    };
+    let options = Options::default().with(|it| it.setup.rules = Rules::Practice);
     let mut game = small(options);
     game.drag(cell(0.0, -252.6), cell(-200.0, -150.0));
     assert!(
@@ -787,11 +766,10 @@ fn whole_game(
     strike: impl Fn(&mut Headless, &mut Pcg64),
     go_on: impl Fn(&mut Headless),
 ) {
-    let options = Options {
-        strengths: [strength; 4],
-        length: Length::Match,
-        ..Options::default()
-    };
+    let options = Options::default().with(|it| {
+        it.company.strengths = [strength; 4];
+        it.setup.length = Length::Match;
+    });
     let mut game = small(options);
     let mut chance = Pcg64::seed_from_u64(9);
     for _ in 0..4000 {
@@ -893,15 +871,11 @@ fn hints_are_counted_shown_at_the_end_and_saved_with_the_game() {
 
 /// Saves a stroke that Mia plays against the computer, and one that Bo plays in practice.
 fn played(folder: &Folder) {
-    let mia = Options {
-        rules: Rules::Friendly,
-        restitution: 0.85,
-        ..Options::default()
-    };
-    let bo = Options {
-        rules: Rules::Practice,
-        ..Options::default()
-    };
+    let mia = Options::default().with(|it| {
+        it.setup.rules = Rules::Friendly;
+        it.setup.restitution = 0.85;
+    });
+    let bo = Options::default().with(|it| it.setup.rules = Rules::Practice);
     for (player, options) in [("Mia", mia), ("Bo", bo)] {
         let settings = Settings {
             player: player.into(),
@@ -972,12 +946,10 @@ fn boards_won_and_lost_are_counted_by_rules_and_strength() {
 
 /// The options of point carrom for one board, with a club hand.
 fn club_hand() -> Options {
-    Options {
-        rules: Rules::Points,
-        length: Length::Board,
-        hand: PlayerHand::Club,
-        ..Options::default()
-    }
+    Options::default().with(|options| {
+        options.setup.rules = Rules::Points;
+        options.company.hand = PlayerHand::Club;
+    })
 }
 
 #[test]
@@ -1214,13 +1186,8 @@ fn an_unsteady_hand_slips_the_same_way_in_every_replay_and_saved_game() {
         text
     );
     // With an exact hand, the stroke goes exactly where it was aimed.
-    let mut exact = at_the_table(
-        Options {
-            hand: PlayerHand::Exact,
-            ..club_hand()
-        },
-        still(),
-    );
+    let options = club_hand().with(|it| it.company.hand = PlayerHand::Exact);
+    let mut exact = at_the_table(options, still());
     exact.press(" ");
     assert!(!panel(&mut exact).contains("Your stroke was"));
     // The saved game explains the error again.
@@ -1239,10 +1206,7 @@ fn an_unsteady_hand_slips_the_same_way_in_every_replay_and_saved_game() {
 
 #[test]
 fn a_call_with_an_unsteady_hand_is_about_the_actual_stroke_and_cannot_be_aimed_again() {
-    let options = Options {
-        call: true,
-        ..club_hand()
-    };
+    let options = club_hand().with(|it| it.company.call = true);
     let mut game = at_the_table(options.clone(), still());
     game.press("]] ");
     assert!(
@@ -1252,13 +1216,8 @@ fn a_call_with_an_unsteady_hand_is_about_the_actual_stroke_and_cannot_be_aimed_a
     );
     game.press("<Escape>");
     assert!(game.screen().contains("Leave this game?") || game.screen().contains("a new game"));
-    let mut exact = at_the_table(
-        Options {
-            hand: PlayerHand::Exact,
-            ..options
-        },
-        still(),
-    );
+    let options = options.with(|it| it.company.hand = PlayerHand::Exact);
+    let mut exact = at_the_table(options, still());
     exact.press("]] <Escape>");
     assert!(exact.screen().contains("your stroke"), "{}", exact.screen());
 }

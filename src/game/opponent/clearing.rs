@@ -18,11 +18,7 @@ pub fn clearing(code: BoardCode) -> Option<Vec<Strike>> {
     let mut strikes = Vec::new();
     while game.play().won.is_none() && strikes.len() < MOST_STROKES {
         let (choice, _) = seek(&game, skill, code.seed())?;
-        let strike = Strike {
-            place: choice.motion.position,
-            velocity: choice.motion.velocity,
-            call: None,
-        };
+        let strike = Strike::from(choice.motion);
         Move::Strike(strike).make(&mut game).ok()?;
         strikes.push(strike);
     }

@@ -5,6 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use super::words;
+use crate::numbers::fixed;
 use crate::physics::Motion;
 
 /// The fastest stroke the opponent plays, in m/s: a hard break.
@@ -39,6 +40,12 @@ impl Hand {
     /// no hint and no plan can know the error in advance.
     pub fn slip_of(self, seed: u64) -> Slip {
         self.slip(&mut Pcg64::seed_from_u64(!seed))
+    }
+
+    /// The errors in figures: the direction in degrees, and the speed in per cent.
+    pub(crate) fn in_figures(self) -> [String; 2] {
+        let degrees = self.direction.atan().to_degrees();
+        [fixed(degrees, 1), fixed(100.0 * self.speed, 0)]
     }
 
     /// A random error of this hand.

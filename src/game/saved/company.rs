@@ -7,10 +7,11 @@ use crate::game::Seat;
 use crate::game::opponent::{PlayerHand, Strength};
 
 /// The kind of player at a seat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Player {
     /// A person at the keyboard.
+    #[default]
     Person,
     /// The computer.
     Computer,
@@ -39,7 +40,7 @@ impl Default for Aids {
 }
 
 /// The players and their aids. A saved game contains them so that it continues as before.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Company {
     /// The player at each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
     pub players: [Player; 4],

@@ -21,7 +21,7 @@ use crate::widgets::{AnswerAction, AnswerInput, Look, Role};
 /// The title of the picture: the target, and in space the unit of the counts.
 pub(super) fn title(foil: &FoilScreen) -> &'static str {
     use CountedFor::{Ring, Steradian};
-    match (foil.setup.obstacle, foil.setup.counted_for()) {
+    match (foil.fields.setup.obstacle, foil.fields.setup.counted_for()) {
         (Obstacle::Hard, None) => "hard discs on a board",
         (Obstacle::Hard, Some(Steradian)) => "hard spheres: counts on a small screen",
         (Obstacle::Hard, Some(Ring)) => "hard spheres: counts in whole rings",
@@ -42,12 +42,12 @@ fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
 
 /// The counts and, once there are any, the law's curve.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
-    let law = foil.setup.law();
-    let particles = foil.setup.particles();
-    let name = name_of_counts(foil.setup.counted_for());
+    let law = foil.fields.setup.law();
+    let particles = foil.fields.setup.particles();
+    let name = name_of_counts(foil.fields.setup.counted_for());
     // On a board every bin covers the same angle, so its counts need no correction for the size of
     // the ring.
-    let counted_for = foil.setup.counted_for().unwrap_or(CountedFor::Ring);
+    let counted_for = foil.fields.setup.counted_for().unwrap_or(CountedFor::Ring);
     let most = Counts::expected(&law, particles)
         .into_iter()
         .enumerate()
@@ -123,7 +123,7 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
     panel.heading("Predict it:");
     let question = "how many are deflected by more than 90°?";
     panel.paragraph(question, Role::Title);
-    let setup = &foil.setup;
+    let setup = &foil.fields.setup;
     let thrown_at = match setup.obstacle {
         Obstacle::Hard => format!("(of all that hit a {})", setup.obstacle_name()),
         Obstacle::Nucleus => {
@@ -149,18 +149,15 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
 pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Context) {
     panel.gap();
     let Some(run) = foil.run() else {
-        let throw = |words| (words, FoilAction::Throw);
+        use FoilAction::{Predict, Throw};
         panel.prompts(match cx.settings.predict {
             _ if foil.form.is_typing() => vec![("set it", FoilAction::Set(SettingsForm::SET))],
-            true => vec![throw("predict the result, then start")],
-            false => vec![
-                throw("start the beam"),
-                ("predict first", FoilAction::Predict),
-            ],
+            true => vec![("predict the result, then start", Throw)],
+            false => vec![("start the beam", Throw), ("predict first", Predict)],
         });
         panel.gap();
-        cautions::write(&foil.setup, panel);
-        panel.paragraph(about(&foil.setup), Role::Text);
+        cautions::write(&foil.fields.setup, panel);
+        panel.paragraph(about(&foil.fields.setup), Role::Text);
         return;
     };
     let share = run.thrown() as f64 / run.particles as f64;
@@ -187,17 +184,14 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     }
     panel.paragraph(reason(&run.law, share), Role::Text);
     panel.gap();
-    cautions::write(&foil.setup, panel);
+    cautions::write(&foil.fields.setup, panel);
     // The standard deviation, √(n p (1 − p)), of a count out of n particles, each with this
     // probability p.
     let chance = (run.thrown() as f64 * share * (1.0 - share)).sqrt();
-    panel.paragraph(
-        format!(
-            "By chance alone this count varies by about {} from one beam to the next.",
-            words::count(words::rounded(chance.max(1.0)) as u64)
-        ),
-        Role::Dim,
-    );
+    let chance = words::count(words::rounded(chance.max(1.0)) as u64);
+    let text =
+        format!("By chance alone this count varies by about {chance} from one beam to the next.");
+    panel.paragraph(text, Role::Dim);
 }
 
 /// The description of a beam before it starts.

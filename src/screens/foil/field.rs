@@ -9,7 +9,7 @@ use crate::screens::route::FoilPage;
 use crate::widgets::input::{Field, FieldRow, FieldValue, FormFields};
 
 /// The settings of the foil, and the page that shows them.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct FoilFields {
     pub(super) page: FoilPage,
     pub(super) setup: FoilSetup,

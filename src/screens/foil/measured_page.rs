@@ -1,5 +1,7 @@
 //! The counts of Geiger and Marsden, beside the law.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
 use glam::dvec2;
 use ratatui::layout::Rect;
 
@@ -60,25 +62,16 @@ fn series() -> Result<[Option<Series>; 2], String> {
 /// The counts against 1/sin⁴(Θ/2), or their deviation from the law.
 pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     let law = Axis::log("1/sin⁴(Θ/2), small Θ right", 1.0, 5000.0);
-    let mut plot = if levelled {
-        let excess = Axis::linear("above the law (%)", -25.0, 50.0).every(25.0);
-        Plot::new(area, look, law, excess)
-    } else {
-        Plot::new(
-            area,
-            look,
-            law,
-            Axis::log("scintillations counted", 10.0, 300_000.0),
-        )
+    let count = match levelled {
+        true => Axis::linear("above the law (%)", -25.0, 50.0).every(25.0),
+        false => Axis::log("scintillations counted", 10.0, 300_000.0),
     };
+    let mut plot = Plot::new(area, look, law, count);
+    let draw = if levelled { levels } else { counts };
     let series = series().into_iter().flatten();
     for (metal, series) in METALS.iter().zip(series) {
         if let Some(series) = series {
-            if levelled {
-                levels(&mut plot, look, metal, &series);
-            } else {
-                counts(&mut plot, look, metal, &series);
-            }
+            draw(&mut plot, look, metal, &series);
         }
     }
     plot.picture()
@@ -98,12 +91,8 @@ fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
         } else {
             [LabelSide::BelowRight, LabelSide::Right]
         };
-        plot.label(
-            &format!("{name} {}", metal.mark(look.charset)),
-            dvec2(*law, *count),
-            &sides,
-            role,
-        );
+        let text = format!("{name} {}", metal.mark(look.charset));
+        plot.label(&text, dvec2(*law, *count), &sides, role);
     }
 }
 
@@ -148,72 +137,53 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         Ok(_) => return,
         Err(fault) => return panel.paragraph(fault, Role::Warn),
     };
-    panel.paragraph(
-        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single \
-         α-particles on a screen, at one angle Θ after another.",
-        Role::Text,
-    );
+    let text = "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of \
+                single α-particles on a screen, at one angle Θ after another.";
+    panel.paragraph(text, Role::Text);
     panel.gap();
-    panel.paragraph(
-        "If an atom's charge is all in one small place, the counts are proportional to \
-         1/sin⁴(Θ/2): the straight lines.",
-        Role::Text,
-    );
+    let text = "If an atom's charge is all in one small place, the counts are proportional to \
+                1/sin⁴(Θ/2): the straight lines.";
+    panel.paragraph(text, Role::Text);
     panel.gap();
     let counts =
         |f: fn(f64, f64) -> f64, start| gold.points.iter().map(|point| point.2).fold(start, f);
     let (most, least) = (counts(f64::max, 0.0), counts(f64::min, f64::INFINITY));
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
-    panel.paragraph(
-        format!(
-            "The counts for gold go from {least} to {}, a factor of {}, and deviate by {} to {} \
-             from the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
-             thought that this was probably within their errors. The second plot shows the \
-             deviations.",
-            words::count(most as u64),
-            words::count(words::rounded(most / least) as u64),
-            signed(low),
-            signed(high),
-            signed(silver_low),
-            signed(silver_high),
-        ),
-        Role::Text,
+    let [low, high, silver_low, silver_high] = [low, high, silver_low, silver_high].map(signed);
+    let text = format!(
+        "The counts for gold go from {least} to {}, a factor of {}, and deviate by {low} to {high} \
+         from the law. Silver: {silver_low} to {silver_high}. Both are too high at small angles; \
+         Geiger and Marsden thought that this was probably within their errors. The second plot \
+         shows the deviations.",
+        words::count(most as u64),
+        words::count(words::rounded(most / least) as u64),
     );
+    panel.paragraph(text, Role::Text);
     panel.prompt("the other plot", FoilAction::OtherPlot);
     panel.gap();
-    panel.paragraph(
-        "The counts are relative, so each metal has a line of its own. The height of a line is \
-         fitted; its slope is not. A second series, at smaller angles, has yet another scale, so \
-         it cannot be joined to this one.",
-        Role::Dim,
-    );
+    let text = "The counts are relative, so each metal has a line of its own. The height of a line \
+                is fitted; its slope is not. A second series, at smaller angles, has yet another \
+                scale, so it cannot be joined to this one.";
+    panel.paragraph(text, Role::Dim);
     panel.gap();
     panel.heading("The absolute number");
     panel.paragraph(absolute_check(), Role::Text);
     panel.gap();
     panel.heading("“1 in 8000”");
-    let back = FoilSetup::default()
-        .law()
-        .share_beyond(std::f64::consts::FRAC_PI_2);
-    panel.paragraph(
-        format!(
-            "That number is from 1909, and not from a gold foil: it is the share of α-particles \
-             that came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm \
-             turns back far fewer: {}.",
-            words::share(back)
-        ),
-        Role::Text,
+    let back = words::share(FoilSetup::default().law().share_beyond(FRAC_PI_2));
+    let text = format!(
+        "That number is from 1909, and not from a gold foil: it is the share of α-particles that \
+         came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm turns \
+         back far fewer: {back}."
     );
+    panel.paragraph(text, Role::Text);
 }
 
 /// The only count whose scale is known: from 1913, with gold of 2.1·10⁻⁵ cm, 45°, a screen of 1 mm²
 /// at 1 cm.
 fn absolute_check() -> String {
-    let share = Rutherford::radium_c_on_gold().share_into(
-        std::f64::consts::FRAC_PI_4,
-        1e-6 / 1e-4,
-        GOLD_DENSITY * 2.1e-7,
-    );
+    let (beam, nuclei) = (Rutherford::radium_c_on_gold(), GOLD_DENSITY * 2.1e-7);
+    let share = beam.share_into(FRAC_PI_4, 1e-6 / 1e-4, nuclei);
     let shown = |share: f64| format!("{:.1}×10⁻⁷", share * 1e7);
     let measured = shown(MEASURED_SHARE);
     let share = share.map_or("none".into(), shown);

@@ -66,8 +66,7 @@ pub(crate) enum FoilAction {
 
 #[derive(Debug, Clone, Default)]
 pub(crate) struct FoilScreen {
-    setup: FoilSetup,
-    page: FoilPage,
+    fields: FoilFields,
     /// The form; the keys change the setting that is selected in it.
     form: SettingsForm,
     beam: BeamPhase,
@@ -92,27 +91,19 @@ enum BeamPhase {
 impl FoilScreen {
     /// The foil, opened at a page.
     pub(crate) fn at(page: FoilPage) -> Self {
-        Self {
-            page,
-            ..Self::default()
-        }
-    }
-
-    fn fields(&self) -> FoilFields {
-        FoilFields {
-            page: self.page,
-            setup: self.setup,
-        }
+        let mut foil = Self::default();
+        foil.fields.page = page;
+        foil
     }
 
     /// Whether counts are on a logarithmic scale, which is usual for a nucleus because its counts
     /// cover many powers of ten.
     fn is_log(&self) -> bool {
-        (self.setup.obstacle == Nucleus) != self.other_scale
+        (self.fields.setup.obstacle == Nucleus) != self.other_scale
     }
 
     fn is_running(&self) -> bool {
-        self.page == FoilPage::Counts && self.run().is_some_and(BeamRun::is_running)
+        self.fields.page == FoilPage::Counts && self.run().is_some_and(BeamRun::is_running)
     }
 
     fn run(&self) -> Option<&BeamRun> {
@@ -131,12 +122,10 @@ impl FoilScreen {
 
     /// Changes a setting, and discards the beam if the new settings require another one.
     fn edit(&mut self, how: impl FnOnce(&mut SettingsForm, &mut FoilFields)) {
-        let (before, mut fields) = (self.setup, self.fields());
-        how(&mut self.form, &mut fields);
-        self.setup = fields.setup;
-        if self.setup.law() != before.law()
-            || self.setup.particles_exponent != before.particles_exponent
-        {
+        let before = self.fields.setup;
+        how(&mut self.form, &mut self.fields);
+        let after = &self.fields.setup;
+        if after.law() != before.law() || after.particles_exponent != before.particles_exponent {
             self.beam = BeamPhase::NotThrown;
         }
     }
@@ -150,11 +139,11 @@ impl FoilScreen {
         self.commit();
         self.halt(true);
         // The chosen setting remains chosen if the new page has it.
-        let rows = self.fields().rows();
+        let rows = self.fields.rows();
         let chosen = rows.get(self.form.selected(rows.len()));
         let chosen = chosen.map(|row| row.name);
-        self.page = page;
-        let mut others = self.fields().rows().into_iter();
+        self.fields.page = page;
+        let mut others = self.fields.rows().into_iter();
         let place = others.position(|row| Some(row.name) == chosen);
         self.form = SettingsForm::at(place.unwrap_or(0));
         self.leave_guess();
@@ -167,24 +156,23 @@ impl FoilScreen {
     }
 
     fn turn_by(&mut self, pages: isize) {
-        let here = FoilPage::ALL.iter().position(|page| *page == self.page);
-        let next = here.unwrap_or(0) as isize + pages;
-        self.turn_to(FoilPage::ALL[next.rem_euclid(FoilPage::ALL.len() as isize) as usize]);
+        let next = (self.fields.page as isize + pages).rem_euclid(FoilPage::ALL.len() as isize);
+        self.turn_to(FoilPage::ALL[next as usize]);
     }
 
     /// Starts a beam: continues a stopped one, or begins another, after a prediction if one is
     /// required.
-    fn throw(&mut self, cx: &Context) {
+    fn throw(&mut self, predict: bool, seed: u64) {
         self.commit();
         match &self.beam {
             BeamPhase::Thrown(run) if !run.is_over() => self.halt(false),
-            BeamPhase::NotThrown if cx.settings.predict => {
+            BeamPhase::NotThrown if predict => {
                 self.beam = BeamPhase::Guess(AnswerInput::Choice {
                     chosen: None,
                     count: guess::CHOICES.len(),
                 });
             }
-            _ => self.begin(None, cx.seed()),
+            _ => self.begin(None, seed),
         }
     }
 
@@ -193,7 +181,7 @@ impl FoilScreen {
         let said = said.or_else(|| self.run().and_then(|run| run.said));
         let seed = seed.wrapping_add(self.runs);
         self.runs = self.runs.wrapping_add(1);
-        let (law, particles) = (self.setup.law(), self.setup.particles());
+        let (law, particles) = (self.fields.setup.law(), self.fields.setup.particles());
         let run = BeamRun::new(law, seed, particles, said);
         self.beam = BeamPhase::Thrown(Box::new(run));
     }
@@ -208,12 +196,12 @@ impl FoilScreen {
 
     fn export(&mut self, cx: &mut Context) {
         self.commit();
-        let name = format!("carrom-foil-{}.svg", self.page.name().replace(' ', "-"));
+        let page = self.fields.page.name().replace(' ', "-");
         let look = cx.settings.look();
         let svg = svg::of_panel(view::title(self), &look, |area, _| {
             vec![view::picture(self, area, look)]
         });
-        cx.export(name, svg);
+        cx.export(format!("carrom-foil-{page}.svg"), svg);
     }
 
     /// Changes the particle's offset by `steps` of the form's steps.
@@ -229,7 +217,7 @@ impl FoilScreen {
             MouseKind::ScrollDown => self.step_offset(-1),
             MouseKind::Down | MouseKind::Drag => {
                 self.form.give_up();
-                let offset = tracks_page::offset_at(picture, &self.setup, mouse.cell());
+                let offset = tracks_page::offset_at(picture, &self.fields.setup, mouse.cell());
                 self.edit(|_, fields| OFFSET.set(&mut fields.setup, offset));
             }
             MouseKind::Up => return false,
@@ -248,20 +236,18 @@ impl Screen for FoilScreen {
     }
 
     fn route(&self, _cx: &Context) -> Route {
-        Route::FoilAt { page: self.page }
+        let page = self.fields.page;
+        Route::FoilAt { page }
     }
 
     fn status(&self, _cx: &Context) -> String {
-        let setup = &self.setup;
-        match (self.page, setup.obstacle) {
+        let setup = &self.fields.setup;
+        let metal = setup.metal().name;
+        match (self.fields.page, setup.obstacle) {
             (FoilPage::Measured, _) => "Geiger and Marsden, silver and gold".into(),
             (FoilPage::Tracks, Hard) => "a hard target".into(),
             (FoilPage::Counts, Hard) => format!("{}s", setup.obstacle_name()),
-            (_, Nucleus) => format!(
-                "α-particles of {:.2} MeV on {}",
-                setup.energy_mev,
-                setup.metal().name
-            ),
+            (_, Nucleus) => format!("α-particles of {:.2} MeV on {metal}", setup.energy_mev),
         }
     }
 
@@ -288,11 +274,11 @@ impl Screen for FoilScreen {
         if !picture.contains(mouse.cell().into()) {
             return Next::Ignored;
         }
-        match self.page {
+        match self.fields.page {
             FoilPage::Tracks => return Next::after(self.move_particle(mouse, picture)),
             FoilPage::Counts if pressed && self.is_running() => self.halt(true),
             FoilPage::Counts if pressed && !matches!(self.beam, BeamPhase::Guess(_)) => {
-                self.throw(cx);
+                self.throw(cx.settings.predict, cx.seed());
             }
             FoilPage::Measured if pressed => self.levelled = !self.levelled,
             _ => return Next::Ignored,
@@ -301,7 +287,7 @@ impl Screen for FoilScreen {
     }
 
     fn wheel(&mut self, by: i8, _cx: &mut Context) -> Next {
-        match self.page {
+        match self.fields.page {
             FoilPage::Tracks => self.step_offset(-by),
             _ => return Next::Ignored,
         }
@@ -337,14 +323,14 @@ impl Screen for FoilScreen {
                 .on(Key::Tab, TurnPage(1), "")
                 .or([(Key::BackTab, TurnPage(-1))]);
         }
-        let form = || self.form.keys(&self.fields()).without_keys(&own);
+        let form = || self.form.keys(&self.fields).without_keys(&own);
         let throw = match self.run() {
-            _ if self.page == FoilPage::Tracks => "a whole beam",
+            _ if self.fields.page == FoilPage::Tracks => "a whole beam",
             None => "start the beam",
             Some(run) if run.is_over() => "another beam",
             Some(_) => "go on",
         };
-        let table = match self.page {
+        let table = match self.fields.page {
             FoilPage::Tracks => table
                 .with(form(), FoilAction::Set)
                 .on(Key::Enter, WholeBeam, throw)
@@ -356,12 +342,12 @@ impl Screen for FoilScreen {
                 .when(!typing)
                 .with(form(), FoilAction::Set)
                 .on('l', Scale, "scale"),
-            FoilPage::Measured => table.on(Key::Enter, OtherPlot, "the other plot").or([
-                Key::Left,
-                Key::Right,
-                Key::Char(' '),
-            ]
-            .map(|key| (key, OtherPlot))),
+            FoilPage::Measured => {
+                let others = [Key::Left, Key::Right, Key::Char(' ')];
+                table
+                    .on(Key::Enter, OtherPlot, "the other plot")
+                    .or(others.map(|key| (key, OtherPlot)))
+            }
         };
         table
             .on(Key::Tab, TurnPage(1), "next page")
@@ -371,7 +357,7 @@ impl Screen for FoilScreen {
             .on('e', Export, "export")
             .on('p', Predict, "")
             .on('r', Reset, "")
-            .when(self.page != FoilPage::Measured)
+            .when(self.fields.page != FoilPage::Measured)
     }
 
     fn act(&mut self, action: FoilAction, cx: &mut Context) -> Next {
@@ -380,7 +366,7 @@ impl Screen for FoilScreen {
             (_, FoilAction::Open(page)) => self.turn_to(page),
             (_, FoilAction::Set(action)) => self.edit(|form, fields| form.act(action, fields)),
             (_, FoilAction::WholeBeam) => self.turn_to(FoilPage::Counts),
-            (_, FoilAction::Throw) => self.throw(cx),
+            (_, FoilAction::Throw) => self.throw(cx.settings.predict, cx.seed()),
             (_, FoilAction::Stop) => self.halt(true),
             (BeamPhase::Guess(guess), FoilAction::Guess(action)) => {
                 if let (Outcome::Done(()), Some(Response::Choice(chosen))) =

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::field::shown_counts;
-use super::{FoilScreen, FoilSetup, view};
+use super::{FoilScreen, view};
 use crate::beams::CountedFor;
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
@@ -48,22 +48,17 @@ impl FoilFigure {
     /// A page in its initial state, with the counts of 1913 relative to the law if `levelled`. A
     /// beam is computed at once, or frame by frame if it is `watched`.
     pub(crate) fn new(page: FoilPage, levelled: bool, watched: bool) -> Self {
-        let mut setup = FoilSetup {
-            particles_exponent: PARTICLES_EXPONENT,
-            ..FoilSetup::default()
-        };
+        let mut foil = FoilScreen::at(page);
+        foil.levelled = levelled;
+        let setup = &mut foil.fields.setup;
+        setup.particles_exponent = PARTICLES_EXPONENT;
         // The offset d/2, which deflects a particle by 90°.
         setup.offset_fm = setup.scatterer().head_on_approach / 2.0 / FM;
-        let mut foil = FoilScreen {
-            setup,
-            levelled,
-            ..FoilScreen::at(page)
-        };
         if page == FoilPage::Counts {
             foil.begin(None, SEED);
         }
         let mut plot = Self(foil);
-        while !watched && plot.is_running() {
+        while !watched && plot.0.is_running() {
             plot.advance();
         }
         plot
@@ -71,7 +66,7 @@ impl FoilFigure {
 
     /// This figure with particles counted in whole `rings` or on a small screen.
     pub(crate) fn counted_in(mut self, rings: bool) -> Self {
-        self.0.setup.counted_for = match rings {
+        self.0.fields.setup.counted_for = match rings {
             true => CountedFor::Ring,
             false => CountedFor::Steradian,
         };
@@ -82,22 +77,17 @@ impl FoilFigure {
         view::title(&self.0)
     }
 
-    /// Whether a beam is running.
-    fn is_running(&self) -> bool {
-        self.0.is_running()
-    }
-
     /// The keys that control the figure.
     pub(crate) fn keys(&self) -> KeyTable<FoilFigureAction> {
         use FoilFigureAction::{Beam, CountFor, Offset, OtherPlot, Scale};
         let keys = KeyTable::new("foil-figure");
-        match self.0.page {
+        match self.0.fields.page {
             FoilPage::Tracks => keys
                 .by([Key::Left, Key::Right], Offset, [-1, 1], "offset")
                 .or([('<', Offset(-LEAP)), ('>', Offset(LEAP))]),
             FoilPage::Counts => {
-                let running = self.is_running();
-                let other = shown_counts(self.0.setup.counted_for.other());
+                let running = self.0.is_running();
+                let other = shown_counts(self.0.fields.setup.counted_for.other());
                 keys.on(Key::Char(' '), Beam, if running { "stop" } else { "start" })
                     .on(Key::Escape, Beam, "")
                     .when(running)
@@ -113,31 +103,24 @@ impl FoilFigure {
         match action {
             FoilFigureAction::Offset(by) => foil.step_offset(by),
             FoilFigureAction::Beam if foil.is_running() => foil.halt(true),
-            FoilFigureAction::Beam => match foil.run() {
-                Some(run) if !run.is_over() => foil.halt(false),
-                _ => foil.begin(None, SEED),
-            },
+            FoilFigureAction::Beam => foil.throw(false, SEED),
             FoilFigureAction::Scale => foil.other_scale = !foil.other_scale,
-            FoilFigureAction::CountFor => foil.setup.counted_for = foil.setup.counted_for.other(),
+            FoilFigureAction::CountFor => {
+                foil.fields.setup.counted_for = foil.fields.setup.counted_for.other();
+            }
             FoilFigureAction::OtherPlot => foil.levelled = !foil.levelled,
         }
     }
 
-    /// Handles a key; returns whether it was used.
-    fn update(&mut self, key: Key) -> bool {
-        let action = self.keys().find(key);
-        action.is_some_and(|action| {
-            self.act(action);
-            true
-        })
-    }
-
     /// Handles the mouse over the figure's picture; returns whether the mouse was used.
     pub(crate) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
-        match self.0.page {
-            FoilPage::Tracks => self.0.move_particle(mouse, area),
-            _ => mouse.kind == MouseKind::Down && self.update(Key::Char(' ')),
+        match self.0.fields.page {
+            FoilPage::Tracks => return self.0.move_particle(mouse, area),
+            _ if mouse.kind != MouseKind::Down => return false,
+            FoilPage::Counts => self.act(FoilFigureAction::Beam),
+            FoilPage::Measured => self.act(FoilFigureAction::OtherPlot),
         }
+        true
     }
 
     /// Computes the particles for the next frame.
@@ -147,7 +130,7 @@ impl FoilFigure {
 
     /// The time until the figure must next be advanced.
     pub(crate) fn wake(&self) -> Option<Duration> {
-        self.is_running().then_some(Duration::ZERO)
+        self.0.is_running().then_some(Duration::ZERO)
     }
 
     pub(crate) fn picture(&self, area: Rect, look: &Look) -> Picture {
@@ -160,11 +143,19 @@ mod tests {
     use super::super::beam_page::expected_at;
     use super::*;
 
+    fn press(figure: &mut FoilFigure, key: Key) -> bool {
+        let action = figure.keys().find(key);
+        action.map(|action| figure.act(action)).is_some()
+    }
+
     /// The curve agrees with the statements in chapter 10 and in the quiz about a small screen.
     #[test]
     fn on_a_small_screen_the_counts_decrease_as_the_texts_say() {
         let figure = FoilFigure::new(FoilPage::Counts, false, false);
-        assert_eq!(figure.0.setup.counted_for(), Some(CountedFor::Steradian));
+        assert_eq!(
+            figure.0.fields.setup.counted_for(),
+            Some(CountedFor::Steradian)
+        );
         let run = figure.0.run().unwrap();
         let at =
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
@@ -197,8 +188,8 @@ mod tests {
         assert!(pictures > 60, "{pictures}");
         let counts = |plot: &FoilFigure| plot.0.run().unwrap().counts;
         assert_eq!(counts(&watched), counts(&whole));
-        assert!(watched.update(Key::Char(' ')) && watched.wake().is_some());
-        assert!(watched.update(Key::Escape) && watched.wake().is_none());
-        assert!(!watched.update(Key::Escape));
+        assert!(press(&mut watched, Key::Char(' ')) && watched.wake().is_some());
+        assert!(press(&mut watched, Key::Escape) && watched.wake().is_none());
+        assert!(!press(&mut watched, Key::Escape));
     }
 }

@@ -224,13 +224,11 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     // The radius of an atom of any of these metals is about 0.14 nm.
     let times = rounded(140_000.0 / d);
     let times = count((times / 100.0).round() as u64 * 100);
-    panel.paragraph(
-        format!(
-            "Even head-on, the α-particle comes no nearer than d. So the charge that deflects it \
-             lies within d, and the radius of the atom is about {times} times d."
-        ),
-        Role::Text,
+    let text = format!(
+        "Even head-on, the α-particle comes no nearer than d. So the charge that deflects it lies \
+         within d, and the radius of the atom is about {times} times d."
     );
+    panel.paragraph(text, Role::Text);
 }
 
 #[cfg(test)]

@@ -16,6 +16,11 @@ impl LabSettings {
     pub(super) fn field(&self, field: CollisionField) -> Field {
         self.fields().swap_remove(field as usize)
     }
+
+    /// Whether the coin's mass must be hidden.
+    pub(super) fn hides_mass(&self) -> bool {
+        self.mystery.as_ref().is_some_and(Mystery::is_open)
+    }
 }
 
 impl FormFields for LabSettings {
@@ -28,7 +33,7 @@ impl FormFields for LabSettings {
                 field.locked = Some("Discs that stick do not slip: set the contact to slip.");
             }
         }
-        if self.mystery.as_ref().is_some_and(Mystery::is_open) {
+        if self.hides_mass() {
             fields[CollisionField::CoinMass as usize].shown = "? g".into();
             for field in Mystery::LOCKED {
                 fields[field as usize].locked = Some("A mystery coin: weigh it first.");

@@ -118,7 +118,9 @@ impl Lab {
     /// Whether the picture may be live: after enough correct predictions, and unless it would show
     /// the mass of a mystery coin or a hidden outcome.
     fn may_live(&self, cx: &Context) -> bool {
-        cx.settings.predicted >= Settings::ENOUGH_PREDICTED && !self.hides_mass() && !self.hidden
+        cx.settings.predicted >= Settings::ENOUGH_PREDICTED
+            && !self.settings.hides_mass()
+            && !self.hidden
     }
 
     /// Whether a prediction is required before the shot.
@@ -128,11 +130,6 @@ impl Lab {
 
     fn is_live(&self, cx: &Context) -> bool {
         self.live && self.may_live(cx)
-    }
-
-    /// Whether the coin's mass must be hidden.
-    fn hides_mass(&self) -> bool {
-        self.settings.mystery.as_ref().is_some_and(Mystery::is_open)
     }
 
     /// Goes from aiming to predicting, or to the shot if no prediction is required.
@@ -151,7 +148,7 @@ impl Lab {
         if said.is_some_and(|said| RaysGrade::new(&said, &truth).is_right()) {
             cx.settings.predicted = Settings::ENOUGH_PREDICTED.min(cx.settings.predicted + 1);
         }
-        if !self.hides_mass() {
+        if !self.settings.hides_mass() {
             let hit = NotedHit::new(self.settings.setup, said);
             let player = cx.settings.player.clone();
             cx.ask(StoreRequest::NoteHit(player, Box::new(hit)));
@@ -178,7 +175,7 @@ impl Lab {
 
 /// Why the picture cannot be live.
 fn not_live(settings: &LabSettings, predicted: u8) -> String {
-    if settings.mystery.as_ref().is_some_and(Mystery::is_open) {
+    if settings.hides_mass() {
         return "The live picture would show the mass of the mystery coin.".into();
     }
     format!(
@@ -197,7 +194,7 @@ impl Screen for Lab {
     }
 
     fn route(&self, _cx: &Context) -> Route {
-        match self.hides_mass() {
+        match self.settings.hides_mass() {
             true => Route::Lab,
             false => Route::LabOf {
                 setup: self.settings.setup,
@@ -211,7 +208,7 @@ impl Screen for Lab {
         let name = pieces::pieces_name(setup);
         let (m1, m2) = (setup.m1_g, setup.m2_g);
         let e = setup.restitution;
-        if self.hides_mass() {
+        if self.settings.hides_mass() {
             format!("mystery coin: {m1} g on ? g   e = {e:.2}")
         } else {
             format!("{name}: {m1} g on {m2} g   e = {e:.2}")
@@ -224,6 +221,7 @@ impl Screen for Lab {
         };
         let key = Key::Char;
         let table = KeyTable::new("lab");
+        let contact = self.settings.field(CollisionField::Contact);
         let go = if self.predicts(cx) {
             "predict"
         } else {
@@ -237,14 +235,9 @@ impl Screen for Lab {
                 .with(self.form.keys(&self.settings), LabAction::Set)
                 .on(key('s'), NextSet, "pieces")
                 .on(key('b'), Contact, "slip/stick")
-                .when(
-                    self.settings
-                        .field(CollisionField::Contact)
-                        .locked
-                        .is_none(),
-                )
+                .when(contact.locked.is_none())
                 .on(key('m'), MysteryCoin, "mystery coin")
-                .on(notebook::KEY, OpenNotebook, "notebook")
+                .on(key('n'), OpenNotebook, "notebook")
                 .when(!self.hidden)
                 .on(key('v'), Live, if self.may_live(cx) { "live" } else { "" })
                 .when(!self.hidden)
@@ -269,19 +262,15 @@ impl Screen for Lab {
             LabPhase::Watch(watch) => {
                 let weighing = watch.is_revealed() && watch.frame == Frame::Laboratory;
                 let coin = self.settings.mystery.as_ref().filter(|_| weighing);
-                let mass = coin.map(Mystery::keys);
-                let takes_digits = mass.as_ref().is_some_and(|keys| !keys.rows().is_empty());
-                let is_layer = |action| matches!(action, WatchAction::ToggleLayer(_));
-                let watching = match takes_digits {
-                    true => watch.keys().without(is_layer),
-                    false => watch.keys(),
-                };
+                let mass = coin.map_or(KeyTable::new("mystery"), Mystery::keys);
+                let weighs = !mass.rows().is_empty();
+                let is_layer = |action| weighs && matches!(action, WatchAction::ToggleLayer(_));
                 table
-                    .with(mass.unwrap_or(KeyTable::new("mystery")), LabAction::Weigh)
+                    .with(mass, LabAction::Weigh)
                     .on(key(' '), SetUp, "new shot")
                     .or([(Key::Enter, SetUp)])
                     .when(watch.clock().is_over())
-                    .with(watching, LabAction::Watch)
+                    .with(watch.keys().without(is_layer), LabAction::Watch)
                     .on(Key::Escape, SetUp, "set up")
                     .or([(key('n'), SetUp)])
                     .on(Key::Enter, LabAction::Watch(WatchAction::GoOn), "")
@@ -350,7 +339,7 @@ impl Screen for Lab {
                 return notebook.ask_to_clear();
             }
             (LabPhase::Notebook(notebook), LabAction::Notebook(action)) => {
-                if let Outcome::Done(Some(setup)) = notebook.act(action, cx) {
+                if let Some(setup) = notebook.act(action, cx) {
                     *settings = LabSettings {
                         setup,
                         mystery: None,
@@ -392,8 +381,7 @@ impl Screen for Lab {
 
     fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
         let pressed = mouse.kind == MouseKind::Down;
-        let held = pressed || mouse.kind == MouseKind::Drag;
-        if !held || !picture.contains(mouse.cell().into()) {
+        if !mouse.is_held() || !picture.contains(mouse.cell().into()) {
             return Next::Ignored;
         }
         let hit = view::hit_area(self, picture, cx);
@@ -423,7 +411,7 @@ impl Screen for Lab {
                 self.form.step_at(speed, f64::from(-by), &mut self.settings);
             }
             LabPhase::Predict(_) | LabPhase::See(..) => return Next::Ignored,
-            LabPhase::Notebook(notebook) => notebook.wheel(by),
+            LabPhase::Notebook(notebook) => notebook.choose(by.into()),
             LabPhase::Watch(watch) => watch.act(WatchAction::Step(-by)),
         }
         Next::Stay

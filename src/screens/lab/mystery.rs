@@ -2,7 +2,7 @@
 
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
-use crate::physics::{Bond, CollisionOutcome, CollisionSpec, Rims};
+use crate::physics::{Bond, CollisionSpec, Rims};
 use crate::widgets::Role;
 use crate::widgets::input::{CollisionField, EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::panel::Panel;
@@ -73,34 +73,23 @@ impl Mystery {
     }
 
     /// The instruction, or the result of the answer.
-    pub(super) fn write(
-        &self,
-        setup: &CollisionSpec,
-        outcome: &CollisionOutcome,
-        panel: &mut Panel<EntryAction>,
-    ) {
+    pub(super) fn write(&self, setup: &CollisionSpec, panel: &mut Panel<EntryAction>) {
+        let outcome = setup.collision().outcome();
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
-            panel.paragraph(
-                "You need two angles to weigh the coin: hit it off-centre.",
-                Role::Text,
-            );
-            return;
+            let text = "You need two angles to weigh the coin: hit it off-centre.";
+            return panel.paragraph(text, Role::Text);
         };
         let Some(ratio) = mass_ratio_from_angles(theta1, theta2, setup.restitution) else {
-            panel.paragraph(
-                "These angles do not give a mass: try an offset between head-on and a graze.",
-                Role::Text,
-            );
-            return;
+            let text =
+                "These angles do not give a mass: try an offset between head-on and a graze.";
+            return panel.paragraph(text, Role::Text);
         };
         match self.said_g {
             None => {
                 panel.heading("How heavy is the coin?");
-                panel.paragraph(
-                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. If the paths are more than 90° apart, the coin is \
-                     heavier than the striker; if less, lighter.",
-                    Role::Text,
-                );
+                let text = "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. If the paths are more than 90° apart, the \
+                            coin is heavier than the striker; if less, lighter.";
+                panel.paragraph(text, Role::Text);
                 panel.gap();
                 let typed = format!("{}_ g", self.entry.text());
                 panel.field("mass", typed, (Role::Text, true), None);
@@ -113,20 +102,14 @@ impl Mystery {
                 let off = (said - setup.m2_g).abs() / setup.m2_g;
                 let well = off <= NEAR;
                 panel.heading(if well { "well weighed" } else { "not quite" });
-                for (name, mass_g, role) in [
-                    ("you said", said, Role::Predicted),
-                    ("it is", setup.m2_g, Role::CoinOut),
-                ] {
-                    panel.coloured_fact(name, format!("{mass_g:.1} g"), role);
-                }
-                panel.paragraph(
-                    format!(
-                        "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. \
-                         No scale was needed, and the speed did not matter.",
-                        setup.m1_g, setup.m2_g
-                    ),
-                    Role::Text,
+                panel.coloured_fact("you said", format!("{said:.1} g"), Role::Predicted);
+                panel.coloured_fact("it is", format!("{:.1} g", setup.m2_g), Role::CoinOut);
+                let text = format!(
+                    "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. \
+                     No scale was needed, and the speed did not matter.",
+                    setup.m1_g, setup.m2_g
                 );
+                panel.paragraph(text, Role::Text);
             }
         }
     }

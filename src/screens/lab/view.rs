@@ -30,33 +30,26 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
         }
     };
     match &lab.phase {
-        LabPhase::Aim if lab.is_live(cx) => View::picture(
-            "live: follows your settings",
-            |area, buf, look| live(lab, area, buf, look, cx),
-            settings(lab, cx),
-        )
-        .dragging(DRAG),
+        LabPhase::Aim if lab.is_live(cx) => {
+            let draw = |area, buf: &mut _, look: &_| live(lab, area, buf, look, cx);
+            View::picture("live: follows your settings", draw, settings(lab, cx)).dragging(DRAG)
+        }
         LabPhase::Aim => {
             View::drawn("set up the hit", setup(None), settings(lab, cx)).dragging(DRAG)
         }
-        LabPhase::Predict(rays) => View::drawn(
-            "where will they go?",
-            setup(Some(rays)),
-            prediction(lab, rays),
-        )
-        .dragging(RayInput::DRAG),
-        LabPhase::See(sighting, _) => View::drawn(
-            sighting.title(),
-            |area| sighting.picture(area),
-            seen(sighting),
-        )
-        .dragging(sighting.drag()),
+        LabPhase::Predict(rays) => {
+            let panel = prediction(lab, rays);
+            View::drawn("where will they go?", setup(Some(rays)), panel).dragging(RayInput::DRAG)
+        }
+        LabPhase::See(sighting, _) => {
+            let picture = |area| sighting.picture(area);
+            View::drawn(sighting.title(), picture, seen(sighting)).dragging(sighting.drag())
+        }
         LabPhase::Notebook(notebook) => notebook::view(notebook, LabAction::Notebook),
-        LabPhase::Watch(watch) => View::drawn(
-            watch.slowed_title(),
-            |area| watch.picture(area),
-            shot(lab, watch),
-        ),
+        LabPhase::Watch(watch) => {
+            let picture = |area| watch.picture(area);
+            View::drawn(watch.slowed_title(), picture, shot(lab, watch))
+        }
     }
 }
 
@@ -103,6 +96,7 @@ fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
 
 /// The settings, and the quantities that follow from them.
 fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
+    use LabAction::{Go, Live, Predict};
     let mut panel = Panel::new("settings");
     panel.part(LabAction::Set, |panel| {
         lab.form.write(&lab.settings, panel);
@@ -115,26 +109,19 @@ fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     panel.worth(1, Panel::gap);
     panel.worth(2, |panel| lab.form.write_about(&lab.settings, panel));
     panel.worth(3, Panel::gap);
-    let set = LabAction::Set(SettingsForm::SET);
     let next = if lab.form.is_typing() {
-        vec![("set it", set)]
+        vec![("set it", LabAction::Set(SettingsForm::SET))]
     } else if live {
-        vec![("watch it", LabAction::Go), ("live off", LabAction::Live)]
+        vec![("watch it", Go), ("live off", Live)]
     } else if lab.hidden {
         panel.paragraph(HIDDEN, Role::Text);
-        vec![("now predict both paths", LabAction::Go)]
+        vec![("now predict both paths", Go)]
     } else if !cx.settings.predict {
-        vec![
-            ("shoot", LabAction::Go),
-            ("predict first", LabAction::Predict),
-        ]
+        vec![("shoot", Go), ("predict first", Predict)]
     } else if lab.may_live(cx) {
-        vec![
-            ("predict both paths", LabAction::Go),
-            ("live", LabAction::Live),
-        ]
+        vec![("predict both paths", Go), ("live", Live)]
     } else {
-        vec![("now predict both paths", LabAction::Go)]
+        vec![("now predict both paths", Go)]
     };
     panel.prompts(next);
     panel
@@ -159,20 +146,13 @@ fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
 fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     let mut panel = Panel::new("predict it");
     given(lab, &mut panel);
-    for (field, name) in [
-        (CollisionField::StrikerMass, "striker"),
-        (CollisionField::CoinMass, "coin"),
-    ] {
-        panel.fact(name, lab.settings.field(field).shown);
-    }
+    let shown = |field| lab.settings.field(field).shown;
+    panel.fact("striker", shown(CollisionField::StrikerMass));
+    panel.fact("coin", shown(CollisionField::CoinMass));
     panel.gap();
     panel.heading("Where will they go?");
-    panel.part(LabAction::Say, |panel| rays.write(panel, "coin"));
-    panel.gap();
-    panel.paragraph(rays.about("coin"), Role::Text);
-    panel.gap();
     panel.part(LabAction::Say, |panel| {
-        rays.write_prompt(panel, "coin", "shoot!");
+        rays.write_all(panel, "coin", "shoot!");
     });
     panel
 }
@@ -207,7 +187,7 @@ fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
         answers(watch, &mut panel);
         panel.gap();
         panel.part(LabAction::Weigh, |panel| {
-            coin.write(&lab.settings.setup, watch.outcome(), panel);
+            coin.write(&lab.settings.setup, panel);
         });
         return panel;
     }
@@ -245,10 +225,8 @@ fn answers<A>(watch: &Watch, panel: &mut Panel<A>) {
         }
         None if sticks => panel.coloured_fact("direction of V", shown(truth[0]), Role::StrikerOut),
         None => {
-            for (i, name) in ["striker θ₁", "coin θ₂"].into_iter().enumerate() {
-                let role = [Role::StrikerOut, Role::CoinOut][i];
-                panel.coloured_fact(name, shown(truth[i]), role);
-            }
+            panel.coloured_fact("striker θ₁", shown(truth[0]), Role::StrikerOut);
+            panel.coloured_fact("coin θ₂", shown(truth[1]), Role::CoinOut);
         }
     }
     separation(watch.collision(), panel);

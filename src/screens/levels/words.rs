@@ -3,6 +3,7 @@
 use crate::levels::{Dial, DiscKind, MOST_STARS, Scene};
 use crate::widgets::Role;
 use crate::widgets::hit::Face;
+use crate::widgets::replay::ShotImpact;
 
 /// Stars as a row of marks, full ones first.
 pub(super) fn stars(count: u8) -> String {
@@ -21,6 +22,11 @@ pub(super) fn face(kind: DiscKind) -> Face {
         DiscKind::Marble => (Role::Marble, 'M'),
     };
     Face { role, letter }
+}
+
+/// How the two discs of an impact are drawn.
+pub(super) fn faces(scene: &Scene, impact: &ShotImpact) -> [Face; 2] {
+    impact.discs.map(|disc| face_of(scene, disc))
 }
 
 /// How a disc of a scene is drawn.

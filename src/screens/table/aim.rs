@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use crate::game::{BaseLines, Game, Rules, Seat, Strike};
-use crate::physics::Board;
 use crate::physics::angle::heading;
+use crate::physics::{Board, Motion};
 
 /// The speeds of the slowest and the fastest stroke, in m/s.
 pub(super) const SPEEDS: (f64, f64) = (0.2, 6.0);
@@ -55,11 +55,7 @@ impl Aim {
 
     /// This aim as a stroke of the player at `seat`.
     pub(super) fn strike(&self, seat: Seat) -> Strike {
-        Strike {
-            place: self.place,
-            velocity: self.speed * self.heading(seat),
-            call: None,
-        }
+        Motion::new(self.place, self.speed * self.heading(seat)).into()
     }
 
     /// The direction on the board, a unit vector.

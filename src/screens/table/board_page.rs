@@ -17,7 +17,7 @@ use crate::widgets::{NumberEntry, Outcome, Role};
 /// The number of earlier results that are listed.
 const LISTED: usize = 7;
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct BoardPage {
     /// The code of the board that is shown; `None` until today's date is known.
     pub(super) code: Option<BoardCode>,
@@ -51,18 +51,11 @@ impl BoardPage {
     pub(super) fn ask(code: Option<BoardCode>, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::Today);
         cx.ask(StoreRequest::List);
-        let mut page = Self {
-            code: None,
-            par: None,
-            today: None,
-            entry: NumberEntry::default(),
-            results: Results::default(),
-            notice: None,
-        };
-        if let Some(code) = code {
-            page.show(code);
+        Self {
+            code,
+            par: code.and_then(par),
+            ..Self::default()
         }
-        page
     }
 
     fn show(&mut self, code: BoardCode) {
@@ -164,13 +157,10 @@ impl BoardPage {
             let text = format!("Pocket the six coins in as few strokes as you can. {same}");
             panel.paragraph(text, Role::Text);
             panel.gap();
-            let par = self
-                .par
-                .map_or("unknown".into(), |par| counted(par, "stroke"));
-            panel.fact("par", par);
+            let strokes = |count| counted(count, "stroke");
+            panel.fact("par", self.par.map_or("unknown".into(), strokes));
             let best = self.results.fewest(code);
-            let best = best.map_or("not cleared yet".into(), |best| counted(best, "stroke"));
-            panel.fact("your best", best);
+            panel.fact("your best", best.map_or("not cleared yet".into(), strokes));
             panel.gap();
         }
         if let Some(typed) = self.entry.shown() {
@@ -183,9 +173,7 @@ impl BoardPage {
             }
             panel.prompt("the rules", BoardAction::Rules);
         }
-        if let Some(notice) = &self.notice {
-            panel.paragraph(notice, Role::Warn);
-        }
+        panel.warning(self.notice.as_deref());
         panel.paragraph("Type a number for another board.", Role::Dim);
         if let Some(code) = self.code {
             panel.gap();

@@ -6,7 +6,6 @@ use super::preview::Preview;
 use crate::game::opponent::Decision;
 use crate::game::{Game, Strike};
 use crate::numbers::fixed;
-use crate::physics::Motion;
 
 /// The smallest error of the hand that is reported, in degrees.
 const SMALLEST_SLIP_DEG: f64 = 0.05;
@@ -26,7 +25,7 @@ pub(super) struct ComputerStroke {
 impl ComputerStroke {
     /// The stroke in `decision`, for the seat whose turn it is in `game`.
     pub(super) fn new(decision: Decision, game: &Game) -> Self {
-        let meant = strike(decision.meant);
+        let meant = Strike::from(decision.meant);
         Self {
             aim: Aim::of(&meant, game.seat()),
             preview: Preview::of(&meant, game),
@@ -38,7 +37,7 @@ impl ComputerStroke {
     /// The stroke with the error of the hand, then the intended stroke, in case the first cannot be
     /// played.
     pub(super) fn strikes(&self) -> [Strike; 2] {
-        [self.decision.struck(), self.decision.meant].map(strike)
+        [self.decision.struck(), self.decision.meant].map(Strike::from)
     }
 
     /// The error of the direction, as shown; `None` if it is too small to report.
@@ -46,14 +45,5 @@ impl ComputerStroke {
         let degrees = self.decision.slip.turn.atan().abs().to_degrees();
         let words = || format!("{}° off", fixed(degrees, 1));
         (degrees >= SMALLEST_SLIP_DEG).then(words)
-    }
-}
-
-/// A motion of the striker as a stroke.
-pub(super) fn strike(motion: Motion) -> Strike {
-    Strike {
-        place: motion.position,
-        velocity: motion.velocity,
-        call: None,
     }
 }

@@ -1,7 +1,7 @@
 //! How long a game will probably last.
 
-use super::options::{Options, Player};
-use crate::game::{Length, Rules};
+use super::options::Options;
+use crate::game::{Length, Player, Rules};
 
 /// The mean number of strokes in a board between two computers of the same strength, from the
 /// weakest to the strongest: `cargo bench --bench strength -- 100 lengths`.
@@ -26,9 +26,12 @@ impl Options {
     /// takes part.
     pub(super) fn minutes(&self) -> Option<u32> {
         let computer = { self.seats() }.find(|seat| self.player(*seat) == Player::Computer);
-        let strength = computer.map_or_else(Default::default, |seat| self.strength(seat)) as usize;
-        let (_, strokes) = STROKES.iter().find(|(rules, _)| *rules == self.rules)?;
-        let boards = match (self.rules, self.length) {
+        let strength = computer.map(|seat| self.company.strengths[seat as usize]);
+        let strength = strength.unwrap_or_default() as usize;
+        let (_, strokes) = STROKES
+            .iter()
+            .find(|(rules, _)| *rules == self.setup.rules)?;
+        let boards = match (self.setup.rules, self.setup.length) {
             (Rules::Tournament, Length::Game) => BOARDS[strength],
             (Rules::Tournament, Length::Match) => BOARDS[strength] * GAMES,
             _ => 1.0,

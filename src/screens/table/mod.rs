@@ -25,13 +25,15 @@ use crate::game::{BoardCode, Rules};
 use crate::messages::{Input, Key, Mouse};
 use crate::numbers::fixed;
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
-use active_game::{
-    ActiveGame, AimAction, ArrangeAction, GameAction, OverAction, Playing, ShowAction, StrokeAction,
-};
+use crate::widgets::panel::Panel;
+use active_game::{ActiveGame, AimAction, ArrangeAction, GameAction, Playing, StrokeAction};
 use board_page::{BoardAction, BoardPage};
 use new_game::{NewGame, NewGameAction};
-pub use options::{Aids, Options, Player};
+pub use options::Options;
 use saved_games::{SavedGames, SavedGamesAction};
+
+/// A panel of the table.
+type TablePanel = Panel<TableAction>;
 
 /// The table.
 #[derive(Debug, Clone)]
@@ -47,7 +49,7 @@ enum TablePage {
     /// A board for one player, before it is played.
     Board(Box<BoardPage>),
     /// Choosing a saved game.
-    SavedGames(Box<SavedGames>),
+    Saved(Box<SavedGames>),
     Playing(Box<Playing>),
 }
 
@@ -60,27 +62,23 @@ pub enum TableAction {
     Board(BoardAction),
     /// On the page of saved games.
     Saved(SavedGamesAction),
-    /// In any phase of a game.
+    /// In several phases of a game.
     Game(GameAction),
     /// While aiming.
     Aim(AimAction),
-    /// While the computer's aim is being shown.
-    Show(ShowAction),
     /// While the player is making a call.
     Call(RayAction),
     /// While a stroke is being watched.
     Watch(StrokeAction),
     /// While coins are being arranged.
     Arrange(ArrangeAction),
-    /// At the end of a board.
-    Over(OverAction),
 }
 
 impl Table {
-    /// Opens the page of a new game, and requests the player's last game.
-    pub(crate) fn ask(cx: &mut Context) -> Self {
+    /// Opens the page of a new game, with the given options or with those of the player's last game.
+    pub(crate) fn new_game(options: Option<Options>, cx: &mut Context) -> Self {
         Self {
-            page: TablePage::NewGame(Box::new(NewGame::ask(None, cx))),
+            page: TablePage::NewGame(Box::new(NewGame::ask(options, cx))),
         }
     }
 
@@ -91,6 +89,14 @@ impl Table {
         }
     }
 
+    /// Opens the page on which another game like this one can be started.
+    fn after(game: &ActiveGame, cx: &mut Context) -> Self {
+        match game.game().setup().board_code() {
+            Some(code) => Self::board(Some(code), cx),
+            None => Self::new_game(Some(game.options.clone()), cx),
+        }
+    }
+
     /// A table at which a game with these options begins at once; `seed` determines its opening
     /// packs.
     pub fn playing(options: Options, seed: u64) -> Self {
@@ -98,19 +104,6 @@ impl Table {
         Self {
             page: TablePage::Playing(Box::new(game)),
         }
-    }
-}
-
-/// The page of a new game, with the options of the last game.
-fn agreeing(options: Options, cx: &mut Context) -> TablePage {
-    TablePage::NewGame(Box::new(NewGame::ask(Some(options), cx)))
-}
-
-/// The page on which another game like this one can be started.
-fn after(game: &ActiveGame, cx: &mut Context) -> TablePage {
-    match game.game().setup().board_code() {
-        Some(code) => TablePage::Board(Box::new(BoardPage::ask(Some(code), cx))),
-        None => agreeing(game.options.clone(), cx),
     }
 }
 
@@ -127,19 +120,19 @@ impl Screen for Table {
         let code = match &self.page {
             TablePage::Board(page) => return Route::Board { code: page.code },
             TablePage::Playing(playing) => playing.game.game().setup().board_code(),
-            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
+            TablePage::NewGame(_) | TablePage::Saved(_) => None,
         };
         code.map_or(Route::Table, |code| Route::Board { code: Some(code) })
     }
 
     fn status(&self, _cx: &Context) -> String {
-        let options = match &self.page {
-            TablePage::NewGame(page) => &page.options,
-            TablePage::Board(_) | TablePage::SavedGames(_) => return String::new(),
-            TablePage::Playing(playing) => &playing.game.options,
+        let setup = match &self.page {
+            TablePage::NewGame(page) => &page.options.setup,
+            TablePage::Board(_) | TablePage::Saved(_) => return String::new(),
+            TablePage::Playing(playing) => &playing.game.options.setup,
         };
-        let rules = <&str>::from(options.rules);
-        let (masses, e) = (words::masses(options.set), fixed(options.restitution, 2));
+        let rules = <&str>::from(setup.rules);
+        let (masses, e) = (words::masses(setup.set), fixed(setup.restitution, 2));
         format!("{rules}   {masses}   e = {e}")
     }
 
@@ -147,17 +140,17 @@ impl Screen for Table {
         match &self.page {
             TablePage::NewGame(page) => page.keys().map(TableAction::NewGame),
             TablePage::Board(page) => page.keys().map(TableAction::Board),
-            TablePage::SavedGames(page) => page.keys().map(TableAction::Saved),
+            TablePage::Saved(page) => page.keys().map(TableAction::Saved),
             TablePage::Playing(playing) => playing.keys(),
         }
     }
 
     fn rules(&self) -> Option<Rules> {
         match &self.page {
-            TablePage::NewGame(page) => Some(page.options.rules),
+            TablePage::NewGame(page) => Some(page.options.setup.rules),
             TablePage::Board(_) => Some(Rules::Solo),
-            TablePage::SavedGames(_) => None,
-            TablePage::Playing(playing) => Some(playing.game.options.rules),
+            TablePage::Saved(_) => None,
+            TablePage::Playing(playing) => Some(playing.game.options.setup.rules),
         }
     }
 
@@ -179,11 +172,11 @@ impl Screen for Table {
                 }
                 NewGameAction::SavedGames => {
                     let saved = SavedGames::ask(page.options.clone(), cx);
-                    self.page = TablePage::SavedGames(Box::new(saved));
+                    self.page = TablePage::Saved(Box::new(saved));
                 }
                 NewGameAction::Board => return Next::Open(Route::Board { code: None }),
                 NewGameAction::Rules => {
-                    let rules = page.options.rules;
+                    let rules = page.options.setup.rules;
                     return Next::Open(Route::Rules { rules });
                 }
                 NewGameAction::Back => return Next::Back,
@@ -200,14 +193,12 @@ impl Screen for Table {
                 (BoardAction::Back, _) => return Next::Back,
                 (action, _) => page.act(action),
             },
-            (TablePage::SavedGames(page), TableAction::Saved(SavedGamesAction::Back)) => {
-                self.page = agreeing(page.options.clone(), cx);
-            }
-            (TablePage::SavedGames(page), TableAction::Saved(action)) => {
-                return page.act(action, cx);
-            }
+            (TablePage::Saved(page), TableAction::Saved(action)) => match page.act(action, cx) {
+                Next::Back => *self = Self::new_game(Some(page.options.clone()), cx),
+                next => return next,
+            },
             (TablePage::Playing(playing), action) => match playing.act(action, cx) {
-                Next::Back => self.page = after(&playing.game, cx),
+                Next::Back => *self = Self::after(&playing.game, cx),
                 next => return next,
             },
             _ => {}
@@ -218,8 +209,8 @@ impl Screen for Table {
     fn confirmed(&mut self, _action: TableAction, cx: &mut Context) -> Next {
         match &mut self.page {
             TablePage::NewGame(_) | TablePage::Board(_) => {}
-            TablePage::SavedGames(page) => page.files.remove(cx),
-            TablePage::Playing(playing) => self.page = after(&playing.game, cx),
+            TablePage::Saved(page) => page.files.remove(cx),
+            TablePage::Playing(playing) => *self = Self::after(&playing.game, cx),
         }
         Next::Stay
     }
@@ -228,7 +219,7 @@ impl Screen for Table {
         match &self.page {
             TablePage::NewGame(page) => page.view(),
             TablePage::Board(page) => page.view(),
-            TablePage::SavedGames(page) => page.view(),
+            TablePage::Saved(page) => page.view(),
             TablePage::Playing(playing) => playing.view(cx.settings.charset),
         }
     }
@@ -255,7 +246,7 @@ impl Screen for Table {
             TablePage::Board(_) => {
                 self.act(TableAction::Board(BoardAction::Neighbour(by.signum())), cx)
             }
-            TablePage::SavedGames(page) => page.files.wheel(by, cx),
+            TablePage::Saved(page) => page.files.wheel(by, cx),
             TablePage::Playing(playing) => playing.wheel(by, cx),
         }
     }
@@ -271,7 +262,7 @@ impl Screen for Table {
         match &mut self.page {
             TablePage::NewGame(page) => page.take_answer(answer, cx),
             TablePage::Board(page) => page.take_answer(answer, cx),
-            TablePage::SavedGames(page) => {
+            TablePage::Saved(page) => {
                 if let Some(playing) = page.take_answer(answer, cx) {
                     self.page = TablePage::Playing(playing);
                 }

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::options::{Options, Player};
+use super::options::Options;
 use super::{TableAction, picture, words};
 use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::pack::pack;
-use crate::game::{Hands, Length, PieceSet, Results, Rules, Seat, SeatNames, Team};
+use crate::game::{Hands, Length, PieceSet, Player, Results, Rules, Seat, SeatNames, Team};
 use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{counted, fixed};
 use crate::screens::{Context, View};
@@ -83,24 +83,22 @@ impl NewGame {
             return;
         }
         let player = &cx.settings.player;
-        let games = || games.iter().filter_map(|kept| kept.content.as_deref().ok());
-        self.results = Results::of(player, games());
-        let names = games().find(|(saved, _)| {
-            saved.player == *player && saved.company.names != SeatNames::default()
-        });
+        let games = games.iter().filter_map(|kept| kept.content.as_deref().ok());
+        let own = || games.clone().filter(|(saved, _)| saved.player == *player);
+        self.results = Results::of(player, own());
+        let last = own().find(|(saved, _)| saved.record.setup().rules != Rules::Solo);
         // Options that the player has already changed are kept.
-        if self.is_fresh
+        if let Some((last, _)) = last
+            && self.is_fresh
             && self.options == Options::default()
-            && let Some((last, _)) = games().find(|(saved, _)| {
-                saved.player == *player && saved.record.setup().rules != Rules::Solo
-            })
         {
             self.options = Options::of(last);
         }
-        if let Some((saved, _)) = names
-            && self.options.names == SeatNames::default()
+        let (none, names) = (SeatNames::default(), &mut self.options.company.names);
+        if *names == none
+            && let Some((named, _)) = own().find(|(saved, _)| saved.company.names != none)
         {
-            self.options.names = saved.company.names.clone();
+            *names = named.company.names.clone();
         }
         self.is_fresh = false;
     }
@@ -112,12 +110,8 @@ impl NewGame {
         }
         panel.gap();
         for hand in PlayerHand::ALL {
-            let mut rows = self
-                .results
-                .rows
-                .iter()
-                .filter(|row| row.hand == hand)
-                .peekable();
+            let rows = self.results.rows.iter();
+            let mut rows = rows.filter(|row| row.hand == hand).peekable();
             if rows.peek().is_some() {
                 let title = match hand {
                     PlayerHand::Exact => "your boards",
@@ -156,7 +150,7 @@ impl NewGame {
     /// The chosen options, if a game can begin with them.
     pub(super) fn chosen(&mut self) -> Option<Options> {
         self.form.commit(&mut self.options);
-        self.options.names = self.options.names.tidied();
+        self.options.company.names = self.options.company.names.tidied();
         let [first, second] = Team::BOTH.map(|team| self.options.team_name(team));
         if self.options.has_names() && first.to_lowercase() == second.to_lowercase() {
             self.trouble = Some(format!("Both players are called {first}."));
@@ -193,9 +187,7 @@ impl NewGame {
         });
         self.write_results(&mut panel);
         panel.pin_below();
-        if let Some(trouble) = &self.trouble {
-            panel.paragraph(trouble, Role::Warn);
-        }
+        panel.warning(self.trouble.as_deref());
         panel.part(TableAction::NewGame, |panel| {
             if self.form.is_at_text(&self.options) {
                 return panel.prompt("next", NewGameAction::Agree(FormAction::Next));
@@ -212,9 +204,21 @@ impl NewGame {
                 ("saved games", NewGameAction::SavedGames),
             ]);
         });
-        let set = self.options.set;
+        let set = self.options.setup.set;
         let board = move |area| picture::of_pack(&pack(set, Seat::South), set, area);
         View::drawn("the pack", board, panel).square()
+    }
+}
+
+impl Options {
+    /// A choice that changes these options.
+    fn choice(
+        &self,
+        shown: impl Into<String>,
+        about: impl Into<Cow<'static, str>>,
+        change: impl FnOnce(&mut Self),
+    ) -> Choice {
+        (self.clone().with(change), shown.into(), about.into())
     }
 }
 
@@ -240,19 +244,10 @@ fn rows(now: &Options) -> Vec<OptionRow> {
             "No turns, no penalties: place the striker and coins anywhere; take back any stroke.",
         ),
     ];
-    let rules = rules.map(|(rules, about)| {
-        let shown = <&str>::from(rules).to_owned();
-        (
-            Options {
-                rules,
-                ..now.clone()
-            },
-            shown,
-            about.into(),
-        )
-    });
+    let rules = rules
+        .map(|(rules, about)| now.choice(<&str>::from(rules), about, |it| it.setup.rules = rules));
     let mut rows = vec![Choice("rules", rules.into())];
-    if now.rules != Rules::Practice {
+    if now.setup.rules != Rules::Practice {
         let hands = [
             (Hands::Two, "two", "South against North."),
             (
@@ -261,13 +256,8 @@ fn rows(now: &Options) -> Vec<OptionRow> {
                 "Partners sit opposite each other: South and North against East and West.",
             ),
         ];
-        let hands = hands.map(|(hands, shown, about)| {
-            let options = Options {
-                hands,
-                ..now.clone()
-            };
-            (options, shown.into(), about.into())
-        });
+        let hands = hands
+            .map(|(hands, shown, about)| now.choice(shown, about, |it| it.setup.hands = hands));
         rows.push(Choice("hands", hands.into()));
         rows.extend({ now.seats() }.map(|seat| Choice(seat.into(), players(seat, now))));
         rows.extend(now.seats().filter(|_| now.has_names()).map(Name));
@@ -290,18 +280,12 @@ fn rows(now: &Options) -> Vec<OptionRow> {
             "Striker and coins have equal masses, so the paths are 90° apart if e = 1.",
         ),
     ];
-    let sets = sets.map(|(set, about)| {
-        let options = Options { set, ..now.clone() };
-        (options, words::masses(set).into(), about.into())
-    });
+    let sets =
+        sets.map(|(set, about)| now.choice(words::masses(set), about, |it| it.setup.set = set));
     rows.push(Choice("pieces", sets.into()));
     rows.push(Restitution);
     rows.extend(SWITCHES.map(|(name, switch, about)| {
-        let choice = |(on, shown): (bool, &str)| {
-            let mut options = now.clone();
-            *switch(&mut options) = on;
-            (options, shown.to_owned(), about.into())
-        };
+        let choice = |(on, shown)| now.choice(shown, about, |it| *switch(it) = on);
         Choice(name, [(false, "off"), (true, "on")].map(choice).into())
     }));
     rows
@@ -310,7 +294,7 @@ fn rows(now: &Options) -> Vec<OptionRow> {
 /// The players that can be chosen for a seat.
 fn players(seat: Seat, now: &Options) -> Vec<Choice> {
     let mut person = now.clone();
-    person.set_player(seat, Player::Person);
+    person.company.players[seat as usize] = Player::Person;
     let shown = match person.count(Player::Person) {
         1 => "you",
         _ => "a person",
@@ -318,23 +302,22 @@ fn players(seat: Seat, now: &Options) -> Vec<Choice> {
     let about = "A person at this keyboard, or the computer at one of five strengths.";
     let mut choices = vec![(person, shown.to_owned(), about.into())];
     choices.extend(Strength::ALL.map(|strength| {
-        let mut options = now.clone();
-        options.set_player(seat, Player::Computer);
-        options.strengths[seat as usize] = strength;
         let about = "The stronger the computer, the farther it looks ahead and the steadier its \
                      hand. It always explains its stroke.";
-        (options, format!("computer, {strength}"), about.into())
+        now.choice(format!("computer, {strength}"), about, |options| {
+            options.company.players[seat as usize] = Player::Computer;
+            options.company.strengths[seat as usize] = strength;
+        })
     }));
     choices
 }
 
 /// The choice of hands with this steadiness for the people who play, with the size of the errors.
 fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
-    let about = match hand.errors() {
+    let about: Cow<'static, str> = match hand.errors() {
         None => "Every stroke is played exactly as you aim it.".into(),
         Some(errors) => {
-            let degrees = fixed(errors.direction.atan().to_degrees(), 1);
-            let percent = fixed(100.0 * errors.speed, 0);
+            let [degrees, percent] = errors.in_figures();
             let whose = match hand {
                 PlayerHand::Club => "a club player",
                 _ => "an expert",
@@ -342,44 +325,30 @@ fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
             format!("Like {whose}'s: within {degrees}° and {percent} % in 2 of 3 strokes.").into()
         }
     };
-    let shown = <&str>::from(hand).to_owned();
-    (
-        Options {
-            hand,
-            ..now.clone()
-        },
-        shown,
-        about,
-    )
+    now.choice(<&str>::from(hand), about, |it| it.company.hand = hand)
 }
 
 /// The lengths of a game, with an estimate in minutes. Only tournament rules count games of several
 /// boards.
 fn lengths(now: &Options) -> Vec<Choice> {
     let lengths = [Length::Board, Length::Game, Length::Match].into_iter();
-    let offered = lengths.filter(|it| now.rules == Rules::Tournament || *it != Length::Game);
+    let offered = lengths.filter(|it| now.setup.rules == Rules::Tournament || *it != Length::Game);
     let choice = |length| {
-        let options = Options {
-            length,
-            ..now.clone()
-        };
-        let (name, last) = match (length, now.rules) {
+        let options = now.clone().with(|it| it.setup.length = length);
+        let (name, last) = match (length, now.setup.rules) {
             (Length::Board, _) => ("one board", "One board."),
             (Length::Game, _) => ("one game", "A game to 25 points or eight boards."),
             (Length::Match, Rules::Tournament) => ("match", "The best of three games."),
             (Length::Match, _) => ("open", "One board after another, until you stop."),
         };
         let minutes = options.minutes().unwrap_or(0);
-        let each = match (length, now.rules) {
+        let each = match (length, now.setup.rules) {
             (Length::Match, Rules::Friendly | Rules::Points) => " a board",
             _ => "",
         };
         let about = format!("{last} About {minutes} min{each} between equals, at 15 s a stroke.");
-        (
-            options,
-            format!("{name}, about {minutes} min{each}"),
-            about.into(),
-        )
+        let shown = format!("{name}, about {minutes} min{each}");
+        (options, shown, about.into())
     };
     offered.map(choice).collect()
 }
@@ -390,23 +359,23 @@ type Switch = (&'static str, fn(&mut Options) -> &mut bool, &'static str);
 const SWITCHES: [Switch; 4] = [
     (
         "call it",
-        |options| &mut options.call,
+        |options| &mut options.company.call,
         "Before each stroke, predict both directions after the first collision. Good calls earn \
          separate points.",
     ),
     (
         "aim line",
-        |options| &mut options.aids.line,
+        |options| &mut options.company.aids.line,
         "The striker's path to the first coin it meets.",
     ),
     (
         "ghost",
-        |options| &mut options.aids.ghost,
+        |options| &mut options.company.aids.ghost,
         "The striker's position at contact.",
     ),
     (
         "departures",
-        |options| &mut options.aids.rays,
+        |options| &mut options.company.aids.rays,
         "Both paths after the first collision. They are hidden while you call.",
     ),
 ];
@@ -423,14 +392,14 @@ impl FormFields for Options {
             }
             OptionRow::Name(seat) => Field::new(
                 format!("{}'s name", <&str>::from(seat)),
-                self.names.of(seat).to_owned(),
+                self.company.names.of(seat).to_owned(),
                 FieldValue::Text(SeatNames::LONGEST),
                 "Type a name, or leave it empty. The score and the saved game show it.",
             ),
             OptionRow::Restitution => Field::new(
                 "restitution e",
-                fixed(self.restitution, 2),
-                FieldValue::number(self.restitution, (0.0, 1.0), 0.05, ""),
+                fixed(self.setup.restitution, 2),
+                FieldValue::number(self.setup.restitution, (0.0, 1.0), 0.05, ""),
                 "At e = 1 two discs lose no kinetic energy; real discs lose some. At a cushion e is \
                  always 0.8.",
             ),
@@ -440,7 +409,9 @@ impl FormFields for Options {
 
     fn set(&mut self, at: usize, value: f64) {
         match rows(self).into_iter().nth(at) {
-            Some(OptionRow::Restitution) => self.restitution = value.clamp(0.0, 1.0) + 0.0,
+            Some(OptionRow::Restitution) => {
+                self.setup.restitution = value.clamp(0.0, 1.0) + 0.0;
+            }
             Some(OptionRow::Choice(_, choices)) => {
                 if let Some((options, ..)) = choices.into_iter().nth(value as usize) {
                     *self = options;
@@ -452,7 +423,7 @@ impl FormFields for Options {
 
     fn set_text(&mut self, at: usize, text: &str) {
         if let Some(OptionRow::Name(seat)) = rows(self).into_iter().nth(at) {
-            self.names.set(seat, text);
+            self.company.names.set(seat, text);
         }
     }
 }

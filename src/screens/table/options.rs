@@ -1,40 +1,19 @@
 //! The options of a game, chosen before the first break.
 
 use super::words;
-use crate::game::opponent::{PlayerHand, Strength};
-pub use crate::game::{Aids, Player};
 use crate::game::{
-    Company, Game, GameSetup, GameStage, Hands, Length, PieceSet, Rules, SavedGame, Seat,
-    SeatNames, Team,
+    Company, Game, GameSetup, GameStage, Hands, Length, Player, Rules, SavedGame, Seat, SeatNames,
+    Team,
 };
 use crate::numbers::capital;
 
 /// Everything that can be chosen for a game.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// The rules.
-    pub rules: Rules,
-    /// How long the game lasts.
-    pub length: Length,
-    /// Singles or doubles.
-    pub hands: Hands,
-    /// The player at each seat, in the order of [`Seat::ALL`]; in singles only South and North are
-    /// used.
-    pub players: [Player; 4],
-    /// The strength of the computer at each seat, in the same order.
-    pub strengths: [Strength; 4],
-    /// The names of two people who share the keyboard.
-    pub names: SeatNames,
-    /// The set of pieces.
-    pub set: PieceSet,
-    /// Coefficient of restitution of two discs.
-    pub restitution: f64,
-    /// How steady the people's hands are.
-    pub hand: PlayerHand,
-    /// Whether the players call the first impact before each stroke.
-    pub call: bool,
-    /// The aids that are shown while aiming.
-    pub aids: Aids,
+    /// The rules, the length and the pieces; South breaks first, and the packs have no seed yet.
+    pub setup: GameSetup,
+    /// The players and their aids. In singles only South and North are used.
+    pub company: Company,
 }
 
 impl Default for Options {
@@ -42,17 +21,14 @@ impl Default for Options {
     fn default() -> Self {
         use Player::{Computer, Person};
         Self {
-            rules: Rules::default(),
-            length: Length::Board,
-            hands: Hands::default(),
-            players: [Person, Computer, Computer, Computer],
-            strengths: [Strength::default(); 4],
-            names: SeatNames::default(),
-            set: PieceSet::default(),
-            restitution: GameSetup::default().restitution,
-            hand: PlayerHand::default(),
-            call: false,
-            aids: Aids::default(),
+            setup: GameSetup {
+                length: Length::Board,
+                ..GameSetup::default()
+            },
+            company: Company {
+                players: [Person, Computer, Computer, Computer],
+                ..Company::default()
+            },
         }
     }
 }
@@ -60,80 +36,61 @@ impl Default for Options {
 impl Options {
     /// The options of a board for one player.
     pub(super) fn solo() -> Self {
-        Self {
-            rules: Rules::Solo,
-            ..Self::default()
-        }
+        Self::default().with(|options| options.setup.rules = Rules::Solo)
     }
 
     /// Singles of two people, without the computer.
     pub fn two_people() -> Self {
         Self {
-            players: [Player::Person; 4],
+            company: Company::default(),
             ..Self::default()
         }
     }
 
+    /// These options after a change.
+    #[must_use]
+    pub fn with(mut self, change: impl FnOnce(&mut Self)) -> Self {
+        change(&mut self);
+        self
+    }
+
     /// The setup of a game with these options; `seed` determines its opening packs.
-    pub fn setup(&self, seed: u64) -> GameSetup {
-        GameSetup {
-            rules: self.rules,
-            hands: match self.rules {
-                Rules::Practice | Rules::Solo => Hands::Two,
-                _ => self.hands,
-            },
-            length: self.length,
-            set: self.set,
-            restitution: self.restitution,
-            first_breaker: Seat::South,
-            seed: Some(seed),
+    pub fn seeded(&self, seed: u64) -> GameSetup {
+        let mut setup = self.setup;
+        setup.seed = Some(seed);
+        if setup.rules.is_alone() {
+            setup.hands = Hands::Two;
         }
+        setup
     }
 
     /// The options of a saved game.
     pub fn of(saved: &SavedGame) -> Self {
-        let (setup, company) = (saved.record.setup(), &saved.company);
         Self {
-            rules: setup.rules,
-            length: setup.length,
-            hands: setup.hands,
-            players: company.players,
-            strengths: company.strengths,
-            names: company.names.clone(),
-            set: setup.set,
-            restitution: setup.restitution,
-            hand: company.hand,
-            call: company.call,
-            aids: company.aids,
+            setup: GameSetup {
+                first_breaker: Seat::South,
+                seed: None,
+                ..*saved.record.setup()
+            },
+            company: saved.company.clone(),
         }
     }
 
-    /// The options that a saved game contains in addition to its setup.
-    pub fn company(&self) -> Company {
-        Company {
-            players: self.players,
-            strengths: self.strengths,
-            names: match self.has_names() {
-                true => self.names.clone(),
-                false => SeatNames::default(),
-            },
-            hand: self.hand,
-            call: self.call,
-            aids: self.aids,
+    /// The players as a saved game contains them: with names only if they may have names.
+    pub fn saved_company(&self) -> Company {
+        let mut company = self.company.clone();
+        if !self.has_names() {
+            company.names = SeatNames::default();
         }
+        company
     }
 
     /// The player at a seat; always a person if there is only one player.
     pub fn player(&self, seat: Seat) -> Player {
-        match self.rules {
+        match self.setup.rules {
             Rules::Practice | Rules::Solo => Player::Person,
-            _ => self.players[seat as usize],
+            _ => self.company.players[seat as usize],
         }
-    }
-
-    /// The strength of the computer at a seat.
-    pub fn strength(&self, seat: Seat) -> Strength {
-        self.strengths[seat as usize]
     }
 
     /// The team whose human players call the strokes from a seat: their own strokes, and those of a
@@ -150,38 +107,35 @@ impl Options {
         }
     }
 
-    /// Sets the player at a seat.
-    pub fn set_player(&mut self, seat: Seat, player: Player) {
-        self.players[seat as usize] = player;
-    }
-
     /// The seats in use, in the order of turns.
     pub fn seats(&self) -> impl Iterator<Item = Seat> + '_ {
-        Seat::ALL.into_iter().filter(|seat| self.hands.plays(*seat))
+        let seats = Seat::ALL.into_iter();
+        seats.filter(|seat| self.setup.hands.plays(*seat))
     }
 
     /// The number of seats with this kind of player.
     pub fn count(&self, player: Player) -> usize {
-        self.seats()
-            .filter(|seat| self.player(*seat) == player)
-            .count()
+        let seats = self.seats();
+        seats.filter(|seat| self.player(*seat) == player).count()
     }
 
     /// Whether several people share the keyboard.
     pub(super) fn is_shared(&self) -> bool {
-        !self.rules.is_alone() && self.count(Player::Person) > 1
+        !self.setup.rules.is_alone() && self.count(Player::Person) > 1
     }
 
     /// Whether two people play each other; they may have names.
     pub(super) fn has_names(&self) -> bool {
-        self.hands == Hands::Two && self.is_shared()
+        self.setup.hands == Hands::Two && self.is_shared()
     }
 
     /// The name of the player at a seat, which is "you" if nobody else is at the keyboard.
     pub fn seat_name(&self, seat: Seat) -> &str {
         match self.player(seat) {
             Player::Person if !self.is_shared() => "you",
-            _ if self.has_names() && !self.names.of(seat).is_empty() => self.names.of(seat),
+            _ if self.has_names() && !self.company.names.of(seat).is_empty() => {
+                self.company.names.of(seat)
+            }
             Player::Computer if self.count(Player::Computer) == 1 => "computer",
             _ => seat.into(),
         }
@@ -192,7 +146,7 @@ impl Options {
     /// boards.
     pub(super) fn score(&self, game: &Game) -> String {
         let points = game.points();
-        match self.rules {
+        match self.setup.rules {
             Rules::Tournament | Rules::Points => self.between_names(|team| points[team]),
             Rules::Friendly | Rules::Practice | Rules::Solo => self.boards_won(game),
         }
@@ -217,7 +171,7 @@ impl Options {
 
     /// The word for what the last board decides: a board, a game or a match.
     pub(super) fn whole(&self) -> &'static str {
-        match (self.length, self.rules) {
+        match (self.setup.length, self.setup.rules) {
             (Length::Match, Rules::Tournament) => "match",
             (Length::Game, Rules::Tournament) => "game",
             _ => "board",
@@ -232,8 +186,8 @@ impl Options {
 
     /// The name of a team.
     pub fn team_name(&self, team: Team) -> &str {
-        match (self.hands, team) {
-            _ if self.rules.is_alone() => "you",
+        match (self.setup.hands, team) {
+            _ if self.setup.rules.is_alone() => "you",
             (Hands::Two, Team::First) => self.seat_name(Seat::South),
             (Hands::Two, Team::Second) => self.seat_name(Seat::North),
             (Hands::Four, Team::First) => "S + N",
@@ -254,18 +208,15 @@ mod tests {
         let two = Options::two_people();
         assert_eq!(two.seat_name(Seat::South), "South");
         let mut named = two;
-        named.names.set(Seat::South, "Ada");
+        named.company.names.set(Seat::South, "Ada");
         assert_eq!(named.team_name(Team::First), "Ada");
         assert_eq!(named.team_name(Team::Second), "North");
-        named.hands = Hands::Four;
+        named.setup.hands = Hands::Four;
         assert_eq!(named.seat_name(Seat::South), "South");
-        named.set_player(Seat::North, Player::Computer);
-        named.hands = Hands::Two;
+        named.company.players[Seat::North as usize] = Player::Computer;
+        named.setup.hands = Hands::Two;
         assert_eq!(named.seat_name(Seat::South), "you");
-        let doubles = Options {
-            hands: Hands::Four,
-            ..alone
-        };
+        let doubles = alone.with(|options| options.setup.hands = Hands::Four);
         assert_eq!(doubles.seat_name(Seat::South), "you");
         assert_eq!(doubles.seat_name(Seat::West), "West");
         assert_eq!(doubles.count(Player::Computer), 3);

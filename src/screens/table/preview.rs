@@ -55,11 +55,8 @@ impl Preview {
         let first = first_hit(&shot);
         let until = first.map_or(f64::INFINITY, |hit| hit.impact.time);
         let mut way = vec![strike.place];
-        way.extend(
-            shot.path(0)
-                .take_while(|leg| leg.start < until)
-                .map(|leg| leg.to),
-        );
+        let legs = shot.path(0).take_while(|leg| leg.start < until);
+        way.extend(legs.map(|leg| leg.to));
         let end = match first {
             Some(hit) => WayEnd::Meets(hit),
             None if shot.at(0, shot.duration()).state == DiscState::Pocketed => WayEnd::Falls,
@@ -79,11 +76,8 @@ impl Preview {
 
 /// The coin that the hardest stroke in this direction would hit.
 fn too_soft(strike: &Strike, game: &Game) -> Option<usize> {
-    let velocity = strike.velocity.try_normalize()? * SPEEDS.1;
-    let hardest = Strike {
-        velocity,
-        ..*strike
-    };
+    let mut hardest = *strike;
+    hardest.velocity = strike.velocity.try_normalize()? * SPEEDS.1;
     Some(first_hit(&hardest.shot(game).ok()?)?.coin)
 }
 

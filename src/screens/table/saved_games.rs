@@ -6,7 +6,7 @@ use super::active_game::{ActiveGame, Playing};
 use super::options::Options;
 use super::{TableAction, picture, words};
 use crate::game::opponent::PlayerHand;
-use crate::game::{BoardCode, ByTeam, Game, GameStage, Rules, SavedGame, Team};
+use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame, Team};
 use crate::messages::{KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
 use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
@@ -136,7 +136,7 @@ impl SavedGames {
         });
         let (coins, set) = match self.files.content() {
             Some((_, game)) => (game.coins(), game.setup().set),
-            None => (&[][..], self.options.set),
+            None => (&[][..], self.options.setup.set),
         };
         let name = self.files.chosen().map_or("", |kept| kept.name.as_str());
         let board = move |area| picture::of_pack(coins, set, area);
@@ -151,9 +151,9 @@ fn title(kept: &KeptGame) -> String {
     };
     let (saved, game) = &**game;
     let options = Options::of(saved);
-    match options.rules {
+    match options.setup.rules {
         Rules::Practice => "practice".into(),
-        Rules::Solo => solo_title(game),
+        Rules::Solo => words::solo_title(game),
         Rules::Tournament if game.score().games != ByTeam::default() => {
             let games = words::versus(|team| game.score().games[team]);
             format!("{} ({games})", options.score(game))
@@ -162,17 +162,11 @@ fn title(kept: &KeptGame) -> String {
     }
 }
 
-/// The name of a board for one player.
-fn solo_title(game: &Game) -> String {
-    let code = game.setup().board_code();
-    code.map_or_else(String::new, BoardCode::title)
-}
-
 /// Further facts about a game.
 fn about(saved: &SavedGame, game: &Game) -> String {
     let options = Options::of(saved);
     let strokes = counted(saved.record.strokes(), "stroke");
-    let (board, games) = match options.rules {
+    let (board, games) = match options.setup.rules {
         Rules::Tournament => {
             let games = words::versus(|team| game.score().games[team]);
             let board = game.board_number();
@@ -180,17 +174,19 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         }
         _ => Default::default(),
     };
-    let rules = match options.rules {
-        Rules::Solo => capital(&solo_title(game)),
+    let rules = match options.setup.rules {
+        Rules::Solo => capital(&words::solo_title(game)),
         rules => capital(rules.into()),
     };
-    let hand = match options.hand {
+    let hand = match options.company.hand {
         PlayerHand::Exact => String::new(),
         hand => format!(", {} hand", <&str>::from(hand)),
     };
     let stands = match game.stage() {
-        GameStage::MatchOver(Team::First) if options.rules == Rules::Solo => " Cleared.".into(),
-        _ if options.rules.is_alone() => String::new(),
+        GameStage::MatchOver(Team::First) if options.setup.rules == Rules::Solo => {
+            " Cleared.".into()
+        }
+        _ if options.setup.rules.is_alone() => String::new(),
         GameStage::Playing => match options.seat_name(game.seat()) {
             "you" => " It is your turn.".into(),
             name => format!(" It is {}'s turn.", words::player(name)),

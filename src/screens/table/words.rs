@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::game::{Piece, PieceSet, Team};
+use crate::game::{BoardCode, Game, Piece, PieceSet, Team};
 use crate::widgets::Role;
 use crate::widgets::hit::Face;
 
@@ -27,6 +27,12 @@ pub(super) const fn masses(set: PieceSet) -> &'static str {
         PieceSet::Tournament => "15 g on 5.5 g",
         PieceSet::EqualMass => "15 g on 15 g",
     }
+}
+
+/// The name of a board for one player.
+pub(super) fn solo_title(game: &Game) -> String {
+    let code = game.setup().board_code();
+    code.map_or_else(String::new, BoardCode::title)
 }
 
 /// A message that says where a game was exported, or why the export failed.

@@ -233,6 +233,16 @@ impl RayInput {
         }
     }
 
+    /// Writes the rays to set, a sentence on their signs, and the next prompt, which is `last` once
+    /// all rays are set.
+    pub(crate) fn write_all(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
+        self.write(panel, target);
+        panel.gap();
+        panel.paragraph(self.about(target), Role::Text);
+        panel.gap();
+        self.write_prompt(panel, target, last);
+    }
+
     /// A sentence on the sign convention for the ray that the keys turn.
     pub(crate) fn about(&self, target: &str) -> String {
         match self.turning {

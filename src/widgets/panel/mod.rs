@@ -369,6 +369,13 @@ impl<A> Panel<A> {
         self.marked("", text, role);
     }
 
+    /// Adds a notice that says what is wrong, if there is one.
+    pub(crate) fn warning(&mut self, notice: Option<&str>) {
+        if let Some(notice) = notice {
+            self.paragraph(notice, Role::Warn);
+        }
+    }
+
     /// Adds something to share: a description, the command that opens it, and an address, which the
     /// web page shows as a link.
     pub(crate) fn code(

@@ -4,7 +4,9 @@
 mod clock;
 mod impact;
 mod player;
+mod prediction;
 
 pub(crate) use clock::{ShotClock, WatchRate};
 pub(crate) use impact::{ShotImpact, impacts};
 pub(crate) use player::{ShotAction, ShotPlayer};
+pub(crate) use prediction::ImpactPrediction;

@@ -65,8 +65,6 @@ pub enum ShotAction {
     Seek(f64),
     /// choose an impact, and examine it
     List(ListAction),
-    /// choose an impact in the list
-    Point(usize),
     /// go to the next impact
     NextImpact(isize),
     /// control the enlarged impact
@@ -242,10 +240,6 @@ impl ShotPlayer {
                 Outcome::Done(_) => self.enlarge(pace),
                 _ => self.show_chosen(),
             },
-            ShotAction::Point(number) => {
-                self.list.choose(number);
-                self.show_chosen();
-            }
             ShotAction::NextImpact(by) => {
                 self.list.act(ListAction::Choose(by), self.impacts.len());
                 self.enlarge(pace);

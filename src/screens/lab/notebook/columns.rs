@@ -8,7 +8,7 @@ use crate::physics::{Collision, CollisionSpec};
 use crate::progress::NotedHit;
 use crate::quiz::Ray;
 use crate::widgets::brief;
-use crate::widgets::input::{CollisionField, FieldValue};
+use crate::widgets::input::{CollisionField as Field, FieldValue};
 
 /// A column of the table on the screen and of the exported one.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ pub(super) struct NotebookColumn {
 /// Where the values of a column come from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum ColumnSource {
-    Setting(CollisionField),
+    Setting(Field),
     /// A predicted angle, in degrees with the signs of the screen.
     Said(Ray),
     /// A true angle, in degrees with the signs of the screen.
@@ -37,31 +37,34 @@ pub(super) enum ColumnSource {
 
 use ColumnSource::{Result, Said, Setting, True};
 
-/// The settings: the name in a file, the symbol, the unit, the decimals and the setting.
-type SettingRow = (
-    &'static str,
-    &'static str,
-    &'static str,
-    usize,
-    CollisionField,
-);
+/// The name in a file, the symbol and the unit; the decimals; and the source.
+type ColumnRow = ([&'static str; 3], usize, ColumnSource);
 
-const SETTINGS: [SettingRow; 15] = [
-    ("b_mm", "b", "mm", 1, CollisionField::Offset),
-    ("alpha_deg", "α", "°", 1, CollisionField::ImpactAngle),
-    ("m1_g", "m₁", "g", 1, CollisionField::StrikerMass),
-    ("m2_g", "m₂", "g", 1, CollisionField::CoinMass),
-    ("e", "e", "", 2, CollisionField::Restitution),
-    ("contact", "contact", "", 0, CollisionField::Contact),
-    ("u1_m_s", "u₁", "m/s", 2, CollisionField::Speed),
-    ("aim_deg", "aim", "°", 0, CollisionField::Aim),
-    ("u2_m_s", "u₂", "m/s", 2, CollisionField::CoinSpeed),
-    ("aim2_deg", "aim₂", "°", 0, CollisionField::CoinAim),
-    ("r1_mm", "r₁", "mm", 2, CollisionField::StrikerRadius),
-    ("r2_mm", "r₂", "mm", 2, CollisionField::CoinRadius),
-    ("rim_friction", "μᵣ", "", 2, CollisionField::RimFriction),
-    ("spin1_rad_s", "ω₁", "rad/s", 1, CollisionField::StrikerSpin),
-    ("spin2_rad_s", "ω₂", "rad/s", 1, CollisionField::CoinSpin),
+/// The settings and the angles.
+const COLUMNS: [ColumnRow; 19] = [
+    (["b_mm", "b", "mm"], 1, Setting(Field::Offset)),
+    (["alpha_deg", "α", "°"], 1, Setting(Field::ImpactAngle)),
+    (["m1_g", "m₁", "g"], 1, Setting(Field::StrikerMass)),
+    (["m2_g", "m₂", "g"], 1, Setting(Field::CoinMass)),
+    (["e", "e", ""], 2, Setting(Field::Restitution)),
+    (["contact", "contact", ""], 0, Setting(Field::Contact)),
+    (["u1_m_s", "u₁", "m/s"], 2, Setting(Field::Speed)),
+    (["aim_deg", "aim", "°"], 0, Setting(Field::Aim)),
+    (["u2_m_s", "u₂", "m/s"], 2, Setting(Field::CoinSpeed)),
+    (["aim2_deg", "aim₂", "°"], 0, Setting(Field::CoinAim)),
+    (["r1_mm", "r₁", "mm"], 2, Setting(Field::StrikerRadius)),
+    (["r2_mm", "r₂", "mm"], 2, Setting(Field::CoinRadius)),
+    (["rim_friction", "μᵣ", ""], 2, Setting(Field::RimFriction)),
+    (
+        ["spin1_rad_s", "ω₁", "rad/s"],
+        1,
+        Setting(Field::StrikerSpin),
+    ),
+    (["spin2_rad_s", "ω₂", "rad/s"], 1, Setting(Field::CoinSpin)),
+    (["said_theta1_deg", "said θ₁", "°"], 1, Said(Ray::Striker)),
+    (["said_theta2_deg", "said θ₂", "°"], 1, Said(Ray::Target)),
+    (["theta1_deg", "θ₁", "°"], 1, True(Ray::Striker)),
+    (["theta2_deg", "θ₂", "°"], 1, True(Ray::Target)),
 ];
 
 /// The results: the name in a file, and the name of the quantity.
@@ -84,26 +87,12 @@ const RESULTS: [(&str, &str); 16] = [
     ("spin2_after_rad_s", "spin2_after"),
 ];
 
-const ANGLES: [(&str, &str, ColumnSource); 4] = [
-    ("said_theta1_deg", "said θ₁", Said(Ray::Striker)),
-    ("said_theta2_deg", "said θ₂", Said(Ray::Target)),
-    ("theta1_deg", "θ₁", True(Ray::Striker)),
-    ("theta2_deg", "θ₂", True(Ray::Target)),
-];
-
-static COLUMNS: LazyLock<Vec<NotebookColumn>> = LazyLock::new(|| {
-    let settings = SETTINGS.map(|(id, symbol, unit, decimals, field)| NotebookColumn {
+static ALL: LazyLock<Vec<NotebookColumn>> = LazyLock::new(|| {
+    let columns = COLUMNS.map(|([id, symbol, unit], decimals, of)| NotebookColumn {
         id,
         symbol,
         unit,
         decimals,
-        of: Setting(field),
-    });
-    let angles = ANGLES.map(|(id, symbol, of)| NotebookColumn {
-        id,
-        symbol,
-        unit: "°",
-        decimals: 1,
         of,
     });
     let results = RESULTS.into_iter().filter_map(|(id, name)| {
@@ -116,13 +105,13 @@ static COLUMNS: LazyLock<Vec<NotebookColumn>> = LazyLock::new(|| {
             of: Result(quantity),
         })
     });
-    settings.into_iter().chain(angles).chain(results).collect()
+    columns.into_iter().chain(results).collect()
 });
 
 impl NotebookColumn {
     /// All columns, in their order.
     pub(super) fn all() -> &'static [Self] {
-        &COLUMNS
+        &ALL
     }
 
     /// The index of the column with this name in a file.
@@ -137,11 +126,11 @@ impl NotebookColumn {
 
     /// Whether the column has numbers that can be plotted.
     pub(super) fn is_number(&self) -> bool {
-        self.of != Setting(CollisionField::Contact)
+        self.of != Setting(Field::Contact)
     }
 
     /// The setting that the column shows, if it shows one.
-    pub(super) fn setting(&self) -> Option<CollisionField> {
+    pub(super) fn setting(&self) -> Option<Field> {
         match self.of {
             Setting(field) => Some(field),
             _ => None,
@@ -169,7 +158,7 @@ impl NotebookColumn {
         let collision = setup.collision();
         match self.of {
             // A miss has no impact angle, although the form shows it as a graze.
-            Setting(CollisionField::ImpactAngle) => Some(collision.alpha()?.to_degrees()),
+            Setting(Field::ImpactAngle) => Some(collision.alpha()?.to_degrees()),
             Setting(field) => match field.field(setup).value {
                 FieldValue::Number { value, .. } => Some(value),
                 FieldValue::Choice { .. } | FieldValue::Text(_) => None,
@@ -203,7 +192,7 @@ impl NotebookColumn {
         match self.of {
             Said(_) if hit.said.is_none() => String::new(),
             Said(_) | True(_) => brief(None),
-            Setting(field @ CollisionField::Contact) => field.field(&hit.setup).shown,
+            Setting(field @ Field::Contact) => field.field(&hit.setup).shown,
             _ => String::new(),
         }
     }

@@ -127,22 +127,20 @@ impl Notebook {
             .when(some)
     }
 
-    /// Carries out an action; returns `Done` with the settings of a hit to set up again.
+    /// Carries out an action other than [`NotebookAction::Clear`]; returns the settings of a hit to
+    /// set up again.
     pub(super) fn act(
         &mut self,
         action: NotebookAction,
         cx: &mut Context,
-    ) -> Outcome<Option<CollisionSpec>> {
+    ) -> Option<CollisionSpec> {
         match action {
             NotebookAction::List(action) => {
-                let count = self.hits().len();
-                if let Outcome::Done(at) = self.list.act(action, count) {
-                    return Outcome::Done(self.hits().get(at).map(|hit| hit.setup));
+                if let Outcome::Done(at) = self.list.act(action, self.hits().len()) {
+                    return Some(self.hits().get(at)?.setup);
                 }
             }
-            NotebookAction::Choose(by) => {
-                self.list.act(ListAction::Choose(by), self.hits().len());
-            }
+            NotebookAction::Choose(by) => self.choose(by),
             NotebookAction::Plot => self.plots ^= true,
             NotebookAction::Across(by) => self.turn(0, by),
             NotebookAction::Up(by) => self.turn(1, by),
@@ -150,9 +148,9 @@ impl Notebook {
                 Ok(text) => cx.export(FILE.into(), text),
                 Err(reason) => cx.notify(format!("The table cannot be written: {reason}")),
             },
-            NotebookAction::Clear => return Outcome::Ignored,
+            NotebookAction::Clear => {}
         }
-        Outcome::Used
+        None
     }
 
     /// Plots the next useful column on an axis.
@@ -172,11 +170,8 @@ impl Notebook {
     /// are always available.
     fn is_worth_plotting(&self, column: &NotebookColumn) -> bool {
         use CollisionField::{ImpactAngle, Offset};
-        let differs = || {
-            let values = self.hits().iter().map(|hit| column.value(hit));
-            let firsts = std::iter::repeat(self.hits().first().and_then(|hit| column.value(hit)));
-            values.zip(firsts).any(|(value, first)| value != first)
-        };
+        let values = || self.hits().iter().map(|hit| column.value(hit));
+        let differs = || values().zip(values().skip(1)).any(|(a, b)| a != b);
         let is_place = matches!(column.setting(), Some(ImpactAngle | Offset));
         column.is_number() && (is_place || self.hits().len() < 2 || differs())
     }
@@ -203,27 +198,21 @@ impl Notebook {
     /// All hits as a table for a spreadsheet, with all digits.
     fn csv(&self) -> Result<String, String> {
         let columns = NotebookColumn::all();
-        let heads = ["hit", "time"]
-            .into_iter()
-            .chain(columns.iter().map(|column| column.id))
-            .chain(["link"]);
+        let ids = columns.iter().map(|column| column.id);
+        let heads = ["hit", "time"].into_iter().chain(ids).chain(["link"]);
         let row = |(number, hit): (usize, &NotedHit)| {
             let time = hit.time_s.and_then(utc).unwrap_or_default();
             let cells = columns.iter().map(|column| column.cell(hit));
-            [number.to_string(), time]
-                .into_iter()
-                .chain(cells)
-                .chain([link(&hit.setup)])
-                .collect()
+            let start = [number.to_string(), time].into_iter();
+            start.chain(cells).chain([link(&hit.setup)]).collect()
         };
         let rows: Vec<Vec<String>> = (1..).zip(self.hits()).map(row).collect();
         csv_table(heads, &rows)
     }
 
-    /// Handles the mouse wheel, which chooses another hit.
-    pub(super) fn wheel(&mut self, by: i8) {
-        let count = self.hits().len();
-        self.list.act(ListAction::Choose(by.into()), count);
+    /// Chooses another hit.
+    pub(super) fn choose(&mut self, by: isize) {
+        self.list.act(ListAction::Choose(by), self.hits().len());
     }
 }
 
@@ -234,9 +223,6 @@ fn link(setup: &CollisionSpec) -> String {
         link => format!("lab={link}"),
     }
 }
-
-/// The key that opens the notebook.
-pub(super) const KEY: Key = Key::Char('n');
 
 #[cfg(test)]
 mod tests {

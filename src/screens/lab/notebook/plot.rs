@@ -4,7 +4,7 @@ use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 use super::Notebook;
-use super::columns::{ColumnSource, NotebookColumn};
+use super::columns::NotebookColumn;
 use crate::physics::CollisionSpec;
 use crate::progress::NotedHit;
 use crate::widgets::input::{CollisionField, FieldValue};
@@ -36,10 +36,8 @@ pub(super) fn picture(notebook: &Notebook, area: Rect, look: &Look) -> Picture {
         Charset::Ascii => ['o', 'O'],
         Charset::Unicode => ['○', '●'],
     };
-    for hit in hits {
-        if let Some(at) = point(hit) {
-            plot.mark(at, signs[0], Role::CoinOut);
-        }
+    for at in hits.iter().filter_map(point) {
+        plot.mark(at, signs[0], Role::CoinOut);
     }
     if let Some(at) = chosen.and_then(|(_, hit)| point(hit)) {
         plot.mark(at, signs[1], Role::Title);
@@ -60,10 +58,8 @@ fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -
     let (from, to) = range(field, setup, hits);
     let at = |i: u32| {
         let mut spec = *setup;
-        field.set(
-            &mut spec,
-            from + (to - from) * f64::from(i) / f64::from(PIECES),
-        );
+        let value = from + (to - from) * f64::from(i) / f64::from(PIECES);
+        field.set(&mut spec, value);
         let [x, y] = axes.map(|column| column.exact(&spec).unwrap_or(f64::NAN));
         dvec2(x, y)
     };
@@ -112,11 +108,8 @@ fn ends(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     if !(least.is_finite() && most.is_finite()) {
         return (0.0, 1.0);
     }
-    let from = if least > 0.0 && least < 0.6 * most {
-        0.0
-    } else {
-        least
-    };
+    let is_near_zero = least > 0.0 && least < 0.6 * most;
+    let from = if is_near_zero { 0.0 } else { least };
     let width = most - from;
     // A constant, apart from rounding.
     if width <= 1e-6 * most.abs().max(1e-6) {
@@ -133,11 +126,9 @@ pub(super) fn in_words(notebook: &Notebook) -> Vec<String> {
         let has = |column: &NotebookColumn| column.value(hit).is_some();
         has(x) && has(y)
     });
+    let (x, y, count) = (x.symbol, y.symbol, points.count());
     vec![format!(
-        "A plot of {} against {}, with {} points and the exact curve for the chosen hit.",
-        y.symbol,
-        x.symbol,
-        points.count()
+        "A plot of {y} against {x}, with {count} points and the exact curve for the chosen hit."
     )]
 }
 
@@ -145,10 +136,9 @@ pub(super) fn in_words(notebook: &Notebook) -> Vec<String> {
 pub(super) fn about_curve(notebook: &Notebook) -> String {
     let axes = notebook.axes();
     let field = varied(axes);
-    let name = NotebookColumn::all()
-        .iter()
-        .find(|it| it.of == ColumnSource::Setting(field));
-    let symbol = name.map_or("α", |it| it.symbol);
+    let mut columns = NotebookColumn::all().iter();
+    let column = columns.find(|it| it.setting() == Some(field));
+    let symbol = column.map_or("α", |it| it.symbol);
     format!(
         "The line is exact. Along it only {symbol} varies; the other settings are those of the chosen hit. A \
          point with other settings may lie beside it."

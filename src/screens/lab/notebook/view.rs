@@ -26,14 +26,11 @@ pub(in crate::screens::lab) fn view<'s, A: Copy>(
     }
     panel.part(wrap, |panel| beside_plot(notebook, panel));
     let [x, y] = notebook.axes();
-    View::picture(
-        format!("{} against {}", y.symbol, x.symbol),
-        |area, buf, look: &Look| {
-            sheet::next_picture_shows(|| plot::in_words(notebook));
-            plot::picture(notebook, area, look).draw(buf, look);
-        },
-        panel,
-    )
+    let draw = |area, buf: &mut _, look: &Look| {
+        sheet::next_picture_shows(|| plot::in_words(notebook));
+        plot::picture(notebook, area, look).draw(buf, look);
+    };
+    View::picture(format!("{} against {}", y.symbol, x.symbol), draw, panel)
 }
 
 fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
@@ -97,32 +94,24 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     let rows = notebook.hits().iter().enumerate().map(row).collect();
     panel.table(columns.collect(), rows, Some(BELOW));
     panel.gap();
+    let again = NotebookAction::List(ListAction::Open);
     panel.prompts([
         ("plot two columns", NotebookAction::Plot),
         ("export as CSV", NotebookAction::Export),
         ("clear the notebook", NotebookAction::Clear),
-        (
-            "set the chosen hit up again",
-            NotebookAction::List(ListAction::Open),
-        ),
+        ("set the chosen hit up again", again),
     ]);
 }
 
 /// The axes, and everything about the chosen hit.
 fn beside_plot(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     let [x, y] = notebook.axes();
-    panel.row(
-        ("across", Role::Text),
-        (x.name(), Role::Key),
-        false,
-        NotebookAction::Across(1),
-    );
-    panel.row(
-        ("up", Role::Text),
-        (y.name(), Role::Key),
-        false,
-        NotebookAction::Up(1),
-    );
+    for (axis, column, other) in [
+        ("across", x, NotebookAction::Across(1)),
+        ("up", y, NotebookAction::Up(1)),
+    ] {
+        panel.row((axis, Role::Text), (column.name(), Role::Key), false, other);
+    }
     let Some((at, hit)) = notebook.chosen() else {
         return;
     };

@@ -38,19 +38,6 @@ impl Levels {
         cx.ask(StoreRequest::Stars(player));
         Self::default()
     }
-
-    /// Copies the mark of the list to the shelf, and opens a level; a problem cannot be opened.
-    fn listed(&mut self, list: ListView, outcome: Outcome<usize>, shelf: &mut Shelf) -> Next {
-        if !outcome.is_used() {
-            return Next::Ignored;
-        }
-        shelf.at = list.chosen(choices(shelf));
-        self.moved = true;
-        match outcome {
-            Outcome::Done(number) if number < shelf.count() => Next::Open(Route::Level { number }),
-            _ => Next::Stay,
-        }
-    }
 }
 
 /// The number of lines that can be chosen: the levels, and after them the problems.
@@ -96,7 +83,15 @@ impl Screen for Levels {
             LevelsAction::Board => return Next::Open(Route::Board { code: None }),
             LevelsAction::Back => return Next::Back,
         };
-        self.listed(list, outcome, &mut cx.shelf)
+        cx.shelf.at = list.chosen(choices(&cx.shelf));
+        self.moved = true;
+        match outcome {
+            // The lines after the levels are problems, which cannot be opened.
+            Outcome::Done(number) if number < cx.shelf.count() => {
+                Next::Open(Route::Level { number })
+            }
+            _ => Next::Stay,
+        }
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {

@@ -2,6 +2,7 @@
 
 use super::LevelsAction;
 use crate::levels::{Level, Shelf};
+use crate::numbers::counted;
 use crate::screens::View;
 use crate::screens::levels::words;
 use crate::widgets::input::ListAction;
@@ -50,19 +51,15 @@ fn list(shelf: &Shelf) -> Panel<LevelsAction> {
         let members = number..number + pack.levels.len();
         let won = members.clone().filter(|n| shelf.stars(*n) > 0).count();
         panel.gap();
-        panel.heading(format!(
-            "{}: {won} of {} won",
-            pack.title(),
-            pack.levels.len()
-        ));
+        let count = pack.levels.len();
+        panel.heading(format!("{}: {won} of {count} won", pack.title()));
         number = members.end;
         members.for_each(|at| choice(shelf, at, &mut panel));
     }
     let problems = shelf.library().problems.len();
     if problems > 0 {
-        let files = if problems == 1 { "file" } else { "files" };
         panel.gap();
-        panel.heading(format!("left out: {problems} {files}"));
+        panel.heading(format!("left out: {}", counted(problems, "file")));
         (number..number + problems).for_each(|at| choice(shelf, at, &mut panel));
     }
     panel
@@ -100,10 +97,8 @@ fn about(level: &Level, stars: u8) -> Panel<LevelsAction> {
         panel.paragraph(goal.describe(&level.scene), Role::Text);
     }
     panel.gap();
-    let dials = level
-        .adjust
-        .dials()
-        .map(|(dial, _)| words::dial_words(dial).0);
+    let dials = level.adjust.dials();
+    let dials = dials.map(|(dial, _)| words::dial_words(dial).0);
     let dials = dials.collect::<Vec<_>>().join(", ");
     panel.paragraph(format!("You set: {dials}."), Role::Dim);
     panel.gap();

@@ -72,11 +72,8 @@ fn ground(level: &Level, area: Rect) -> Picture {
 
 /// Labels the circles, and numbers the discs if there are several of one kind.
 fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
-    let circles: Vec<_> = level
-        .goals
-        .iter()
-        .filter_map(|goal| goal.circle())
-        .collect();
+    let circles = level.goals.iter().filter_map(|goal| goal.circle());
+    let circles: Vec<_> = circles.collect();
     for (circle, disc) in &circles {
         // A single circle is labelled "goal"; several are labelled with the names of their discs.
         let name = level.scene.name(*disc);
@@ -96,21 +93,17 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
         let alike = |&(_, other): &(usize, &crate::levels::PlacedDisc)| other.kind == piece.kind;
         let numbers = || pieces.iter().enumerate().filter(alike);
         if numbers().count() > 1 {
-            let text = numbers()
-                .filter(|(other, _)| other <= disc)
-                .count()
-                .to_string();
-            picture.label(&text, *at, &LabelSide::ALL, face(piece.kind).role);
+            let number = numbers().filter(|(other, _)| other <= disc).count();
+            let role = face(piece.kind).role;
+            picture.label(number.to_string(), *at, &LabelSide::ALL, role);
         }
     }
 }
 
 fn discs(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
     sheet::next_picture_shows(|| {
-        let named = discs
-            .iter()
-            .map(|(disc, at)| (level.scene.name(*disc), *at));
-        board::places_in_words(named)
+        let discs = discs.iter();
+        board::places_in_words(discs.map(|(disc, at)| (level.scene.name(*disc), *at)))
     });
     let body = |&(disc, at): &(usize, DVec2)| {
         let piece = level.scene.pieces.get(disc)?;
@@ -125,22 +118,19 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: 
     let mut picture = ground(level, area);
     let places = scene.pieces.iter().map(|piece| piece.at).enumerate();
     let places: Vec<_> = places.collect();
-    let aimed = scene.stroke.disc;
     let velocity = scene.stroke.velocity();
-    if let Some(piece) = scene.pieces.get(aimed)
-        && let Some(heading) = velocity.try_normalize()
-    {
-        if let Some(met) = met {
-            picture.line(piece.at, met.at, Pen::new(Role::Aim).dotted());
-            if met.impact.is_some() {
-                board::ghost(&mut picture, met.at, piece.disc.radius, Role::Predicted);
-            }
+    let aimed = scene.pieces.get(scene.stroke.disc);
+    let aimed = aimed.zip(velocity.try_normalize());
+    if let (Some((piece, _)), Some(met)) = (aimed, met) {
+        picture.line(piece.at, met.at, Pen::new(Role::Aim).dotted());
+        if met.impact.is_some() {
+            board::ghost(&mut picture, met.at, piece.disc.radius, Role::Predicted);
         }
-        discs(level, &mut picture, &places);
+    }
+    discs(level, &mut picture, &places);
+    if let Some((piece, heading)) = aimed {
         let from = piece.at + piece.disc.radius * heading;
         picture.arrow(from, from + ARROW * velocity, Role::Incoming);
-    } else {
-        discs(level, &mut picture, &places);
     }
     labels(level, &mut picture, &places);
     picture

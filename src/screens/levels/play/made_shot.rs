@@ -1,6 +1,8 @@
 //! A shot that was made, and its replay.
 
+use super::LevelPlay;
 use crate::levels::{Judgement, Level, Win, judge};
+use crate::numbers::capital;
 use crate::physics::{Collision, Event, EventKind, Shot};
 use crate::progress::{Attempt, LEVEL, Predicted};
 use crate::quiz::{Ray, RayGrade, Rays};
@@ -39,10 +41,7 @@ fn is_right(said: &RayInput, collision: &Collision) -> bool {
     let outcome = collision.outcome();
     let truth = Rays::from(&outcome);
     asked(said).all(|ray| {
-        let speed = match ray {
-            Ray::Striker => outcome.v1.length(),
-            Ray::Target => outcome.v2.length(),
-        };
+        let speed = [outcome.v1, outcome.v2][ray as usize].length();
         if said.so_far().get(ray).is_none() && speed < UNSEEN {
             return true;
         }
@@ -66,39 +65,34 @@ pub(super) struct MadeShot {
 }
 
 impl MadeShot {
-    /// The shot with this `number` since the level was opened, counted from 1; `hints` is the
-    /// number of hints shown before it. The replay runs at `rate`, if the player has chosen one.
-    /// `to_say` says whether a prediction was possible.
+    /// The latest shot in `play`; `to_say` says whether a prediction was possible.
     pub(super) fn new(
-        level: &Level,
+        play: &LevelPlay,
         shot: Shot,
-        (number, hints): (u32, usize),
         to_say: bool,
         said: Option<RayInput>,
-        (rate, reduced): (Option<WatchRate>, bool),
+        cx: &Context,
     ) -> Self {
+        let (level, settings) = (play.level(), &cx.settings);
         let verdict = judge(level, &shot);
         // A first collision alone is over quickly, so its replay is slower.
         let usual = match level.is_of_the_first_hit() {
             true => WatchRate::QUARTER,
             false => WatchRate::REAL,
         };
-        let clock = ShotClock::new(end(level, &shot), rate.unwrap_or(usual), reduced);
+        let rate = settings.watch_rate.unwrap_or(usual);
+        let clock = ShotClock::new(end(level, &shot), rate, settings.reduced_motion);
         let faces = (0..shot.discs().len()).map(|disc| face_of(&level.scene, disc));
         let faces = faces.collect();
         let player = ShotPlayer::new(shot, level.scene.stroke.disc, clock)
             .with_faces(faces)
             .with_said(said.as_ref().map(RayInput::so_far));
-        let right = || {
-            Some(is_right(
-                said.as_ref()?,
-                &player.impacts().first()?.collision,
-            ))
-        };
+        let first = said.as_ref().zip(player.impacts().first());
+        let right = first.is_some_and(|(said, impact)| is_right(said, &impact.collision));
         let win = Win {
-            shots: number,
-            hints,
-            said_right: to_say.then(|| right().unwrap_or(false)),
+            shots: play.shots,
+            hints: play.hints,
+            said_right: to_say.then_some(right),
         };
         Self {
             win: verdict.won().then_some(win),
@@ -107,15 +101,6 @@ impl MadeShot {
             watched: clock.is_over(),
             player,
             is_shown: false,
-        }
-    }
-
-    /// Marks the shot as one that carrom plays to show a solution.
-    pub(super) fn shown(self) -> Self {
-        Self {
-            win: None,
-            is_shown: true,
-            ..self
         }
     }
 
@@ -171,12 +156,12 @@ impl MadeShot {
         }
     }
 
-    /// The result in short: the first goal that was missed or, if none was, the first goal.
+    /// A sentence on the first goal that was missed or, if none was, on the first goal.
     pub(super) fn in_short(&self) -> Option<String> {
         let findings = &self.verdict.findings;
         let unmet = findings.iter().find(|finding| !finding.met);
         let finding = unmet.or(findings.first())?;
-        Some(finding.text.clone())
+        Some(format!("{}.", capital(&finding.text)))
     }
 }
 

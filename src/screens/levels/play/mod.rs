@@ -16,9 +16,8 @@ use crate::physics::Shot;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
 use crate::screens::{Context, Next, Route, Screen, SharedAction, StrikeGuard, View};
-use crate::widgets::hit::point_at;
 use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
-use crate::widgets::replay::{ShotAction, ShotImpact, impacts};
+use crate::widgets::replay::{ImpactPrediction, ShotAction, ShotImpact, impacts};
 use crate::widgets::{Outcome, RayInput};
 
 use dials::Dials;
@@ -35,8 +34,8 @@ pub(crate) struct LevelPlay {
     hints: usize,
     /// The number of shots since the level was opened.
     shots: u32,
-    /// The results of the earlier shots, the latest last.
-    earlier: Vec<EarlierShot>,
+    /// The earlier shots, the latest last: what was set, and the result in short.
+    earlier: Vec<[String; 2]>,
     phase: LevelPhase,
     /// Why the last shot could not be played.
     trouble: Option<String>,
@@ -52,22 +51,11 @@ enum LevelPhase {
     Watch(Box<MadeShot>),
 }
 
-/// The summary of a shot that was made.
-#[derive(Debug, Clone, PartialEq, Eq)]
-struct EarlierShot {
-    /// The number of the shot, counted from 1.
-    number: u32,
-    set: String,
-    /// The result in short: the first goal that was missed or, if none was, the first goal.
-    watched: String,
-}
-
 /// The next shot, and the prediction being entered for its first impact.
 #[derive(Debug, Clone)]
 struct PendingShot {
-    rays: RayInput,
+    prediction: ImpactPrediction,
     shot: Shot,
-    impact: ShotImpact,
 }
 
 /// What the keys do in a level.
@@ -121,63 +109,44 @@ impl LevelPlay {
         &self.dials.level
     }
 
-    /// Whether the picture shows one impact, not the whole board.
-    fn is_enlarged(&self) -> bool {
-        match &self.phase {
-            LevelPhase::Aim => false,
-            LevelPhase::Predict(_) => true,
-            LevelPhase::Watch(made) => made.player.zoom().is_some(),
-        }
-    }
-
-    /// The rays of an impact that the player has to predict.
-    fn asks(&self, impact: &ShotImpact) -> impl Iterator<Item = Ray> {
-        let asked = impact
-            .discs
-            .map(|disc| self.level().say_first.contains(&disc));
-        let both = Ray::BOTH.into_iter().zip(asked);
-        both.filter_map(|(ray, asked)| asked.then_some(ray))
+    /// The prediction that the level requires for an impact, if it requires one.
+    fn asked(&self, impact: ShotImpact) -> Option<ImpactPrediction> {
+        let both = RayInput::new(impact.collision.side());
+        let say_first = &self.level().say_first;
+        let rays = match impact.discs.map(|disc| say_first.contains(&disc)) {
+            [true, true] => both,
+            [true, false] => both.only(Ray::Striker),
+            [false, true] => both.only(Ray::Target),
+            [false, false] => return None,
+        };
+        Some(ImpactPrediction { impact, rays })
     }
 
     /// Goes from aiming to predicting, or to the shot if there is nothing to predict.
     fn go(&mut self, cx: &mut Context) {
         let scene = self.level().aimed(&self.dials.aim);
-        let shot = match scene.play(Patience::AKey) {
-            Ok(shot) => shot,
-            Err(error) => {
-                self.trouble = Some(format!("This shot cannot be played: {error}."));
-                return;
-            }
+        let played = scene.play(Patience::AKey);
+        let error = played.as_ref().err();
+        self.trouble = error.map(|error| format!("This shot cannot be played: {error}."));
+        let Ok(shot) = played else {
+            return;
         };
-        self.trouble = None;
         let first = impacts(&shot, scene.stroke.disc).next();
-        let asked = first.map(|impact| self.asks(&impact).collect::<Vec<_>>());
-        let asked = asked.unwrap_or_default();
-        if let (Some(impact), true, false) = (first, cx.settings.predict, asked.is_empty()) {
-            let both = RayInput::new(impact.collision.side());
-            let rays = match asked.as_slice() {
-                [one] => both.only(*one),
-                _ => both,
-            };
-            let pending = PendingShot { rays, shot, impact };
-            self.phase = LevelPhase::Predict(Box::new(pending));
-        } else {
-            self.shoot(shot, !asked.is_empty(), None, cx);
+        match first.and_then(|impact| self.asked(impact)) {
+            Some(prediction) if cx.settings.predict => {
+                let pending = PendingShot { prediction, shot };
+                self.phase = LevelPhase::Predict(Box::new(pending));
+            }
+            asked => self.shoot(shot, asked.is_some(), None, cx),
         }
     }
 
     fn shoot(&mut self, shot: Shot, to_say: bool, said: Option<RayInput>, cx: &mut Context) {
         self.shots += 1;
-        let mut made = self.made(shot, to_say, said, cx);
+        let mut made = MadeShot::new(self, shot, to_say, said, cx);
         made.record_said(self.number, cx);
         made.keep_if_watched(self.number, cx);
         self.phase = LevelPhase::Watch(Box::new(made));
-    }
-
-    fn made(&self, shot: Shot, to_say: bool, said: Option<RayInput>, cx: &Context) -> MadeShot {
-        let watched = (cx.settings.watch_rate, cx.settings.reduced_motion);
-        let count = (self.shots, self.hints);
-        MadeShot::new(self.level(), shot, count, to_say, said, watched)
     }
 
     /// Plays the stored solution, without changing the player's own aim.
@@ -185,7 +154,8 @@ impl LevelPlay {
         let solution = self.level().aimed(&self.level().solution);
         if let Ok(shot) = solution.play(Patience::AKey) {
             self.form.give_up();
-            let made = self.made(shot, false, None, cx).shown();
+            let mut made = MadeShot::new(self, shot, false, None, cx);
+            (made.win, made.is_shown) = (None, true);
             self.phase = LevelPhase::Watch(Box::new(made));
         }
     }
@@ -242,10 +212,8 @@ impl Screen for LevelPlay {
                     true => "predict",
                     false => "shoot",
                 };
-                let form = self
-                    .form
-                    .keys(&self.dials)
-                    .without_keys(&[Key::PageUp, Key::PageDown]);
+                let form = self.form.keys(&self.dials);
+                let form = form.without_keys(&[Key::PageUp, Key::PageDown]);
                 table
                     .on(Key::Enter, Go, go)
                     .or([(Key::Char(' '), Go)])
@@ -258,9 +226,12 @@ impl Screen for LevelPlay {
                     .on(Key::Char('p'), Predict, "")
                     .when(says)
             }
-            LevelPhase::Predict(pending) => table
-                .with(pending.rays.keys("next, then shoot"), LevelAction::Say)
-                .on(Key::Escape, AimAgain, "back"),
+            LevelPhase::Predict(pending) => {
+                let keys = pending.prediction.rays.keys("next, then shoot");
+                table
+                    .with(keys, LevelAction::Say)
+                    .on(Key::Escape, AimAgain, "back")
+            }
             LevelPhase::Watch(made) if made.player.zoom().is_some() => {
                 table.with(made.player.keys(), LevelAction::Watch)
             }
@@ -307,9 +278,9 @@ impl Screen for LevelPlay {
             (_, LevelAction::ShowMe) => self.show(cx),
             (_, LevelAction::Predict) => cx.settings.predict ^= true,
             (LevelPhase::Predict(pending), LevelAction::Say(action)) => {
-                if pending.rays.act(action) == Outcome::Done(()) {
-                    let PendingShot { rays, shot, .. } = (**pending).clone();
-                    self.shoot(shot, true, Some(rays), cx);
+                if pending.prediction.rays.act(action) == Outcome::Done(()) {
+                    let PendingShot { prediction, shot } = (**pending).clone();
+                    self.shoot(shot, true, Some(prediction.rays), cx);
                 }
             }
             (LevelPhase::Watch(made), LevelAction::Watch(action)) => {
@@ -322,12 +293,9 @@ impl Screen for LevelPlay {
                     && !made.is_shown
                 {
                     made.keep(self.number, cx);
-                    let watched = made.in_short().map(|watched| EarlierShot {
-                        number: self.shots,
-                        set: self.dials.setting(),
-                        watched,
-                    });
-                    self.earlier.extend(watched);
+                    let set = format!("shot {}: {}", self.shots, self.dials.setting());
+                    self.earlier
+                        .extend(made.in_short().map(|result| [set, result]));
                 }
             }
             (_, LevelAction::Back) => return Next::Back,
@@ -349,8 +317,7 @@ impl Screen for LevelPlay {
                 self.dials.drag(&mut self.form, at, near, pressed);
             }
             LevelPhase::Predict(pending) => {
-                let (collision, rays) = (&pending.impact.collision, &mut pending.rays);
-                point_at(picture, collision, rays, mouse.place(), pressed);
+                pending.prediction.point(mouse, picture);
             }
             LevelPhase::Watch(made) => match made.player.clicked().filter(|_| pressed) {
                 Some(action) => made.watch(action, self.number, cx),

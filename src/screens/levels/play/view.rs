@@ -8,14 +8,12 @@ use crate::numbers;
 use crate::physics::units::g_from_kg;
 use crate::quiz::{Ray, why};
 use crate::screens::levels::words;
-use crate::screens::{Context, StrikeGuard, View};
-use crate::widgets::hit::{CONTACT, Markings, Watch, contact_picture, setup_picture};
+use crate::screens::{Context, View};
+use crate::widgets::hit::{CONTACT, Watch, contact_picture};
 use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
-use crate::widgets::panels::{
-    contact_distance, impact_angle, masses, offset, reason, said_and_true,
-};
-use crate::widgets::replay::{ShotAction, ShotImpact};
+use crate::widgets::panels::{reason, said_and_true};
+use crate::widgets::replay::{ImpactPrediction, ShotAction, ShotImpact};
 use crate::widgets::{RayInput, Role};
 
 /// The number of earlier shots that are listed while the next one is set.
@@ -33,7 +31,7 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
             let board = move |area| board::of_aim(level, &scene, play.dials.met, area);
             let impact = play.dials.met.and_then(|met| met.impact);
             let contact = impact.map(|impact| {
-                let faces = impact.discs.map(|disc| words::face_of(&level.scene, disc));
+                let faces = words::faces(&level.scene, &impact);
                 move |area| contact_picture(area, faces, &impact.collision)
             });
             View::drawn("aim", board, panel)
@@ -41,35 +39,24 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
                 .dragging(play.dials.drag_words())
         }
         LevelPhase::Predict(pending) => {
-            let faces = pending
-                .impact
-                .discs
-                .map(|disc| words::face_of(&level.scene, disc));
-            let (collision, rays) = (&pending.impact.collision, &pending.rays);
-            // The target leaves along the line of impact, so its angle is not shown if the player
-            // has to predict it.
-            let given = Markings {
-                offset: true,
-                angle: !rays.asks(Ray::Target),
-                figures: true,
-            };
-            let hit = move |area| setup_picture(area, faces, collision, given, Some(rays));
-            View::drawn("where will they go?", hit, panel).dragging(RayInput::DRAG)
+            let prediction = &pending.prediction;
+            let faces = words::faces(&level.scene, &prediction.impact);
+            let hit = move |area| prediction.picture(faces, area);
+            return View::drawn("where will they go?", hit, panel).dragging(RayInput::DRAG);
         }
-        LevelPhase::Watch(made) => match made.player.zoom() {
-            Some(watch) => View::drawn(watch.slowed_title(), |area| watch.picture(area), panel),
-            None => {
-                let board = |area| board::of_made(level, made, area);
-                let title = match made.is_shown {
-                    true => "a shot that wins".into(),
-                    false => format!("shot {}", play.shots),
-                };
-                View::drawn(title, board, panel)
+        LevelPhase::Watch(made) => {
+            if let Some(watch) = made.player.zoom() {
+                return View::drawn(watch.slowed_title(), |area| watch.picture(area), panel);
             }
-        },
+            let title = match made.is_shown {
+                true => "a shot that wins".into(),
+                false => format!("shot {}", play.shots),
+            };
+            View::drawn(title, |area| board::of_made(level, made, area), panel)
+        }
     };
     // A collision fills the area; a board is square.
-    match play.is_enlarged() || level.is_of_the_first_hit() {
+    match level.is_of_the_first_hit() {
         true => view,
         false => view.square(),
     }
@@ -108,12 +95,8 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     });
     write_masses(play.level(), &play.dials.aim, &mut panel);
     panel.gap();
-    let too_soon = play.guard.is_refusing();
-    let too_soon = too_soon.then_some(StrikeGuard::TOO_SOON);
-    if let Some(trouble) = play.trouble.as_deref().or(too_soon) {
-        panel.paragraph(trouble, Role::Warn);
-        panel.gap();
-    }
+    panel.warning(play.trouble.as_deref().or(play.guard.refusal()));
+    panel.gap();
     let says = !play.level().say_first.is_empty();
     let set = LevelAction::Set(SettingsForm::SET);
     let shoot = ("shoot", LevelAction::Go);
@@ -124,10 +107,10 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
         (false, _) => vec![shoot],
     });
     let hidden = play.earlier.len().saturating_sub(SHOWN_EARLIER);
-    for made in play.earlier.iter().skip(hidden) {
+    for [set, result] in play.earlier.iter().skip(hidden) {
         panel.gap();
-        panel.line(format!("shot {}: {}", made.number, made.set), Role::Dim);
-        panel.paragraph(format!("{}.", numbers::capital(&made.watched)), Role::Dim);
+        panel.line(set, Role::Dim);
+        panel.paragraph(result, Role::Dim);
     }
     if !play.earlier.is_empty() {
         panel.gap();
@@ -177,28 +160,15 @@ fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
 
 fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
     let mut panel = Panel::new("predict it");
-    let scene = &play.level().scene;
-    let [_, target] = pending.impact.discs;
-    let name = words::short(scene, target);
-    let collision = &pending.impact.collision;
-    offset(collision, &mut panel);
-    if pending.rays.asks(Ray::Target) {
-        // The impact angle is not shown, because the player has to predict it.
-        contact_distance(collision, &mut panel);
-    } else {
-        impact_angle(collision, &mut panel);
-    }
-    let secret = &play.level().unknown_mass;
-    let secret = pending.impact.discs.map(|disc| secret.contains(&disc));
-    masses(collision, secret, &mut panel);
+    let ImpactPrediction { impact, rays } = &pending.prediction;
+    let name = words::short(&play.level().scene, impact.discs[1]);
+    let unknown = &play.level().unknown_mass;
+    let is_secret = impact.discs.map(|disc| unknown.contains(&disc));
+    pending.prediction.write_facts(is_secret, &mut panel);
     panel.gap();
     panel.heading("The first hit");
     panel.part(LevelAction::Say, |panel| {
-        pending.rays.write(panel, name);
-        panel.gap();
-        panel.paragraph(pending.rays.about(name), Role::Text);
-        panel.gap();
-        pending.rays.write_prompt(panel, name, "shoot!");
+        rays.write_all(panel, name, "shoot!");
     });
     panel
 }
@@ -322,12 +292,9 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
     // After a win, or a shot that was shown, nothing is hidden.
-    let secret = match made.win {
-        Some(_) => &[],
-        None if made.is_shown => &[],
-        None => play.level().unknown_mass.as_slice(),
-    };
-    let is_secret = impact.discs.map(|disc| secret.contains(&disc));
+    let may_hide = made.win.is_none() && !made.is_shown;
+    let unknown = &play.level().unknown_mass;
+    let is_secret = impact.discs.map(|disc| may_hide && unknown.contains(&disc));
     if !watch.write_facts(is_secret, &mut panel) {
         return panel;
     }

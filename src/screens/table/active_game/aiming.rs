@@ -6,17 +6,16 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::arranging::Arrange;
 use super::calling::Calling;
-use super::{ActiveGame, After, GameAction, GamePhase, Hinted, score};
+use super::{ActiveGame, After, Aim, FirstHit, GameAction, GamePhase, Hinted, Preview, score};
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
-use crate::game::{Aids, Game, Move, Rules, opponent};
+use crate::game::{Game, Move, Rules, opponent};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::{capital, fixed};
 use crate::physics::units::{m_from_mm, mm_from_m};
-use crate::screens::table::aim::{Aim, SPEEDS, along_the_screen, rightwards};
-use crate::screens::table::computer_stroke::strike;
-use crate::screens::table::preview::{FirstHit, Preview, WayEnd};
-use crate::screens::table::{TableAction, picture, words};
-use crate::screens::{Context, StrikeGuard};
+use crate::screens::Context;
+use crate::screens::table::aim::{SPEEDS, along_the_screen, rightwards};
+use crate::screens::table::preview::WayEnd;
+use crate::screens::table::{TableAction, TablePanel, picture, words};
 use crate::widgets::input::{EntryAction, KeyTable};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{impact_angle, offset};
@@ -70,24 +69,13 @@ pub enum AimAid {
     Rays,
 }
 
-impl AimAid {
-    const ALL: [Self; 3] = [Self::Line, Self::Ghost, Self::Rays];
-
-    fn of(self, aids: &mut Aids) -> &mut bool {
-        match self {
-            Self::Line => &mut aids.line,
-            Self::Ghost => &mut aids.ghost,
-            Self::Rays => &mut aids.rays,
-        }
-    }
-}
-
 impl ActiveGame {
     pub(super) fn aim_keys(&self) -> KeyTable<TableAction> {
         use AimAction::{
             Aid, Call, Hint, LayOut, NextShot, Number, Place, PlaceUp, Strength, Strike, Turn,
             TurnFar, Undo,
         };
+        use AimAid::{Ghost, Line, Rays};
         use GameAction::{Back, Export, LookBack, WatchAll};
         let typing = self.entry.is_open();
         let practice = self.is_practice();
@@ -95,17 +83,11 @@ impl ActiveGame {
         let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
         let back = if self.is_pulling() { "cancel" } else { "" };
         // While a number is being typed, the bottom line begins with the keys that set it.
-        let entry = self.entry.keys();
-        let is_digit = |it| matches!(it, EntryAction::Type(_));
-        let (first, last) = match typing {
-            true => (
-                entry
-                    .renamed("", is_digit)
-                    .renamed("aim", |it| it == EntryAction::Enter),
-                KeyTable::new("number"),
-            ),
-            false => (KeyTable::new("number"), entry),
-        };
+        let (first, last) = (self.entry.keys(), self.entry.keys());
+        let first = first
+            .without(|_| !typing)
+            .renamed("", |it| matches!(it, EntryAction::Type(_)))
+            .renamed("aim", |it| it == EntryAction::Enter);
         let (coin, turn, place) = match typing {
             true => ("", "", "mm left or right"),
             // In a practice game the bottom line has no room for all three names.
@@ -136,9 +118,9 @@ impl ActiveGame {
             .by(['[', ']', '{', '}'], Place, [-1, 1, -10, 10], place)
             .called(&["left", "right", "far left", "far right"])
             .or([('a', Place(-1)), ('d', Place(1))])
-            .with(last, Number)
+            .with(last.without(|_| typing), Number)
             .on('c', Call, "call")
-            .by(['l', 'g', 'r'], Aid, AimAid::ALL, "aids")
+            .by(['l', 'g', 'r'], Aid, [Line, Ghost, Rays], "aids")
             .called(&["line", "ghost", "arrows"])
             .in_brief("n", |it| matches!(it, NextShot(_)))
             .in_brief("+ -", |it| it == Strength(1) && !typing)
@@ -205,8 +187,10 @@ impl ActiveGame {
                 self.shift(steps, along);
             }
             AimAction::PlaceUp(steps) => self.shift(steps, DVec2::Y),
-            AimAction::Aid(aid) => *aid.of(&mut self.options.aids) ^= true,
-            AimAction::Call => self.options.call ^= true,
+            AimAction::Aid(AimAid::Line) => self.options.company.aids.line ^= true,
+            AimAction::Aid(AimAid::Ghost) => self.options.company.aids.ghost ^= true,
+            AimAction::Aid(AimAid::Rays) => self.options.company.aids.rays ^= true,
+            AimAction::Call => self.options.company.call ^= true,
             AimAction::LayOut => return Some(GamePhase::Arrange(Arrange::default())),
             AimAction::Undo => self.take_back(),
             AimAction::Hint => self.help(),
@@ -217,7 +201,8 @@ impl ActiveGame {
 
     /// A coin that the player may want to pocket.
     fn wanted_coin(&self) -> &'static str {
-        let any = matches!(self.options.rules, Rules::Points | Rules::Solo) || self.is_practice();
+        let any =
+            matches!(self.options.setup.rules, Rules::Points | Rules::Solo) || self.is_practice();
         if any { "coin" } else { "coin of yours" }
     }
 
@@ -276,7 +261,7 @@ impl ActiveGame {
         }
         // A call is about the actual stroke, which includes the error of the hand.
         let struck = self.struck();
-        let preview = { self.options.call }.then(|| Preview::of(&struck, self.game()));
+        let preview = { self.options.company.call }.then(|| Preview::of(&struck, self.game()));
         match preview.flatten().as_ref().and_then(Preview::first_hit) {
             Some(hit) => Some(GamePhase::Call(Box::new(Calling::new(hit, None)))),
             None => self.play(Move::Strike(struck), cx),
@@ -295,15 +280,13 @@ impl ActiveGame {
     }
 
     /// Writes the aim, its first contact, and the score.
-    pub(super) fn write_aim(&self, charset: Charset, panel: &mut Panel<TableAction>) {
+    pub(super) fn write_aim(&self, charset: Charset, panel: &mut TablePanel) {
         self.write_turn(panel);
         score::write_warning(self, panel);
         let aim = self.aimed();
         // The refusal is above the aim, because a phone shows only the top of the panel.
         let refusal = self.refusal(&aim);
-        if let Some(why) = &refusal {
-            panel.paragraph(why.as_str(), Role::Warn);
-        }
+        panel.warning(refusal.as_deref());
         let typed = self.entry.shown();
         panel.fact("aim", typed.unwrap_or_else(|| self.direction(&aim)));
         strength(&aim, panel);
@@ -327,7 +310,7 @@ impl ActiveGame {
         }
         panel.gap();
         if let Some(hinted) = &self.hint {
-            let is_set = aim == Aim::of(&strike(hinted.hint.stroke), self.seat());
+            let is_set = aim == Aim::of(&hinted.hint.stroke.into(), self.seat());
             hint(hinted, is_set, panel);
         } else if refusal.is_none() {
             self.write_ahead(panel);
@@ -339,14 +322,12 @@ impl ActiveGame {
 
     /// Why the last action had no effect, or why no stroke is possible.
     fn refusal(&self, aim: &Aim) -> Option<String> {
-        let blocked = || self.game().check_place(aim.place).err();
-        if self.notice.is_some() {
-            self.notice.clone()
-        } else if self.guard.is_refusing() {
-            Some(StrikeGuard::TOO_SOON.to_owned())
-        } else {
-            blocked().map(|why| format!("No stroke is possible from here: {why}."))
-        }
+        let blocked = || {
+            let why = self.game().check_place(aim.place).err()?;
+            Some(format!("No stroke is possible from here: {why}."))
+        };
+        let notice = self.notice.as_deref().or(self.guard.refusal());
+        notice.map(str::to_owned).or_else(blocked)
     }
 
     pub(super) fn direction(&self, aim: &Aim) -> String {
@@ -362,9 +343,8 @@ impl ActiveGame {
         let game = self.game();
         if self.board_code().is_some() {
             let stroke = self.history.record().strokes() + 1;
-            let par = self
-                .par
-                .map_or(String::new(), |par| format!(" (par {par})"));
+            let par = self.par.map(|par| format!(" (par {par})"));
+            let par = par.unwrap_or_default();
             panel.line(format!("Stroke {stroke}{par}"), Role::Title);
             return;
         }
@@ -389,7 +369,7 @@ impl ActiveGame {
         };
         match &preview.end {
             // During a call the impact angle would reveal the coin's direction.
-            WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.call, panel),
+            WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.company.call, panel),
             WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
             WayEnd::Stops => panel.line("no hit", Role::Dim),
             WayEnd::TooSoft(coin) => {
@@ -398,7 +378,7 @@ impl ActiveGame {
                 panel.line(format!("too soft to reach the {coin}"), Role::Warn);
             }
         }
-        if self.options.call && self.first_hit().is_some() {
+        if self.options.company.call && self.first_hit().is_some() {
             panel.line("you will call this hit", Role::Key);
         }
     }
@@ -408,9 +388,8 @@ impl ActiveGame {
         let Some(errors) = self.hand().errors() else {
             return;
         };
-        let degrees = errors.direction.atan().to_degrees();
-        let (direction, percent) = (fixed(degrees, 1), fixed(100.0 * errors.speed, 0));
-        panel.fact("your hand", format!("± {direction}°, ± {percent} %"));
+        let [degrees, percent] = errors.in_figures();
+        panel.fact("your hand", format!("± {degrees}°, ± {percent} %"));
         let way = self.preview.as_ref().map_or(&[][..], |it| &it.way);
         if self.first_hit().is_some() {
             let length: f64 = way.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
@@ -427,7 +406,7 @@ pub(super) fn strength<A>(aim: &Aim, panel: &mut Panel<A>) {
 }
 
 /// Writes the hint: first where to look, then the whole stroke.
-fn hint(hinted: &Hinted, is_set: bool, panel: &mut Panel<TableAction>) {
+fn hint(hinted: &Hinted, is_set: bool, panel: &mut TablePanel) {
     let (words, more) = match hinted.whole {
         false => (hinted.hint.which(), "tell me more"),
         true => (hinted.hint.how(), "set this stroke"),

@@ -10,9 +10,8 @@ use crate::game::{Coin, Game, Move, Piece};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Board;
 use crate::screens::table::aim::millimetres;
-use crate::screens::table::{TableAction, picture};
+use crate::screens::table::{TableAction, TablePanel, picture};
 use crate::widgets::input::KeyTable;
-use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Charset, Role};
 
@@ -24,7 +23,7 @@ const NO_COIN: &str = "There is no coin under the hand.";
 
 /// A hand over the board, which may hold a coin; at first it is empty and over the middle.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(in crate::screens::table) struct Arrange {
+pub(super) struct Arrange {
     /// The position of the hand, in metres.
     hand: DVec2,
     /// The index, in the game, of the coin that the hand holds.
@@ -53,17 +52,13 @@ pub(super) fn keys() -> KeyTable<ArrangeAction> {
     use ArrangeAction::{Add, Hand, NextCoin, RemoveCoin, TakeOrLay, Undo};
     let ways = [(0, 1), (0, -1), (-1, 0), (1, 0)];
     let near = ways.map(|(x, y)| Hand(x, y));
+    let pieces = [Piece::White, Piece::Black, Piece::Queen];
     KeyTable::new("table")
         .by(Key::ARROWS, |(x, y)| Hand(10 * x, 10 * y), ways, "move")
         .or(['w', 's', 'a', 'd'].into_iter().zip(near))
         .on(' ', TakeOrLay, "take, lay")
         .or([(Key::Enter, TakeOrLay)])
-        .by(
-            ['o', 'b', 'q'],
-            Add,
-            [Piece::White, Piece::Black, Piece::Queen],
-            "add",
-        )
+        .by(['o', 'b', 'q'], Add, pieces, "add")
         .called(&["white", "black", "queen"])
         .on('x', RemoveCoin, "remove")
         .or([Key::Delete, Key::Backspace].map(|key| (key, RemoveCoin)))
@@ -186,12 +181,7 @@ impl Arrange {
         picture
     }
 
-    pub(super) fn write(
-        &self,
-        game: &ActiveGame,
-        charset: Charset,
-        panel: &mut Panel<TableAction>,
-    ) {
+    pub(super) fn write(&self, game: &ActiveGame, charset: Charset, panel: &mut TablePanel) {
         let (what, next) = match self.held {
             Some(_) => ("Move the coin and put it down.", "put it down"),
             None => (
@@ -203,9 +193,7 @@ impl Arrange {
         panel.fact("place", millimetres(self.hand));
         panel.prompt(next, TableAction::Arrange(ArrangeAction::TakeOrLay));
         panel.gap();
-        if let Some(notice) = &game.notice {
-            panel.paragraph(notice, Role::Warn);
-        }
+        panel.warning(game.notice.as_deref());
         panel.gap();
         score::write_pieces(game, charset, panel);
         panel.gap();

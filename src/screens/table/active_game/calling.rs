@@ -1,40 +1,29 @@
 //! Calls: predicting the first impact before the stroke.
 
-use ratatui::layout::Rect;
-
-use super::{ActiveGame, After, GamePhase, ShownStroke};
+use super::{ActiveGame, FirstHit, GamePhase, ShownStroke};
 use crate::game::{Move, Strike};
-use crate::messages::{Mouse, MouseKind};
 use crate::progress::{Attempt, Predicted, TABLE};
 use crate::screens::Context;
-use crate::screens::table::TableAction;
 use crate::screens::table::calls::call;
 use crate::screens::table::computer_stroke::ComputerStroke;
-use crate::screens::table::preview::FirstHit;
-use crate::widgets::hit::{Face, Markings, point_at, setup_picture};
-use crate::widgets::input::{KeyTable, RayAction};
-use crate::widgets::panel::Panel;
-use crate::widgets::panels::{contact_distance, masses, offset};
-use crate::widgets::picture::Picture;
-use crate::widgets::{Outcome, RayInput, Role};
+use crate::screens::table::{TableAction, TablePanel};
+use crate::widgets::input::RayAction;
+use crate::widgets::replay::ImpactPrediction;
+use crate::widgets::{Outcome, RayInput};
 
 /// A call that the player is making.
 #[derive(Debug, Clone)]
-pub(in crate::screens::table) struct Calling {
-    hit: FirstHit,
-    rays: RayInput,
+pub(super) struct Calling {
+    pub(super) prediction: ImpactPrediction,
     /// The computer's stroke, if the call predicts one.
     of: Option<ComputerStroke>,
 }
 
 impl Calling {
     pub(super) fn new(hit: FirstHit, of: Option<ComputerStroke>) -> Self {
-        let rays = RayInput::new(hit.impact.collision.side());
-        Self { hit, rays, of }
-    }
-
-    pub(super) fn keys(&self) -> KeyTable<RayAction> {
-        self.rays.keys("next, then strike")
+        let (impact, rays) = (hit.impact, RayInput::new(hit.impact.collision.side()));
+        let prediction = ImpactPrediction { impact, rays };
+        Self { prediction, of }
     }
 
     /// Turns a ray; once both are set, makes the stroke and records the call.
@@ -44,10 +33,10 @@ impl Calling {
         game: &mut ActiveGame,
         cx: &mut Context,
     ) -> Option<GamePhase> {
-        if self.rays.act(action) != Outcome::Done(()) {
+        if self.prediction.rays.act(action) != Outcome::Done(()) {
             return None;
         }
-        let call = Some(call(&self.rays.said()?));
+        let call = Some(call(&self.prediction.rays.said()?));
         let number = game.history.len();
         let phase = match &self.of {
             Some(stroke) => game.play_for_the_computer(stroke, call, cx),
@@ -75,42 +64,13 @@ impl Calling {
         }
     }
 
-    pub(super) fn point(&mut self, mouse: &Mouse, area: Rect) -> After {
-        let pressed = mouse.kind == MouseKind::Down;
-        if !mouse.is_held() || !area.contains(mouse.cell().into()) {
-            return After::Ignored;
-        }
-        let collision = &self.hit.impact.collision;
-        point_at(area, collision, &mut self.rays, mouse.place(), pressed);
-        After::Same
-    }
-
-    pub(super) fn picture(&self, area: Rect) -> Picture {
-        // The impact angle is hidden, because the coin leaves along the line of impact.
-        let shown = Markings {
-            angle: false,
-            ..Markings::ALL
-        };
-        let collision = &self.hit.impact.collision;
-        let rays = Some(&self.rays);
-        setup_picture(area, Face::STRIKER_AND_COIN, collision, shown, rays)
-    }
-
     /// Writes the collision, and both rays as predicted so far.
-    pub(super) fn write(&self, panel: &mut Panel<TableAction>) {
-        let collision = &self.hit.impact.collision;
-        offset(collision, panel);
-        // The impact angle is left out, because it would reveal the coin's direction.
-        contact_distance(collision, panel);
-        masses(collision, [false; 2], panel);
+    pub(super) fn write(&self, panel: &mut TablePanel) {
+        self.prediction.write_facts([false; 2], panel);
         panel.gap();
         panel.heading("Where will they go?");
         panel.part(TableAction::Call, |panel| {
-            self.rays.write(panel, "coin");
-            panel.gap();
-            panel.paragraph(self.rays.about("coin"), Role::Text);
-            panel.gap();
-            self.rays.write_prompt(panel, "coin", "strike!");
+            self.prediction.rays.write_all(panel, "coin", "strike!");
         });
     }
 }

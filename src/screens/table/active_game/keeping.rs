@@ -1,11 +1,9 @@
 //! Saving the game after each move, exporting it, and resuming it later.
 
-use super::ActiveGame;
+use super::{ActiveGame, GameHistory, Options};
 use crate::game::{Fingerprint, RecordError, SavedGame, opponent};
 use crate::messages::{StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
-use crate::screens::table::game_history::GameHistory;
-use crate::screens::table::options::Options;
 use crate::screens::table::words;
 
 /// Whether the game is saved, and with which ticket.
@@ -25,10 +23,7 @@ impl ActiveGame {
     ///
     /// # Errors
     /// If the saved game cannot be played through.
-    pub(in crate::screens::table) fn resume_saved(
-        saved: &SavedGame,
-        ticket: u64,
-    ) -> Result<Self, RecordError> {
+    pub(crate) fn resume_saved(saved: &SavedGame, ticket: u64) -> Result<Self, RecordError> {
         let history = GameHistory::from_record(saved.record.clone(), saved.hints.clone())?;
         let mut active = Self::with(Options::of(saved), history);
         active.par = active.board_code().and_then(opponent::par);
@@ -59,7 +54,7 @@ impl ActiveGame {
     pub(super) fn saved(&self, cx: &Context) -> SavedGame {
         SavedGame {
             player: cx.settings.player.clone(),
-            company: self.options.company(),
+            company: self.options.saved_company(),
             record: self.history.record().clone(),
             hints: self.history.hints().to_vec(),
             end: Fingerprint::of(self.game()),
@@ -67,7 +62,7 @@ impl ActiveGame {
     }
 
     /// Handles the results of saving and exporting.
-    pub(in crate::screens::table) fn take_answer(&mut self, answer: &StoreAnswer) {
+    pub(crate) fn take_answer(&mut self, answer: &StoreAnswer) {
         match &answer.done {
             StoreReply::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {
                 // A failure is reported once, not after each stroke.

@@ -9,8 +9,6 @@ mod keeping;
 mod over;
 mod pictures;
 mod playing;
-#[cfg(test)]
-mod presses;
 mod pulling;
 mod score;
 mod showing;
@@ -23,11 +21,11 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::aim::Aim;
 use super::game_history::GameHistory;
-use super::options::{Options, Player};
+use super::options::Options;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
 use crate::game::opponent::StrokeHint;
-use crate::game::{BoardCode, Game, GameStage, Move, PieceSet, Rules, Seat};
+use crate::game::{BoardCode, Game, GameStage, Move, PieceSet, Player, Rules, Seat};
 use crate::numbers::capital;
 use crate::physics::Shot;
 use crate::screens::{Context, Next, StrikeGuard};
@@ -37,10 +35,8 @@ use arranging::Arrange;
 pub(super) use arranging::ArrangeAction;
 use calling::Calling;
 use keeping::GameKeeping;
-pub(super) use over::OverAction;
 pub(super) use playing::Playing;
 use pulling::Grip;
-pub(super) use showing::ShowAction;
 use showing::ShownStroke;
 pub(super) use watching::StrokeAction;
 use watching::StrokeReplay;
@@ -84,7 +80,7 @@ enum GamePhase {
     Over,
 }
 
-/// Actions that are available in more than one phase of a game.
+/// What the keys do in a game, apart from aiming, calls, replays and arranging coins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum GameAction {
@@ -94,6 +90,14 @@ pub enum GameAction {
     WatchAll,
     /// export: write the game to a separate file
     Export,
+    /// let the computer strike at once
+    StrikeShown,
+    /// call: predict the directions of the two discs in the computer's collision
+    CallShown,
+    /// start the next board, or end the match
+    NextBoard,
+    /// watch the best stroke of the board again
+    WatchBest,
     /// go back
     Back,
 }
@@ -130,7 +134,7 @@ pub(super) struct Hinted {
 
 impl ActiveGame {
     pub(super) fn new(options: Options, seed: u64) -> Self {
-        let history = GameHistory::new(options.setup(seed));
+        let history = GameHistory::new(options.seeded(seed));
         Self::with(options, history)
     }
 
@@ -178,10 +182,6 @@ impl ActiveGame {
 
     pub(super) fn is_practice(&self) -> bool {
         self.game().setup().rules == Rules::Practice
-    }
-
-    pub(super) fn is_points(&self) -> bool {
-        self.game().setup().rules == Rules::Points
     }
 
     /// The code of the board, if it is a board for one player.
@@ -243,7 +243,7 @@ impl ActiveGame {
         let shot = self.make(stroke)?;
         let past = self.history.past(number)?;
         let at_end = cx.settings.reduced_motion;
-        let mut replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
+        let mut replay = StrokeReplay::new(number, shot, past, at_end, cx);
         replay.live = true;
         Some(GamePhase::Watch(Box::new(replay)))
     }
@@ -255,7 +255,7 @@ impl ActiveGame {
             return None;
         };
         let (past, shot) = (self.history.past(number)?, self.history.shot(number)?);
-        let replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
+        let replay = StrokeReplay::new(number, shot, past, at_end, cx);
         Some(GamePhase::Watch(Box::new(replay)))
     }
 

@@ -1,65 +1,29 @@
 //! The end of a board, a game or the match: the result, and what comes next.
 
-use strum::{EnumMessage, IntoStaticStr};
-
-use super::{ActiveGame, After, GameAction, score};
+use super::{ActiveGame, After, GameAction, GamePhase, Player, score};
 use crate::game::opponent::PlayerHand;
 use crate::game::{Game, GameStage, Length, Move, Rules, Seat, Team};
-use crate::messages::Key;
 use crate::numbers::{capital, counted};
 use crate::screens::table::board_report::{BoardReport, TeamReport, run_words};
-use crate::screens::table::options::Player;
-use crate::screens::table::{TableAction, words};
+use crate::screens::table::{TableAction, TablePanel, words};
 use crate::screens::{Context, Next};
 use crate::widgets::Role;
-use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 
-/// What the keys do at the end of a board.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
-#[strum(serialize_all = "kebab-case")]
-pub enum OverAction {
-    /// start the next board, or end the match
-    NextBoard,
-    /// watch the best stroke of the board again
-    WatchBest,
-}
-
-pub(super) fn keys() -> KeyTable<TableAction> {
-    use GameAction::{Back, Export, LookBack, WatchAll};
-    use OverAction::{NextBoard, WatchBest};
-    let next = KeyTable::new("table")
-        .on(Key::Enter, NextBoard, "next")
-        .or([(' ', NextBoard)]);
-    let best = KeyTable::new("table").on('b', WatchBest, "best stroke");
-    let shared = KeyTable::new("table")
-        .on('v', WatchAll, "replay")
-        .on('e', Export, "export")
-        .on(Key::Escape, Back, "leave");
-    next.map(TableAction::Over)
-        .with(
-            KeyTable::new("table").on('i', LookBack, "strokes"),
-            TableAction::Game,
-        )
-        .with(best, TableAction::Over)
-        .with(shared, TableAction::Game)
-}
-
 impl ActiveGame {
-    pub(super) fn act_on_end(&mut self, action: OverAction, cx: &Context) -> After {
-        match action {
-            OverAction::NextBoard if matches!(self.game().stage(), GameStage::MatchOver(_)) => {
-                After::Screen(Next::Back)
-            }
-            OverAction::NextBoard => {
-                self.make(Move::NextBoard);
-                After::Phase(self.turn(cx))
-            }
-            OverAction::WatchBest => {
-                let best = BoardReport::of(&self.history).best;
-                self.look_at(best, cx.settings.reduced_motion, cx).into()
-            }
+    /// Starts the next board, or ends the match.
+    pub(super) fn next_board(&mut self, cx: &Context) -> After {
+        if let GameStage::MatchOver(_) = self.game().stage() {
+            return After::Screen(Next::Back);
         }
+        self.make(Move::NextBoard);
+        After::Phase(self.turn(cx))
+    }
+
+    /// The replay of the best stroke of the board.
+    pub(super) fn watch_best(&mut self, cx: &Context) -> Option<GamePhase> {
+        let best = BoardReport::of(&self.history).best;
+        self.look_at(best, cx.settings.reduced_motion, cx)
     }
 
     /// A click on the board continues. The end of a match is left only with a key: after an
@@ -67,23 +31,20 @@ impl ActiveGame {
     pub(super) fn click_on_end(&mut self, cx: &Context) -> After {
         match self.game().stage() {
             GameStage::MatchOver(_) => After::Same,
-            _ => self.act_on_end(OverAction::NextBoard, cx),
+            _ => self.next_board(cx),
         }
     }
 
     /// Writes the result of the board, and what can be done next.
-    pub(super) fn write_end(&self, panel: &mut Panel<TableAction>) {
+    pub(super) fn write_end(&self, panel: &mut TablePanel) {
         let game = self.game();
         let report = BoardReport::of(&self.history);
         panel.paragraph(self.headline(&report), Role::Title);
         panel.gap();
         if let Some(code) = self.board_code().filter(|_| self.is_cleared()) {
             let result = code.result(self.history.record().strokes(), self.par);
-            panel.result(
-                result,
-                format!("carrom board {code}"),
-                format!("board={code}"),
-            );
+            let (command, address) = (format!("carrom board {code}"), format!("board={code}"));
+            panel.result(result, command, address);
         } else if let Some(last) = self.history.moves().last() {
             last.write_rulings(panel);
         }
@@ -106,9 +67,7 @@ impl ActiveGame {
         }
         score::write_calls(self, panel);
         self.write_best(&report, panel);
-        if let Some(notice) = &self.notice {
-            panel.paragraph(notice, Role::Warn);
-        }
+        panel.warning(self.notice.as_deref());
         panel.pin_below();
         if let Some(breaker) = next_breaker(game) {
             let breaks = words::does(self.options.seat_name(breaker), "breaks");
@@ -120,8 +79,8 @@ impl ActiveGame {
             GameStage::GameOver(_) if game.setup().rules == Rules::Tournament => "the next game",
             _ => "the next board",
         };
-        panel.prompt(next, TableAction::Over(OverAction::NextBoard));
-        let best = TableAction::Over(OverAction::WatchBest);
+        panel.prompt(next, TableAction::Game(GameAction::NextBoard));
+        let best = TableAction::Game(GameAction::WatchBest);
         let best = report.best.map(|_| ("the best stroke", best));
         let strokes = ("the strokes", TableAction::Game(GameAction::LookBack));
         panel.prompts([strokes].into_iter().chain(best));

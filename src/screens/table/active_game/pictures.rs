@@ -3,17 +3,15 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::ActiveGame;
 use super::pulling::Grip;
 use super::showing::ShownStroke;
 use super::watching::{FALL, StrokeReplay};
+use super::{ActiveGame, FirstHit, Pointer, Preview};
 use crate::game::opponent::Slip;
 use crate::game::{Piece, Seat};
 use crate::physics::{Board, DiscState, stopping_distance};
 use crate::screens::table::computer_stroke::ComputerStroke;
 use crate::screens::table::picture::{bodies, body, ground};
-use crate::screens::table::pointer::Pointer;
-use crate::screens::table::preview::{FirstHit, Preview};
 use crate::screens::table::words;
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture};
 use crate::widgets::{Role, board, sheet};
@@ -41,7 +39,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     let place = aim.place;
     let radius = active.set().striker_radius();
     let heading = aim.heading(seat);
-    let aids = active.options.aids;
+    let aids = active.options.company.aids;
     let hit = active.first_hit();
     if !active.is_practice() {
         own_side(&mut picture, seat);
@@ -67,20 +65,16 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     discs.push(striker);
     picture.discs(discs);
     sheet::next_picture_shows(|| {
-        let coins = active
-            .game()
-            .coins()
-            .iter()
-            .map(|coin| (coin.piece, coin.at));
-        let discs = coins.chain([(Piece::Striker, place)]);
-        board::places_in_words(discs.map(|(piece, at)| (piece.to_string(), at)))
+        let coins = active.game().coins().iter();
+        let coins = coins.map(|coin| (coin.piece.to_string(), coin.at));
+        board::places_in_words(coins.chain([(Piece::Striker.to_string(), place)]))
     });
     if let Some(hit) = &hit {
         let ghost = hit.ghost();
         if aids.ghost {
             board::ghost(&mut picture, ghost, radius, Role::Predicted);
         }
-        if aids.rays && !active.options.call {
+        if aids.rays && !active.options.company.call {
             departures(&mut picture, hit, ghost);
         }
     }
@@ -142,12 +136,8 @@ fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
     if let (&[from, to, ..], Some(off)) = (way, stroke.off()) {
         let out = (to - from).perp().normalize_or_zero();
         let sides = LabelSide::towards(out * stroke.decision.slip.turn.signum() * -1.0);
-        let label = picture.label(
-            format!("meant: {off}"),
-            from.lerp(to, 0.6),
-            &sides,
-            Role::Predicted,
-        );
+        let text = format!("meant: {off}");
+        let label = picture.label(text, from.lerp(to, 0.6), &sides, Role::Predicted);
         label.or(to, &LabelSide::ALL);
     }
 }
@@ -221,9 +211,8 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
     let discs = replay.discs();
     picture.discs(discs.map(|(piece, at)| body(active.set(), piece, at)));
     if let Some((number, impact)) = replay.player.chosen() {
-        let [a, b] = impact
-            .discs
-            .map(|disc| replay.player.shot().at(disc, impact.time).position);
+        let shot = replay.player.shot();
+        let [a, b] = impact.discs.map(|disc| shot.at(disc, impact.time).position);
         let number = number + 1;
         let share = impact.collision.striker.radius / impact.collision.contact_distance();
         let contact = a.lerp(b, share);

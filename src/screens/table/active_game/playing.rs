@@ -4,22 +4,24 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{ActiveGame, After, AimAction, GameAction, GamePhase, OverAction, pictures, trays};
+use super::{ActiveGame, After, AimAction, GameAction, GamePhase, arranging, pictures, trays};
 use crate::game::laws::POINTS_TO_WIN;
-use crate::game::{BoardCode, GameStage, Piece, Rules};
+use crate::game::{GameStage, Piece, Rules};
 use crate::messages::{Key, Mouse, StoreRequest};
-use crate::screens::table::{TableAction, picture, words};
+use crate::screens::table::{TableAction, TablePanel, picture, words};
 use crate::screens::{Confirmation, Context, Next, StrikeGuard, View};
-use crate::widgets::hit::{CONTACT, HitPace, contact_picture};
+use crate::widgets::hit::{CONTACT, Face, HitPace, contact_picture};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Charset, RayInput, Role, board};
+use crate::widgets::{Charset, RayInput, board};
+
+use GameAction::{Back, CallShown, Export, LookBack, NextBoard, StrikeShown, WatchAll, WatchBest};
 
 /// A game and its current phase.
 #[derive(Debug, Clone)]
-pub(in crate::screens::table) struct Playing {
-    pub(in crate::screens::table) game: ActiveGame,
+pub(crate) struct Playing {
+    pub(crate) game: ActiveGame,
     pub(super) phase: GamePhase,
 }
 
@@ -37,61 +39,67 @@ impl From<ActiveGame> for Playing {
 
 impl Playing {
     /// Replays a saved game from its beginning.
-    pub(in crate::screens::table) fn watch_all(&mut self, cx: &mut Context) {
+    pub(crate) fn watch_all(&mut self, cx: &mut Context) {
         let first = self.game.watch_all(cx);
         self.follow(first.into(), cx);
     }
 
     /// The current keys, the most useful first.
-    pub(in crate::screens::table) fn keys(&self) -> KeyTable<TableAction> {
-        use GameAction::{Back, Export, WatchAll};
-        let game = &self.game;
-        let table = KeyTable::new("table");
-        let shared = KeyTable::new("table");
-        match &self.phase {
-            GamePhase::Aim => game.aim_keys(),
-            GamePhase::Show(_) => table
-                .with(super::showing::keys(), TableAction::Show)
-                .with(shared.on(Key::Escape, Back, "leave"), TableAction::Game),
-            GamePhase::Call(calling) => table
-                .with(calling.keys(), TableAction::Call)
-                .with(shared.on(Key::Escape, Back, "back"), TableAction::Game),
+    pub(crate) fn keys(&self) -> KeyTable<TableAction> {
+        let none = KeyTable::new("table");
+        let game = KeyTable::new("table");
+        let (own, game) = match &self.phase {
+            GamePhase::Aim => return self.game.aim_keys(),
+            GamePhase::Show(_) => {
+                let strike = game
+                    .on(' ', StrikeShown, "strike")
+                    .or([(Key::Enter, StrikeShown)])
+                    .on('c', CallShown, "your call");
+                (none, strike.on(Key::Escape, Back, "leave"))
+            }
+            GamePhase::Call(calling) => {
+                let rays = calling.prediction.rays.keys("next, then strike");
+                let back = game.on(Key::Escape, Back, "back");
+                (rays.map(TableAction::Call), back)
+            }
             GamePhase::Watch(replay) => {
-                let on_board = replay.player.chosen().is_none();
-                let shared = shared
+                let zoomed = replay.player.chosen().is_some();
+                let game = game
                     .on(Key::Escape, Back, "")
-                    .when(on_board)
                     .on('v', WatchAll, "")
-                    .when(on_board)
-                    .on('e', Export, "")
-                    .when(on_board);
-                let watching = replay.keys(&game.history);
-                table
-                    .with(watching, TableAction::Watch)
-                    .with(shared, TableAction::Game)
+                    .on('e', Export, "");
+                let watch = replay.keys(&self.game.history);
+                (watch.map(TableAction::Watch), game.without(|_| zoomed))
             }
             GamePhase::Arrange(_) => {
-                let shared = shared
-                    .on('p', Back, "done")
-                    .or([(Key::Escape, Back)])
-                    .on('e', Export, "");
-                table
-                    .with(super::arranging::keys(), TableAction::Arrange)
-                    .with(shared, TableAction::Game)
+                let done = game.on('p', Back, "done").or([(Key::Escape, Back)]);
+                let arrange = arranging::keys().map(TableAction::Arrange);
+                (arrange, done.on('e', Export, ""))
             }
-            GamePhase::Over => super::over::keys(),
-        }
+            GamePhase::Over => {
+                let next = game
+                    .on(Key::Enter, NextBoard, "next")
+                    .or([(' ', NextBoard)])
+                    .on('i', LookBack, "strokes")
+                    .on('b', WatchBest, "best stroke")
+                    .on('v', WatchAll, "replay")
+                    .on('e', Export, "export")
+                    .on(Key::Escape, Back, "leave");
+                (none, next)
+            }
+        };
+        own.with(game, TableAction::Game)
     }
 
     /// Carries out the action of a key or a click.
-    pub(in crate::screens::table) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
+    pub(crate) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
+        use TableAction::{Aim, Arrange, Call, Game, Watch};
         self.game.notice = None;
         self.hand_over(cx);
         let game = &mut self.game;
         let strikes = matches!(
             (&self.phase, action),
-            (GamePhase::Aim, TableAction::Aim(AimAction::Strike))
-                | (GamePhase::Over, TableAction::Over(OverAction::NextBoard))
+            (GamePhase::Aim, Aim(AimAction::Strike)) | (GamePhase::Over, Game(NextBoard))
         );
         match strikes {
             true if !game.guard.allows() => return Next::Stay,
@@ -99,42 +107,31 @@ impl Playing {
             false => game.guard.release(),
         }
         let after = match (&mut self.phase, action) {
-            (phase, TableAction::Game(action)) => match action {
-                GameAction::LookBack => game.look_back(cx).into(),
-                GameAction::WatchAll => game.watch_all(cx).into(),
-                GameAction::Export => {
-                    cx.ask(StoreRequest::Export(Box::new(game.saved(cx))));
-                    After::Same
-                }
-                GameAction::Back => phase.back(game, cx),
-            },
-            (GamePhase::Aim, TableAction::Aim(action)) => game.aim_by(action, cx).into(),
-            (GamePhase::Show(shown), TableAction::Show(action)) => {
-                shown.act(action, game, cx).into()
+            (_, Game(LookBack)) => game.look_back(cx).into(),
+            (_, Game(WatchAll)) => game.watch_all(cx).into(),
+            (_, Game(Export)) => {
+                cx.ask(StoreRequest::Export(Box::new(game.saved(cx))));
+                After::Same
             }
-            (GamePhase::Call(calling), TableAction::Call(action)) => {
-                calling.act(action, game, cx).into()
-            }
-            (GamePhase::Watch(replay), TableAction::Watch(action)) => {
-                replay.act(action, game, cx).into()
-            }
-            (GamePhase::Arrange(hand), TableAction::Arrange(action)) => {
+            (phase, Game(Back)) => phase.back(game, cx),
+            (GamePhase::Aim, Aim(action)) => game.aim_by(action, cx).into(),
+            (GamePhase::Show(shown), Game(StrikeShown)) => After::Phase(shown.strike(game, cx)),
+            (GamePhase::Show(shown), Game(CallShown)) => After::Phase(shown.call(game, cx)),
+            (GamePhase::Call(calling), Call(action)) => calling.act(action, game, cx).into(),
+            (GamePhase::Watch(replay), Watch(action)) => replay.act(action, game, cx).into(),
+            (GamePhase::Arrange(hand), Arrange(action)) => {
                 hand.act(action, game);
                 After::Same
             }
-            (GamePhase::Over, TableAction::Over(action)) => game.act_on_end(action, cx),
+            (GamePhase::Over, Game(NextBoard)) => game.next_board(cx),
+            (GamePhase::Over, Game(WatchBest)) => game.watch_best(cx).into(),
             _ => After::Ignored,
         };
         self.follow(after, cx)
     }
 
     /// Handles the mouse over the picture.
-    pub(in crate::screens::table) fn point(
-        &mut self,
-        mouse: &Mouse,
-        area: Rect,
-        cx: &mut Context,
-    ) -> Next {
+    pub(crate) fn point(&mut self, mouse: &Mouse, area: Rect, cx: &mut Context) -> Next {
         self.game.notice = None;
         self.hand_over(cx);
         let (game, pressed) = (&mut self.game, mouse.presses(area));
@@ -143,8 +140,11 @@ impl Playing {
         }
         let after = match &mut self.phase {
             GamePhase::Aim => game.aim_at(mouse, area, cx),
-            GamePhase::Show(shown) if pressed => shown.strike(game, cx).into(),
-            GamePhase::Call(calling) => calling.point(mouse, area),
+            GamePhase::Show(shown) if pressed => After::Phase(shown.strike(game, cx)),
+            GamePhase::Call(calling) => match calling.prediction.point(mouse, area) {
+                true => After::Same,
+                false => After::Ignored,
+            },
             GamePhase::Watch(replay) if pressed => replay.click(game, cx),
             GamePhase::Arrange(hand) => hand.point(mouse, area, game),
             GamePhase::Over if pressed && game.guard.allows() => game.click_on_end(cx),
@@ -154,7 +154,7 @@ impl Playing {
     }
 
     /// Handles a turn of the mouse wheel.
-    pub(in crate::screens::table) fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+    pub(crate) fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
         self.game.notice = None;
         self.game.guard.release();
         let after = match &mut self.phase {
@@ -171,7 +171,7 @@ impl Playing {
         self.follow(after, cx)
     }
 
-    pub(in crate::screens::table) fn advance(&mut self, passed: Duration, cx: &mut Context) {
+    pub(crate) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
         self.game.guard.advance(passed);
         let after = match &mut self.phase {
@@ -183,10 +183,10 @@ impl Playing {
     }
 
     /// The time until the game must next be advanced.
-    pub(in crate::screens::table) fn wake(&self, pace: HitPace) -> Option<Duration> {
+    pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.phase {
             GamePhase::Watch(replay) => replay.wake(&self.game, pace),
-            GamePhase::Show(shown) => shown.wake(),
+            GamePhase::Show(shown) => shown.left,
             GamePhase::Aim if self.game.is_computers_turn() => Some(Duration::ZERO),
             GamePhase::Aim | GamePhase::Over => self.game.guard.wake(),
             _ => None,
@@ -219,15 +219,13 @@ impl Playing {
     }
 
     /// The view of the current phase.
-    pub(in crate::screens::table) fn view(&self, charset: Charset) -> View<'_, TableAction> {
+    pub(crate) fn view(&self, charset: Charset) -> View<'_, TableAction> {
         let (game, phase) = (&self.game, &self.phase);
         let (title, panel_title) = phase.titles(game);
         let mut panel = Panel::new(panel_title);
         panel.subject = game.history.len();
-        if let Some(trouble) = &game.keeping.trouble {
-            panel.paragraph(trouble, Role::Warn);
-            panel.gap();
-        }
+        panel.warning(game.keeping.trouble.as_deref());
+        panel.gap();
         phase.write(game, charset, &mut panel);
         let dragging = match phase {
             // Anyone who has played before knows this, and a phone has little room.
@@ -246,7 +244,7 @@ impl Playing {
             return View::drawn(title, |area| phase.picture(game, area), panel).dragging(dragging);
         }
         let hit = { game.first_hit() }.filter(|_| matches!(phase, GamePhase::Aim));
-        let hit = hit.filter(|_| game.options.aids.ghost);
+        let hit = hit.filter(|_| game.options.company.aids.ghost);
         let contact = hit.and_then(|hit| {
             let coin = game.game().coins().get(hit.coin)?;
             let faces = [Piece::Striker, coin.piece].map(words::face);
@@ -299,7 +297,7 @@ impl GamePhase {
         match self {
             Self::Aim => pictures::of_aim(game, area),
             Self::Show(shown) => pictures::of_show(game, shown, area),
-            Self::Call(calling) => calling.picture(area),
+            Self::Call(calling) => calling.prediction.picture(Face::STRIKER_AND_COIN, area),
             Self::Watch(replay) => match replay.player.zoom() {
                 Some(watch) => watch.picture(area),
                 None => pictures::of_replay(game, replay, area),
@@ -323,7 +321,7 @@ impl GamePhase {
         (board_title(game), panel)
     }
 
-    fn write(&self, game: &ActiveGame, charset: Charset, panel: &mut Panel<TableAction>) {
+    fn write(&self, game: &ActiveGame, charset: Charset, panel: &mut TablePanel) {
         match self {
             Self::Aim => game.write_aim(charset, panel),
             Self::Show(shown) => shown.write(game, charset, panel),
@@ -347,19 +345,12 @@ fn parting(game: &ActiveGame) -> Confirmation {
 /// The number of the board, and the score.
 fn board_title(active: &ActiveGame) -> String {
     let game = active.game();
+    let score = active.options.score(game);
     match game.setup().rules {
         Rules::Practice => "practice".into(),
-        Rules::Solo => {
-            let code = game.setup().board_code();
-            code.map_or_else(String::new, BoardCode::title)
-        }
-        Rules::Friendly => {
-            format!("boards won   {}", active.options.score(game))
-        }
-        Rules::Points => format!("points to {POINTS_TO_WIN}   {}", active.options.score(game)),
-        Rules::Tournament => {
-            let score = active.options.score(game);
-            format!("board {}   {score}", game.board_number())
-        }
+        Rules::Solo => words::solo_title(game),
+        Rules::Friendly => format!("boards won   {score}"),
+        Rules::Points => format!("points to {POINTS_TO_WIN}   {score}"),
+        Rules::Tournament => format!("board {}   {score}", game.board_number()),
     }
 }

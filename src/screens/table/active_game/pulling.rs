@@ -3,10 +3,10 @@
 
 use glam::DVec2;
 
-use super::{ActiveGame, After};
+use super::{ActiveGame, After, Aim};
 use crate::physics::angle::signed_angle;
 use crate::screens::Context;
-use crate::screens::table::aim::{Aim, SPEEDS};
+use crate::screens::table::aim::SPEEDS;
 
 /// The distance within which the mouse takes hold of the striker, in radii of the striker.
 const HOLD: f64 = 1.6;
@@ -193,11 +193,8 @@ mod tests {
     const BOARD: Rect = Rect::new(1, 2, 39, 20);
 
     fn at_turn_of(seat: Seat) -> ActiveGame {
-        let options = Options {
-            hands: Hands::Four,
-            ..Options::two_people()
-        };
-        let mut setup = options.setup(1);
+        let options = Options::two_people().with(|it| it.setup.hands = Hands::Four);
+        let mut setup = options.seeded(1);
         setup.first_breaker = seat;
         ActiveGame::with(options, GameHistory::new(setup))
     }

@@ -29,6 +29,7 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
         panel.fact(format!("coins {sign} left"), game.coins().len().to_string());
         return;
     }
+    let is_points = game.setup().rules == Rules::Points;
     for colour in [Colour::White, Colour::Black] {
         let sign = token(words::role(colour.piece()), charset);
         let count = game.play().on_board(colour);
@@ -36,8 +37,8 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
         let team = Team::BOTH[usize::from(game.colour(Team::First) != colour)];
         let (whose, role) = match team == game.team(active.seat()) {
             _ if active.is_practice() => ("", Role::Dim),
-            _ if active.is_points() && colour == Colour::White => ("2 points each", Role::Dim),
-            _ if active.is_points() => ("1 point each", Role::Dim),
+            _ if is_points && colour == Colour::White => ("2 points each", Role::Dim),
+            _ if is_points => ("1 point each", Role::Dim),
             true => (active.options.team_name(team), Role::Title),
             false => (active.options.team_name(team), Role::Dim),
         };
@@ -49,7 +50,7 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
         None => "to be covered".into(),
     };
     panel.pair(("queen Q", Role::Text), (queen, Role::Dim));
-    if active.is_points() {
+    if is_points {
         panel.fact("points", active.options.score(game));
     }
 }
@@ -59,9 +60,7 @@ pub(super) fn write_warning<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     let (game, play) = (active.game(), active.game().play());
     let own = play.on_board(game.colour(game.team(active.seat())));
     let queen = (play.queen_to_cover(), play.queen_on_board());
-    if let Some(warning) = warning(game.setup().rules, queen, own) {
-        panel.paragraph(warning, Role::Warn);
-    }
+    panel.warning(warning(game.setup().rules, queen, own));
 }
 
 /// The warning if the queen is (to be covered, on the board) and the player has `own` coins left.
@@ -96,16 +95,12 @@ pub(super) fn write<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<
 /// Writes the points of the calls, which are not part of the score.
 pub(super) fn write_calls<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     let calls = active.calls();
-    for team in Team::BOTH
-        .into_iter()
-        .filter(|team| !calls[*team].is_empty())
-    {
-        let most = Called::MOST * calls[team].len() as u32;
-        let points = format!("{} of {most}", calls[team].iter().sum::<u32>());
-        panel.fact(
-            words::whose(active.options.team_name(team), "calls"),
-            points,
-        );
+    for team in Team::BOTH {
+        let (count, points) = (calls[team].len() as u32, calls[team].iter().sum::<u32>());
+        if count > 0 {
+            let whose = words::whose(active.options.team_name(team), "calls");
+            panel.fact(whose, format!("{points} of {}", Called::MOST * count));
+        }
     }
 }
 

@@ -6,33 +6,22 @@
 
 use std::time::Duration;
 
-use strum::{EnumMessage, IntoStaticStr};
-
 use super::aiming::{first_hit, strength};
 use super::calling::Calling;
-use super::{ActiveGame, GamePhase, Hinted, score};
+use super::{
+    ActiveGame, Aim, GameAction, GamePhase, Hinted, Options, Player, Pointer, Preview, score,
+};
 use crate::game::opponent::{PlayerHand, Slip};
 use crate::game::{Call, Move, Strike, opponent};
-use crate::messages::Key;
 use crate::physics::Motion;
 use crate::screens::Context;
-use crate::screens::table::TableAction;
-use crate::screens::table::aim::Aim;
-use crate::screens::table::computer_stroke::{ComputerStroke, strike};
-use crate::screens::table::options::{Options, Player};
-use crate::screens::table::pointer::Pointer;
-use crate::screens::table::preview::Preview;
-use crate::widgets::input::KeyTable;
-use crate::widgets::panel::Panel;
+use crate::screens::table::computer_stroke::ComputerStroke;
+use crate::screens::table::{TableAction, TablePanel};
 use crate::widgets::{Charset, Role};
 
 /// How long each part of the aim is visible before the next one appears, and how long the whole aim
-/// is visible after that.
-const PARTS: [Duration; 3] = [
-    Duration::from_millis(250),
-    Duration::from_millis(250),
-    Duration::from_millis(700),
-];
+/// is visible after that, in milliseconds.
+const PARTS_MS: [u64; 3] = [250, 250, 700];
 
 /// The computer's next stroke, while it is being shown.
 #[derive(Debug, Clone)]
@@ -41,32 +30,14 @@ pub(super) struct ShownStroke {
     /// How many of its parts are visible: the position, the direction, the strength.
     pub(super) parts: usize,
     /// The time until the next part, or the stroke; `None` if carrom is waiting for a key.
-    left: Option<Duration>,
-}
-
-/// What the keys do while the computer is showing its aim.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
-#[strum(serialize_all = "kebab-case")]
-pub enum ShowAction {
-    /// let the computer strike at once
-    StrikeShown,
-    /// call: predict the directions of the two discs in the computer's collision
-    CallShown,
-}
-
-pub(super) fn keys() -> KeyTable<ShowAction> {
-    use ShowAction::{CallShown, StrikeShown};
-    KeyTable::new("table")
-        .on(' ', StrikeShown, "strike")
-        .or([(Key::Enter, StrikeShown)])
-        .on('c', CallShown, "your call")
+    pub(super) left: Option<Duration>,
 }
 
 impl ShownStroke {
     /// The computer's next stroke, with its first part visible.
     pub(super) fn new(stroke: ComputerStroke, options: &Options, cx: &Context) -> Self {
         let parts = match cx.settings.reduced_motion {
-            true => PARTS.len(),
+            true => PARTS_MS.len(),
             false => 1,
         };
         Self {
@@ -76,33 +47,21 @@ impl ShownStroke {
         }
     }
 
-    pub(super) fn act(
-        &self,
-        action: ShowAction,
-        game: &mut ActiveGame,
-        cx: &Context,
-    ) -> Option<GamePhase> {
-        match action {
-            ShowAction::StrikeShown => self.strike(game, cx),
-            ShowAction::CallShown => self.call(game, cx),
-        }
-    }
-
     /// Plays the stroke at once.
-    pub(super) fn strike(&self, game: &mut ActiveGame, cx: &Context) -> Option<GamePhase> {
-        Some(game.play_for_the_computer(&self.stroke, None, cx))
+    pub(super) fn strike(&self, game: &mut ActiveGame, cx: &Context) -> GamePhase {
+        game.play_for_the_computer(&self.stroke, None, cx)
     }
 
     /// Lets the player predict the directions after the first collision. The call is about the
     /// actual stroke, which includes the error of the hand.
-    fn call(&self, game: &mut ActiveGame, cx: &Context) -> Option<GamePhase> {
+    pub(super) fn call(&self, game: &mut ActiveGame, cx: &Context) -> GamePhase {
         let [struck, _] = self.stroke.strikes();
         let preview = Preview::of(&struck, game.game());
         let Some(hit) = preview.as_ref().and_then(Preview::first_hit) else {
             return self.strike(game, cx);
         };
         let calling = Calling::new(hit, Some(self.stroke.clone()));
-        Some(GamePhase::Call(Box::new(calling)))
+        GamePhase::Call(Box::new(calling))
     }
 
     /// Advances the time: the parts appear one after another, then the stroke is played.
@@ -118,8 +77,8 @@ impl ShownStroke {
                 break;
             }
             passed -= left;
-            if self.parts == PARTS.len() {
-                return self.strike(game, cx);
+            if self.parts == PARTS_MS.len() {
+                return Some(self.strike(game, cx));
             }
             self.parts += 1;
             self.left = part_lasts(self.parts, &game.options, cx);
@@ -127,26 +86,15 @@ impl ShownStroke {
         None
     }
 
-    pub(super) fn wake(&self) -> Option<Duration> {
-        self.left
-    }
-
     /// Writes the visible parts of the stroke.
-    pub(super) fn write(
-        &self,
-        game: &ActiveGame,
-        charset: Charset,
-        panel: &mut Panel<TableAction>,
-    ) {
+    pub(super) fn write(&self, game: &ActiveGame, charset: Charset, panel: &mut TablePanel) {
         game.write_turn(panel);
         // The question is above the parts, so that it does not move when they appear.
         panel.paragraph("What will happen? Predict it.", Role::Text);
-        panel.part(TableAction::Show, |panel| {
-            panel.prompts([
-                ("your call", ShowAction::CallShown),
-                ("strike", ShowAction::StrikeShown),
-            ]);
-        });
+        panel.prompts([
+            ("your call", TableAction::Game(GameAction::CallShown)),
+            ("strike", TableAction::Game(GameAction::StrikeShown)),
+        ]);
         panel.gap();
         let aim = &self.stroke.aim;
         panel.fact("place", aim.place_words(game.game()));
@@ -169,13 +117,13 @@ impl ShownStroke {
 /// How long a stroke is shown after this many of its parts have become visible. Players who predict
 /// strokes get more time; a faster replay speed shortens the time.
 fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
-    let waits = options.call && options.count(Player::Person) > 0;
-    if waits && parts == PARTS.len() {
+    let waits = options.company.call && options.count(Player::Person) > 0;
+    if waits && parts == PARTS_MS.len() {
         return None;
     }
     let rate = cx.settings.watch_rate.map_or(1.0, |rate| rate.seconds());
-    let lasts = PARTS.get(parts - 1).copied().unwrap_or_default();
-    Some(lasts.div_f64(rate.max(1.0)))
+    let lasts = PARTS_MS.get(parts - 1).copied().unwrap_or_default();
+    Some(Duration::from_millis(lasts).div_f64(rate.max(1.0)))
 }
 
 impl ActiveGame {
@@ -194,14 +142,14 @@ impl ActiveGame {
                 return watching;
             }
         }
-        // Neither stroke can be played.
-        self.hand_to_person();
+        // Neither stroke can be played, so a person plays on; otherwise the game would stop.
+        self.options.company.players[self.seat() as usize] = Player::Person;
         GamePhase::Aim
     }
 
     /// Shows the computer's stroke before it is played.
     pub(super) fn think(&mut self, cx: &Context) -> GamePhase {
-        let strength = self.options.strength(self.seat());
+        let strength = self.options.company.strengths[self.seat() as usize];
         match opponent::think(self.game(), strength, self.next_seed()) {
             Some(decision) => {
                 let stroke = ComputerStroke::new(decision, self.game());
@@ -219,7 +167,7 @@ impl ActiveGame {
         match &mut self.hint {
             Some(hinted) if hinted.whole => {
                 let stroke = hinted.hint.stroke;
-                self.aim = Aim::of(&strike(stroke), self.seat());
+                self.aim = Aim::of(&stroke.into(), self.seat());
             }
             Some(hinted) => hinted.whole = true,
             None => self.find_hint(),
@@ -233,7 +181,7 @@ impl ActiveGame {
             self.notice = Some("No stroke was found here.".into());
         }
         self.hint = found.map(|hint| Hinted {
-            pointer: Pointer::of(&hint.reason.story, &strike(hint.stroke), self.game()),
+            pointer: Pointer::of(&hint.reason.story, &hint.stroke.into(), self.game()),
             hint,
             whole: false,
         });
@@ -255,7 +203,7 @@ impl ActiveGame {
     pub(super) fn hand(&self) -> PlayerHand {
         match self.is_practice() {
             true => PlayerHand::Exact,
-            false => self.options.hand,
+            false => self.options.company.hand,
         }
     }
 
@@ -266,7 +214,8 @@ impl ActiveGame {
             return meant;
         };
         let slip = errors.slip_of(self.next_seed());
-        strike(slip.applied_to(Motion::new(meant.place, meant.velocity)))
+        slip.applied_to(Motion::new(meant.place, meant.velocity))
+            .into()
     }
 
     /// The error of the hand in the move with this number, if a person made it with an unsteady
@@ -274,16 +223,8 @@ impl ActiveGame {
     pub(super) fn slip(&self, number: usize) -> Option<Slip> {
         let past = self.history.past(number)?;
         let is_person = self.options.player(past.before.seat()) == Player::Person;
-        let errors = self
-            .hand()
-            .errors()
-            .filter(|_| is_person && past.meant.is_none())?;
+        let slipped = is_person && past.meant.is_none();
+        let errors = self.hand().errors().filter(|_| slipped)?;
         Some(errors.slip_of(self.seed_of(number)))
-    }
-
-    /// Lets a person play if the computer cannot, so that the game does not stop.
-    pub(super) fn hand_to_person(&mut self) {
-        let seat = self.seat();
-        self.options.set_player(seat, Player::Person);
     }
 }

@@ -1,3 +1,5 @@
+mod presses;
+
 use std::time::Duration;
 
 use super::*;
@@ -20,10 +22,7 @@ fn playing(options: Options) -> Playing {
 
 /// Options with a computer at every seat.
 fn computers() -> Options {
-    Options {
-        players: [Player::Computer; 4],
-        ..Options::default()
-    }
+    Options::default().with(|options| options.company.players = [Player::Computer; 4])
 }
 
 fn press(playing: &mut Playing, keys: &str, cx: &mut Context) {
@@ -62,10 +61,8 @@ fn the_record_replays_to_the_game_on_the_table() {
     assert!(people.game.history.past(0).unwrap().called.is_some());
     assert_recorded(&people.game, &cx);
 
-    let mut practice = playing(Options {
-        rules: Rules::Practice,
-        ..Options::default()
-    });
+    let options = Options::default();
+    let mut practice = playing(options.with(|it| it.setup.rules = Rules::Practice));
     press(&mut practice, "91 \np\t ^^^^^^^^ p80 \n85 \nz", &mut cx);
     assert_eq!(practice.game.history.len(), 3);
     assert_recorded(&practice.game, &cx);

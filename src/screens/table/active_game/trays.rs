@@ -35,11 +35,9 @@ pub(super) fn draw(
     };
     let game = game.unwrap_or(active.game());
     let falls = running.into_iter().flat_map(|replay| {
-        let share = |time: f64| (replay.player.clock().time() - time) / FALL;
-        replay
-            .falls
-            .iter()
-            .map(move |fall| (fall, share(fall.time)))
+        let now = replay.player.clock().time();
+        let falls = replay.falls.iter();
+        falls.map(move |fall| (fall, (now - fall.time) / FALL))
     });
     let mut trays = pocketed(game);
     let mut on_the_way = Vec::new();
@@ -75,8 +73,8 @@ fn owner(game: &Game, piece: Piece) -> Option<Team> {
     }
 }
 
-/// The pieces in the trays. A queen that has not been covered yet is in the tray of the team
-/// that has to cover her.
+/// The pieces in the trays, which a practice game does not have. A queen that has not been covered
+/// yet is in the tray of the team that has to cover her.
 fn pocketed(game: &Game) -> ByTeam<Vec<Piece>> {
     let mut trays = ByTeam::<Vec<Piece>>::default();
     if let Some(code) = game.setup().board_code() {
@@ -95,7 +93,7 @@ fn pocketed(game: &Game) -> ByTeam<Vec<Piece>> {
         None if game.play().queen_to_cover() => Some(game.team(game.seat())),
         covered => covered,
     };
-    if let Some(team) = with.filter(|_| game.setup().rules != Rules::Practice) {
+    if let Some(team) = with {
         trays[team].push(Piece::Queen);
     }
     trays
@@ -113,10 +111,7 @@ fn draw_tray(
 ) -> u16 {
     let half = board.width / 2;
     if tray.is_empty() {
-        return match team {
-            Team::First => board.x + 1,
-            Team::Second => board.x + half + 1,
-        };
+        return board.x + 1 + half * team as u16;
     }
     let name = active.options.team_name(team);
     let count = format!(" {} ", tray.len());

@@ -5,17 +5,16 @@ use std::time::Duration;
 use glam::DVec2;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{ActiveGame, After, GameAction, GamePhase, score};
+use super::{ActiveGame, After, GameAction, GameHistory, GamePhase, Player, score};
 use crate::game::Piece;
 use crate::messages::Key;
 use crate::numbers::capital;
 use crate::physics::{EventKind, Shot};
 use crate::quiz::why;
+use crate::screens::Context;
 use crate::screens::table::calls::Called;
-use crate::screens::table::game_history::{GameHistory, Past};
-use crate::screens::table::options::Player;
-use crate::screens::table::{TableAction, words};
-use crate::screens::{Context, Settings};
+use crate::screens::table::game_history::Past;
+use crate::screens::table::{TableAction, TablePanel, words};
 use crate::widgets::hit::{HitPace, Watch};
 use crate::widgets::ink::token;
 use crate::widgets::input::{KeyTable, ListAction};
@@ -76,17 +75,11 @@ pub enum StrokeAction {
 impl StrokeReplay {
     /// The replay of a stroke, with the prediction for its first impact; from its
     /// beginning, or `at_end`.
-    pub(super) fn new(
-        number: usize,
-        shot: Shot,
-        past: &Past,
-        at_end: bool,
-        settings: &Settings,
-    ) -> Self {
+    pub(super) fn new(number: usize, shot: Shot, past: &Past, at_end: bool, cx: &Context) -> Self {
         let coins = past.before.coins().iter().map(|coin| coin.piece);
         let pieces: Vec<_> = std::iter::once(Piece::Striker).chain(coins).collect();
         let faces = pieces.iter().copied().map(words::face).collect();
-        let rate = settings.watch_rate.unwrap_or(WatchRate::REAL);
+        let rate = cx.settings.watch_rate.unwrap_or(WatchRate::REAL);
         let falls = shot.events().iter().filter_map(|event| match event.kind {
             EventKind::Pocket { disc, corner } => Some(FallingPiece {
                 piece: *pieces.get(disc)?,
@@ -232,12 +225,7 @@ impl StrokeReplay {
         (time, name)
     }
 
-    pub(super) fn write(
-        &self,
-        game: &ActiveGame,
-        charset: Charset,
-        panel: &mut Panel<TableAction>,
-    ) {
+    pub(super) fn write(&self, game: &ActiveGame, charset: Charset, panel: &mut TablePanel) {
         if self.player.list().is_some() {
             return self.write_list(panel);
         }
@@ -274,13 +262,7 @@ impl StrokeReplay {
     }
 
     /// Writes the result of the stroke.
-    fn write_end(
-        &self,
-        past: &Past,
-        game: &ActiveGame,
-        charset: Charset,
-        panel: &mut Panel<TableAction>,
-    ) {
+    fn write_end(&self, past: &Past, game: &ActiveGame, charset: Charset, panel: &mut TablePanel) {
         past.write_rulings(panel);
         if let (Some(meant), Some(played)) = (&past.meant, &past.story) {
             let name = game.options.seat_name(past.before.seat());
@@ -298,9 +280,7 @@ impl StrokeReplay {
         if let Some(called) = &past.called {
             write_call(called, panel);
         }
-        if let Some(notice) = &game.notice {
-            panel.paragraph(notice, Role::Warn);
-        }
+        panel.warning(game.notice.as_deref());
         if self.number + 1 == game.history.len() {
             score::write(game, charset, panel);
         }
@@ -316,7 +296,7 @@ impl StrokeReplay {
     }
 
     /// Writes the list of impacts, with the chosen one marked.
-    fn write_list(&self, panel: &mut Panel<TableAction>) {
+    fn write_list(&self, panel: &mut TablePanel) {
         let list = |action| TableAction::Watch(StrokeAction::Replay(ShotAction::List(action)));
         panel.prompt("look closer", list(ListAction::Open));
         panel.gap();
@@ -324,12 +304,9 @@ impl StrokeReplay {
         let chosen = self.player.chosen().map(|(number, _)| number);
         for (i, impact) in self.player.impacts().iter().enumerate() {
             let [a, b] = impact.discs.map(|disc| self.name(disc));
-            panel.row(
-                (format!("{} {a} on {b}", i + 1), Role::Text),
-                (format!("{:.5} s", impact.time), Role::Text),
-                chosen == Some(i),
-                list(ListAction::Point(i)),
-            );
+            let name = (format!("{} {a} on {b}", i + 1), Role::Text);
+            let time = (format!("{:.5} s", impact.time), Role::Text);
+            panel.row(name, time, chosen == Some(i), list(ListAction::Point(i)));
         }
     }
 
