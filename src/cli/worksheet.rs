@@ -165,7 +165,7 @@ fn files(worksheet: &Worksheet, args: &Args, out: &Path) -> Vec<Document> {
         file("key.md", key);
     }
     for picture in worksheet.pictures() {
-        let path = out.join(&pictures).join(format!("{}.svg", picture.name));
+        let path = out.join(&pictures).join(picture.name);
         files.push((path, picture.svg.file()));
     }
     files
