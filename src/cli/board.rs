@@ -4,7 +4,7 @@ use jiff::Zoned;
 use jiff::civil::Date;
 use serde::Serialize;
 
-use super::{Failure, print_report};
+use super::{Failure, print_json};
 use crate::game::opponent::clearing;
 use crate::game::{BoardCode, Fingerprint, Game, Move, Strike};
 use crate::physics::units::mm_from_m;
@@ -24,7 +24,7 @@ pub(super) struct Args {
     date: Option<BoardCode>,
     /// Print one JSON object instead of opening the board
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
 }
 
 fn day(text: &str) -> Result<BoardCode, String> {
@@ -34,11 +34,6 @@ fn day(text: &str) -> Result<BoardCode, String> {
 }
 
 impl Args {
-    /// Whether the command prints the board rather than opening it.
-    pub(super) const fn prints(&self) -> bool {
-        self.json
-    }
-
     /// The code of the board; `None` for today's.
     pub(super) fn code(&self) -> Option<BoardCode> {
         self.code.or(self.date)
@@ -91,5 +86,5 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             fingerprint: Fingerprint::of(&game).to_string(),
         });
     }
-    Ok(print_report(Some(&report), String::new)?)
+    print_json(&report)
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 
-use super::written::{self, NamedFile};
+use super::written::{NamedFile, named_file, write_named_beside};
 use super::{Failure, GlobalOptions, Teams, print};
 use crate::class::{ClassRound, is_same_class, team_names};
 use crate::files::{escape_control_lines, quoted};
@@ -63,7 +63,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "ROUND", requires = "out", conflicts_with_all = OPENING)]
     report: Option<String>,
     /// The file of the report, .html
-    #[arg(long, value_name = "FILE", requires = "report", value_parser = html_file)]
+    #[arg(long, value_name = "FILE", requires = "report")]
+    #[arg(value_parser = |path: &str| named_file(path, ["html", "htm"]))]
     out: Option<NamedFile>,
     /// List the results of each participant in the report, too
     #[arg(long, requires = "report")]
@@ -90,10 +91,6 @@ const OPENING: [&str; 8] = [
     "teams",
     "class",
 ];
-
-fn html_file(path: &str) -> Result<NamedFile, String> {
-    written::named_file(path, ["html", "htm"])
-}
 
 impl Args {
     /// Whether the command prints or writes something rather than opening a screen.
@@ -139,19 +136,16 @@ fn forget(class: &str, yes: bool, options: &GlobalOptions) -> Result<(), Failure
         .data_dir()
         .ok_or_else(|| Failure::input("no data folder is known; set one with --data-dir"))?;
     let found = Forgetting::find(&folder, class).map_err(|reason| anyhow!(reason))?;
-    let line = |text: String| {
-        options
-            .printed()
-            .text(&escape_control_lines(&text))
-            .into_owned()
-    };
+    let charset = options.printed();
+    let line = |text: String| charset.text(&escape_control_lines(&text)).into_owned();
     if found.files.is_empty() {
         let text = line(format!("nothing is kept about {class}")) + "\n";
-        return Ok(print(text.as_bytes())?);
+        return print(text.as_bytes());
     }
     if !yes {
-        let names = found.files.iter().map(|file| format!("  {file}\n"));
-        let names: String = names.collect();
+        let names: String = { found.files.iter() }
+            .map(|it| format!("  {it}\n"))
+            .collect();
         let count = counted(found.files.len(), "file");
         if !io::stdin().is_terminal() {
             return Err(Failure::input(format!(
@@ -169,15 +163,12 @@ fn forget(class: &str, yes: bool, options: &GlobalOptions) -> Result<(), Failure
         let mut answer = String::new();
         io::stdin().lock().read_line(&mut answer)?;
         if !answer.trim().eq_ignore_ascii_case("yes") {
-            return Ok(print(b"nothing was deleted\n")?);
+            return print(b"nothing was deleted\n");
         }
     }
     let (deleted, trouble) = found.delete();
-    let deleted = deleted.into_iter();
-    let text: String = deleted
-        .map(|file| line(format!("deleted {file}")) + "\n")
-        .collect();
-    print(text.as_bytes())?;
+    let deleted = { deleted.iter() }.map(|file| line(format!("deleted {file}")) + "\n");
+    print(deleted.collect::<String>().as_bytes())?;
     match trouble {
         Some(reason) => Err(anyhow!(reason).into()),
         None => Ok(()),
@@ -226,7 +217,7 @@ fn report(
         with_names: args.names,
     };
     let document = (out.path.clone(), class_report::html(round, &about));
-    written::write_named_beside(&out.path, &[document], args.force)
+    write_named_beside(&[document], args.force)
 }
 
 /// The stored rounds, the latest first.

@@ -50,8 +50,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let picture = draw_figure(&words, &settings.look());
     let picture = picture.map_err(|error| Failure::input(brief(&error.to_string())))?;
     match &args.svg {
-        Some(path) => written::write_beside(path, &[(path.clone(), picture)], args.force)?,
-        None => print(picture.as_bytes())?,
+        Some(path) => written::write_beside(&[(path.clone(), picture)], args.force),
+        None => print(picture.as_bytes()),
     }
-    Ok(())
 }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Failure, GlobalOptions, print_text};
 use crate::files::{self, FileError, FileErrors, FileLibrary};
+use crate::screens::KeptSettings;
 
 /// Reads a file; `-` is standard input. `read` receives the file's name, for messages, and at most
 /// `most` + 1 of its bytes.
@@ -12,18 +13,36 @@ pub(super) fn read<T>(
     most: usize,
     read: fn(&str, &[u8]) -> Result<T, FileErrors>,
 ) -> Result<T, Failure> {
-    let is_stdin = path.as_os_str() == "-";
-    let name = if is_stdin {
-        "standard input".into()
-    } else {
-        path.display().to_string()
+    let bytes = files::read_given(path, most).map_err(Failure::input)?;
+    let name = match path.as_os_str() == "-" {
+        true => files::STDIN.to_owned(),
+        false => path.display().to_string(),
     };
-    let bytes = if is_stdin {
-        files::read_stdin(&name, most)
-    } else {
-        files::read(path, most)
-    };
-    read(&name, &bytes.map_err(Failure::input)?).map_err(Failure::input)
+    read(&name, &bytes).map_err(Failure::input)
+}
+
+/// Reads a file in the data folder; the default if there is no such file.
+///
+/// # Errors
+/// All errors in the file.
+pub(super) fn kept<T: Default>(
+    path: &Path,
+    most: usize,
+    read: fn(&str, &[u8]) -> Result<T, FileErrors>,
+) -> Result<T, FileErrors> {
+    if !path.exists() {
+        return Ok(T::default());
+    }
+    read(&path.display().to_string(), &files::read(path, most)?)
+}
+
+/// The settings from earlier runs, which are in the data folder.
+///
+/// # Errors
+/// All errors in the file.
+pub(super) fn settings(folder: &Path) -> Result<KeptSettings, FileErrors> {
+    let path = folder.join(KeptSettings::FILE);
+    kept(&path, files::LARGEST, KeptSettings::read)
 }
 
 /// A library of the given files and folders, or the built-in library if none are given.

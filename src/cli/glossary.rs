@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use super::{Failure, GlobalOptions, print_report, print_text};
+use super::{Failure, GlobalOptions, print_json, print_text};
 use crate::files::quoted;
 use crate::lessons::GlossaryEntry;
 
@@ -40,34 +40,24 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         return Err(Failure::input(message));
     }
     if args.json {
-        return Ok(print_report(
-            Some(&GlossaryReport { entries }),
-            String::new,
-        )?);
+        return print_json(&GlossaryReport { entries });
     }
     let book = options.book();
     let mut text = String::new();
     for entry in entries {
-        let GlossaryEntry {
-            term,
-            symbol,
-            unit,
-            meaning,
-            ..
-        } = entry;
-        text.push_str(term);
-        if let Some(symbol) = symbol {
+        text.push_str(&entry.term);
+        if let Some(symbol) = &entry.symbol {
             write!(text, ", {symbol}")?;
         }
-        if let Some(unit) = unit {
+        if let Some(unit) = &entry.unit {
             write!(text, ", in {unit}")?;
         }
-        writeln!(text, "\n    {meaning}")?;
+        writeln!(text, "\n    {}", entry.meaning)?;
         if let Some(page) = book.named(entry.introduced_by()) {
             writeln!(text, "    {page}")?;
         }
     }
-    Ok(print_text(text.trim_end(), options)?)
+    print_text(text.trim_end(), options)
 }
 
 /// The entry with exactly this term or symbol, or else all entries whose term contains the words.

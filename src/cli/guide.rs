@@ -29,7 +29,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         Some(guide) => guide.markdown.to_owned(),
         None => list(),
     };
-    Ok(print_text(text.trim_end(), options)?)
+    print_text(text.trim_end(), options)
 }
 
 /// The list of guides, and how to read them.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
 
-use super::written::{self, NamedFile};
+use super::written::{NamedFile, named_file, write_named_beside};
 use super::{Failure, GlobalOptions, progress};
 use crate::files::{self, Document, escape_control_lines};
 use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, learning_csv, pupils_csv};
@@ -60,7 +60,8 @@ pub(super) struct GatherArgs {
     #[arg(value_name = "DIR")]
     folder: PathBuf,
     /// The file to write, .html or .csv
-    #[arg(long, value_name = "FILE", value_parser = gathered)]
+    #[arg(long, value_name = "FILE")]
+    #[arg(value_parser = |path: &str| named_file(path, ["html", "csv"]))]
     out: NamedFile,
     /// Only the files of this class, by its name in the files
     #[arg(long, value_name = "NAME")]
@@ -71,11 +72,6 @@ pub(super) struct GatherArgs {
     /// Replace existing files
     #[arg(long)]
     force: bool,
-}
-
-/// Reads the name of the file to write.
-fn gathered(path: &str) -> Result<NamedFile, String> {
-    written::named_file(path, ["html", "csv"])
 }
 
 pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), Failure> {
@@ -102,12 +98,10 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
             format!("{player} has no answers{of} to hand in; use --player for another name");
         return Err(Failure::input(message));
     }
-    let path = args
-        .out
-        .clone()
-        .unwrap_or_else(|| hand_in.file_name().into());
+    let usual = || hand_in.file_name().into();
+    let path = args.out.clone().unwrap_or_else(usual);
     let text = hand_in.text().map_err(|reason| anyhow!(reason))?;
-    written::write_named_beside(&path, &[(path.clone(), text)], args.force)
+    write_named_beside(&[(path, text)], args.force)
 }
 
 pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), Failure> {
@@ -133,7 +127,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
         return Err(Failure::input(message));
     }
     let documents = documents(&book, &args.out).map_err(|reason| anyhow!(reason))?;
-    written::write_named_beside(&args.out.path, &documents, args.force)
+    write_named_beside(&documents, args.force)
 }
 
 /// The gradebook in one file, or as tables.

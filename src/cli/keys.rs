@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::{Failure, GlobalOptions};
+use super::{Failure, GlobalOptions, given};
 use crate::files::{self, Fields, FileErrors, Source};
 use crate::messages::Key;
 use crate::widgets::input::Rebound;
 
 /// The name of the file in the data folder.
-pub(super) const FILE: &str = "keys.toml";
+const FILE: &str = "keys.toml";
 const FORMAT: u32 = 1;
 /// The default keys and what they do. The tests of the screens compare this file with the key
 /// tables of all screens, and rewrite it when snapshots are accepted.
@@ -28,20 +28,19 @@ pub(super) fn run(options: &GlobalOptions) -> Result<(), Failure> {
          # many keys as the line has here, in the same order.\n\
          format = {FORMAT}\n\n[keys]\n{USUAL}"
     );
-    Ok(super::print(text.as_bytes())?)
+    super::print(text.as_bytes())
 }
 
-/// The keys that the player has rebound in a file; none if there is no such file.
+/// The keys that the player has rebound in a file of the data folder; none if there is no file.
 ///
 /// # Errors
 /// All errors in the file.
-pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
-    if !path.exists() {
-        return Ok(Rebound::new());
-    }
-    let bytes = files::read(path, LARGEST)?;
-    let name = path.display().to_string();
-    let source = Source::of_bytes(&name, &bytes, LARGEST)?;
+pub(super) fn rebound(folder: &Path) -> Result<Rebound, FileErrors> {
+    given::kept(&folder.join(FILE), LARGEST, read)
+}
+
+fn read(name: &str, bytes: &[u8]) -> Result<Rebound, FileErrors> {
+    let source = Source::of_bytes(name, bytes, LARGEST)?;
     let known = ["format", "keys"];
     source.document("keys of carrom", FORMAT..=FORMAT, &known, |fields| {
         let table = fields.table("keys", &[])?;

@@ -41,23 +41,19 @@ pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Fail
     }
     let packs = (library.packs.len(), "levels");
     given::conclude(&report, &library.problems, packs, options)?;
-    match lost {
-        0 => Ok(()),
-        1 => Err(Failure::Work(anyhow!(
-            "the solution of 1 level does not win it"
-        ))),
-        n => Err(Failure::Work(anyhow!(
-            "the solutions of {n} levels do not win them"
-        ))),
-    }
+    let reason = match lost {
+        0 => return Ok(()),
+        1 => anyhow!("the solution of 1 level does not win it"),
+        n => anyhow!("the solutions of {n} levels do not win them"),
+    };
+    Err(Failure::Work(reason))
 }
 
 /// Plays a level's solution, reports the result and returns whether the level can be won.
 fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<bool, fmt::Error> {
-    let name = if pack.is_empty() {
-        level.id.clone()
-    } else {
-        format!("{pack}/{}", level.id)
+    let name = match pack {
+        "" => level.id.clone(),
+        pack => format!("{pack}/{}", level.id),
     };
     let trial = match Trial::of(level) {
         Ok(trial) => trial,

@@ -7,5 +7,5 @@ use super::Failure;
 pub(super) fn run(command: Command) -> Result<(), Failure> {
     let mut page = Vec::new();
     clap_mangen::Man::new(command).render(&mut page)?;
-    Ok(super::print(&page)?)
+    super::print(&page)
 }

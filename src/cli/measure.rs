@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use strum::VariantNames;
 
-use super::written::{self, NamedFile};
-use super::{Failure, GlobalOptions, print_report, print_text};
-use crate::files::{self, FileError};
+use super::written::{NamedFile, named_file, write_named_beside};
+use super::{Failure, GlobalOptions, print_json, print_text};
+use crate::files;
 use crate::measure::{Given, LARGEST, Measurement, Reading, SlowingDown, read};
 use crate::paper::measured_html;
 use crate::physics::units::{kg_from_g, m_from_mm};
@@ -54,7 +54,8 @@ pub(super) struct Args {
     #[arg(long, conflicts_with = "report")]
     json: bool,
     /// Write a report with a picture, to print or to hand in
-    #[arg(long, value_name = "FILE.html", value_parser = report_file)]
+    #[arg(long, value_name = "FILE.html")]
+    #[arg(value_parser = |path: &str| named_file(path, ["html", "htm"]))]
     report: Option<NamedFile>,
     /// Replace an existing report
     #[arg(long, requires = "report")]
@@ -67,12 +68,8 @@ fn number(text: &str, is_allowed: impl Fn(f64) -> bool, what: &str) -> Result<f6
 }
 
 fn positive(text: &str) -> Result<f64, String> {
-    let range = 1e-6..=1e6;
-    number(
-        text,
-        |x| range.contains(&x),
-        "a number from 0.000001 to 1000000",
-    )
+    let what = "a number from 0.000001 to 1000000";
+    number(text, |x| (1e-6..=1e6).contains(&x), what)
 }
 
 fn restitution(text: &str) -> Result<f64, String> {
@@ -96,20 +93,12 @@ fn slowing() -> impl TypedValueParser<Value = SlowingDown> {
     names.map(|name| name.parse().unwrap_or_default())
 }
 
-fn report_file(path: &str) -> Result<NamedFile, String> {
-    written::named_file(path, ["html", "htm"])
-}
-
 impl Args {
     pub(super) fn measurement(&self) -> Result<Measurement, Failure> {
         let mut contents = Vec::new();
         for path in &self.files {
-            let name = path.display().to_string();
-            let bytes = match name.as_str() {
-                "-" => files::read_stdin("standard input", LARGEST),
-                _ => files::read(path, LARGEST),
-            };
-            contents.push((name, bytes.map_err(Failure::input)?));
+            let bytes = files::read_given(path, LARGEST).map_err(Failure::input)?;
+            contents.push((path.display().to_string(), bytes));
         }
         let named: Vec<_> = contents
             .iter()
@@ -121,19 +110,17 @@ impl Args {
             takes_pixels: self.screen,
         };
         let tracks = read(&named, &reading).map_err(Failure::input)?;
-        let both = |first: Option<f64>, second: Option<f64>, si: fn(f64) -> f64| {
-            Some([si(first?), si(second?)])
-        };
+        let masses_g = self.m1_g.zip(self.m2_g);
+        let radii_mm = self.r1_mm.zip(self.r2_mm);
         let given = Given {
-            masses: both(self.m1_g, self.m2_g, kg_from_g),
-            radii: both(self.r1_mm, self.r2_mm, m_from_mm),
+            masses: masses_g.map(|(m1, m2)| [m1, m2].map(kg_from_g)),
+            radii: radii_mm.map(|(r1, r2)| [r1, r2].map(m_from_mm)),
             scale: 1.0,
             restitution: self.restitution,
             slowing: self.slowing,
         };
         let name = contents.first().map_or("", |(name, _)| name.as_str());
-        let of_file = |fault: crate::measure::Fault| -> FileError { fault.of_file(name) };
-        Measurement::new(tracks, given).map_err(|fault| Failure::input(of_file(fault)))
+        Measurement::new(tracks, given).map_err(|fault| Failure::input(fault.of_file(name)))
     }
 }
 
@@ -147,10 +134,10 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         let files: Vec<_> = args.files.iter().map(name).collect();
         let html = measured_html(&measurement, &files);
         let document = (report.path.clone(), html);
-        return written::write_named_beside(&report.path, &[document], args.force);
+        return write_named_beside(&[document], args.force);
     }
     if args.json {
-        return Ok(print_report(Some(&measurement.json()), String::new)?);
+        return print_json(&measurement.json());
     }
-    Ok(print_text(measurement.text().trim_end(), options)?)
+    print_text(measurement.text().trim_end(), options)
 }

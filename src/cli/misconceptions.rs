@@ -18,14 +18,12 @@ pub(super) fn run(_args: &Args, options: &GlobalOptions) -> Result<(), Failure> 
         let (id, name) = (misconception.id(), misconception.name());
         writeln!(text, "{id}: {name}")?;
         writeln!(text, "    {}", misconception.advice())?;
-        match misconception.origin() {
-            Origin::Study(study) => writeln!(text, "    Study: {study}.")?,
-            Origin::Slip => writeln!(text, "    A slip in algebra or reading, not a belief.")?,
-            Origin::Ours => writeln!(
-                text,
-                "    We know of no study: a plausible wrong step leads to it."
-            )?,
-        }
+        let origin = match misconception.origin() {
+            Origin::Study(study) => format!("Study: {study}."),
+            Origin::Slip => "A slip in algebra or reading, not a belief.".into(),
+            Origin::Ours => "We know of no study: a plausible wrong step leads to it.".into(),
+        };
+        writeln!(text, "    {origin}")?;
     }
-    Ok(print_text(text.trim_end(), options)?)
+    print_text(text.trim_end(), options)
 }

@@ -24,7 +24,6 @@ mod play;
 mod progress;
 mod replay;
 mod set;
-mod settings;
 mod simulate;
 mod solve;
 mod tape;
@@ -247,11 +246,27 @@ impl OpenCommand {
     fn opens(&self) -> bool {
         match self {
             Self::Progress(args) => !args.prints(),
-            Self::Board(args) => !args.prints(),
+            Self::Board(args) => !args.json,
             Self::Class(args) => !args.prints(),
             Self::Measure(args) => args.screen,
             Self::Quiz { list, .. } => list.is_none(),
             _ => true,
+        }
+    }
+
+    /// Prints or writes something, if the command does not open a screen.
+    fn print(&self, options: &GlobalOptions) -> Result<(), Failure> {
+        match self {
+            Self::Progress(args) => progress::run(args, options),
+            Self::Board(args) => board::run(args),
+            Self::Class(args) => class::run(args, options),
+            Self::Measure(args) => measure::run(args, options),
+            Self::Quiz {
+                list: Some(code),
+                json,
+                ..
+            } => set::list(code, *json, options),
+            _ => Ok(()),
         }
     }
 
@@ -280,7 +295,8 @@ impl OpenCommand {
                 hidden: *hide,
             },
             Self::Quiz { code, .. } => Route::Quiz {
-                code: round(code.as_ref(), options, &data.own)?,
+                // If only a seed is given, the round has ten hits.
+                code: filled(code.as_ref(), &data.own)?.or_else(|| options.seed.map(Code::hits)),
             },
             Self::Class(args) => args.route(filled(args.code.as_ref(), &data.own)?)?,
             Self::Join { address, code } => Route::Join {
@@ -305,20 +321,11 @@ impl OpenCommand {
 /// The names of the teams of a class.
 type Teams = Vec<String>;
 
-/// The requested round: the one with this code or, if only a seed is given, ten hits.
+/// The code of the given set, or a code completed with the teacher's own questions if it requires
+/// them.
 ///
 /// # Errors
 /// If the round requires a teacher's own questions and there are none.
-fn round(
-    code: Option<&Code>,
-    options: &GlobalOptions,
-    own: &Arc<concepts::Library>,
-) -> Result<Option<Code>, String> {
-    Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
-}
-
-/// The code of the given set, or a code completed with the teacher's own questions if it requires
-/// them.
 fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Code>, String> {
     if let Some(set) = own.sets.first() {
         return Ok(Some(Code::of_set(set)));
@@ -354,20 +361,19 @@ fn app(
         folder: folder.map(|folder| folder.display().to_string()),
     };
     let route = screen.map_or(Ok(Route::Home), |screen| screen.route(&data, options))?;
-    let kept = folder.map(|folder| settings::read(&folder.join(KeptSettings::FILE)));
-    let (kept, unread) = match kept.unwrap_or_else(|| Ok(KeptSettings::default())) {
-        Ok(kept) => (Some(kept), None),
-        Err(errors) => (None, Some(errors)),
-    };
-    let set = options.settings(auto, &kept.clone().unwrap_or_default());
+    let kept = folder.map_or_else(|| Ok(KeptSettings::default()), given::settings);
+    let set = options.settings(auto, kept.as_ref().unwrap_or(&KeptSettings::default()));
     let mut app = App::with_data(data, route, set, seed);
-    app.set_kept(kept);
-    if let Some(errors) = unread {
-        app.notify(format!(
-            "carrom uses the default settings and does not save your changes; the file is unchanged. {errors}"
-        ));
+    match kept {
+        Ok(kept) => app.set_kept(Some(kept)),
+        Err(errors) => {
+            app.set_kept(None);
+            app.notify(format!(
+                "carrom uses the default settings and does not save your changes; the file is unchanged. {errors}"
+            ));
+        }
     }
-    match folder.map(|folder| keys::read(&folder.join(keys::FILE))) {
+    match folder.map(keys::rebound) {
         None => {}
         Some(Ok(rebound)) => app.settings_mut().keys = rebound,
         Some(Err(errors)) => app.notify(format!("carrom uses the default keys. {errors}")),
@@ -381,22 +387,17 @@ impl Cli {
     /// # Errors
     /// What was expected.
     fn check(&self) -> Result<(), String> {
-        let has_code = match &self.command {
-            Some(Command::Open(OpenCommand::Quiz { code, set, .. })) => {
-                code.is_some() || set.is_some()
-            }
-            Some(Command::Open(OpenCommand::Class(args))) => {
-                args.code.is_some() || args.set.is_some()
-            }
-            Some(Command::Worksheet(args)) => args.code.is_some() || args.set.is_some(),
-            _ => false,
+        let (code, set) = match &self.command {
+            Some(Command::Open(OpenCommand::Quiz { code, set, .. })) => (code, set),
+            Some(Command::Open(OpenCommand::Class(args))) => (&args.code, &args.set),
+            Some(Command::Worksheet(args)) => (&args.code, &args.set),
+            _ => (&None, &None),
         };
-        if self.plain
-            && !matches!(
-                self.command,
-                None | Some(Command::Open(_) | Command::Solve(_))
-            )
-        {
+        let has_plain_lines = match &self.command {
+            None | Some(Command::Open(_) | Command::Solve(_)) => true,
+            Some(_) => false,
+        };
+        if self.plain && !has_plain_lines {
             return Err(
                 "--plain works only with a screen, such as carrom quiz --plain, and with \
                  carrom solve"
@@ -404,7 +405,7 @@ impl Cli {
             );
         }
         match self.options.seed {
-            Some(_) if has_code => {
+            Some(_) if code.is_some() || set.is_some() => {
                 Err("use either --seed or --code, not both: a code contains its seed".into())
             }
             _ => Ok(()),
@@ -430,44 +431,33 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         }
     };
     cli.check().map_err(Failure::input)?;
+    let options = &cli.options;
     let done = match &cli.command {
-        None => return play::run(&cli.options, None, cli.plain),
-        Some(Command::Open(OpenCommand::Progress(args))) if args.prints() => {
-            progress::run(args, &cli.options)
+        None => return play::run(options, None, cli.plain),
+        Some(Command::Open(screen)) if screen.opens() => {
+            return play::run(options, Some(screen), cli.plain);
         }
-        Some(Command::Open(OpenCommand::Board(args))) if args.prints() => board::run(args),
-        Some(Command::Open(OpenCommand::Quiz {
-            list: Some(code),
-            json,
-            ..
-        })) => set::list(code, *json, &cli.options),
-        Some(Command::Open(OpenCommand::Class(args))) if args.prints() => {
-            class::run(args, &cli.options)
-        }
-        Some(Command::Open(OpenCommand::Measure(args))) if !args.screen => {
-            measure::run(args, &cli.options)
-        }
-        Some(Command::Open(screen)) => return play::run(&cli.options, Some(screen), cli.plain),
+        Some(Command::Open(command)) => command.print(options),
         Some(Command::Solve(args)) if args.plain => solve::plain(args),
-        Some(Command::Solve(args)) => return solve::run(args, &cli.options),
+        Some(Command::Solve(args)) => return solve::run(args, options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Replay(args)) => replay::run(args),
-        Some(Command::Level(command)) => level::run(command, &cli.options),
-        Some(Command::Lesson(command)) => lesson::run(command, &cli.options),
-        Some(Command::Concept(command)) => concept::run(command, &cli.options),
-        Some(Command::Set(command)) => set::run(command, &cli.options),
-        Some(Command::Misconceptions(args)) => misconceptions::run(args, &cli.options),
-        Some(Command::Glossary(args)) => glossary::run(args, &cli.options),
-        Some(Command::HandIn(args)) => hand_in::hand_in(args, &cli.options),
-        Some(Command::Gather(args)) => hand_in::gather(args, &cli.options),
-        Some(Command::Figure(args)) => figure::run(args, &cli.options),
-        Some(Command::Page(args)) => page::run(args, &cli.options),
-        Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
-        Some(Command::Tape(args)) => tape::run(args, &cli.options),
+        Some(Command::Level(command)) => level::run(command, options),
+        Some(Command::Lesson(command)) => lesson::run(command, options),
+        Some(Command::Concept(command)) => concept::run(command, options),
+        Some(Command::Set(command)) => set::run(command, options),
+        Some(Command::Misconceptions(args)) => misconceptions::run(args, options),
+        Some(Command::Glossary(args)) => glossary::run(args, options),
+        Some(Command::HandIn(args)) => hand_in::hand_in(args, options),
+        Some(Command::Gather(args)) => hand_in::gather(args, options),
+        Some(Command::Figure(args)) => figure::run(args, options),
+        Some(Command::Page(args)) => page::run(args, options),
+        Some(Command::Worksheet(args)) => worksheet::run(args, options),
+        Some(Command::Tape(args)) => tape::run(args, options),
         Some(Command::New(args)) => new::run(args),
         Some(Command::Examples(args)) => examples::run(args),
-        Some(Command::Guide(args)) => guide::run(args, &cli.options),
-        Some(Command::Keys) => keys::run(&cli.options),
+        Some(Command::Guide(args)) => guide::run(args, options),
+        Some(Command::Keys) => keys::run(options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
     };
@@ -528,26 +518,20 @@ fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOpt
     })?;
     cli.check()?;
     let screen = match &cli.command {
-        _ if cli.plain => return Err("expected a command that opens a screen".into()),
-        None => None,
-        Some(Command::Open(screen)) if screen.opens() => Some(screen),
-        Some(_) => return Err("expected a command that opens a screen".into()),
+        None if !cli.plain => None,
+        Some(Command::Open(screen)) if !cli.plain && screen.opens() => Some(screen),
+        _ => return Err("expected a command that opens a screen".into()),
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    let app = app(
-        screen,
-        &options,
-        options.given_data_dir(),
-        Auto::PLAINEST,
-        seed,
-    )?;
+    let folder = options.given_data_dir();
+    let app = app(screen, &options, folder, Auto::PLAINEST, seed)?;
     Ok((app, options))
 }
 
 /// Writes a string, which may contain any characters, to standard output in the charset of the
 /// options.
-fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
+fn print_text(text: &str, options: &GlobalOptions) -> Result<(), Failure> {
     let mut text = escape_control_lines(&options.printed().text(text));
     if !text.is_empty() {
         text.push('\n');
@@ -561,18 +545,17 @@ fn write_json_line(out: &mut impl Write, object: &impl Serialize) -> io::Result<
     out.write_all(b"\n")
 }
 
-/// Prints a report, or with --json one JSON object on its own line.
-fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -> io::Result<()> {
-    let mut report = Vec::new();
-    match json {
-        Some(object) => write_json_line(&mut report, object)?,
-        None => report = words().into_bytes(),
-    }
-    print(&report)
+/// Prints one JSON object on its own line.
+fn print_json(object: &impl Serialize) -> Result<(), Failure> {
+    let mut line = Vec::new();
+    write_json_line(&mut line, object)?;
+    print(&line)
 }
 
 /// Prints the names of written files, one per line.
-fn print_names<'a, T: 'a>(documents: impl IntoIterator<Item = &'a (PathBuf, T)>) -> io::Result<()> {
+fn print_names<'a, T: 'a>(
+    documents: impl IntoIterator<Item = &'a (PathBuf, T)>,
+) -> Result<(), Failure> {
     let names = documents
         .into_iter()
         .map(|(path, _)| format!("{}\n", path.display()));
@@ -581,10 +564,10 @@ fn print_names<'a, T: 'a>(documents: impl IntoIterator<Item = &'a (PathBuf, T)>)
 
 /// Writes to standard output. A reader that stops early (`carrom man | head`) is not an
 /// error.
-fn print(bytes: &[u8]) -> io::Result<()> {
+fn print(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error),
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(()),
     }
 }

@@ -47,51 +47,27 @@ enum Kind {
 }
 
 impl Kind {
-    /// The path of the example to copy, and the name that it contains.
-    fn example(self) -> (&'static str, &'static str) {
+    /// The path of the example to copy, the name that it contains, and the command that checks it.
+    fn example(self) -> [&'static str; 3] {
         match self {
-            Self::Level => ("levels/our-pack/a-glance.toml", "a-glance"),
-            Self::Chapter => ("chapters/01-our-coins.md", "our-coins"),
-            Self::Questions => ("questions/our-coins.toml", "our-coins"),
-            Self::Set => ("sets/first-lesson.toml", "first-lesson"),
+            Self::Level => ["levels/our-pack/a-glance.toml", "a-glance", "level"],
+            Self::Chapter => ["chapters/01-our-coins.md", "our-coins", "lesson"],
+            Self::Questions => ["questions/our-coins.toml", "our-coins", "concept"],
+            Self::Set => ["sets/first-lesson.toml", "first-lesson", "set"],
         }
-    }
-
-    /// The file's name. The name of a chapter's file begins with its number in the book.
-    fn file(self, name: &str) -> String {
-        match self {
-            Self::Chapter => format!("01-{name}.md"),
-            Self::Level | Self::Questions | Self::Set => format!("{name}.toml"),
-        }
-    }
-
-    /// The command that checks it.
-    fn check(self) -> &'static str {
-        match self {
-            Self::Level => "carrom level check",
-            Self::Chapter => "carrom lesson check",
-            Self::Questions => "carrom concept check",
-            Self::Set => "carrom set check",
-        }
-    }
-
-    /// The file's text: the example with the new name.
-    fn text(self, name: &str) -> String {
-        let (path, old) = self.example();
-        let text = examples::text(path).replace(&format!("\"{old}"), &format!("\"{name}"));
-        let line = |name: &str| format!("title = \"{}\"", title(name));
-        text.replace(&line(old), &line(name))
     }
 }
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let path = args.out.join(args.kind.file(&args.name));
-    let document = (path.clone(), args.kind.text(&args.name));
-    written::write(&[document], args.force)?;
-    let (path, check) = (path.display(), args.kind.check());
-    Ok(print(
-        format!("{path}\ncheck it: {check} {path}\n").as_bytes(),
-    )?)
+    let ([example, old, command], name) = (args.kind.example(), &args.name);
+    let text = examples::text(example).replace(&format!("\"{old}"), &format!("\"{name}"));
+    let line = |name: &str| format!("title = \"{}\"", title(name));
+    let text = text.replace(&line(old), &line(name));
+    let (_, file) = example.rsplit_once('/').unwrap_or(("", example));
+    let path = args.out.join(file.replace(old, name));
+    written::write(&[(path.clone(), text)], args.force)?;
+    let path = path.display();
+    print(format!("{path}\ncheck it: carrom {command} check {path}\n").as_bytes())
 }
 
 /// The maximum length of a name in characters; a chapter's title has no room for more.

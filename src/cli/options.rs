@@ -10,7 +10,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use etcetera::BaseStrategy;
 use strum::VariantNames;
 
-use super::settings;
+use super::given;
 use crate::files::{FileError, FileLibrary, tidy_name};
 use crate::game::is_player_name;
 use crate::lessons::{Book, ChapterLibrary};
@@ -113,14 +113,10 @@ impl GlobalOptions {
         }
     }
 
-    /// The charset, with `auto` replaced by the given one.
-    pub(super) fn charset(&self, auto: Charset) -> Charset {
-        self.charset.unwrap_or(auto)
-    }
-
     /// The charset for printed text.
     pub(super) fn printed(&self) -> Charset {
-        self.charset(terminal::charset(|name| env::var(name).ok()))
+        let auto = || terminal::charset(|name| env::var(name).ok());
+        self.charset.unwrap_or_else(auto)
     }
 
     /// The options that open the teacher's own questions on a screen: " --concepts my-folder".
@@ -138,8 +134,8 @@ impl GlobalOptions {
     /// The player's name: the given one, or else that of the last player.
     pub(super) fn player_name(&self) -> String {
         let kept = || {
-            let file = self.data_dir()?.join(KeptSettings::FILE);
-            Some(settings::read(&file).ok()?.over(Settings::default()).player)
+            let kept = given::settings(&self.data_dir()?).ok()?;
+            Some(kept.over(Settings::default()).player)
         };
         let name = self.player.clone().or_else(kept);
         name.unwrap_or_else(|| Settings::default().player)
@@ -154,7 +150,7 @@ impl GlobalOptions {
             ..Settings::default()
         });
         Settings {
-            charset: self.charset(found.charset),
+            charset: self.charset.unwrap_or(found.charset),
             blocks: self.blocks.or(found.blocks),
             depth: self.color.unwrap_or(found.depth),
             palette: self.palette.unwrap_or(found.palette),

@@ -47,14 +47,13 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let code = args.scorm.clone().map(|code| code.with_own(&options.own()));
     let code = code.transpose().map_err(Failure::input)?;
     let document = page.document(code.as_ref()).map_err(Failure::Input)?;
-    written::write_named_beside(&args.out, &[(args.out.clone(), document)], args.force)
+    written::write_named_beside(&[(args.out.clone(), document)], args.force)
 }
 
 /// Reads the code of a round whose questions are the same for everyone.
 fn round(text: &str) -> Result<Code, String> {
-    Code::read(text)
-        .map_err(|error| error.to_string())?
-        .same_for_all()
+    let code = Code::read(text).map_err(|error| error.to_string())?;
+    code.same_for_all()
 }
 
 /// The files in the given folders, under the paths that a page uses for them; or the errors in them.

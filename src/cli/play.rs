@@ -32,6 +32,8 @@ pub(super) fn run(
         charset: terminal::charset(env),
         depth: terminal::depth(env),
     };
+    // A random seed is short enough to pass on to a friend.
+    let any_seed = || RandomState::new().hash_one(()) % 1_000_000;
     let seed = options.seed.unwrap_or_else(any_seed);
     let mut app =
         app(screen, options, options.data_dir().as_deref(), auto, seed).map_err(Failure::input)?;
@@ -66,9 +68,4 @@ fn host_options(
     };
     let page = Some(page);
     Ok(HostOptions { port, page })
-}
-
-/// A random seed, short enough to pass on to a friend.
-pub(super) fn any_seed() -> u64 {
-    RandomState::new().hash_one(()) % 1_000_000
 }

@@ -6,7 +6,7 @@ use std::ffi::OsStr;
 use anyhow::anyhow;
 use serde_json::Value;
 
-use super::written::{self, NamedFile};
+use super::written::{NamedFile, named_file, write_beside};
 use super::{Failure, GlobalOptions, print};
 use crate::files::{Document, escape_control_lines};
 use crate::game::Results;
@@ -36,16 +36,12 @@ pub(super) struct Args {
     everyone: bool,
     /// Write a one-page report with pictures, to print (.html) or to edit (.md); with
     /// --everyone one page per player
-    #[arg(long, value_name = "FILE", value_parser = report_file,
-          conflicts_with_all = ["json", "csv"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["json", "csv"])]
+    #[arg(value_parser = |path: &str| named_file(path, ["html", "md"]))]
     report: Option<NamedFile>,
     /// Replace an existing report and its pictures
     #[arg(long, requires = "report")]
     force: bool,
-}
-
-fn report_file(path: &str) -> Result<NamedFile, String> {
-    written::named_file(path, ["html", "md"])
 }
 
 impl Args {
@@ -66,36 +62,29 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
             false => vec![player.clone()],
         };
         let documents = reports(&players, &history, &mut store, file, options)?;
-        return Ok(written::write_beside(&file.path, &documents, args.force)?);
+        return write_beside(&documents, args.force);
     }
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
     } else {
-        let next = match args.everyone {
-            true => None,
+        let (next, games) = match args.everyone {
+            true => (None, Value::Null),
             false => {
-                let kept = kept(&player, &mut store)?;
-                Some(next(&history, &kept, options))
+                let next = next(&history, &kept(&player, &mut store)?, options);
+                (Some(next), games(&player, &mut store)?)
             }
-        };
-        let games = match args.everyone {
-            true => Value::Null,
-            false => games(&player, &mut store)?,
         };
         let (attempts, observed) = (&history.attempts, &history.observations);
         let text = json(attempts, observed, next.as_deref(), games);
         text.map_err(|reason| anyhow!(reason))? + "\n"
     };
-    Ok(print(text.as_bytes())?)
+    print(text.as_bytes())
 }
 
 /// The answers of a player, or of everyone.
 pub(super) fn recall(store: &mut Store, whose: Option<String>) -> anyhow::Result<History> {
     match ask(store, StoreRequest::Recall(whose)) {
-        StoreReply::Recalled(recalled) => {
-            let history = recalled.map_err(|reason| anyhow!(reason))?;
-            Ok(*history)
-        }
+        StoreReply::Recalled(recalled) => Ok(*recalled.map_err(|reason| anyhow!(reason))?),
         _ => Err(anyhow!("the answers could not be read")),
     }
 }
@@ -201,8 +190,7 @@ fn documents(reports: &[Report], file: &NamedFile) -> Vec<Document> {
     }
     let stem = path.file_stem().and_then(OsStr::to_str);
     let all = format!("{}-pictures", stem.unwrap_or("report"));
-    let mut texts = Vec::new();
-    let mut pictures = Vec::new();
+    let (mut texts, mut pictures) = (Vec::new(), Vec::new());
     for (number, report) in (1..).zip(reports) {
         let folder = match reports {
             [_] => all.clone(),
@@ -215,7 +203,6 @@ fn documents(reports: &[Report], file: &NamedFile) -> Vec<Document> {
             pictures.push((picture_path, picture.svg.file()));
         }
     }
-    let mut documents = vec![(path.clone(), texts.join("\n---\n\n"))];
-    documents.extend(pictures);
-    documents
+    let text = (path.clone(), texts.join("\n---\n\n"));
+    std::iter::once(text).chain(pictures).collect()
 }

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
+use serde_json::json;
 
-use super::{Failure, given, print_report};
+use super::{Failure, given, print, print_json};
 use crate::game::pieces::piece_of;
 use crate::game::{
     Coin, Fingerprint, Game, GameSetup, Move, Piece, RecordError, Ruling, SavedGame, Seat,
-    SeatNames, Strike, Team, announced,
+    SeatNames, Strike, Team,
 };
 use crate::physics::Shot;
 use crate::physics::units::mm_from_m;
@@ -32,8 +33,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let (saved, game) = given::read(&args.file, SavedGame::LARGEST_FILE, SavedGame::read)?;
     let moves = happenings(&saved).map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
     let report = ReplayReport::of(&saved, &game, moves);
-    let words = || report.text(saved.record.strokes());
-    Ok(print_report(args.json.then_some(&report), words)?)
+    match args.json {
+        true => print_json(&report),
+        false => print(report.text(saved.record.strokes()).as_bytes()),
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -44,14 +47,16 @@ struct ReplayedMove {
     #[serde(skip_serializing_if = "Option::is_none")]
     strike: Option<Strike>,
     pocketed: Vec<Piece>,
-    rulings: Vec<Announced>,
+    #[serde(serialize_with = "announcements")]
+    rulings: Vec<Ruling>,
 }
 
-/// What the referee announced.
-#[derive(Debug, Serialize)]
-struct Announced {
-    law: Option<String>,
-    text: String,
+/// What the referee announced, without the effects.
+fn announcements<S: Serializer>(rulings: &[Ruling], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(rulings.iter().map(|it| {
+        let law = it.law.map(|law| law.to_string());
+        json!({ "law": law, "text": it.text })
+    }))
 }
 
 /// What `--json` prints.
@@ -83,15 +88,6 @@ struct Lying {
     at_mm: [f64; 2],
 }
 
-impl From<Ruling> for Announced {
-    fn from(ruling: Ruling) -> Self {
-        Self {
-            law: ruling.law.map(|law| law.to_string()),
-            text: ruling.text,
-        }
-    }
-}
-
 /// All moves, replayed.
 fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
     let mut happenings = Vec::new();
@@ -105,7 +101,7 @@ fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
                 _ => None,
             },
             pocketed: shot.map_or_else(Vec::new, |shot| pocketed(&shot, &before)),
-            rulings: rulings.into_iter().map(Announced::from).collect(),
+            rulings,
         });
     })?;
     Ok(happenings)
@@ -163,8 +159,7 @@ impl ReplayReport {
             };
             text += &format!("{:4}  {what}\n", made.r#move);
             for ruling in &made.rulings {
-                let announced = announced(&ruling.text, ruling.law.as_ref());
-                text += &format!("      {announced}\n");
+                text += &format!("      {}\n", ruling.announced());
             }
         }
         let end = &self.r#final;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::{Failure, GlobalOptions, given, print_report, print_text};
+use super::{Failure, GlobalOptions, given, print_json, print_text};
 use crate::files::{LARGEST, read};
 use crate::quiz::concepts::QuestionSet;
 use crate::quiz::{Code, Form, Question, Round};
@@ -100,13 +100,13 @@ pub(super) fn list(code: &Code, json: bool, options: &GlobalOptions) -> Result<(
             code: round.code().to_string(),
             questions: questions.collect(),
         };
-        return Ok(print_report(Some(&list), String::new)?);
+        return print_json(&list);
     }
     let mut text = String::new();
     for (number, question) in questions() {
         write_question(number, question, &mut text)?;
     }
-    Ok(print_text(text.trim_end(), options)?)
+    print_text(text.trim_end(), options)
 }
 
 /// The id of a question in words.
@@ -116,12 +116,8 @@ fn id(question: &Question) -> Option<&str> {
 
 /// Writes a question with its number, its kind and its text.
 fn write_question(number: usize, question: &Question, out: &mut String) -> std::fmt::Result {
-    let (family, topic) = (question.family.name(), &question.topic);
-    write!(
-        out,
-        "{number}. {family}: {topic}, {}",
-        question.difficulty.id()
-    )?;
+    let (family, difficulty) = (question.family.name(), question.difficulty.id());
+    write!(out, "{number}. {family}: {}, {difficulty}", question.topic)?;
     if let Some(id) = id(question) {
         write!(out, ", id {id}")?;
     }

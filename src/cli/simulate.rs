@@ -6,7 +6,7 @@ use anyhow::anyhow;
 use glam::DVec2;
 use serde::Serialize;
 
-use super::{Failure, given, print_report};
+use super::{Failure, given, print, print_json};
 use crate::files::LARGEST;
 use crate::levels::{Patience, Scene};
 use crate::numbers::four_figures;
@@ -25,11 +25,12 @@ pub(super) struct Args {
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let scene = given::read(&args.file, LARGEST, Scene::read)?;
-    let shot = scene
-        .play(Patience::Seconds)
-        .map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
-    let json = args.json.then(|| ShotReport::of(&shot));
-    Ok(print_report(json.as_ref(), || table(&scene, &shot))?)
+    let shot = scene.play(Patience::Seconds);
+    let shot = shot.map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
+    match args.json {
+        true => print_json(&ShotReport::of(&shot)),
+        false => print(table(&scene, &shot).as_bytes()),
+    }
 }
 
 /// What `--json` prints.

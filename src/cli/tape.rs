@@ -82,7 +82,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         }
     }
     files::put(&documents, Existing::Go)?;
-    Ok(super::print_names(&documents)?)
+    super::print_names(&documents)
 }
 
 fn read(path: &Path) -> anyhow::Result<Tape> {

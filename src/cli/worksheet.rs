@@ -124,9 +124,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     if let Some(out) = args.out.as_ref().filter(|_| args.force) {
         remove_others(out, &all)?;
     }
-    Ok(print_names(
-        all.iter().filter(|(path, _)| !is_picture(path)),
-    )?)
+    print_names(all.iter().filter(|(path, _)| !is_picture(path)))
 }
 
 fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
@@ -165,7 +163,7 @@ fn files(worksheet: &Worksheet, args: &Args, out: &Path) -> Vec<Document> {
         file("key.md", key);
     }
     for picture in worksheet.pictures() {
-        let path = out.join(&pictures).join(format!("{}.svg", picture.name));
+        let path = out.join(&pictures).join(picture.name);
         files.push((path, picture.svg.file()));
     }
     files
@@ -197,8 +195,6 @@ fn remove_others(out: &Path, files: &[Document]) -> anyhow::Result<()> {
 
 fn count(text: &str) -> Result<usize, String> {
     let most = Course::MOST;
-    let count = text.parse().ok();
-    count
-        .filter(|count| (1..=most).contains(count))
-        .ok_or_else(|| format!("expected a number from 1 to {most}"))
+    let count = text.parse().ok().filter(|it| (1..=most).contains(it));
+    count.ok_or_else(|| format!("expected a number from 1 to {most}"))
 }

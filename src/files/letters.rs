@@ -29,10 +29,8 @@ pub(super) fn is_picture(letter: &str) -> bool {
     const LAST_TAG: char = '\u{e007f}';
     let is_emoji = |c: char| matches!(c, '\u{200d}' | '\u{fe0f}' | '\u{2190}'..='\u{2bff}' | '\u{1f000}'..='\u{1faff}');
     let is_tag = |c: char| ('\u{e0020}'..='\u{e007e}').contains(&c);
-    match letter
-        .strip_prefix(FLAG)
-        .and_then(|rest| rest.strip_suffix(LAST_TAG))
-    {
+    let tags = letter.strip_prefix(FLAG);
+    match tags.and_then(|rest| rest.strip_suffix(LAST_TAG)) {
         Some(tags) => tags.chars().all(is_tag),
         None => {
             letter.chars().all(is_emoji)
@@ -94,11 +92,9 @@ pub fn tidy_name(name: &str) -> String {
             tidy.push(letter);
         }
     }
-    let is_visible = |letter: char| letter.width().unwrap_or(0) > 0 && !is_blank(letter);
-    if !tidy
-        .chars()
-        .any(|letter| letter != ' ' && is_visible(letter))
-    {
+    let is_visible =
+        |letter: char| letter != ' ' && letter.width().unwrap_or(0) > 0 && !is_blank(letter);
+    if !tidy.contains(is_visible) {
         return String::new();
     }
     tidy.truncate(tidy.trim_end().len());

@@ -34,5 +34,5 @@ pub(crate) use number::{NumberSpec, Range};
 pub use put::{Document, put};
 pub(crate) use put::{Existing, Unwritten};
 pub use read::read;
-pub(crate) use read::{LARGEST, read_stdin};
+pub(crate) use read::{LARGEST, STDIN, read_given};
 pub(crate) use source::{BYTE_ORDER_MARK, Source};

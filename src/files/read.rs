@@ -9,6 +9,9 @@ use super::FileError;
 /// The default limit on the size of a text file, in bytes.
 pub(crate) const LARGEST: usize = 1 << 20;
 
+/// The name of standard input in messages.
+pub(crate) const STDIN: &str = "standard input";
+
 /// The bytes of a file, cut off one byte beyond `most`, so that `Source::of_bytes` refuses a longer
 /// file.
 ///
@@ -19,12 +22,15 @@ pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     bytes.map_err(|error| unreadable(&path.display().to_string(), &error))
 }
 
-/// The bytes of standard input, with the same limit.
+/// Like [`read`], but `-` is [`STDIN`].
 ///
 /// # Errors
-/// If standard input cannot be read.
-pub(crate) fn read_stdin(name: &str, most: usize) -> Result<Vec<u8>, FileError> {
-    take(io::stdin(), most).map_err(|error| unreadable(name, &error))
+/// If the file cannot be read.
+pub(crate) fn read_given(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
+    match path.as_os_str() == "-" {
+        true => take(io::stdin(), most).map_err(|error| unreadable(STDIN, &error)),
+        false => read(path, most),
+    }
 }
 
 fn take(source: impl Read, most: usize) -> io::Result<Vec<u8>> {

@@ -53,18 +53,14 @@ impl<'a> Source<'a> {
         }
         // Some editors begin a file with a byte order mark.
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-        std::str::from_utf8(bytes)
-            .map(|text| Self::new(name, text, 1))
-            .map_err(|error| {
-                let good = bytes.get(..error.valid_up_to()).unwrap_or_default();
-                let source = Self::new(name, std::str::from_utf8(good).unwrap_or_default(), 1);
-                let at = source.text.len();
-                source.error_at(
-                    at,
-                    source.key_near(at),
-                    "expected UTF-8 text, found other bytes",
-                )
-            })
+        let Ok(text) = std::str::from_utf8(bytes) else {
+            let good = bytes.utf8_chunks().next().map_or("", |it| it.valid());
+            let source = Self::new(name, good, 1);
+            let field = source.key_near(good.len());
+            let message = "expected UTF-8 text, found other bytes";
+            return Err(source.error_at(good.len(), field, message));
+        };
+        Ok(Self::new(name, text, 1))
     }
 
     pub(crate) fn text(&self) -> &'a str {
@@ -79,11 +75,8 @@ impl<'a> Source<'a> {
     /// A part of the text as a separate source, whose errors belong to the same file.
     pub(crate) fn part(&self, bytes: std::ops::Range<usize>) -> Self {
         let first_line = self.line_of(bytes.start);
-        Self::new(
-            self.name,
-            self.text.get(bytes).unwrap_or_default(),
-            first_line,
-        )
+        let text = self.text.get(bytes).unwrap_or_default();
+        Self::new(self.name, text, first_line)
     }
 
     /// The error that `message` describes, at a byte of the text.
@@ -139,11 +132,8 @@ impl<'a> Source<'a> {
     /// All errors that were found.
     pub(crate) fn finish<T>(self, made: Option<T>) -> Result<T, FileErrors> {
         let mut errors = self.errors.into_inner();
-        let broken: Vec<_> = errors
-            .iter()
-            .filter(|(rank, _)| *rank == Rank::Syntax)
-            .map(|(_, error)| error.line)
-            .collect();
+        let broken = errors.iter().filter(|(rank, _)| *rank == Rank::Syntax);
+        let broken: Vec<_> = broken.map(|(_, error)| error.line).collect();
         errors.retain(|(rank, error)| *rank != Rank::Value || !broken.contains(&error.line));
         errors.sort_by_key(|(rank, error)| (*rank != Rank::UnknownField, error.line));
         let mut errors: Vec<_> = errors.into_iter().map(|(_, error)| error).collect();
@@ -177,6 +167,7 @@ impl<'a> Source<'a> {
         if key.chars().all(bare) { key } else { "" }
     }
 }
+
 /// A number of bytes in a suitable unit.
 fn size(bytes: usize) -> String {
     match bytes {

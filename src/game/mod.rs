@@ -43,7 +43,6 @@ mod table;
 mod validity;
 
 pub(crate) use laws::RuleLine;
-pub(crate) use laws::announced;
 pub use laws::{BoardWon, Rules, Ruling, RulingEffect};
 pub(crate) use pieces::PieceSet;
 pub use pieces::{Coin, Colour, Piece};

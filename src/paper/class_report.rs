@@ -4,7 +4,7 @@
 use jiff::civil::Date;
 use maud::{Markup, html};
 
-use super::worksheet::{asked, of_answer, said};
+use super::worksheet::{of_answer, on_screen, said};
 use super::{Paper, clean, html_page};
 use crate::class::{
     Advice, ClassBelief, ClassRound, ItemAnalysis, Standing, Vote, WayOfVoting, beliefs, items,
@@ -15,9 +15,9 @@ use crate::numbers::{self, counted, fixed};
 use crate::progress::long_day;
 use crate::progress::words::percent;
 use crate::quiz::{Form, Misconception, Question, Response};
-use crate::widgets::svg::Svg;
 use crate::widgets::text::unbroken;
 
+const STYLE: &str = include_str!("class_report.css");
 /// The maximum number of letters in a name.
 const NAME: usize = 44;
 /// The number of misconceptions for which the report gives the next step in full.
@@ -64,13 +64,9 @@ pub fn html(round: &ClassRound, about: &About) -> String {
             @for item in &voted { (question(round, item, &book)) }
         }
     };
-    let has_votes = !voted.is_empty();
-    html_page(
-        &title,
-        include_str!("class_report.css"),
-        Paper::A4,
-        std::iter::once(first).chain(has_votes.then_some(questions)),
-    )
+    let questions = Some(questions).filter(|_| !voted.is_empty());
+    let sheets = std::iter::once(first).chain(questions);
+    html_page(&title, STYLE, Paper::A4, sheets)
 }
 
 /// "26 November 2026 · code quick-7 · 27 pupils on their own devices · 5 of 5 questions".
@@ -220,6 +216,7 @@ fn by_name(round: &ClassRound) -> Markup {
 }
 
 /// An answer to a question, and the votes for it.
+#[derive(Default)]
 struct AnswerRow {
     words: String,
     right: bool,
@@ -252,10 +249,7 @@ fn answers(round: &ClassRound, number: usize, question: &Question) -> Vec<Answer
     let is_choice = matches!(question.form, Form::Choice { .. });
     let mut other = AnswerRow {
         words: "other answers".into(),
-        right: false,
-        misconception: None,
-        says: String::new(),
-        votes: [0, 0],
+        ..AnswerRow::default()
     };
     for vote in Vote::BOTH {
         for answer in round.said(number, vote) {
@@ -294,7 +288,7 @@ fn question(round: &ClassRound, item: &ItemAnalysis, book: &Book) -> Markup {
     let picture = match question.form {
         // Only the true collision shows where a shot goes.
         Form::Shot(_) => of_answer(question),
-        _ => asked(question),
+        _ => on_screen(question),
     };
     let page = |misconception: Misconception| {
         book.named(misconception.settled_in(&question.topic, &question.figures))
@@ -304,7 +298,7 @@ fn question(round: &ClassRound, item: &ItemAnalysis, book: &Book) -> Markup {
             h2 { (number + 1) ". " (question.topic.name()) }
             div.beside {
                 p { (unbroken(&question.text)) }
-                @if let Some(picture) = picture { (figure(&picture)) }
+                @if let Some(picture) = picture { figure { (picture) } }
             }
             table.votes {
                 thead {
@@ -338,10 +332,6 @@ fn question(round: &ClassRound, item: &ItemAnalysis, book: &Book) -> Markup {
             p.why { strong { "Why. " } (unbroken(&question.why)) }
         }
     }
-}
-
-fn figure(picture: &Svg) -> Markup {
-    html! { figure { (picture) } }
 }
 
 /// `votes` as a share of `all`: a bar, the number of votes and the percentage.

@@ -1,6 +1,6 @@
 //! The gradebook of a class, with a page for each pupil.
 
-use maud::{Markup, html};
+use maud::{Markup, Render, html};
 
 use super::{Paper, clean, html_page};
 use crate::gradebook::{
@@ -10,6 +10,7 @@ use crate::numbers::{counted, fixed};
 use crate::progress::Mastery;
 use crate::progress::words::percent;
 
+const STYLE: &str = include_str!("gradebook.css");
 /// The maximum number of letters in a name, and in the round or topic in the heading of a column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
@@ -23,22 +24,15 @@ const COLUMNS: usize = 6;
 /// misconceptions, then one page per pupil.
 pub fn html(results: &ClassResults<'_>) -> String {
     let forms = learning(results);
-    let learnt = (!forms.is_empty()).then(|| sheet("Did the class learn it?", &learnt(&forms)));
-    let of_class = std::iter::once(sheet("Gradebook", &overview(results)))
-        .chain(learnt)
-        .chain([
-            sheet("The questions", &questions(results)),
-            sheet("What the class believes", &believed(results)),
-        ]);
-    let pupils =
-        { results.pupils.iter() }.map(|it| sheet(&clean(&it.pupil.name, NAME), &report(it)));
-    let sheets = of_class.chain(pupils);
-    html_page(
-        "carrom: gradebook",
-        include_str!("gradebook.css"),
-        Paper::A4,
-        sheets,
-    )
+    let mut sheets = vec![sheet("Gradebook", &overview(results))];
+    if !forms.is_empty() {
+        sheets.push(sheet("Did the class learn it?", &learnt(&forms)));
+    }
+    sheets.push(sheet("The questions", &questions(results)));
+    sheets.push(sheet("What the class believes", &believed(results)));
+    let pupils = results.pupils.iter();
+    sheets.extend(pupils.map(|it| sheet(&clean(&it.pupil.name, NAME), &report(it))));
+    html_page("carrom: gradebook", STYLE, Paper::A4, sheets)
 }
 
 fn sheet(title: &str, body: &Markup) -> Markup {
@@ -51,7 +45,11 @@ fn sheet(title: &str, body: &Markup) -> Markup {
 }
 
 /// A table with headings and rows. The first `texts` columns contain text, the others numbers.
-fn table(texts: usize, heads: &[String], rows: &[Vec<String>]) -> Markup {
+fn table(
+    texts: usize,
+    heads: &[impl Render],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Markup {
     html! {
         table {
             thead { tr { @for (i, head) in heads.iter().enumerate() { th.n[i >= texts] { bdi { (head) } } } } }
@@ -116,7 +114,7 @@ fn by_columns(
             row.extend(columns.iter().map(|it| cell(of, it).unwrap_or_default()));
             row
         });
-        table(2, &heads, &rows.collect::<Vec<_>>())
+        table(2, &heads, rows)
     });
     html! { h2 { (title) } @for table in tables { (table) } }
 }
@@ -137,14 +135,14 @@ fn learnt(forms: &[Learning<'_>]) -> Markup {
             p { strong { (of_the_class(of)) } }
             @if pupils > 0 {
                 h3 { "By pupil" }
-                (table(2, &["pupil", "class", "right before", "right after", "change"].map(Into::into), &by_pupil(of)))
+                (table(2, &["pupil", "class", "right before", "right after", "change"], by_pupil(of)))
             }
             @if of.gain.is_ok() || pupils >= FEWEST {
                 h3 { "By misconception" }
                 @let rows = by_misconception(of);
                 @if rows.is_empty() { p { "No answer fits a misconception that both forms can show." } }
                 @else {
-                    (table(1, &["misconception", "fits before", "fits after"].map(Into::into), &rows))
+                    (table(1, &["misconception", "fits before", "fits after"], rows))
                     p.dim { "How many answers fit the misconception, out of those that could have shown it." }
                 }
             }
@@ -230,9 +228,8 @@ fn questions(results: &ClassResults<'_>) -> Markup {
             it.discrimination.map_or("–".into(), |it| fixed(it, 2)),
         ]
     });
-    let rows: Vec<Vec<String>> = rows.collect();
     html! {
-        (table(4, &heads.map(Into::into), &rows))
+        (table(4, &heads, rows))
         p.dim {
             "Discrimination: the correlation of a question's points with those of the other "
             "questions of its round, from −1 to 1, for at least ten answers."
@@ -256,19 +253,15 @@ fn believed(results: &ClassResults<'_>) -> Markup {
 
 fn report(results: &PupilResults<'_>) -> Markup {
     let (pupil, tally) = (results.pupil, results.tally);
-    let rounds: Vec<Vec<String>> = { results.rounds.iter() }
-        .map(|(round, it)| {
-            let [answered, right] = [it.attempts, it.right].map(|it| it.to_string());
-            vec![clean(round, NAME), answered, right, fixed(it.points(), 1)]
-        })
-        .collect();
-    let topics: Vec<Vec<String>> = { results.topics.values() }
-        .map(|it| {
-            let [answered, right] = [it.all.attempts, it.all.right].map(|it| it.to_string());
-            let mastery = it.mastery().name().to_owned();
-            vec![clean(&it.name, NAME), mastery, answered, right]
-        })
-        .collect();
+    let rounds = results.rounds.iter().map(|(round, it)| {
+        let [answered, right] = [it.attempts, it.right].map(|it| it.to_string());
+        vec![clean(round, NAME), answered, right, fixed(it.points(), 1)]
+    });
+    let topics = results.topics.values().map(|it| {
+        let [answered, right] = [it.all.attempts, it.all.right].map(|it| it.to_string());
+        let mastery = it.mastery().name().to_owned();
+        vec![clean(&it.name, NAME), mastery, answered, right]
+    });
     let held = &results.beliefs;
     html! {
         p data-class=(pupil.class) {
@@ -276,9 +269,9 @@ fn report(results: &PupilResults<'_>) -> Markup {
             (counted(tally.attempts, "answer")) ", " (percent(tally.share_right())) " right."
         }
         h2 { "Rounds" }
-        (table(1, &["round", "answered", "right", "points"].map(Into::into), &rounds))
+        (table(1, &["round", "answered", "right", "points"], rounds))
         h2 { "Topics" }
-        (table(2, &["topic", "", "answered", "right"].map(Into::into), &topics))
+        (table(2, &["topic", "", "answered", "right"], topics))
         p.dim { (Mastery::MEANING) }
         @if !held.is_empty() {
             h2 { "What the answers show" }

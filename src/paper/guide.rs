@@ -120,42 +120,26 @@ pub(crate) fn guide_page(markdown: &str) -> String {
 }
 
 /// The start or the end of a link to another guide's page; `None` for any other link.
-fn page_link(event: Event<'_>, is_linked: bool) -> Option<Event<'_>> {
-    match event {
-        Event::Start(Tag::Link {
-            link_type,
-            dest_url,
-            title,
-            id,
-        }) => {
-            let page = dest_url
-                .strip_suffix(".md")
-                .filter(|name| !name.contains('/'))?;
-            let dest_url = format!("{page}.html").into();
-            Some(Event::Start(Tag::Link {
-                link_type,
-                dest_url,
-                title,
-                id,
-            }))
+fn page_link(mut event: Event<'_>, is_linked: bool) -> Option<Event<'_>> {
+    let is_page = match &mut event {
+        Event::Start(Tag::Link { dest_url, .. }) => {
+            let page = dest_url.strip_suffix(".md")?;
+            let is_beside = !page.contains('/');
+            *dest_url = format!("{page}.html").into();
+            is_beside
         }
-        end => is_linked.then_some(end),
-    }
+        _ => is_linked,
+    };
+    is_page.then_some(event)
 }
 
 /// The text of the first heading.
 fn title(events: &[Event]) -> String {
-    let heading = events
-        .iter()
-        .skip_while(|event| {
-            !matches!(
-                event,
-                Event::Start(Tag::Heading {
-                    level: HeadingLevel::H1,
-                    ..
-                })
-            )
-        })
+    let is_before = |event: &&Event| match event {
+        Event::Start(Tag::Heading { level, .. }) => *level != HeadingLevel::H1,
+        _ => true,
+    };
+    let heading = { events.iter().skip_while(is_before) }
         .take_while(|event| !matches!(event, Event::End(TagEnd::Heading(_))));
     let words = heading.filter_map(|event| match event {
         Event::Text(text) | Event::Code(text) => Some(text.as_ref()),

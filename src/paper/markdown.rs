@@ -44,17 +44,13 @@ impl Markdown {
     /// A list with a bullet before each item.
     pub fn list<T: AsRef<str>>(&mut self, items: impl IntoIterator<Item = T>) -> &mut Self {
         let item = |item: T| format!("- {}", escape(item.as_ref()));
-        let items: Vec<_> = items.into_iter().map(item).collect();
-        self.block(&items.join("\n"))
+        self.lines(items.into_iter().map(item))
     }
 
     /// A list numbered from 1.
     pub fn numbered<T: AsRef<str>>(&mut self, items: impl IntoIterator<Item = T>) -> &mut Self {
-        let items = items.into_iter().enumerate();
-        let items: Vec<_> = items
-            .map(|(i, item)| format!("{}. {}", i + 1, escape(item.as_ref())))
-            .collect();
-        self.block(&items.join("\n"))
+        let item = |(number, item): (usize, T)| format!("{number}. {}", escape(item.as_ref()));
+        self.lines((1..).zip(items).map(item))
     }
 
     /// A table with a header row. Each row should have as many cells as the header.
@@ -63,16 +59,13 @@ impl Markdown {
         heads: &[&str],
         rows: impl IntoIterator<Item = Vec<T>>,
     ) -> &mut Self {
-        let row = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
-        let mut lines = vec![
-            row(heads.iter().map(|head| escape(head)).collect()),
-            row(vec!["---".to_owned(); heads.len()]),
+        let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
+        let row = |cells: Vec<T>| line(cells.iter().map(|it| escape(it.as_ref())).collect());
+        let head = [
+            line(heads.iter().map(|it| escape(it)).collect()),
+            line(vec!["---".to_owned(); heads.len()]),
         ];
-        lines.extend(
-            rows.into_iter()
-                .map(|cells| row(cells.iter().map(|cell| escape(cell.as_ref())).collect())),
-        );
-        self.block(&lines.join("\n"))
+        self.lines(head.into_iter().chain(rows.into_iter().map(row)))
     }
 
     /// A picture in the file `place`, a path relative to the document's folder with `/` as the
@@ -93,6 +86,11 @@ impl Markdown {
     /// The whole document.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// A block of several lines.
+    fn lines(&mut self, lines: impl Iterator<Item = String>) -> &mut Self {
+        self.block(&lines.collect::<Vec<_>>().join("\n"))
     }
 
     fn block(&mut self, block: &str) -> &mut Self {
@@ -120,7 +118,8 @@ fn escape(text: &str) -> String {
             && word
                 .strip_suffix(['.', ')'])
                 .is_some_and(|number| number.bytes().all(|it| it.is_ascii_digit()));
-        let address = word.contains("://") || word.contains('@') || starts_with_www(word);
+        let lower = word.to_lowercase();
+        let address = lower.contains("://") || lower.contains('@') || lower.contains("www.");
         let mut letters = word.chars().peekable();
         while let Some(letter) = letters.next() {
             // Many programs format the text between two of these characters.
@@ -143,10 +142,6 @@ fn escape(text: &str) -> String {
         }
     }
     escaped
-}
-
-fn starts_with_www(word: &str) -> bool {
-    word.to_lowercase().contains("www.")
 }
 
 #[cfg(test)]

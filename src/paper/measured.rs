@@ -7,16 +7,7 @@ use super::{LOOK, Paper, clean, html_page, svg};
 use crate::measure::Measurement;
 use crate::widgets::{measured_picture, measured_rows, measured_words};
 
-const STYLE: &str = "
-h2 { margin: 5mm 0 1.5mm }
-td { padding: 0.6mm 3mm 0.6mm 0; vertical-align: top; border-bottom: 0.3mm solid var(--faint) }
-td:first-child { width: 36%; color: var(--dim) }
-figure { margin: 4mm 0 }
-figcaption { color: var(--dim); margin-top: 1.5mm }
-ul { padding-left: 5mm }
-li { margin: 1mm 0 }
-.warn { border-left: 1mm solid var(--accent); padding-left: 4mm }
-";
+const STYLE: &str = include_str!("measured.css");
 /// The size of the picture, in columns and rows.
 const COLUMNS: u16 = 90;
 const FEWEST_ROWS: u16 = 10;
@@ -32,10 +23,6 @@ pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
         &measured_words(measurement),
         &measured_picture(area, measurement),
     );
-    let sentences = measurement.sentences();
-    let sentences = sentences
-        .iter()
-        .map(|it| LOOK.charset.text(it).into_owned());
     let warnings = measurement.warnings();
     let files: Vec<_> = files.iter().map(|name| clean(name, NAME)).collect();
     let sheet = html! {
@@ -49,7 +36,7 @@ pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
             }
         }
         h2 { "In words" }
-        ul { @for sentence in sentences { li { (sentence) } } }
+        ul { @for sentence in measurement.sentences() { li { (LOOK.charset.text(&sentence)) } } }
         @if !warnings.is_empty() {
             h2 { "Before you trust it" }
             ul.warn { @for warning in warnings { li { (warning) } } }

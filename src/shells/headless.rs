@@ -117,7 +117,7 @@ impl Headless {
     pub fn choose(&mut self, target: usize) {
         if !self.has_quit() {
             let effects = self.app.choose(target);
-            self.carry_out(effects);
+            self.carry_out_all(effects);
         }
     }
 
@@ -132,10 +132,8 @@ impl Headless {
     pub fn press(&mut self, keys: &str) {
         let mut rest = keys;
         while let Some(first) = rest.chars().next() {
-            let named = rest
-                .strip_prefix('<')
-                .and_then(|inner| inner.split_once('>'))
-                .and_then(|(name, after)| Some((Key::named(name)?, after)));
+            let named = rest.strip_prefix('<').and_then(|it| it.split_once('>'));
+            let named = named.and_then(|(name, after)| Some((Key::named(name)?, after)));
             let (key, after) = named.unwrap_or((Key::Char(first), &rest[first.len_utf8()..]));
             self.key(key);
             rest = after;
@@ -195,33 +193,28 @@ impl Headless {
 }
 
 impl AppHolder for Headless {
-    fn app(&self) -> &App {
-        &self.app
-    }
-
-    fn app_mut(&mut self) -> &mut App {
+    fn app(&mut self) -> &mut App {
         &mut self.app
     }
 
-    fn carry_out(&mut self, effects: Vec<Effect>) {
-        for effect in effects {
-            match effect {
-                Effect::Keep(request) => {
-                    let answer = self.store.answer(&request);
-                    self.input(&Input::Kept(Box::new(answer)));
-                }
-                Effect::Host(call) => self.host_calls.push(call),
-                Effect::Join(call) => self.join_calls.push(call),
-                Effect::ExportPage { .. } => {
-                    let words = "this program contains no page for browsers".to_owned();
-                    self.input(&Input::Exported(Err(words)));
-                }
-                Effect::Export { name, content } => {
-                    self.exports.push((name.clone(), content));
-                    self.input(&Input::Exported(Ok(name)));
-                }
+    fn carry_out(&mut self, effect: Effect) -> Option<Input> {
+        match effect {
+            Effect::Keep(call) => {
+                let answer = self.store.answer(&call);
+                return Some(Input::Kept(Box::new(answer)));
+            }
+            Effect::Host(call) => self.host_calls.push(call),
+            Effect::Join(call) => self.join_calls.push(call),
+            Effect::ExportPage { .. } => {
+                let words = "this program contains no page for browsers".to_owned();
+                return Some(Input::Exported(Err(words)));
+            }
+            Effect::Export { name, content } => {
+                self.exports.push((name.clone(), content));
+                return Some(Input::Exported(Ok(name)));
             }
         }
+        None
     }
 }
 

@@ -9,19 +9,25 @@ use crate::messages::{Effect, Input};
 /// A shell that owns an app and carries out each effect before the next input.
 pub trait AppHolder {
     /// The app.
-    fn app(&self) -> &App;
+    fn app(&mut self) -> &mut App;
 
-    /// The app, for inputs.
-    fn app_mut(&mut self) -> &mut App;
+    /// Carries out a request of the app. Returns the result if there is one at once.
+    fn carry_out(&mut self, effect: Effect) -> Option<Input>;
 
-    /// Carries out the app's requests.
-    fn carry_out(&mut self, effects: Vec<Effect>);
+    /// Carries out requests of the app and passes on their results.
+    fn carry_out_all(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            if let Some(result) = self.carry_out(effect) {
+                self.input(&result);
+            }
+        }
+    }
 
     /// Passes on one input.
     fn input(&mut self, input: &Input) {
         if !self.app().has_quit() {
-            let effects = self.app_mut().update(input);
-            self.carry_out(effects);
+            let effects = self.app().update(input);
+            self.carry_out_all(effects);
         }
     }
 
@@ -33,8 +39,8 @@ pub trait AppHolder {
                 return;
             };
             let step = wake.max(FRAME).min(left);
-            let effects = self.app_mut().advance(step);
-            self.carry_out(effects);
+            let effects = self.app().advance(step);
+            self.carry_out_all(effects);
             left -= step;
         }
     }

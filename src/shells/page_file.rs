@@ -87,31 +87,7 @@ impl PageFile {
 
 /// A SCORM 1.2 package: the page and a manifest that names it.
 fn package(code: &str, page: &str) -> anyhow::Result<Vec<u8>> {
-    let manifest = format!(
-        r#"<?xml version="1.0" encoding="UTF-8"?>
-<manifest identifier="carrom-{code}" version="1.0"
-    xmlns="http://www.imsproject.org/xsd/imscp_rootv1p1p2"
-    xmlns:adlcp="http://www.adlnet.org/xsd/adlcp_rootv1p2">
-  <metadata>
-    <schema>ADL SCORM</schema>
-    <schemaversion>1.2</schemaversion>
-  </metadata>
-  <organizations default="carrom">
-    <organization identifier="carrom">
-      <title>carrom: {code}</title>
-      <item identifier="round" identifierref="page">
-        <title>carrom: {code}</title>
-      </item>
-    </organization>
-  </organizations>
-  <resources>
-    <resource identifier="page" type="webcontent" adlcp:scormtype="sco" href="index.html">
-      <file href="index.html"/>
-    </resource>
-  </resources>
-</manifest>
-"#
-    );
+    let manifest = include_str!("imsmanifest.xml").replace("{code}", code);
     let mut package = ZipWriter::new(Cursor::new(Vec::new()));
     // No time is stored, so the same page always gives the same package.
     let options = SimpleFileOptions::default();
@@ -125,11 +101,9 @@ fn package(code: &str, page: &str) -> anyhow::Result<Vec<u8>> {
 /// Adds these files to a page.
 fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
     let [begin, end] = OWN;
-    let parts = page.split_once(begin).and_then(|(before, rest)| {
-        let (_, after) = rest.split_once(end)?;
-        Some((before, after))
-    });
-    let (before, after) = parts.ok_or_else(|| anyhow!("this is not a carrom page"))?;
+    let odd = || anyhow!("this is not a carrom page");
+    let (before, rest) = page.split_once(begin).ok_or_else(odd)?;
+    let (_, after) = rest.split_once(end).ok_or_else(odd)?;
     // No file may close the element that holds it.
     let json = serde_json::to_string(own)?.replace('<', "\\u003c");
     Ok(format!("{before}{begin}{json}{end}{after}"))

@@ -62,7 +62,7 @@ fn the_sheet_has_the_questions_of_the_code_and_no_answers() {
             let Some(number) = picture.name.strip_prefix("question-") else {
                 continue;
             };
-            let number: usize = number.parse().unwrap();
+            let number: usize = number.strip_suffix(".svg").unwrap().parse().unwrap();
             let asked = &round.questions()[number - 1];
             if matches!(asked.picture, Illustration::Before { .. }) {
                 let file = picture.svg.file();

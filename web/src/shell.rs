@@ -213,7 +213,7 @@ impl Shell {
             Command::Tell { words } => self.app.notify(words),
         }
         reply.lines.extend(self.read(|reader, shell| match is_time {
-            true => reader.news_of_time(shell),
+            true => reader.say_moving(shell),
             false => reader.news(shell),
         }));
         Reply {
@@ -447,48 +447,45 @@ fn mouse(kind: &str, x: f64, y: f64) -> Option<Mouse> {
 }
 
 impl AppHolder for Shell {
-    fn app(&self) -> &App {
-        &self.app
-    }
-
-    fn app_mut(&mut self) -> &mut App {
+    fn app(&mut self) -> &mut App {
         &mut self.app
     }
 
-    fn carry_out(&mut self, effects: Vec<Effect>) {
-        for effect in effects {
-            match effect {
-                Effect::Keep(call) => {
-                    if let Some(answer) = self.keeping.ask(&call) {
+    fn carry_out(&mut self, effect: Effect) -> Option<Input> {
+        match effect {
+            Effect::Keep(call) => {
+                if let Some(answer) = self.keeping.ask(&call) {
+                    self.input(&Input::Kept(Box::new(answer)));
+                }
+                // Without a browser, saving cannot fail.
+                if self.opening.simulated && self.keeping.changes().is_ok() {
+                    for answer in self.keeping.kept(None) {
                         self.input(&Input::Kept(Box::new(answer)));
                     }
-                    // Without a browser, saving cannot fail.
-                    if self.opening.simulated && self.keeping.changes().is_ok() {
-                        for answer in self.keeping.kept(None) {
-                            self.input(&Input::Kept(Box::new(answer)));
-                        }
-                    }
                 }
-                Effect::Host(HostCall::Open { .. }) => {
-                    let words =
-                        "a page in a browser cannot host; the carrom program can".to_owned();
-                    self.input(&Input::Hosted(vec![HostNews::Opened(Err(words))]));
-                }
-                Effect::Host(_) => {}
-                Effect::Join(call) => self.calls.push(call),
-                Effect::ExportPage { .. } => {
-                    let words =
-                        "a page in a browser cannot write it; the carrom program can".to_owned();
-                    self.input(&Input::Exported(Err(words)));
-                }
-                Effect::Export { name, content } => {
-                    let place = match self.opening.simulated {
-                        true => name.clone(),
-                        false => format!("your downloads folder: {name}"),
-                    };
-                    self.downloads.push(Download { name, content });
-                    self.input(&Input::Exported(Ok(place)));
-                }
+                None
+            }
+            Effect::Host(HostCall::Open { .. }) => {
+                let words = "a page in a browser cannot host; the carrom program can".to_owned();
+                Some(Input::Hosted(vec![HostNews::Opened(Err(words))]))
+            }
+            Effect::Host(_) => None,
+            Effect::Join(call) => {
+                self.calls.push(call);
+                None
+            }
+            Effect::ExportPage { .. } => {
+                let words =
+                    "a page in a browser cannot write it; the carrom program can".to_owned();
+                Some(Input::Exported(Err(words)))
+            }
+            Effect::Export { name, content } => {
+                let place = match self.opening.simulated {
+                    true => name.clone(),
+                    false => format!("your downloads folder: {name}"),
+                };
+                self.downloads.push(Download { name, content });
+                Some(Input::Exported(Ok(place)))
             }
         }
     }

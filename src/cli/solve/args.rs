@@ -8,23 +8,21 @@ const SIGNS: &str = "Angles are in degrees. The striker moves along +x. The impa
                      from the striker's velocity relative to the target to the line of centres, \
                      positive if the target is on the right.";
 
-/// The sign conventions of the answers. clap prints this text instead of [`SIGNS`], so this text
-/// repeats [`SIGNS`].
-const SIGNS_OF_ANSWERS: &str = "Angles are in degrees. The striker moves along +x. The impact angle is the angle from the \
-     striker's velocity relative to the target to the line of centres, positive if the target is on \
-     the right.\n\n\
-     In JSON, +y is 90 degrees anticlockwise from +x. theta1_deg is the angle from u1 to v1, positive \
-     anticlockwise. theta2_deg is the angle from u1 to v2, positive clockwise. For discs that stick, \
-     spin_rad_s is the angular velocity, positive clockwise; spin_ccw_rad_s is the same, positive \
-     anticlockwise. With rim_friction, spin1 or spin2, spin1_ccw_rad_s and spin2_ccw_rad_s are the spins \
-     after the collision, positive anticlockwise, as are spin1 and spin2. \"assumed\" lists what was assumed because the problem does not give it, and \
-     what was ignored. `carrom guide solve` describes every field.";
+/// The sign conventions of the answers.
+const SIGNS_OF_ANSWERS: &str = "In JSON, +y is 90 degrees anticlockwise from +x. theta1_deg \
+     is the angle from u1 to v1, positive anticlockwise. theta2_deg is the angle from u1 to v2, \
+     positive clockwise. For discs that stick, spin_rad_s is the angular velocity, positive \
+     clockwise; spin_ccw_rad_s is the same, positive anticlockwise. With rim_friction, spin1 or \
+     spin2, spin1_ccw_rad_s and spin2_ccw_rad_s are the spins after the collision, positive \
+     anticlockwise, as are spin1 and spin2. \"assumed\" lists what was assumed because the \
+     problem does not give it, and what was ignored. `carrom guide solve` describes every \
+     field.";
 
 /// Solve one collision, or many with --batch
 #[derive(Debug, Clone, clap::Args)]
 #[command(
     after_help = SIGNS,
-    after_long_help = SIGNS_OF_ANSWERS
+    after_long_help = format!("{SIGNS}\n\n{SIGNS_OF_ANSWERS}")
 )]
 pub(in crate::cli) struct Args {
     #[command(flatten)]

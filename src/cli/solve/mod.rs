@@ -51,9 +51,9 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
 pub(super) fn plain(args: &Args) -> Result<(), Failure> {
     let steps = args.is_complete().then(|| args.steps()).transpose()?;
     let (mut input, mut output) = (io::stdin().lock(), io::stdout().lock());
-    match plain::solve(&mut Talk::new(&mut input, &mut output), steps.as_deref()) {
+    match plain::solve(&mut Talk::new(&mut input, &mut output), steps) {
         // Quitting early is not a failure.
-        Ok(()) | Err(Leave::Quit | Leave::Ended) => Ok(()),
+        Ok(()) | Err(Leave::Ended) => Ok(()),
         Err(Leave::Failed(error)) => Err(anyhow!(error).into()),
     }
 }

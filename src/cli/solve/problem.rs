@@ -91,30 +91,18 @@ pub(super) struct Problem {
     pub(super) stick: Option<bool>,
 
     /// Coefficient of friction between the rims of solid discs [default: 0, smooth]
-    #[arg(
-        long,
-        value_name = "MU",
-        allow_negative_numbers = true,
-        conflicts_with = "stick"
-    )]
+    #[arg(long, value_name = "MU", allow_negative_numbers = true)]
+    #[arg(conflicts_with = "stick")]
     pub(super) rim_friction: Option<f64>,
 
     /// Spin of the striker in rad/s, positive anticlockwise [default: 0]
-    #[arg(
-        long,
-        value_name = "RAD/S",
-        allow_negative_numbers = true,
-        conflicts_with = "stick"
-    )]
+    #[arg(long, value_name = "RAD/S", allow_negative_numbers = true)]
+    #[arg(conflicts_with = "stick")]
     pub(super) spin1: Option<f64>,
 
     /// Spin of the target in rad/s, positive anticlockwise [default: 0]
-    #[arg(
-        long,
-        value_name = "RAD/S",
-        allow_negative_numbers = true,
-        conflicts_with = "stick"
-    )]
+    #[arg(long, value_name = "RAD/S", allow_negative_numbers = true)]
+    #[arg(conflicts_with = "stick")]
     pub(super) spin2: Option<f64>,
 }
 
@@ -173,27 +161,23 @@ impl Problem {
         if self.u2.is_none() {
             assumed.push("target at rest".into());
         }
-        let by_offset = self.offset_mm.is_some();
-        if !self.stick.unwrap_or(false) {
-            if self.restitution.is_none() {
-                assumed.push("elastic, restitution 1".into());
+        let sticks = self.stick.unwrap_or(false);
+        match self.restitution {
+            Some(_) if sticks => {
+                assumed.push("restitution ignored, as discs that stick do not rebound".into());
             }
-            if self.turns() {
-                assumed.extend(self.assumed_radii());
-                assumed.push("uniform solid discs".into());
-            } else if !by_offset && (self.r1_mm.is_some() || self.r2_mm.is_some()) {
-                assumed.push("radii ignored, as alpha_deg gives the line of impact".into());
-            }
-            if self.rim_friction.is_none() {
-                assumed.push("smooth rims".into());
-            }
-            return assumed;
+            None if !sticks => assumed.push("elastic, restitution 1".into()),
+            _ => {}
         }
-        if self.restitution.is_some() {
-            assumed.push("restitution ignored, as discs that stick do not rebound".into());
+        if sticks || self.turns() {
+            assumed.extend(self.assumed_radii());
+            assumed.push("uniform solid discs".into());
+        } else if self.offset_mm.is_none() && (self.r1_mm.is_some() || self.r2_mm.is_some()) {
+            assumed.push("radii ignored, as alpha_deg gives the line of impact".into());
         }
-        assumed.extend(self.assumed_radii());
-        assumed.push("uniform solid discs".into());
+        if !sticks && self.rim_friction.is_none() {
+            assumed.push("smooth rims".into());
+        }
         assumed
     }
 

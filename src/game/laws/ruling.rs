@@ -63,18 +63,13 @@ impl Ruling {
     /// The announcement, with the number of the law: "Nothing fell, so White's turn passes
     /// (law 21)."
     pub fn announced(&self) -> String {
-        announced(&self.text, self.law)
-    }
-}
-
-/// An announcement whose first sentence ends with the number of the law.
-pub(crate) fn announced(text: &str, law: Option<impl fmt::Display>) -> String {
-    let Some(law) = law else {
-        return text.to_owned();
-    };
-    match text.split_once(". ") {
-        Some((first, rest)) => format!("{first} (law {law}). {rest}"),
-        None => format!("{} (law {law}).", text.trim_end_matches('.')),
+        let Some(law) = self.law else {
+            return self.text.clone();
+        };
+        match self.text.split_once(". ") {
+            Some((first, rest)) => format!("{first} (law {law}). {rest}"),
+            None => format!("{} (law {law}).", self.text.trim_end_matches('.')),
+        }
     }
 }
 

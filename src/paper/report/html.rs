@@ -1,17 +1,16 @@
 //! The report as HTML.
 
-use maud::{Markup, Render, html};
+use maud::{Markup, html};
 
-use super::rows::{ChapterRow, Cut, PackRow, of};
+use super::rows::{Cell, Section, of};
 use super::{Report, ReportPicture};
 use crate::numbers::counted;
 use crate::paper::{Paper, clean, html_page};
+use crate::progress::ends_deg;
 use crate::progress::words::{degrees, percent};
-use crate::progress::{LATELY, Mastery, TopicStanding, Trend};
-use crate::quiz::NAMED_ODDS;
 
-/// The maximum number of columns in a topic's name.
-const TOPIC: usize = 40;
+/// The maximum number of columns in a name: there are two tables side by side.
+const NAME: usize = 40;
 
 pub(super) fn document(reports: &[Report]) -> String {
     let whose = match reports {
@@ -37,7 +36,7 @@ fn sheet(report: &Report) -> Markup {
                 (figures(report))
                 (columns(report))
             }
-            (next(report))
+            section.next { h2 { "What next" } p { (report.next) } }
             footer { (report.origin()) }
         }
     }
@@ -63,7 +62,7 @@ fn figures(report: &Report) -> Markup {
         div.figures {
             (figure(report.all.attempts.to_string(), "answered"))
             (figure(percent(report.all.share_right()), "right"))
-            @match report.ends() {
+            @match ends_deg(report.attempts) {
                 Some((first, last)) => {
                     (figure(format!("{first:.1}° → {last:.1}°"), &format!("mean error, first and last ten of {angles}")))
                 }
@@ -87,23 +86,23 @@ fn columns(report: &Report) -> Markup {
         let picture = pictures.iter().find(|it| it.name == name);
         html! { @if let Some(picture) = picture { (figure(picture)) } }
     };
+    let with_table = |it: &Section| section(it, &table(it.heads, &it.rows));
+    let chapters = table(&["", "read", "right"], &report.chapters.rows);
     html! {
         div.columns {
             div {
                 (picture("errors"))
-                section { (listed("Topics", &report.topics, "No quiz questions yet.", topics)) }
-                section { (beliefs(report)) }
+                section { (with_table(&report.topics)) }
+                section { (with_table(&report.beliefs)) }
                 @if !report.seen.is_empty() {
                     section { h2 { "Observations" } p { (report.seen.join(" ")) } }
                 }
-                section { (listed("Levels", &report.packs, "No stars yet.", packs)) }
+                section { (section(&report.packs, &packs(&report.packs.rows))) }
             }
             div {
                 (picture("calibration"))
                 (picture("calibration-over-time"))
-                section.chapters {
-                    (listed("Chapters", &report.chapters, "None started yet.", chapters))
-                }
+                section.chapters { (section(&report.chapters, &chapters)) }
             }
         }
     }
@@ -113,22 +112,48 @@ fn figure(picture: &ReportPicture) -> Markup {
     html! {
         figure {
             h2 { (picture.title) }
-            (picture.svg.render())
+            (picture.svg)
             figcaption.dim { (picture.legend) }
         }
     }
 }
 
-fn more<T>(cut: &Cut<T>) -> Markup {
-    html! { @if let Some(more) = cut.and_more() { p.dim { (more) } } }
+/// A title above a table, or above a sentence if the table has no rows.
+fn section(section: &Section, table: &Markup) -> Markup {
+    html! {
+        h2 { (section.title) }
+        @if section.rows.is_empty() { p.dim { (section.none) } }
+        @else {
+            (table)
+            @if !section.notes.is_empty() { p.dim { (section.notes.join(". ")) } }
+        }
+    }
 }
 
-/// A title above a table of rows, or above a sentence if there are no rows.
-fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -> Markup {
+fn table(heads: &[&str], rows: &[Vec<Cell>]) -> Markup {
+    let columns = rows.first().into_iter().flatten();
+    let class = |cell: &Cell| matches!(cell, Cell::Number(_)).then_some("n");
     html! {
-        h2 { (title) }
-        @if cut.rows.is_empty() { p.dim { (none) } }
-        @else { (table(&cut.rows)) (more(cut)) }
+        table {
+            thead {
+                tr {
+                    @for (head, cell) in heads.iter().zip(columns) { th class=[class(cell)] { (head) } }
+                }
+            }
+            tbody { @for row in rows { tr { @for cell in row { (data(cell)) } } } }
+        }
+    }
+}
+
+fn data(cell: &Cell) -> Markup {
+    html! {
+        @match cell {
+            Cell::Name(text) => td.name { (clean(text, NAME)) },
+            Cell::Text(text) => td { (text) },
+            Cell::Strong(text) => td { b { (text) } },
+            Cell::Number(text) => td.n { (text) },
+            Cell::Share(share, text) => td { (bar(*share)) (text) },
+        }
     }
 }
 
@@ -138,89 +163,14 @@ fn bar(share: f64) -> Markup {
     html! { span.bar { span style=(width) {} } }
 }
 
-fn topics(topics: &[TopicStanding]) -> Markup {
-    html! {
-        table {
-            thead { tr {
-                th { "topic" } th { "state" } th.n { "right" } th { "of the last five" }
-                th.n { "error" }
-            } }
-            tbody {
-                @for topic in topics { tr {
-                    td.name { (clean(&topic.name, TOPIC)) }
-                    td {
-                        @if topic.mastery() == Mastery::Solid { b { "solid" } }
-                        @else { (topic.mastery().name()) }
-                    }
-                    td.n { (of((topic.all.right, topic.all.attempts))) }
-                    td {
-                        (bar(topic.lately.right as f64 / LATELY as f64))
-                        (of((topic.lately.right, topic.lately.attempts)))
-                    }
-                    td.n { (degrees(topic.all.mean_error_deg())) }
-                } }
-            }
-        }
-    }
-}
-
-fn beliefs(report: &Report) -> Markup {
-    html! {
-        h2 { "Misconceptions" }
-        @if report.beliefs.rows.is_empty() {
-            p.dim { "No known misconception stands out in the answers." }
-        } @else {
-            table {
-                thead { tr { th { "what wrong answers had in common" } th.n { "before" } th.n { "since" } th { "" } } }
-                tbody {
-                    @for belief in &report.beliefs.rows { tr {
-                        td { (belief.misconception.name()) }
-                        td.n { (belief.before.to_string()) }
-                        td.n { (belief.since.to_string()) }
-                        td { @match belief.trend() {
-                            held @ (Trend::New | Trend::Held) => b { (held.name()) },
-                            trend => (trend.name()),
-                        } }
-                    } }
-                }
-            }
-            p.dim {
-                @if let Some(more) = report.beliefs.and_more() { (more) ". " }
-                "How many answers fitted the misconception, out of the questions that could have "
-                "shown it: in the first half of the answers, and since. A misconception is listed "
-                "once it explains the answers " (NAMED_ODDS)
-                " times better than guessing does."
-            }
-        }
-    }
-}
-
-fn chapters(chapters: &[ChapterRow]) -> Markup {
-    html! {
-        table {
-            thead { tr { th {} th.n { "read" } th.n { "right" } } }
-            tbody {
-                @for chapter in chapters { tr {
-                    td.name { (chapter.title) }
-                    td.n { (of(chapter.read)) }
-                    td.n { (of(chapter.right)) }
-                } }
-            }
-        }
-    }
-}
-
-fn packs(packs: &[PackRow]) -> Markup {
+fn packs(rows: &[Vec<Cell>]) -> Markup {
     html! {
         div.packs {
-            @for pack in packs { p.pack {
-                span { (pack.title) }
-                span.n { "★ " (of((pack.stars, pack.most))) }
-            } }
+            @for row in rows {
+                @if let [pack, stars] = &row[..] {
+                    p.pack { span { (pack.text()) } span.n { "★ " (stars.text()) } }
+                }
+            }
         }
     }
-}
-
-fn next(report: &Report) -> Markup {
-    html! { section.next { h2 { "What next" } p { (report.next()) } } }
 }

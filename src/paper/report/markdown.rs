@@ -1,14 +1,11 @@
 //! The report as Markdown.
 
 use super::Report;
-use super::rows::{ChapterRow, Cut, PackRow, of};
+use super::rows::{Cell, Section, of};
 use crate::numbers::counted;
-use crate::paper::{Markdown, clean};
+use crate::paper::Markdown;
+use crate::progress::ends_deg;
 use crate::progress::words::{degrees, percent};
-use crate::quiz::NAMED_ODDS;
-
-/// The maximum number of columns in a topic's name.
-const TOPIC: usize = 60;
 
 pub(super) fn document(report: &Report, folder: &str) -> String {
     let mut document = Markdown::new();
@@ -27,7 +24,7 @@ pub(super) fn document(report: &Report, folder: &str) -> String {
         }
         tables(report, &mut document);
     }
-    document.heading(2, "What next").paragraph(&report.next());
+    document.heading(2, "What next").paragraph(&report.next);
     document.rule().paragraph(&report.origin());
     document.text().to_owned()
 }
@@ -41,7 +38,7 @@ fn figures(report: &Report, document: &mut Markdown) {
         let of = format!("mean error of {}", counted(report.all.angles(), "angle"));
         row(&of, degrees(Some(error)));
     }
-    if let Some((first, last)) = report.ends() {
+    if let Some((first, last)) = ends_deg(report.attempts) {
         row("mean error of the first ten", degrees(Some(first)));
         row("mean error of the last ten", degrees(Some(last)));
     }
@@ -52,80 +49,29 @@ fn figures(report: &Report, document: &mut Markdown) {
 }
 
 fn tables(report: &Report, document: &mut Markdown) {
-    let topics = &report.topics;
-    if !topics.rows.is_empty() {
-        let rows = topics.rows.iter().map(|topic| {
-            vec![
-                clean(&topic.name, TOPIC),
-                topic.mastery().name().to_owned(),
-                of((topic.all.right, topic.all.attempts)),
-                of((topic.lately.right, topic.lately.attempts)),
-                degrees(topic.all.mean_error_deg()),
-            ]
-        });
-        let heads = ["topic", "state", "right", "of the last five", "error"];
-        table(document, "Topics", &heads, topics, rows);
+    table(&report.topics, document);
+    if report.beliefs.rows.is_empty() {
+        let beliefs = &report.beliefs;
+        document.heading(2, beliefs.title).paragraph(beliefs.none);
     }
-    let beliefs = &report.beliefs;
-    if beliefs.rows.is_empty() {
-        document.heading(2, "Misconceptions");
-        document.paragraph("No known misconception stands out in the answers.");
-    } else {
-        let rows = beliefs.rows.iter().map(|belief| {
-            vec![
-                belief.misconception.name().to_owned(),
-                belief.before.to_string(),
-                belief.since.to_string(),
-                belief.trend().name().to_owned(),
-            ]
-        });
-        let heads = ["what wrong answers had in common", "before", "since", ""];
-        table(document, "Misconceptions", &heads, beliefs, rows);
-        document.paragraph(&format!(
-            "How many answers fitted the misconception, out of the questions that could have shown \
-             it: in the first half of the answers, and since. A misconception is listed once it \
-             explains the answers {NAMED_ODDS} times better than guessing does."
-        ));
-    }
+    table(&report.beliefs, document);
     if !report.seen.is_empty() {
         document.heading(2, "Observations");
         document.paragraph(&report.seen.join(" "));
     }
-    let chapters = &report.chapters;
-    if !chapters.rows.is_empty() {
-        let row = |it: &ChapterRow| vec![it.title.clone(), of(it.read), of(it.right)];
-        let heads = ["chapter", "pages read", "questions right"];
-        table(
-            document,
-            "Chapters",
-            &heads,
-            chapters,
-            chapters.rows.iter().map(row),
-        );
-    }
-    let packs = &report.packs;
-    if !packs.rows.is_empty() {
-        let row = |it: &PackRow| vec![it.title.clone(), of((it.stars, it.most))];
-        table(
-            document,
-            "Levels",
-            &["pack", "stars"],
-            packs,
-            packs.rows.iter().map(row),
-        );
-    }
+    table(&report.chapters, document);
+    table(&report.packs, document);
 }
 
-/// A table under its title, followed by the number of rows left out.
-fn table<T>(
-    document: &mut Markdown,
-    title: &str,
-    heads: &[&str],
-    cut: &Cut<T>,
-    rows: impl Iterator<Item = Vec<String>>,
-) {
-    document.heading(2, title).table(heads, rows);
-    if let Some(more) = cut.and_more() {
-        document.paragraph(&more);
+/// A table under its title; nothing if the table has no rows.
+fn table(section: &Section, document: &mut Markdown) {
+    if section.rows.is_empty() {
+        return;
+    }
+    let row = |row: &Vec<Cell>| row.iter().map(|cell| cell.text().to_owned()).collect();
+    document.heading(2, section.title);
+    document.table(section.heads, section.rows.iter().map(row));
+    for note in &section.notes {
+        document.paragraph(note);
     }
 }

@@ -12,25 +12,19 @@ use std::collections::{BTreeMap, BTreeSet};
 use jiff::civil::Date;
 
 use super::clean;
-use crate::lessons::{self, Bookmark};
-use crate::levels;
-use crate::levels::Starred;
+use crate::lessons::{Bookmark, Chapter, ChapterLibrary};
+use crate::levels::{LevelLibrary, Starred};
 use crate::messages::History;
 use crate::numbers::counted;
 use crate::progress::{
-    Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, ObservationCounts, Tally,
-    TopicStanding, beliefs, calibration, ends_deg, long_day, topics,
+    Attempt, Calendar, Calibrated, LESSON, Mastery, ObservationCounts, Tally, beliefs, calibration,
+    long_day, topics,
 };
 use crate::quiz::{Measure, RIGHT_DEG};
-use rows::{ChapterRow, Cut, PackRow};
+use rows::Section;
 
 /// The maximum number of columns in the player's name.
 const NAME: usize = 44;
-/// The maximum number of rows in each table, so that everything fits on one page.
-const MOST_TOPICS: usize = 10;
-const MOST_BELIEFS: usize = 6;
-const MOST_CHAPTERS: usize = 12;
-const MOST_PACKS: usize = 10;
 
 /// The data of a report.
 #[derive(Debug, Clone, Copy)]
@@ -46,9 +40,9 @@ pub struct Sources<'a> {
     /// What the player should do next.
     pub next: &'a str,
     /// All available levels.
-    pub levels: &'a levels::LevelLibrary,
+    pub levels: &'a LevelLibrary,
     /// All available chapters.
-    pub lessons: &'a lessons::ChapterLibrary,
+    pub lessons: &'a ChapterLibrary,
 }
 
 /// The one-page report on a player's progress.
@@ -59,13 +53,13 @@ pub struct Report<'a> {
     name: String,
     attempts: &'a [Attempt],
     calendar: &'a Calendar,
-    next: &'a str,
+    next: String,
     all: Tally,
-    topics: Cut<TopicStanding>,
+    topics: Section,
     calibration: [Calibrated; 3],
-    beliefs: Cut<HeldBelief>,
-    chapters: Cut<ChapterRow>,
-    packs: Cut<PackRow>,
+    beliefs: Section,
+    chapters: Section,
+    packs: Section,
     /// What the observations show, in sentences.
     seen: Vec<String>,
     /// The number of topics that are solid.
@@ -85,32 +79,30 @@ impl<'a> Report<'a> {
         met.sort_by_key(|topic| std::cmp::Reverse(topic.all.attempts));
         let solid = met.iter().filter(|it| it.mastery() == Mastery::Solid);
         let solid = solid.count();
-        let chapters = rows::chapters(sources.lessons, sources.marks);
-        let done = chapters.iter().filter(|it| it.done).count();
-        let packs = rows::packs(sources.levels, sources.stars);
-        let won = packs.iter().map(|pack| pack.stars).sum();
-        let most = packs.iter().map(|pack| pack.most).sum();
-        let begun: Vec<_> = packs.into_iter().filter(|pack| pack.stars > 0).collect();
-        let name = clean(sources.player, NAME);
+        let chapters = &sources.lessons.chapters;
+        let is_done = |chapter: &&Chapter| {
+            let mark = sources.marks.get(&chapter.id);
+            mark.is_some_and(|mark| mark.is_done(chapter))
+        };
+        let packs = sources.levels.packs.iter();
+        let stars = packs.map(|pack| rows::stars_of(pack, sources.stars));
+        let (won, most): (Vec<_>, Vec<_>) = stars.unzip();
+        let name = Some(clean(sources.player, NAME)).filter(|it| !it.is_empty());
         Self {
-            name: if name.is_empty() {
-                "a player without a name".into()
-            } else {
-                name
-            },
+            name: name.unwrap_or_else(|| "a player without a name".into()),
             attempts,
             calendar: &sources.history.calendar,
-            next: sources.next,
+            next: clean(sources.next, 300),
             all: Tally::of(attempts),
-            topics: Cut::new(met, MOST_TOPICS),
+            topics: rows::topics(&met),
             calibration: calibration(attempts),
-            beliefs: Cut::new(beliefs(attempts), MOST_BELIEFS),
-            chapters: Cut::new(chapters, MOST_CHAPTERS),
-            packs: Cut::new(begun, MOST_PACKS),
+            beliefs: rows::beliefs(&beliefs(attempts)),
+            chapters: rows::chapters(sources.lessons, sources.marks),
+            packs: rows::packs(sources.levels, sources.stars),
             seen: ObservationCounts::new(&sources.history.observations).words(),
             solid,
-            done: (done, sources.lessons.chapters.len()),
-            stars: (won, most),
+            done: (chapters.iter().filter(is_done).count(), chapters.len()),
+            stars: (won.iter().sum(), most.iter().sum()),
         }
     }
 
@@ -150,15 +142,6 @@ impl<'a> Report<'a> {
             }
             _ => count,
         }
-    }
-
-    /// The mean errors of the first ten angles and of the last ten.
-    fn ends(&self) -> Option<(f64, f64)> {
-        ends_deg(self.attempts)
-    }
-
-    fn next(&self) -> String {
-        clean(self.next, 300)
     }
 
     /// Where the results come from, and the rules by which they were calculated.

@@ -1,33 +1,17 @@
-//! The question sheet as HTML.
+//! The question sheet and the answer key as HTML.
 
 use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
 use crate::numbers;
-use crate::paper::html_page;
 use crate::quiz::{Confidence, Form, Measure, Question, letter};
-use crate::widgets::svg::Svg;
 use crate::widgets::text::unbroken;
 
 /// The maximum width of a picture beside its question, in CSS pixels: 96 mm.
 const BESIDE: f64 = 363.0;
 
-/// A document with these sheets.
-pub(super) fn document<const N: usize>(
-    worksheet: &Worksheet,
-    title: &str,
-    sheets: [Markup; N],
-) -> String {
-    html_page(
-        title,
-        include_str!("worksheet.css"),
-        worksheet.paper,
-        sheets,
-    )
-}
-
 /// The head of a sheet: its kind, and the command that opens the round on a screen.
-pub(super) fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
+fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
     html! {
         header {
             div {
@@ -80,13 +64,9 @@ fn one(number: usize, question: &Question) -> Markup {
                     span.points { span.blank {} (words::of_points(question)) }
                 }
             }
-            @if let Some(picture) = picture { (figure(&picture)) }
+            @if let Some(picture) = picture { figure { (picture) } }
         }
     }
-}
-
-pub(super) fn figure(picture: &Svg) -> Markup {
-    html! { figure { (picture) } }
 }
 
 /// A tick box with its label.
@@ -137,4 +117,56 @@ fn work() -> Markup {
 /// A line to write on, followed by the unit.
 fn blank(unit: &str) -> Markup {
     html! { span.blank {} @if unit == "°" { (unit) } @else { "\u{a0}" (unit) } }
+}
+
+/// All answers: first in a list, and then each with its explanation.
+pub(super) fn answers(worksheet: &Worksheet) -> Markup {
+    let questions = worksheet.round.questions();
+    html! {
+        div.worksheet.key {
+            (head(worksheet, "key", &worksheet.key_title()))
+            p.advice { (words::KEY_ADVICE) }
+            h2 { "At a glance" }
+            ol.glance {
+                @for question in questions { li { (words::truth(question)) } }
+            }
+            p.dim { (words::tolerance()) " " (words::points()) }
+            @for (number, question) in (1..).zip(questions) {
+                (solution(number, question))
+            }
+        }
+    }
+}
+
+fn solution(number: usize, question: &Question) -> Markup {
+    html! {
+        article.solution {
+            div.worked {
+                h2 { (number) " " span.dim { (question.topic) } }
+                div {
+                    p.asked { (unbroken(&question.text)) }
+                    p.truth { (words::truth(question)) }
+                    p { (unbroken(&question.why)) }
+                }
+                @if let Some(picture) = pictures::of_answer(question) { figure { (picture) } }
+            }
+            @let wrong = question.wrong_answers();
+            @if !wrong.is_empty() {
+                table.beliefs {
+                    thead { tr { @for head in words::WRONG_ANSWERS { th { (head) } } } }
+                    tbody {
+                        @for (said, misconception, says) in wrong {
+                            tr {
+                                td { (words::said(question, &said)) }
+                                td {
+                                    @if let Some(it) = misconception { strong { (it.name()) } " " }
+                                    (unbroken(says))
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
 }

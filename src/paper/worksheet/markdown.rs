@@ -1,10 +1,9 @@
 //! The question sheet and the answer key in Markdown.
 
-use super::{Worksheet, pictures, words};
+use super::{Worksheet, WorksheetPicture, pictures, words};
 use crate::numbers;
 use crate::paper::Markdown;
 use crate::quiz::{Confidence, Form, Measure, letter};
-use crate::widgets::text::unbroken;
 
 /// A long line to write on, a short one, and a tick box.
 const BLANK: &str = "____________";
@@ -30,10 +29,11 @@ pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
     for (number, question) in (1..).zip(worksheet.round.questions()) {
         document
             .heading(2, &number.to_string())
-            .paragraph(&unbroken(&question.text));
-        if let Some(picture) = pictures::of_question(question) {
-            let name = pictures::question_name(number);
-            document.picture(picture.words(), &format!("{folder}/{name}.svg"));
+            .paragraph(&question.text);
+        let picture = pictures::of_question(question);
+        if let Some(WorksheetPicture { name, svg }) = WorksheetPicture::of_question(number, picture)
+        {
+            document.picture(svg.words(), &format!("{folder}/{name}"));
         }
         if let Some(task) = words::task(question) {
             document.paragraph(task);
@@ -59,17 +59,13 @@ fn room(document: &mut Markdown, form: &Form) {
                 Measure::Restitution => "Answer: e =",
                 _ => "Answer:",
             };
-            let gap = if *quantity == Measure::Angle {
-                ""
-            } else {
-                "\u{a0}"
-            };
-            document.paragraph(&format!("{name} {BLANK}{gap}{}", quantity.unit()))
+            let blank = numbers::with_unit(BLANK, quantity.unit());
+            document.paragraph(&format!("{name} {blank}"))
         }
         Form::Choice { options, .. } => document.list(
             (0..)
                 .zip(options)
-                .map(|(i, option)| format!("{BOX} {}: {}", letter(i), unbroken(option))),
+                .map(|(i, option)| format!("{BOX} {}: {option}", letter(i))),
         ),
         Form::Shot(_) => document.paragraph(&format!("Offset: {BLANK} mm {BOX} left {BOX} right")),
     };
@@ -88,12 +84,12 @@ pub(super) fn answers(worksheet: &Worksheet, folder: &str) -> String {
     for (number, question) in (1..).zip(questions) {
         document
             .heading(2, &format!("{number} {}", question.topic))
-            .paragraph(&unbroken(&question.text))
+            .paragraph(&question.text)
             .strong(&words::truth(question))
-            .paragraph(&unbroken(&question.why));
-        if let Some(picture) = pictures::of_answer(question) {
-            let name = pictures::answer_name(number);
-            document.picture(picture.words(), &format!("{folder}/{name}.svg"));
+            .paragraph(&question.why);
+        let picture = pictures::of_answer(question);
+        if let Some(WorksheetPicture { name, svg }) = WorksheetPicture::of_answer(number, picture) {
+            document.picture(svg.words(), &format!("{folder}/{name}"));
         }
         let wrong = question.wrong_answers();
         if !wrong.is_empty() {

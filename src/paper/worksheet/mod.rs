@@ -5,19 +5,20 @@
 
 mod cards;
 mod html;
-mod key;
 mod markdown;
 mod moodle;
 mod pictures;
 mod words;
 
+use maud::Markup;
+
 use crate::quiz::{CourseKind, Round};
 
 pub use cards::cards;
-pub(crate) use pictures::{WorksheetPicture, asked, of_answer};
+pub(crate) use pictures::{WorksheetPicture, of_answer, on_screen};
 pub(crate) use words::said;
 
-use super::{Paper, clean};
+use super::{Paper, clean, html_page};
 
 /// The maximum number of columns in a heading.
 const TITLE: usize = 120;
@@ -48,15 +49,10 @@ impl<'a> Worksheet<'a> {
             CourseKind::Set(set) => &set.title,
             _ => HEADING,
         };
-        let given = clean(title.unwrap_or_default(), TITLE);
-        let title = if given.is_empty() {
-            clean(usual, TITLE)
-        } else {
-            given
-        };
+        let given = title.map(|it| clean(it, TITLE)).filter(|it| !it.is_empty());
         Self {
             round,
-            title,
+            title: given.unwrap_or_else(|| clean(usual, TITLE)),
             version: None,
             own: String::new(),
             paper: Paper::default(),
@@ -84,18 +80,21 @@ impl<'a> Worksheet<'a> {
 
     /// The questions as HTML.
     pub fn sheet_html(&self) -> String {
-        html::document(self, &self.title, [html::questions(self)])
+        self.html(&self.title, [html::questions(self)])
     }
 
     /// The answers as HTML.
     pub fn key_html(&self) -> String {
-        html::document(self, &self.key_title(), [key::answers(self)])
+        self.html(&self.key_title(), [html::answers(self)])
     }
 
     /// The questions as HTML, and the answers, which start on a new page.
     pub fn html_with_key(&self) -> String {
-        let sheets = [html::questions(self), key::answers(self)];
-        html::document(self, &self.title, sheets)
+        self.html(&self.title, [html::questions(self), html::answers(self)])
+    }
+
+    fn html<const N: usize>(&self, title: &str, sheets: [Markup; N]) -> String {
+        html_page(title, include_str!("worksheet.css"), self.paper, sheets)
     }
 
     /// The questions in Markdown; the [pictures](Self::pictures) are in `folder`, beside the

@@ -9,11 +9,10 @@
 use data_encoding::BASE64;
 use maud::{Markup, PreEscaped, Render, html};
 
-use super::{Worksheet, pictures, words};
+use super::{Worksheet, WorksheetPicture, pictures, words};
 use crate::numbers::{capital, figures, tenths};
 use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::quiz::{CourseKind, Form, Measure, Question, RIGHT_DEG, Ray, Rays, Response};
-use crate::widgets::svg::Svg;
 use crate::widgets::text::unbroken;
 
 /// An answer that Moodle recognizes in a question or in one of its fields.
@@ -26,7 +25,6 @@ struct KnownAnswer {
 }
 
 /// A field of a question: all answers that it recognizes.
-#[derive(Default)]
 struct AnswerField(Vec<KnownAnswer>);
 
 /// The file with the questions of these worksheets, each worksheet in a separate category.
@@ -41,10 +39,8 @@ pub(super) fn file(worksheets: &[Worksheet]) -> String {
             }
         }
     };
-    let xml = format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n",
-        quiz.into_string()
-    );
+    let quiz = quiz.into_string();
+    let xml = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{quiz}\n");
     // XML allows neither of these characters, even escaped.
     xml.replace(['\u{fffe}', '\u{ffff}'], "")
 }
@@ -74,14 +70,8 @@ fn one(number: usize, question: &Question) -> Markup {
         Form::Number { .. } => "numerical",
         Form::Choice { .. } => "multichoice",
     };
-    let asked = SentPicture::new(
-        pictures::on_screen(question),
-        &pictures::question_name(number),
-    );
-    let solved = SentPicture::new(
-        pictures::of_answer(question),
-        &pictures::answer_name(number),
-    );
+    let asked = WorksheetPicture::of_question(number, pictures::on_screen(question));
+    let solved = WorksheetPicture::of_answer(number, pictures::of_answer(question));
     html! {
         question type=(kind) {
             name { text { (format_args!("{number:02} {}", question.topic)) } }
@@ -126,17 +116,7 @@ fn inner(html: Markup) -> Markup {
 }
 
 /// A picture that is embedded in the file of questions, and shown in a text.
-struct SentPicture {
-    svg: Svg,
-    name: String,
-}
-
-impl SentPicture {
-    fn new(svg: Option<Svg>, name: &str) -> Option<Self> {
-        let name = format!("{name}.svg");
-        svg.map(|svg| Self { svg, name })
-    }
-
+impl WorksheetPicture {
     fn image(&self) -> Markup {
         let [width, height] = self.svg.size().map(|length| length.round());
         html! {
@@ -192,20 +172,17 @@ fn unit_in_words(quantity: &Measure) -> Option<&str> {
 }
 
 fn of_number(question: &Question, quantity: &Measure) -> Markup {
-    let mut field = AnswerField::default();
     let known = |said: &Response, is_right, feedback: &str| match said {
         Response::Number(x) => {
             KnownAnswer::number(*x, question.form.tolerance(said), is_right, feedback)
         }
         _ => KnownAnswer::choice("", is_right, feedback),
     };
-    field.0.push(known(&question.form.truth(), true, RIGHT));
+    let mut answers = vec![known(&question.form.truth(), true, RIGHT)];
     let wrong = question.wrong_answers().into_iter();
-    field
-        .0
-        .extend(wrong.map(|(said, _, says)| known(&said, false, says)));
+    answers.extend(wrong.map(|(said, _, says)| known(&said, false, says)));
     html! {
-        (field.elements("moodle_auto_format"))
+        (AnswerField(answers).elements("moodle_auto_format"))
         @if !quantity.unit().is_empty() {
             units { unit { multiplier { "1" } unit_name { (quantity.unit()) } } }
         }
@@ -363,9 +340,10 @@ impl AnswerField {
         });
         match earlier {
             Some(earlier) => earlier.add(feedback),
-            None => self
-                .0
-                .push(KnownAnswer::number(x, tolerance, false, feedback)),
+            None => {
+                let known = KnownAnswer::number(x, tolerance, false, feedback);
+                self.0.push(known);
+            }
         }
     }
 

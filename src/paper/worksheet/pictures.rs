@@ -12,13 +12,25 @@ use crate::widgets::svg::Svg;
 /// A picture with the name of its file.
 #[derive(Debug)]
 pub struct WorksheetPicture {
-    /// The file name without its extension: "question-01".
+    /// The name of the file: "question-01.svg".
     pub name: String,
     /// The picture as a vector drawing.
     pub svg: Svg,
 }
 
 impl WorksheetPicture {
+    /// The picture of the question with this number, counted from 1.
+    pub(super) fn of_question(number: usize, svg: Option<Svg>) -> Option<Self> {
+        let name = format!("{QUESTION}{number:02}.svg");
+        svg.map(|svg| Self { name, svg })
+    }
+
+    /// The picture of the answer with this number.
+    pub(super) fn of_answer(number: usize, svg: Option<Svg>) -> Option<Self> {
+        let name = format!("{ANSWER}{number:02}.svg");
+        svg.map(|svg| Self { name, svg })
+    }
+
     /// Whether a file with this name is a picture of a worksheet: `answer-07.svg`.
     pub(crate) fn is_file_name(name: &str) -> bool {
         let name = name.strip_suffix(".svg");
@@ -33,22 +45,11 @@ const ANSWER: &str = "answer-";
 /// The size, in columns and rows, of a picture that students do not draw in.
 const AREA: Rect = Rect::new(0, 0, 44, 18);
 
-/// The name of the picture of the question with this number, counted from 1.
-pub(super) fn question_name(number: usize) -> String {
-    format!("{QUESTION}{number:02}")
-}
-
-/// The name of the picture of the answer with this number.
-pub(super) fn answer_name(number: usize) -> String {
-    format!("{ANSWER}{number:02}")
-}
-
 pub(super) fn all(round: &Round) -> Vec<WorksheetPicture> {
     let mut all = Vec::new();
     for (number, question) in (1..).zip(round.questions()) {
-        let picture = |name, svg| WorksheetPicture { name, svg };
-        all.extend(of_question(question).map(|svg| picture(question_name(number), svg)));
-        all.extend(of_answer(question).map(|svg| picture(answer_name(number), svg)));
+        all.extend(WorksheetPicture::of_question(number, of_question(question)));
+        all.extend(WorksheetPicture::of_answer(number, of_answer(question)));
     }
     all
 }
@@ -60,7 +61,7 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
 }
 
 /// Like [`of_question`], but without a protractor, for a screen.
-pub(super) fn on_screen(question: &Question) -> Option<Svg> {
+pub(crate) fn on_screen(question: &Question) -> Option<Svg> {
     picture(question, false)
 }
 
@@ -85,16 +86,6 @@ fn picture(question: &Question, with_protractor: bool) -> Option<Svg> {
             (drawn()?, words.into())
         }
         (Illustration::Nothing, _) => return None,
-    };
-    Some(svg(&words, &picture))
-}
-
-/// The picture that a screen shows with a question.
-pub(crate) fn asked(question: &Question) -> Option<Svg> {
-    let picture = question_picture(AREA, question, None)?;
-    let words = match &question.picture {
-        Illustration::Before { collision, .. } => words(collision, ""),
-        _ => of_question(question)?.words().to_owned(),
     };
     Some(svg(&words, &picture))
 }

@@ -39,10 +39,8 @@ pub(super) const fn worth_of(question: &Question) -> usize {
 
 /// The text after the space for a question's points: " / 2 points".
 pub(super) fn of_points(question: &Question) -> String {
-    format!(
-        "\u{a0}/\u{a0}{}",
-        numbers::counted(worth_of(question), "point")
-    )
+    let points = numbers::counted(worth_of(question), "point");
+    format!("\u{a0}/\u{a0}{points}")
 }
 
 /// The total number of points.

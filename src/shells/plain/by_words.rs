@@ -58,21 +58,14 @@ fn is_for_hands(sentence: &str) -> bool {
 /// Splits a text after each sentence.
 fn sentences(text: &str) -> Vec<&str> {
     let mut cut = Vec::new();
-    let mut rest = text;
-    while let Some(at) = rest.find([' ', '\n']) {
-        let mut end = at;
-        while let Some(next) = rest[end + 1..].find([' ', '\n'])
-            && !rest[..end].ends_with(['.', '?', '!'])
-        {
-            end += 1 + next;
+    let mut begin = 0;
+    for (at, _) in text.match_indices([' ', '\n']) {
+        if text[begin..at].ends_with(['.', '?', '!']) {
+            cut.push(&text[begin..at]);
+            begin = at + 1;
         }
-        if !rest[..end].ends_with(['.', '?', '!']) {
-            break;
-        }
-        cut.push(&rest[..end]);
-        rest = &rest[end + 1..];
     }
-    cut.push(rest);
+    cut.push(&text[begin..]);
     cut
 }
 

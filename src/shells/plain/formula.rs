@@ -63,10 +63,8 @@ fn of_node(node: &Node) -> String {
                 1 => ("", linear(over)),
                 _ => (", all that,", linear(over)),
             };
-            format!(
-                " the fraction {over}{all} over {}, end of fraction ",
-                linear(under)
-            )
+            let under = linear(under);
+            format!(" the fraction {over}{all} over {under}, end of fraction ")
         }
         Node::Fraction(over, under) => format!(" {} over {} ", linear(over), linear(under)),
         Node::Root(inside) => format!(" the square root of {} ", tight(inside)),

@@ -29,27 +29,23 @@ pub(super) fn number(heard: &str, unit: &str, least: f64, most: f64) -> Result<f
 /// ambiguous or out of range.
 fn split(text: &str) -> Option<(f64, &str)> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
-    let whole = digits(unsigned);
-    let comma = unsigned[whole..].starts_with(',');
-    let fraction = unsigned[whole..].strip_prefix(['.', ',']).map(digits);
-    if whole + fraction.unwrap_or(0) == 0 {
+    // Rust also reads "inf" and "nan".
+    if !unsigned.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | ',')) {
         return None;
     }
     // It is unclear whether 1,500 means 1.5 or 1500.
-    if comma && fraction == Some(3) && (1..=3).contains(&whole) && !unsigned.starts_with('0') {
+    let whole = digits(unsigned);
+    let fraction = unsigned[whole..].strip_prefix(',').map(digits);
+    if fraction == Some(3) && (1..=3).contains(&whole) && !unsigned.starts_with('0') {
         return None;
     }
-    let mantissa = whole + fraction.map_or(0, |fraction| fraction + 1);
-    let exponent = unsigned[mantissa..].strip_prefix(['e', 'E']).map(|after| {
-        let signless = after.strip_prefix(['+', '-']).unwrap_or(after);
-        match digits(signless) {
-            0 => 0,
-            digits => 1 + after.len() - signless.len() + digits,
-        }
-    });
-    let end = text.len() - unsigned.len() + mantissa + exponent.unwrap_or(0);
-    let number: f64 = text[..end].replace(',', ".").parse().ok()?;
-    let is_nought = !unsigned[..mantissa].contains(|c| matches!(c, '1'..='9'));
+    let plain = text.replacen(',', ".", 1);
+    let mut ends = (1..=text.len())
+        .rev()
+        .filter(|end| text.is_char_boundary(*end));
+    let (number, end) = ends.find_map(|end| Some((plain[..end].parse::<f64>().ok()?, end)))?;
+    let mantissa = plain[..end].split(['e', 'E']).next().unwrap_or_default();
+    let is_nought = !mantissa.contains(|c| matches!(c, '1'..='9'));
     let is_held = number.is_finite() && (is_nought || number != 0.0);
     is_held.then_some((number, &text[end..]))
 }

@@ -130,10 +130,9 @@ impl PlainPage {
             asked: asked(sheet, types, rows),
             ..Self::default()
         };
-        let items = sheet.sections.iter().flat_map(|section| &section.items);
-        let mut options: Vec<_> = items
-            .filter_map(|item| PlainOption::of(item, rows))
-            .collect();
+        let items = || sheet.sections.iter().flat_map(|section| &section.items);
+        let options = items().filter_map(|item| PlainOption::of(item, rows));
+        let mut options: Vec<_> = options.collect();
         unlabel_articles(&mut options);
         let taken: Vec<_> = options.iter().filter_map(|it| it.key).collect();
         options.extend(rows.iter().filter_map(|row| deed(row, &taken)));
@@ -146,15 +145,13 @@ impl PlainPage {
         // If Enter goes on to the next question, a line may already answer that question, so
         // nothing gets a label.
         if !rows.iter().any(|row| row.id == ON) {
-            let are_set = options
-                .iter()
-                .any(|it| matches!(it.kind, OptionKind::Field(_)));
+            let is_set = |it: &PlainOption| matches!(it.kind, OptionKind::Field(_));
+            let are_set = options.iter().any(is_set);
             label(&mut options, types || are_set);
         }
         page.sections = sections(sheet, &options, rows);
         page.options = options;
-        let pictures = sheet.sections.iter().flat_map(|section| &section.items);
-        page.shown = pictures.flat_map(|item| shown(&item.words)).collect();
+        page.shown = items().flat_map(|item| shown(&item.words)).collect();
         page
     }
 
@@ -165,11 +162,8 @@ impl PlainPage {
 
     /// Whether a line is an entry that can be chosen.
     pub(super) fn has_entry(&self, line: &str) -> bool {
-        let mut entries = self
-            .options
-            .iter()
-            .filter(|it| it.kind == OptionKind::Entry);
-        entries.any(|it| it.line() == line)
+        let is_it = |it: &PlainOption| it.kind == OptionKind::Entry && it.line() == line;
+        self.options.iter().any(is_it)
     }
 
     /// The actions, one per line.
@@ -190,12 +184,12 @@ impl PlainPage {
 impl PlainOption {
     /// The option that an item offers; `None` if it cannot be chosen.
     fn of(item: &Item, rows: &[KeyRow<()>]) -> Option<Self> {
+        let entry = |words| (words, OptionKind::Entry, None);
         let (words, kind, key) = match &item.words {
             Words::Prompt { words, key } => {
                 let key = key.as_deref().and_then(Key::parse);
-                let row = rows
-                    .iter()
-                    .find(|row| row.all_keys().any(|it| Some(it) == key));
+                let mut rows = rows.iter();
+                let row = rows.find(|row| row.all_keys().any(|it| Some(it) == key));
                 if row.is_some_and(is_by_other_means) {
                     return None;
                 }
@@ -208,22 +202,14 @@ impl PlainOption {
             Words::TextField { name, value } => {
                 (name.clone(), OptionKind::Text(value.clone()), None)
             }
-            Words::Tab { name } => (name.clone(), OptionKind::Entry, None),
-            Words::Text { mark, runs } => {
-                let text = joined(runs);
-                (format!("{mark} {text}"), OptionKind::Entry, None)
+            Words::Tab { name } => entry(name.clone()),
+            Words::Text { mark, runs } => entry(format!("{mark} {}", joined(runs))),
+            Words::Large { runs } => entry(joined(runs)),
+            Words::Pair { name, value } => entry(listed(&name.text, [value.text.as_str()])),
+            Words::Columns { name, values } => {
+                let values = values.iter().map(|it| it.text.as_str());
+                entry(listed(&name.text, values))
             }
-            Words::Large { runs } => (joined(runs), OptionKind::Entry, None),
-            Words::Pair { name, value } => (
-                listed(&name.text, [value.text.as_str()]),
-                OptionKind::Entry,
-                None,
-            ),
-            Words::Columns { name, values } => (
-                listed(&name.text, values.iter().map(|it| it.text.as_str())),
-                OptionKind::Entry,
-                None,
-            ),
             _ => return None,
         };
         let is_deed = kind == OptionKind::Deed;
@@ -294,11 +280,8 @@ fn is_by_other_means(row: &KeyRow<()>) -> bool {
 /// have letters, or the choices are numbered confidence levels, the actions get no labels.
 fn label(options: &mut [PlainOption], types: bool) {
     let own: Vec<_> = options.iter().map(|it| it.label.clone()).collect();
-    let last: usize = own
-        .iter()
-        .filter_map(|it| it.parse().ok())
-        .max()
-        .unwrap_or(0);
+    let numbers = own.iter().filter_map(|it| it.parse::<usize>().ok());
+    let last = numbers.max().unwrap_or(0);
     let is_letter = |label: &String| label.chars().any(char::is_alphabetic);
     if own.iter().any(is_letter) || (1..=3).contains(&last) {
         return;
@@ -340,10 +323,8 @@ fn unlabel_articles(options: &mut [PlainOption]) {
 
 /// The key that immediately chooses the entry with this label.
 fn own_key(label: &str, rows: &[KeyRow<()>]) -> Option<Key> {
-    let key = label
-        .parse()
-        .ok()
-        .map(|c: char| Key::Char(c.to_ascii_lowercase()))?;
+    let letter: char = label.parse().ok()?;
+    let key = Key::Char(letter.to_ascii_lowercase());
     let chooses = |row: &&KeyRow<()>| row.id.ends_with(".choose") || row.id.ends_with(".sure");
     let mut rows = rows.iter().filter(chooses);
     rows.any(|row| row.all_keys().any(|it| it == key))
@@ -456,25 +437,15 @@ fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> Strin
         let head = heads.get(at).map_or("", |head| head.text.trim());
         format!("{head} {}", value.text.trim())
     });
-    let values: Vec<_> = values
-        .map(|it| one_line(&it))
-        .filter(|it| !it.is_empty())
-        .collect();
-    let values = values.join(", ");
+    let values: Vec<_> = values.collect();
     let (label, name) = match option {
         Some(option) => (format!("{}: ", option.label), own_label(name.text.trim()).1),
         None => (String::new(), name.text.trim().to_owned()),
     };
-    let name = [name, head_name.trim().to_owned()];
-    let name: Vec<_> = name
-        .iter()
-        .filter(|it| !it.is_empty())
-        .map(String::as_str)
-        .collect();
-    format!(
-        "{label}{}",
-        read(&listed(&name.join(", "), [values.as_str()]))
-    )
+    let mut name = vec![name.as_str(), head_name.trim()];
+    name.retain(|it| !it.is_empty());
+    let row = listed(&name.join(", "), values.iter().map(String::as_str));
+    format!("{label}{}", read(&row))
 }
 
 fn shown(words: &Words) -> Vec<String> {

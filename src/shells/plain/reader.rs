@@ -12,8 +12,8 @@ use super::spoken::sentence;
 use crate::app::App;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::numbers::capital;
-use crate::shells::AppHolder;
-use crate::shells::FRAME;
+use crate::shells::{AppHolder, FRAME};
+use crate::widgets::input::KeyRow;
 use crate::widgets::{PictureSizes, SheetKind, recorded};
 
 /// The columns and rows of the invisible screen, which is large enough for everything.
@@ -52,6 +52,14 @@ const SIGNS: usize = 9;
 /// The key for a disc that stays still.
 const STILL: Key = Key::Char('x');
 
+/// The help on the words that are understood on every screen.
+const HELP: [&str; 3] = [
+    "To choose something, type its label or its name. Enter alone continues.",
+    "To set a value, type its name: speed = 3. Or choose it and type more or less.",
+    "At any time: repeat reads the page again, glossary explains the terms of mechanics, rules \
+     explains the game at the table, back goes back, quit saves your answers and ends carrom.",
+];
+
 /// The status in the title line when something could not be saved.
 const NOT_SAVED: &str = "not saved";
 
@@ -64,7 +72,7 @@ fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
 }
 
 /// Whether Enter carries out one of these actions.
-fn enters(holder: &dyn AppHolder, ids: &[&str]) -> bool {
+fn enters(holder: &mut dyn AppHolder, ids: &[&str]) -> bool {
     let table = holder.app().keys();
     let mut rows = table.rows().iter();
     rows.any(|row| ids.contains(&row.id.as_str()) && row.all_keys().any(|it| it == Key::Enter))
@@ -112,11 +120,6 @@ impl PlainReader {
         lines
     }
 
-    /// The changes after time has passed; a countdown is not reported.
-    pub fn news_of_time(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
-        self.say_moving(holder)
-    }
-
     /// The last output after the end of the input, if the only remaining step is to continue.
     pub fn end(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         if !self.goes_on(holder.app()) {
@@ -131,10 +134,7 @@ impl PlainReader {
         let visible = line.chars().filter(|c| !c.is_control()).take(LONGEST);
         let line = visible.collect::<String>().trim().to_owned();
         self.said.clear();
-        let mut lines = match self.take(&line, holder) {
-            Ok(lines) => lines,
-            Err(expected) => vec![expected],
-        };
+        let mut lines = self.take(&line, holder).unwrap_or_else(|it| vec![it]);
         lines.extend(self.settle(holder));
         lines.push(self.page.question());
         lines
@@ -142,27 +142,22 @@ impl PlainReader {
 
     fn take(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let lower = line.to_lowercase();
-        let labelled = self.labelled(line);
-        if let (Some(option), false) = (&labelled, self.is_text()) {
-            return self.choose(&option.clone(), holder);
-        }
-        // A single letter may be the text that was asked for, such as a name.
         let is_text = self.is_text();
+        if let Some(option) = self.labelled(line).filter(|_| !is_text) {
+            return self.choose(&option, holder);
+        }
         match lower.as_str() {
+            // A single letter may be the text that was asked for, such as a name.
             "q" | "h" | "r" if is_text => {}
-            "quit" | "exit" | "q" => {
-                return press(Key::Ctrl('c'), holder);
-            }
+            "quit" | "exit" | "q" => return press(Key::Ctrl('c'), holder),
             "help" | "h" | "?" => return Ok(self.help(holder)),
             "glossary" | "rules" if !is_text && self.page.layer.is_none() => {
                 holder.input(&Key::Char('?').into());
                 let initial = lower.chars().next().unwrap_or_default();
                 return press(Key::Char(initial), holder);
             }
-            "repeat" | "r" => return Ok(self.repeat()),
-            "" | "shoot" => {
-                return press(Key::Enter, holder);
-            }
+            "repeat" | "r" => return Ok(changes(&PlainPage::default(), &self.page, &[])),
+            "" | "shoot" => return press(Key::Enter, holder),
             _ => {}
         }
         if let Some((name, value)) = assignment(line)
@@ -213,35 +208,28 @@ impl PlainReader {
         let mut options = self.page.options.iter();
         let is = |it: &&PlainOption| !it.label.is_empty() && it.label.eq_ignore_ascii_case(label);
         let is_answer = |it: &&PlainOption| it.label.chars().any(char::is_uppercase);
-        let number = label
-            .parse::<usize>()
-            .ok()
-            .and_then(|number| number.checked_sub(1));
-        let numbered = || self.page.options.iter().filter(is_answer).nth(number?);
+        let numbered = || {
+            let number: usize = label.parse().ok()?;
+            let mut answers = self.page.options.iter().filter(is_answer);
+            answers.nth(number.checked_sub(1)?)
+        };
         options.find(is).or_else(numbered).cloned()
     }
 
     /// The option with this name, or the one whose words start with these words.
     fn named(&self, words: &str) -> Option<PlainOption> {
         let meant: Vec<_> = words.split_whitespace().collect();
-        let is_name = meant
-            .iter()
-            .any(|word| word.chars().any(char::is_alphabetic));
         let name_of = |it: &PlainOption| read(&it.words).to_lowercase();
         let options = || self.page.options.iter().map(|it| (it, name_of(it)));
         let all = |name: &str, is: fn(&str, &str) -> bool| {
             let words: Vec<_> = name.split([' ', ',', ':']).collect();
-            meant
-                .iter()
-                .all(|meant| words.iter().any(|word| is(word, meant)))
+            let is_there = |meant: &&str| words.iter().any(|word| is(word, meant));
+            meant.iter().all(is_there)
         };
+        let begins = |word: &str, meant: &str| meant.len() > 2 && word.starts_with(meant);
         let whole = |name: &str| all(name, |word, meant| word == meant);
-        let begun = |name: &str| {
-            all(name, |word, meant| {
-                meant.len() > 2 && word.starts_with(meant)
-            })
-        };
-        if !is_name {
+        let begun = |name: &str| all(name, begins);
+        if !words.contains(char::is_alphabetic) {
             return None;
         }
         let exact = options().find(|(_, name)| name == words);
@@ -276,40 +264,25 @@ impl PlainReader {
             "" => row.id.ends_with(".step") || row.id.ends_with(".dial") || row.id == "ray.turn",
             name => row.id.ends_with(&format!(".{name}")),
         });
-        let big = table
-            .rows()
-            .iter()
-            .filter(|row| row.id.ends_with(".big") && name.is_empty());
-        let keys: Vec<_> = rows
-            .chain(big)
-            .flat_map(|row| row.keys().collect::<Vec<_>>())
-            .collect();
+        let is_big = |row: &&KeyRow<()>| row.id.ends_with(".big") && name.is_empty();
+        let rows = rows.chain(table.rows().iter().filter(is_big));
         let less = ["Left", "Down", "-", ",", "<", "[", "{"].map(Key::parse);
-        let mut keys = keys
-            .into_iter()
-            .filter(|key| less.contains(&Some(*key)) != is_more);
-        keys.nth(nth)
+        let is_meant = |key: &Key| less.contains(&Some(*key)) != is_more;
+        rows.flat_map(KeyRow::keys).filter(is_meant).nth(nth)
     }
 
     /// The possible inputs in one line.
     fn expected(&self) -> String {
-        match &self.page.asked {
-            Asked::Angle(_) => "Please type an angle from minus 180 to 180, or still.".into(),
-            Asked::Number(..) => "Please type a number, such as 2.5.".into(),
-            _ => match self
-                .page
-                .options
-                .iter()
-                .filter(|it| !it.label.is_empty())
-                .collect::<Vec<_>>()[..]
-            {
-                [] => "Please press Enter to continue, or type help.".into(),
-                [one] => format!("Please type {}, or help.", one.label),
-                [first, .., last] => format!(
-                    "Please type a label from {} to {}, the words after it, or help.",
-                    first.label, last.label
-                ),
-            },
+        let labels = self.page.options.iter().map(|it| it.label.as_str());
+        let labels: Vec<_> = labels.filter(|it| !it.is_empty()).collect();
+        match (&self.page.asked, &labels[..]) {
+            (Asked::Angle(_), _) => "Please type an angle from minus 180 to 180, or still.".into(),
+            (Asked::Number(..), _) => "Please type a number, such as 2.5.".into(),
+            (_, []) => "Please press Enter to continue, or type help.".into(),
+            (_, [one]) => format!("Please type {one}, or help."),
+            (_, [first, .., last]) => {
+                format!("Please type a label from {first} to {last}, the words after it, or help.")
+            }
         }
     }
 
@@ -320,13 +293,12 @@ impl PlainReader {
         let is_clicked = !(is_entry && option.is_chosen && enters(holder, &opens));
         match (option.key, option.cell) {
             (Some(key), _) => holder.input(&key.into()),
-            _ if !is_clicked => {}
-            (None, Some(cell)) => {
+            (None, Some(cell)) if is_clicked => {
                 for kind in [MouseKind::Down, MouseKind::Up] {
                     holder.input(&Input::Mouse(Mouse::over(kind, cell)));
                 }
             }
-            (None, None) => {}
+            (None, _) => {}
         }
         if option.key == Some(STILL) && matches!(self.page.asked, Asked::Angle(_)) {
             self.enter(holder, &["ray.next"]);
@@ -336,11 +308,8 @@ impl PlainReader {
         if is_entry && self.look(holder.app()).options.iter().any(is_same) {
             self.enter(holder, &opens);
         }
-        Ok(option
-            .is_field()
-            .then(|| option.line())
-            .into_iter()
-            .collect())
+        let line = option.is_field().then(|| option.line());
+        Ok(line.into_iter().collect())
     }
 
     /// Presses Enter if Enter carries out one of these actions.
@@ -351,7 +320,7 @@ impl PlainReader {
     }
 
     /// Whether the screen is still the same.
-    fn is_the_same(&mut self, holder: &dyn AppHolder) -> bool {
+    fn is_the_same(&mut self, holder: &mut dyn AppHolder) -> bool {
         let now = self.look(holder.app());
         now.title == self.page.title && now.layer == self.page.layer
     }
@@ -378,12 +347,11 @@ impl PlainReader {
 
     /// Replaces the text and presses Enter.
     fn type_text(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
-        let is_chosen = |it: &&PlainOption| it.is_chosen && matches!(it.kind, OptionKind::Text(_));
-        if let Some(PlainOption {
-            kind: OptionKind::Text(before),
-            ..
-        }) = self.page.options.iter().find(is_chosen)
-        {
+        let before = self.page.options.iter().find_map(|it| match &it.kind {
+            OptionKind::Text(before) if it.is_chosen => Some(before),
+            _ => None,
+        });
+        if let Some(before) = before {
             holder.input(&Key::End.into());
             for _ in before.chars() {
                 holder.input(&Key::Backspace.into());
@@ -403,13 +371,8 @@ impl PlainReader {
     /// Sets the field with this name.
     fn set(&mut self, name: &str, value: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let Some(option) = self.field(name) else {
-            let names: Vec<_> = self
-                .page
-                .options
-                .iter()
-                .filter(|it| it.is_field())
-                .map(|it| read(&it.words))
-                .collect();
+            let fields = self.page.options.iter().filter(|it| it.is_field());
+            let names: Vec<_> = fields.map(|it| read(&it.words)).collect();
             return Err(match names.is_empty() {
                 true => "Nothing can be set here.".into(),
                 false => format!("Please name one of these: {}.", names.join(", ")),
@@ -478,21 +441,8 @@ impl PlainReader {
                 holder.input(&Key::Escape.into());
             }
         }
-        lines
-            .push("To choose something, type its label or its name. Enter alone continues.".into());
-        lines.push(
-            "To set a value, type its name: speed = 3. Or choose it and type more or less.".into(),
-        );
-        lines.push("At any time: repeat reads the page again, glossary explains the terms of mechanics, rules explains the game at the table, back goes back, quit saves your answers and ends carrom.".into());
+        lines.extend(HELP.map(str::to_owned));
         lines.extend(self.page.deeds());
-        lines
-    }
-
-    /// The whole screen in lines.
-    fn repeat(&mut self) -> Vec<String> {
-        let page = std::mem::take(&mut self.page);
-        let lines = changes(&PlainPage::default(), &page, &[]);
-        self.page = page;
         lines
     }
 
@@ -530,7 +480,7 @@ impl PlainReader {
     }
 
     /// Returns the changes since the last output, and records them as written.
-    fn say(&mut self, holder: &dyn AppHolder) -> Vec<String> {
+    fn say(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         let page = self.look(holder.app());
         let mut lines = changes(&self.page, &page, &self.said);
         if self.page.title == page.title {
@@ -548,15 +498,12 @@ impl PlainReader {
         self.recent.drain(..old);
     }
 
-    /// The changes while something moves; running numbers are not reported.
-    fn say_moving(&mut self, holder: &dyn AppHolder) -> Vec<String> {
+    /// The changes while something moves or time passes; running numbers, such as those of a
+    /// countdown, are not reported.
+    pub fn say_moving(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         let mut page = self.look(holder.app());
-        let known: Vec<_> = self
-            .said
-            .iter()
-            .chain(self.page.lines())
-            .map(|it| without_figures(it))
-            .collect();
+        let known = self.said.iter().chain(self.page.lines());
+        let known: Vec<_> = known.map(|it| without_figures(it)).collect();
         let mut lines = changes(&self.page, &page, &self.said);
         let deeds = page.deeds();
         let is_passing = |line: &String| deeds.contains(line) || page.shown.contains(line);
@@ -584,11 +531,8 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     if is_new {
         lines.push(capital(&sentence(&now.title)));
     }
-    let status = now
-        .status
-        .iter()
-        .filter(|part| is_new || !before.status.contains(part));
-    let status: Vec<_> = status.map(String::as_str).collect();
+    let mut status = now.status.clone();
+    status.retain(|part| is_new || !before.status.contains(part));
     if !status.is_empty() {
         lines.push(format!("{}.", capital(&status.join(", "))));
     }
@@ -616,21 +560,15 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
         }
     }
     let deeds_before = before.deeds();
-    let deeds = now.deeds();
-    lines.extend(
-        deeds
-            .into_iter()
-            .filter(|it| is_new || !deeds_before.contains(it)),
-    );
+    let mut deeds = now.deeds();
+    deeds.retain(|it| is_new || !deeds_before.contains(it));
+    lines.extend(deeds);
     lines
 }
 
 /// The line, but with one character in place of each number.
 fn without_figures(line: &str) -> String {
-    let mut text: String = line
-        .chars()
-        .map(|c| if c.is_ascii_digit() { '#' } else { c })
-        .collect();
+    let mut text = line.replace(|c: char| c.is_ascii_digit(), "#");
     while text.contains("##") {
         text = text.replace("##", "#");
     }

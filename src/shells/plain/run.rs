@@ -2,18 +2,15 @@
 
 use std::io::{self, BufRead, Write};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
-use std::thread;
 use std::time::{Duration, Instant};
 
 use super::reader::PlainReader;
 use super::talk::hear;
 use crate::app::App;
 use crate::messages::{Effect, Input};
-use crate::shells::AppHolder;
-use crate::shells::FRAME;
 use crate::shells::client::Client;
 use crate::shells::host::{Host, HostOptions};
-use crate::shells::terminal;
+use crate::shells::{AppHolder, FRAME, terminal};
 use crate::store::Store;
 
 /// An event for the main loop.
@@ -51,9 +48,7 @@ pub fn run(
     };
     let (more, wanted) = mpsc::channel();
     let listen = move || listen(input, &wanted, &sender);
-    thread::Builder::new()
-        .name("listener".into())
-        .spawn(listen)?;
+    terminal::spawn("listener", listen)?;
     let talked = talk(&mut reader, &mut held, &news, &more, output);
     let kept = held.store.flush_at_end().map_err(io::Error::other);
     talked.and(kept)
@@ -62,10 +57,8 @@ pub fn run(
 /// Reads each line only on demand, so that a program that sends lines too fast has to wait.
 fn listen(mut input: impl BufRead, wanted: &Receiver<()>, sender: &Sender<Heard>) {
     while wanted.recv().is_ok() {
-        let heard = hear(&mut input)
-            .ok()
-            .flatten()
-            .map_or(Heard::Ended, Heard::Line);
+        let heard = hear(&mut input).ok().flatten();
+        let heard = heard.map_or(Heard::Ended, Heard::Line);
         if sender.send(heard).is_err() {
             return;
         }
@@ -105,7 +98,7 @@ fn talk(
                 reader.news(held)
             }
             Some(Heard::Ended) => return say(output, &reader.end(held)),
-            None => reader.news_of_time(held),
+            None => reader.say_moving(held),
         };
         if !held.app.has_quit() {
             say(output, &lines)?;
@@ -126,12 +119,9 @@ fn wait(news: &Receiver<Heard>, wake: Option<Duration>) -> Option<Heard> {
     }
 }
 
-fn say(output: &mut dyn Write, lines: &[String]) -> io::Result<()> {
+fn say(out: &mut dyn Write, lines: &[String]) -> io::Result<()> {
     let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
-    match output
-        .write_all(text.as_bytes())
-        .and_then(|()| output.flush())
-    {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         // The program that reads the output has stopped.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         said => said,
@@ -156,32 +146,24 @@ impl PlainApp {
 }
 
 impl AppHolder for PlainApp {
-    fn app(&self) -> &App {
-        &self.app
-    }
-
-    fn app_mut(&mut self) -> &mut App {
+    fn app(&mut self) -> &mut App {
         &mut self.app
     }
 
-    fn carry_out(&mut self, effects: Vec<Effect>) {
-        for effect in effects {
-            match effect {
-                Effect::Keep(call) => {
-                    let answer = self.store.answer(&call);
-                    self.input(&Input::Kept(Box::new(answer)));
-                }
-                Effect::Host(call) => self.host.call(&call),
-                Effect::Join(call) => self.client.call(&call),
-                Effect::Export { name, content } => {
-                    self.exported(terminal::export(&name, &content));
-                }
-                Effect::ExportPage { name, round } => {
-                    let document = self.host.page_document(round.as_ref());
-                    let exported = document.and_then(|document| terminal::export(&name, document));
-                    self.exported(exported);
-                }
+    fn carry_out(&mut self, effect: Effect) -> Option<Input> {
+        match effect {
+            Effect::Keep(call) => {
+                let answer = self.store.answer(&call);
+                return Some(Input::Kept(Box::new(answer)));
+            }
+            Effect::Host(call) => self.host.call(&call),
+            Effect::Join(call) => self.client.call(&call),
+            Effect::Export { name, content } => self.exported(terminal::export(&name, &content)),
+            Effect::ExportPage { name, round } => {
+                let document = self.host.page_document(round.as_ref());
+                self.exported(document.and_then(|document| terminal::export(&name, document)));
             }
         }
+        None
     }
 }

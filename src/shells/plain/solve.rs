@@ -11,11 +11,8 @@ use crate::physics::{CollisionSpec, ImpactPoint};
 ///
 /// # Errors
 /// If the player quits, or the input ends.
-pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave> {
-    let steps = match given {
-        Some(steps) => steps.to_vec(),
-        None => ask(talk)?,
-    };
+pub fn solve(talk: &mut Talk, given: Option<Vec<WorkedStep>>) -> Result<(), Leave> {
+    let steps = given.map_or_else(|| ask(talk), Ok)?;
     for (count, step) in (1..).zip(&steps) {
         talk.say(&format!("Step {count}: {}", sentence(step.title)))?;
         talk.say(&step.why)?;
@@ -30,7 +27,7 @@ fn ask(talk: &mut Talk) -> Result<Vec<WorkedStep>, Leave> {
     let mut one = |what: &str, unit: &str, proposed: f64, least: f64, most: f64| {
         let asked = format!("{what}? Proposed: {proposed}.");
         let help = "Type a number, or press Enter alone to accept the proposed value.";
-        talk.ask_for(&[], &asked, help, |heard| match heard {
+        talk.ask_for(&asked, help, |heard| match heard {
             "" => Ok(proposed),
             heard => number(heard, unit, least, most),
         })

@@ -21,9 +21,7 @@ pub struct Talk<'a> {
 /// Why a dialogue ends early.
 #[derive(Debug)]
 pub enum Leave {
-    /// The player typed quit.
-    Quit,
-    /// The input has ended.
+    /// The player typed quit, or the input has ended.
     Ended,
     /// A line could not be written or read.
     Failed(io::Error),
@@ -73,38 +71,30 @@ impl<'a> Talk<'a> {
         &mut self,
         lines: impl IntoIterator<Item = S>,
     ) -> Result<(), Leave> {
-        lines
-            .into_iter()
-            .try_for_each(|line| self.say(line.as_ref()))
+        lines.into_iter().try_for_each(|it| self.say(it.as_ref()))
     }
 
-    /// Writes the `lead` lines and a question, and repeats the question until an answer is
-    /// understood. `help` explains how to answer. `read` gets a trimmed line, which may be empty;
-    /// it returns the answer, or a line that explains what was expected.
+    /// Writes a question, and repeats it until an answer is understood. `help` explains how to
+    /// answer. `read` gets a trimmed line, which may be empty; it returns the answer, or a line that
+    /// explains what was expected.
     ///
     /// # Errors
     /// If the player quits, or the input ends.
     pub(super) fn ask_for<T>(
         &mut self,
-        lead: &[String],
         question: &str,
         help: &str,
         read: impl Fn(&str) -> Result<T, String>,
     ) -> Result<T, Leave> {
-        self.say_all(lead)?;
         self.say(question)?;
         loop {
             let heard = self.hear()?;
             match heard.to_lowercase().as_str() {
-                "quit" | "q" | "exit" => return Err(Leave::Quit),
+                "quit" | "q" | "exit" => return Err(Leave::Ended),
                 "help" | "h" | "?" => self.say_all([help, ALWAYS])?,
-                "repeat" | "r" => {
-                    self.say_all(lead)?;
-                    self.say(question)?;
-                }
+                "repeat" | "r" => self.say(question)?,
                 _ => match read(&heard) {
                     Ok(meant) => return Ok(meant),
-                    // Only the question is repeated; `repeat` also writes the lines before it.
                     Err(expected) => self.say_all([&*expected, question])?,
                 },
             }

@@ -3,7 +3,7 @@
 use super::by_words::by_words;
 use super::formula::aloud;
 use super::page::{read, unit};
-use super::{PlainReader, assert_spoken, spoken};
+use super::{PlainReader, spoken};
 use crate::app::App;
 use crate::lessons::{ChapterLibrary, CheckpointKind, Inline, TextBlock};
 use crate::quiz::{Answer, Confidence, Course, CourseKind, Family, Form, Round, concepts, explain};
@@ -135,5 +135,42 @@ fn file_names_are_read_unchanged() {
 fn a_unit_may_have_two_words() {
     for (value, expected) in [("60.0 g m/s", "g m/s"), ("12 mm", "mm"), ("none", "")] {
         assert_eq!(unit(value), expected);
+    }
+}
+
+/// Asserts that a line contains only words.
+fn assert_spoken(line: &str) {
+    let plain = |c: char| c.is_ascii_alphanumeric() || " .,;:?!'\"()-/".contains(c);
+    assert!(line.chars().all(plain), "{line}");
+    let words = line.split(|c: char| !c.is_ascii_alphanumeric());
+    for word in words {
+        assert!(!spoken::is_function(word), "{word}: {line}");
+    }
+    for never in [
+        "?.",
+        "!.",
+        "  ",
+        " 1 metres",
+        " 1 grams",
+        " 1 degrees",
+        "the the ",
+        // No instruction may require a mouse or sight.
+        "Drag the ",
+        "drag the ",
+        "Press ",
+        "ook at the picture",
+        "ook at the figure",
+        "ook again",
+        " click ",
+        "the mouse",
+    ] {
+        assert!(!line.contains(never), "{never}: {line}");
+    }
+    // A subscript must not follow a unit.
+    for unit in ["metres ", "metre ", "grams ", "seconds "] {
+        for (at, _) in line.match_indices(unit) {
+            let next = line[at + unit.len()..].chars().next();
+            assert!(!next.is_some_and(|c| c.is_ascii_digit()), "{line}");
+        }
     }
 }

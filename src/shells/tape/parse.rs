@@ -228,11 +228,9 @@ fn quoted(part: &Token, expected: &str) -> Result<String, String> {
 
 /// A whole number from 0 to `most`, written only in digits.
 fn within<N: FromStr + PartialOrd + Copy>(digits: &str, most: N) -> Option<N> {
-    let number = digits
-        .bytes()
-        .all(|b| b.is_ascii_digit())
-        .then(|| digits.parse().ok())??;
-    (number <= most).then_some(number)
+    let is_plain = digits.bytes().all(|b| b.is_ascii_digit());
+    let number = digits.parse().ok().filter(|_| is_plain);
+    number.filter(|number| *number <= most)
 }
 
 fn count(part: &Token) -> Result<u32, String> {
@@ -257,12 +255,12 @@ fn duration(part: &Token) -> Result<Duration, String> {
         Some(number) => decimal(number).map(|ms| ms / 1000.0),
         None => word.strip_suffix('s').and_then(decimal),
     });
-    seconds
-        .filter(|seconds| *seconds <= HOUR)
-        .map(Duration::from_secs_f64)
-        .ok_or_else(|| {
-            format!("Sleep: expected a time of at most 3600s, such as 1.5s or 200ms, found {part}")
-        })
+    let time = seconds
+        .filter(|it| *it <= HOUR)
+        .map(Duration::from_secs_f64);
+    time.ok_or_else(|| {
+        format!("Sleep: expected a time of at most 3600s, such as 1.5s or 200ms, found {part}")
+    })
 }
 
 /// A decimal number; a sign, an exponent or `inf` is not allowed.

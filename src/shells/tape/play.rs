@@ -87,16 +87,14 @@ pub fn play<G: Into<Headless>>(
                     Some(name) => class.pupil(name).unwrap_or_else(|| come(&mut class, name)),
                 }
             }
-            Instruction::Reach(name, reaches) => match class.pupil(name) {
-                Some(pupil) => class.reach(pupil, *reaches),
-                None => {
-                    let message = format!("there is no pupil {}", quoted(name));
-                    return Err(PlayError::Run {
-                        line: *line,
-                        message,
-                    });
-                }
-            },
+            Instruction::Reach(name, reaches) => {
+                let unknown = || PlayError::Run {
+                    line: *line,
+                    message: format!("there is no pupil {}", quoted(name)),
+                };
+                let pupil = class.pupil(name).ok_or_else(unknown)?;
+                class.reach(pupil, *reaches);
+            }
             Instruction::Set(ScreenSetting::Size(columns, rows)) => game.resize(*columns, *rows),
             Instruction::Set(ScreenSetting::Charset(charset)) => {
                 game.app_mut().settings_mut().charset = *charset;
@@ -145,17 +143,12 @@ fn come(class: &mut Classroom, name: &str) -> Who {
         ..host.app().settings().clone()
     };
     let size = host.buffer().area;
-    let address = None;
-    let app = App::new(
-        Route::Join {
-            address,
-            code,
-            again: false,
-        },
-        settings,
-        7,
-    );
-    class.add(name, app, size.width, size.height)
+    let route = Route::Join {
+        address: None,
+        code,
+        again: false,
+    };
+    class.add(name, App::new(route, settings, 7), size.width, size.height)
 }
 
 /// Fails if `text` is `wanted` and the screen does not show it, or if it is not wanted and the

@@ -31,13 +31,10 @@ pub fn report_crashes(folder: Option<PathBuf>) {
                 Some(Err(error)) => format!("no report could be saved: {error}"),
                 None => "no folder is known for a report".into(),
             };
-            let line = format!(
-                "carrom: stopped by an internal error: {}; {saved}",
-                what(info)
-            );
+            let line = format!("carrom: stopped by an internal error: {}", what(info));
             // Standard error may have been closed with its window, and a panic in this hook ends
             // the process at once.
-            let _ = writeln!(io::stderr(), "{line}");
+            let _ = writeln!(io::stderr(), "{line}; {saved}");
         }
     }));
 }
@@ -48,23 +45,18 @@ fn what(info: &PanicHookInfo) -> String {
     let message = (payload.downcast_ref::<&str>().copied())
         .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
         .unwrap_or("no message");
-    let place = info.location().map(ToString::to_string);
-    format!(
-        "{message} (at {})",
-        place.as_deref().unwrap_or("an unknown place")
-    )
+    let unknown = || "an unknown place".to_owned();
+    let place = info.location().map_or_else(unknown, ToString::to_string);
+    format!("{message} (at {place})")
 }
 
 /// The crash report, with all details.
 fn report(info: &PanicHookInfo) -> String {
-    let version = env!("CARGO_PKG_VERSION");
+    let (version, what) = (env!("CARGO_PKG_VERSION"), what(info));
     let thread = thread::current();
     let thread = thread.name().unwrap_or("without a name");
     let trace = Backtrace::force_capture();
-    format!(
-        "carrom {version}\n{}\nthread: {thread}\n\n{trace}\n",
-        what(info)
-    )
+    format!("carrom {version}\n{what}\nthread: {thread}\n\n{trace}\n")
 }
 
 fn save(folder: &Path, report: &str) -> io::Result<PathBuf> {

@@ -184,7 +184,7 @@ impl Decoder {
         match self.pending.strip_prefix(b"\x1b[") {
             Some(PASTE) => self.paste = Some(Paste::default()),
             Some(sequence) => events.extend(control_sequence(sequence)),
-            None => events.extend(letter(&self.pending)),
+            None => events.extend(letter(&self.pending, KeyModifiers::NONE)),
         }
         self.pending.clear();
     }
@@ -247,29 +247,21 @@ fn pressed(code: KeyCode, held: KeyModifiers) -> Event {
 
 /// A key without a control sequence: a character, a control character, either of these after Escape
 /// (which means Alt), or a sequence of three bytes with O.
-fn letter(bytes: &[u8]) -> Option<Event> {
+fn letter(bytes: &[u8], held: KeyModifiers) -> Option<Event> {
     let code = match bytes {
         [ESCAPE, b'O', last] => cursor_key(*last)?,
-        [ESCAPE, rest @ ..] => {
-            let Event::Key(KeyEvent {
-                code, modifiers, ..
-            }) = letter(rest)?
-            else {
-                return None;
-            };
-            return Some(pressed(code, modifiers | KeyModifiers::ALT));
-        }
+        [ESCAPE, rest @ ..] => return letter(rest, held | KeyModifiers::ALT),
         [b'\r'] => KeyCode::Enter,
         [b'\t'] => KeyCode::Tab,
         [0x7f] => KeyCode::Backspace,
         [control @ 0x01..=0x1a] => {
             let letter = char::from(control - 1 + b'a');
-            return Some(pressed(KeyCode::Char(letter), KeyModifiers::CONTROL));
+            return Some(pressed(KeyCode::Char(letter), held | KeyModifiers::CONTROL));
         }
         [0x00 | 0x1c..=0x1f] => return None,
         bytes => KeyCode::Char(str::from_utf8(bytes).ok()?.chars().next()?),
     };
-    Some(pressed(code, KeyModifiers::NONE))
+    Some(pressed(code, held))
 }
 
 /// The key given by the last byte of a sequence without a key number.

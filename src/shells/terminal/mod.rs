@@ -92,7 +92,10 @@ fn drawn(columns: u16, rows: u16) -> Rect {
     Rect::new(0, 0, columns.min(LARGEST.0), rows.min(LARGEST.1))
 }
 
-fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
+pub(super) fn spawn(
+    name: &str,
+    work: impl FnOnce() + Send + 'static,
+) -> io::Result<JoinHandle<()>> {
     thread::Builder::new().name(name.into()).spawn(work)
 }
 
@@ -164,7 +167,7 @@ impl TerminalRun {
             }
             let mut first = self.wait()?;
             let effects = self.pace.live(&mut self.app, Instant::now());
-            self.carry_out(effects);
+            self.carry_out_all(effects);
             // Handles all waiting messages before one frame; if they keep coming, a frame is drawn
             // now and then.
             let start = Instant::now();
@@ -267,31 +270,25 @@ impl TerminalRun {
 }
 
 impl AppHolder for TerminalRun {
-    fn app(&self) -> &App {
-        &self.app
-    }
-
-    fn app_mut(&mut self) -> &mut App {
+    fn app(&mut self) -> &mut App {
         &mut self.app
     }
 
-    fn carry_out(&mut self, effects: Vec<Effect>) {
-        for effect in effects {
-            match effect {
-                Effect::Keep(request) => {
-                    if self.store_worker.ask(&request, &self.sender) {
-                        self.input(&Input::Saving(request.ticket));
-                    }
-                }
-                Effect::Host(call) => self.host.call(&call),
-                Effect::Join(call) => self.client.call(&call),
-                Effect::Export { name, content } => self.exported(export(&name, &content)),
-                Effect::ExportPage { name, round } => {
-                    let document = self.host.page_document(round.as_ref());
-                    self.exported(document.and_then(|document| export(&name, document)));
-                }
+    fn carry_out(&mut self, effect: Effect) -> Option<Input> {
+        match effect {
+            Effect::Keep(call) => {
+                let is_late = self.store_worker.ask(&call, &self.sender);
+                return is_late.then_some(Input::Saving(call.ticket));
+            }
+            Effect::Host(call) => self.host.call(&call),
+            Effect::Join(call) => self.client.call(&call),
+            Effect::Export { name, content } => self.exported(export(&name, &content)),
+            Effect::ExportPage { name, round } => {
+                let document = self.host.page_document(round.as_ref());
+                self.exported(document.and_then(|document| export(&name, document)));
             }
         }
+        None
     }
 }
 

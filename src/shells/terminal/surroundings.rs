@@ -3,36 +3,26 @@
 use std::io::{self, IsTerminal};
 
 use supports_color::Stream;
-use thiserror::Error;
 
 use crate::widgets::{Charset, Depth};
-
-/// Why carrom cannot be played here.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum Unusable {
-    /// Standard input or output is a file, a pipe or nothing.
-    #[error("a terminal is needed, but {0} is not one")]
-    NoTerminal(&'static str),
-    /// The terminal cannot position text.
-    #[error("a terminal that can position text is needed, but TERM is {0}")]
-    Dumb(String),
-}
 
 /// Checks that carrom can be played in this terminal. `env` reads an environment variable.
 ///
 /// # Errors
 /// The reason why it cannot be played here.
-pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), Unusable> {
+pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), String> {
+    let not_one = |name| format!("a terminal is needed, but {name} is not one");
     if !io::stdin().is_terminal() {
-        return Err(Unusable::NoTerminal("standard input"));
+        return Err(not_one("standard input"));
     }
     if !io::stdout().is_terminal() {
-        return Err(Unusable::NoTerminal("standard output"));
+        return Err(not_one("standard output"));
     }
-    match dumb(env) {
-        Some(term) => Err(Unusable::Dumb(term)),
-        None => Ok(()),
-    }
+    dumb(env).map_or(Ok(()), |term| {
+        Err(format!(
+            "a terminal that can position text is needed, but TERM is {term}"
+        ))
+    })
 }
 
 /// The value of `TERM` if carrom cannot be played with it. Windows neither sets nor needs `TERM`.
@@ -52,22 +42,14 @@ pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| env(name).filter(|value| !value.is_empty()));
-    let utf8 = match locale {
-        Some(locale) => {
-            let locale = locale.to_ascii_lowercase();
-            locale.contains("utf-8") || locale.contains("utf8")
-        }
-        None => {
-            cfg!(windows)
-                && ["WT_SESSION", "TERM_PROGRAM"]
-                    .iter()
-                    .any(|it| env(it).is_some())
-        }
+    let is_set = |name| env(name).is_some();
+    let has_unicode = match locale.map(|it| it.to_ascii_lowercase()) {
+        Some(locale) => locale.contains("utf-8") || locale.contains("utf8"),
+        None => cfg!(windows) && (is_set("WT_SESSION") || is_set("TERM_PROGRAM")),
     };
-    if utf8 {
-        Charset::Unicode
-    } else {
-        Charset::Ascii
+    match has_unicode {
+        true => Charset::Unicode,
+        false => Charset::Ascii,
     }
 }
 

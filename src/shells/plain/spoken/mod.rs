@@ -75,15 +75,15 @@ fn tidy(text: &str) -> String {
     if let Some(stopped) = line.strip_suffix(" .") {
         line = format!("{stopped}.");
     }
+    with_ends(text, &line)
+}
+
+/// `line`, which was made from `text`, with a space at each end where `text` has one.
+fn with_ends(text: &str, line: &str) -> String {
     let blank = |is_there: bool| if is_there { " " } else { "" };
-    let (before, after) = match words.is_empty() {
-        true => (!text.is_empty(), false),
-        false => (
-            text.starts_with(char::is_whitespace),
-            text.ends_with(char::is_whitespace),
-        ),
-    };
-    format!("{}{line}{}", blank(before), blank(after))
+    let before = blank(text.starts_with(char::is_whitespace));
+    let after = blank(text.ends_with(char::is_whitespace) && !line.is_empty());
+    format!("{before}{line}{after}")
 }
 
 #[cfg(test)]

@@ -67,13 +67,7 @@ pub(super) fn spell(text: &str) -> String {
             None => token.to_owned(),
         });
     }
-    let blank = |is_there: bool| if is_there { " " } else { "" };
-    format!(
-        "{}{}{}",
-        blank(text.starts_with(char::is_whitespace)),
-        words.join(" "),
-        blank(text.ends_with(char::is_whitespace) && !words.is_empty())
-    )
+    super::with_ends(text, &words.join(" "))
 }
 
 /// A unit as it is read aloud: "m/s" as "metres per second", "g m/s" as "gram metres per
