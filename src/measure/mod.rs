@@ -2,8 +2,8 @@
 //! exact prediction, and every result has an uncertainty.
 //!
 //! [`read()`] reads the tracks, and [`Measurement::new`] analyses them. Uncertainties follow from
-//! the scatter of the points about the fitted paths; `coverage` checks with simulated measurements
-//! that the 68 % and 95 % intervals contain the true values that often.
+//! the scatter of the points about the fitted paths; `tests/coverage.rs` checks with simulated
+//! measurements that the 68 % and 95 % intervals contain the true values that often.
 
 mod contact;
 mod film;
@@ -17,9 +17,7 @@ mod track;
 mod words;
 
 #[cfg(test)]
-mod coverage;
-#[cfg(test)]
-mod simulated;
+mod tests;
 
 use crate::files::FileError;
 

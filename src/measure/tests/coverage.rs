@@ -5,11 +5,11 @@ use glam::{DVec2, dvec2};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::film::normal;
-use super::fit::{ONE_SIGMA, TracksFit};
-use super::quantities::{Known, QUANTITIES, measured};
 use super::simulated::Film;
-use super::{Given, SlowingDown, Unit};
+use crate::measure::film::normal;
+use crate::measure::fit::{ONE_SIGMA, TracksFit};
+use crate::measure::quantities::{Known, QUANTITIES, measured};
+use crate::measure::{Given, SlowingDown, Unit};
 
 /// How often an interval contained the truth.
 #[derive(Debug, Clone, Copy, Default)]
