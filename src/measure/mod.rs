@@ -156,13 +156,12 @@ impl Measurement {
         quantities::measured(quantity, &self.fit, &self.known, self.names())
     }
 
-    /// A quantity by its name.
-    pub(crate) fn quantity(
-        &self,
-        id: &str,
-    ) -> Option<(&'static Quantity, Result<Estimate, String>)> {
-        let quantity = QUANTITIES.iter().find(|quantity| quantity.id == id)?;
-        Some((quantity, self.estimate(quantity)))
+    /// The quantity with this id and its estimate, or why there is none.
+    pub(crate) fn quantity(&self, id: &str) -> Result<(&'static Quantity, Estimate), String> {
+        let mut all = QUANTITIES.iter();
+        let quantity = all.find(|quantity| quantity.id == id);
+        let quantity = quantity.ok_or_else(|| format!("no quantity {id}"))?;
+        Ok((quantity, self.estimate(quantity)?))
     }
 
     /// The motion that is predicted from nothing but the state before the contact.
@@ -173,9 +172,4 @@ impl Measurement {
         state.set_velocity(1, Leg::After, v2);
         Some(state)
     }
-}
-
-/// A count of points.
-fn plural(count: usize, what: &str) -> String {
-    crate::numbers::counted(count, what)
 }

@@ -130,7 +130,7 @@ fn wrong(all: &[Covered], points: f64) -> Vec<&'static str> {
     let pairs = QUANTITIES.iter().zip(all);
     pairs
         .filter(|(_, covered)| far(covered))
-        .map(|(quantity, _)| quantity.id)
+        .map(|(quantity, _)| quantity.id.as_str())
         .collect()
 }
 
