@@ -42,9 +42,8 @@ mod stroke;
 mod table;
 mod validity;
 
-pub(crate) use laws::RuleLine;
-pub(crate) use laws::announced;
 pub use laws::{BoardWon, Rules, Ruling, RulingEffect};
+pub(crate) use laws::{RuleLine, announced};
 pub(crate) use pieces::PieceSet;
 pub use pieces::{Coin, Colour, Piece};
 pub(crate) use placing::{BaseLines, Stand};

@@ -43,9 +43,8 @@ mod tests;
 pub(crate) use case::{Case, QueenBefore, QueenFate, Side, TurnFate, Verdict};
 pub(crate) use page::RuleLine;
 pub(crate) use points::{POINTS_TO_WIN, Taken};
-pub(crate) use ruling::Law;
-pub(crate) use ruling::announced;
 pub use ruling::{BoardWon, Ruling, RulingEffect};
+pub(crate) use ruling::{Law, announced};
 
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,6 @@ use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::words;
 use crate::physics::Motion;
 
 /// The fastest stroke the opponent plays, in m/s: a hard break.
@@ -66,11 +65,6 @@ impl Slip {
     /// The intended direction, as a unit vector, if the error led to the velocity `struck`.
     pub(crate) fn meant_direction(self, struck: DVec2) -> DVec2 {
         (struck - struck.perp() * self.turn).normalize_or_zero()
-    }
-
-    /// The error in one sentence; `stroke` is, for example, "My stroke".
-    pub(crate) fn in_words(self, stroke: &str, struck: DVec2) -> String {
-        words::slipped(stroke, self, struck)
     }
 }
 

@@ -92,7 +92,7 @@ impl NewGame {
         if self.is_fresh
             && self.options == Options::default()
             && let Some((last, _)) = games().find(|(saved, _)| {
-                saved.player == *player && saved.record.setup().rules != Rules::Solo
+                saved.player == *player && saved.record.setup.rules != Rules::Solo
             })
         {
             self.options = Options::of(last);

@@ -92,7 +92,7 @@ impl Options {
 
     /// The options of a saved game.
     pub fn of(saved: &SavedGame) -> Self {
-        let (setup, company) = (saved.record.setup(), &saved.company);
+        let (setup, company) = (&saved.record.setup, &saved.company);
         Self {
             rules: setup.rules,
             length: setup.length,
