@@ -112,6 +112,16 @@ impl Intermediate {
         Self::leading_to(x, text, |read| read, result)
     }
 
+    /// Two intermediate values of one printed result.
+    pub(crate) fn pair<T: PartialEq>(
+        [a, b]: [f64; 2],
+        result: impl Fn(f64, f64) -> T,
+    ) -> [Self; 2] {
+        let a = Self::new(a, |a| result(a, b));
+        let b = Self::new(b, |b| result(a.value, b));
+        [a, b]
+    }
+
     /// Like [`Self::new`], but for an angle in radians that is printed in degrees without a unit.
     pub(crate) fn angle<T: PartialEq>(angle: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(angle.to_degrees(), 1 + more);

@@ -125,7 +125,7 @@ impl ReplayReport {
             names: Some(&saved.company.names)
                 .filter(|names| **names != SeatNames::default())
                 .cloned(),
-            setup: *saved.record.setup(),
+            setup: saved.record.setup,
             moves,
             r#final: ReplayEnd {
                 stage: game.stage().into(),

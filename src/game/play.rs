@@ -173,10 +173,14 @@ impl BoardInPlay {
             self.queen_covered_by = Some(team);
             main.effects.push(RulingEffect::QueenCovered(colour));
         }
+        if verdict.queen == QueenFate::GoesBack && !self.queen_on_board() {
+            let at = free_place::for_the_queen(terms.set, &self.coins);
+            self.put_back(Piece::Queen, at, &mut main);
+        }
+        for _ in 0..verdict.own_back {
+            self.give_back(terms, team, &mut main);
+        }
         if let TurnFate::Ends { won, points } = verdict.turn {
-            for _ in 0..verdict.own_back {
-                self.give_back(terms, team, &mut main);
-            }
             let winner = if won { team } else { team.other() };
             let won = BoardWon { winner, points };
             self.won = Some(won);
@@ -184,14 +188,6 @@ impl BoardInPlay {
             self.owed = ByTeam::default();
             main.effects.push(RulingEffect::BoardWon(won));
             return vec![main];
-        }
-
-        if verdict.queen == QueenFate::GoesBack && !self.queen_on_board() {
-            let at = free_place::for_the_queen(terms.set, &self.coins);
-            self.put_back(Piece::Queen, at, &mut main);
-        }
-        for _ in 0..verdict.own_back {
-            self.give_back(terms, team, &mut main);
         }
         let old_dues = self.pay_old_dues(terms);
         for _ in 0..verdict.dues {

@@ -16,8 +16,10 @@ use crate::physics::{self, EngineError, Limits, Motion, Shot};
 /// The agreed rules and every move since. Everything else follows from them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    setup: GameSetup,
-    moves: Vec<Move>,
+    /// The settings that were agreed before the first break.
+    pub setup: GameSetup,
+    /// The moves, in order; each is checked when it is [made](Move::make).
+    pub moves: Vec<Move>,
 }
 
 /// A move by a player.
@@ -98,40 +100,16 @@ pub struct RecordError {
 impl Record {
     /// A game in which nobody has moved yet.
     pub const fn new(setup: GameSetup) -> Self {
-        Self::of(setup, Vec::new())
-    }
-
-    /// A game with these moves, which may be impossible.
-    pub const fn of(setup: GameSetup, moves: Vec<Move>) -> Self {
-        Self { setup, moves }
-    }
-
-    /// The settings that were agreed before the first break.
-    pub const fn setup(&self) -> &GameSetup {
-        &self.setup
-    }
-
-    /// The moves, in order.
-    pub fn moves(&self) -> &[Move] {
-        &self.moves
+        Self {
+            setup,
+            moves: Vec::new(),
+        }
     }
 
     /// The number of moves that are strokes.
     pub fn strokes(&self) -> usize {
-        let strokes = self.moves.iter();
-        strokes
-            .filter(|made| matches!(made, Move::Strike(_)))
-            .count()
-    }
-
-    /// Adds a move, which is checked when it is [made](Move::make).
-    pub fn push(&mut self, made: Move) {
-        self.moves.push(made);
-    }
-
-    /// Takes back the last move.
-    pub fn pop(&mut self) -> Option<Move> {
-        self.moves.pop()
+        let is_stroke = |made: &&Move| matches!(made, Move::Strike(_));
+        self.moves.iter().filter(is_stroke).count()
     }
 
     /// Plays the whole record and returns the resulting game.
@@ -252,7 +230,7 @@ mod tests {
             if next.make(&mut game).is_err() {
                 break;
             }
-            record.push(next);
+            record.moves.push(next);
         }
         (record, game)
     }
@@ -271,7 +249,7 @@ mod tests {
                 ..GameSetup::default()
             };
             let (record, game) = played(setup, 60, seed);
-            assert!(record.moves().len() > 20);
+            assert!(record.moves.len() > 20);
             assert_eq!(record.replay().unwrap(), game);
             // Equality ignores the sign of zero; the fingerprint includes every bit.
             let again = record.replay().unwrap();
@@ -287,9 +265,9 @@ mod tests {
             velocity: DVec2::new(0.0, 4.0),
             call: None,
         };
-        record.push(Move::Strike(breaking));
+        record.moves.push(Move::Strike(breaking));
         assert!(record.replay().is_ok());
-        record.push(Move::NextBoard);
+        record.moves.push(Move::NextBoard);
         assert_eq!(
             record.replay(),
             Err(RecordError {

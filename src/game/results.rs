@@ -54,7 +54,7 @@ impl Results {
     ) -> Self {
         let mut results = Self::default();
         for (saved, game) in games.into_iter().filter(|(it, _)| it.player == player) {
-            if let Some(code) = saved.record.setup().board_code() {
+            if let Some(code) = saved.record.setup.board_code() {
                 results.add_board(code, saved, game);
             } else if let Some((seat, strength)) = against_computer(saved) {
                 let versus = (game.setup().rules, strength, saved.company.hand);
@@ -124,7 +124,7 @@ impl Results {
 
 /// The seat of the only person in a game, and the strength of the computer on the other side.
 fn against_computer(saved: &SavedGame) -> Option<(Seat, Strength)> {
-    let setup = saved.record.setup();
+    let setup = &saved.record.setup;
     let is = |seat: &Seat, player| saved.company.players[*seat as usize] == player;
     let seats = || { Seat::ALL.into_iter() }.filter(|seat| setup.hands.plays(*seat));
     let mut people = seats().filter(|seat| is(seat, Player::Person));

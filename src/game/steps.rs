@@ -25,10 +25,8 @@ pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
     let way = seat.turn_back(stroke.velocity.try_normalize()?);
     let degrees = deg_from_rad(way.to_angle());
     let direction = (degrees * STEPS_PER_DEGREE).round() / STEPS_PER_DEGREE;
-    let speed = (stroke.velocity.length() * STEPS_PER_SPEED)
-        .round()
-        .max(1.0)
-        / STEPS_PER_SPEED;
+    let steps = (stroke.velocity.length() * STEPS_PER_SPEED).round();
+    let speed = steps.max(1.0) / STEPS_PER_SPEED;
     Some(Motion {
         velocity: speed * seat.turn(heading(direction.rem_euclid(360.0))),
         ..stroke

@@ -69,6 +69,7 @@ impl Stroke {
             });
         }
         let mut events = shot.events().iter();
+        let pocketed = shot.fallen().filter_map(|disc| piece_of(coins, disc));
         let left = coins
             .iter()
             .zip(shot.final_states().skip(1))
@@ -79,10 +80,7 @@ impl Stroke {
             });
         Ok(Self {
             touched: events.any(|event| event.kind.partner(0).is_some()),
-            pocketed: shot
-                .fallen()
-                .filter_map(|disc| piece_of(coins, disc))
-                .collect(),
+            pocketed: pocketed.collect(),
             left: left.collect(),
         })
     }

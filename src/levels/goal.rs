@@ -93,11 +93,11 @@ pub enum HitMeasure {
 }
 
 impl HitMeasure {
-    /// The disc to which the quantity belongs; `None` if the quantity belongs to both discs.
-    pub(super) const fn disc(self) -> Option<usize> {
+    /// The name of the disc to which the quantity belongs; empty if it belongs to both discs.
+    pub(super) fn name(self, scene: &Scene) -> String {
         match self {
-            Self::Speed(disc) | Self::Turn(disc) | Self::Energy(disc) => Some(disc),
-            Self::Separation => None,
+            Self::Speed(disc) | Self::Turn(disc) | Self::Energy(disc) => scene.name(disc),
+            Self::Separation => String::new(),
         }
     }
 
@@ -273,9 +273,7 @@ impl Goal {
             }
             Self::FirstHit { measure, range } => {
                 let between = measure.between(range);
-                let name = measure
-                    .disc()
-                    .map_or(String::new(), |disc| scene.name(disc));
+                let name = measure.name(scene);
                 match measure {
                     HitMeasure::Speed(_) if range.from <= 0.0 => {
                         let most = tidy(range.to);
@@ -287,10 +285,9 @@ impl Goal {
                     HitMeasure::Turn(_) => {
                         format!("Send {name} off at {between} from the line of the shot.")
                     }
-                    HitMeasure::Separation => format!(
-                        "Make the angle between the paths \
-                         {between}."
-                    ),
+                    HitMeasure::Separation => {
+                        format!("Make the angle between the paths {between}.")
+                    }
                     HitMeasure::Energy(_) => {
                         format!("Give {name} {between} of the energy in the first hit.")
                     }

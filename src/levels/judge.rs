@@ -131,9 +131,7 @@ impl Goal {
                 )
             }
             Self::FirstHit { measure, range } => {
-                let name = measure
-                    .disc()
-                    .map_or(String::new(), |disc| scene.name(disc));
+                let name = measure.name(scene);
                 let hit = FirstImpact::of(shot).ok_or(Missing::Part);
                 let number = match hit.and_then(|hit| hit.shows(*measure, shot)) {
                     Ok(number) => number,

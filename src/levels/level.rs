@@ -238,18 +238,9 @@ fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
 
 /// Replaces the line breaks in a text with spaces, except for empty lines between paragraphs.
 fn paragraphs(text: &str) -> String {
-    let mut paragraphs = vec![String::new()];
-    for line in text.lines().map(str::trim) {
-        match paragraphs.last_mut() {
-            _ if line.is_empty() => paragraphs.push(String::new()),
-            Some(paragraph) if paragraph.is_empty() => paragraph.push_str(line),
-            Some(paragraph) => {
-                paragraph.push(' ');
-                paragraph.push_str(line);
-            }
-            None => {}
-        }
-    }
-    paragraphs.retain(|paragraph| !paragraph.is_empty());
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    let paragraphs = lines.split(|line| line.is_empty());
+    let paragraphs = paragraphs.filter(|lines| !lines.is_empty());
+    let paragraphs: Vec<String> = paragraphs.map(|lines| lines.join(" ")).collect();
     paragraphs.join("\n\n")
 }

@@ -96,11 +96,8 @@ impl Scene {
 
     /// The initial motion of each disc: all discs are at rest except the disc that is shot.
     pub fn motions(&self) -> Vec<Motion> {
-        let mut motions: Vec<_> = self
-            .pieces
-            .iter()
-            .map(|piece| Motion::at_rest(piece.at))
-            .collect();
+        let at_rest = self.pieces.iter().map(|piece| Motion::at_rest(piece.at));
+        let mut motions: Vec<_> = at_rest.collect();
         if let Some(motion) = motions.get_mut(self.stroke.disc) {
             motion.velocity = self.stroke.velocity();
         }

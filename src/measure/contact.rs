@@ -2,9 +2,10 @@
 
 use glam::{DVec2, dvec2};
 
+use super::Fault;
 use super::model::State;
 use super::track::{Leg, Point, Track};
-use super::{Fault, plural};
+use crate::numbers::counted;
 
 /// The minimum number of points of each body on each side of the contact: a straight line requires
 /// two, and an estimate of the noise one more.
@@ -63,7 +64,7 @@ pub(super) fn guesses(tracks: &[Track; 2]) -> Result<Vec<State>, Fault> {
                 "expected at least {FEWEST} points of {} before the contact and {FEWEST} after it, \
                  found {}",
                 track.name,
-                plural(count, "point")
+                counted(count, "point")
             )));
         }
     }

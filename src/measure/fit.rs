@@ -1,7 +1,10 @@
 //! The fit to both tracks: the kind of motion that the data require, the noise, and the estimate of
 //! any quantity with its uncertainty.
 
+use std::array::from_fn;
 use std::f64::consts::PI;
+
+use glam::DVec2;
 
 use super::contact::{FEWEST, guesses, leg, refuse_exchanged};
 use super::model::{CHANNELS, Matrix, Model, Normal, PARAMETERS, State, Vector, descend, dot};
@@ -137,8 +140,7 @@ impl TracksFit {
             .each_ref()
             .map(|track| thinned(&track.points, middle));
         let points = [thin[0].as_slice(), thin[1].as_slice()];
-        let (mut fit, test) = Self::of_points(&guesses, points, slowing)?;
-        fit.test = test;
+        let mut fit = Self::of_points(&guesses, points, slowing)?;
         if !fit.is_collision() {
             return Err(Fault::new(
                 "expected a collision, found two paths without a clear change of velocity: the \
@@ -150,23 +152,15 @@ impl TracksFit {
         let time = fit.state.time();
         for (body, track) in tracks.iter().enumerate() {
             for side in LEGS {
-                fit.counts[body][side as usize] = leg(&track.points, time, side).len();
-            }
-            if let Some(side) = LEGS
-                .iter()
-                .find(|it| fit.counts[body][**it as usize] < FEWEST)
-            {
-                let count = fit.counts[body][*side as usize];
-                let side = if *side == Leg::Before {
-                    "before"
-                } else {
-                    "after"
-                };
-                return Err(Fault::new(format!(
-                    "expected at least {FEWEST} points of {} {side} the contact at {time:.3} s, \
-                     found {count}",
-                    track.name
-                )));
+                let count = leg(&track.points, time, side).len();
+                if count < FEWEST {
+                    return Err(Fault::new(format!(
+                        "expected at least {FEWEST} points of {} {side} the contact at {time:.3} s, \
+                         found {count}",
+                        track.name
+                    )));
+                }
+                fit.counts[body][side as usize] = count;
             }
         }
         fit.gap = gap(tracks, time);
@@ -177,18 +171,17 @@ impl TracksFit {
         guesses: &[State],
         points: [&[Point]; 2],
         slowing: SlowingDown,
-    ) -> Result<(Self, Option<SlowingTest>), Fault> {
+    ) -> Result<Self, Fault> {
         let unfit = || {
             Fault::new(
                 "expected a collision, found tracks that do not determine a contact: the bodies \
                  miss each other, do not move, or have too few points",
             )
         };
-        let straight = Model::default();
-        let starts: Vec<_> = guesses.iter().flat_map(|it| around(it, points)).collect();
-        let straight = Self::best(&starts, &straight, points).ok_or_else(unfit)?;
+        let starts = guesses.iter().flat_map(|it| around(it, points));
+        let straight = Self::best(starts, &Model::default(), points).ok_or_else(unfit)?;
         if slowing == SlowingDown::Never {
-            return Ok((straight, None));
+            return Ok(straight);
         }
         let moves = |fit: &Self, body, side| {
             let speed = fit.estimate(|state| Some(state.velocity(body, side).length()));
@@ -203,11 +196,8 @@ impl TracksFit {
         let starts: Vec<_> = guesses.iter().chain([&straight.state]).collect();
         let mut slow = None;
         for _ in 0..=2 {
-            let starts: Vec<_> = starts
-                .iter()
-                .flat_map(|it| slower(it, &model, points))
-                .collect();
-            slow = Self::best(&starts, &model, points).filter(|it| it.freedom() >= 1.0);
+            let starts = starts.iter().flat_map(|it| slower(it, &model, points));
+            slow = Self::best(starts, &model, points).filter(|it| it.freedom() >= 1.0);
             let mut slowing = (0..2).filter(|body| model.slows[*body][0]);
             // If straight lines are fitted to the paths of slowing bodies, a body at rest seems to move.
             let at_rest = match &slow {
@@ -221,7 +211,7 @@ impl TracksFit {
             model.slows[body] = [false, moves(&straight, body, Leg::After)];
         }
         let Some(slow) = slow else {
-            return Ok((straight, None));
+            return Ok(straight);
         };
         let model = slow.model;
         let again = descend(straight.state, &straight.model, &slow.weights, points);
@@ -236,13 +226,21 @@ impl TracksFit {
             is_slowing: (0..2).all(|body| slow.state.slowing(body) >= 0.0),
         };
         let slows = slowing == SlowingDown::Always || test.p < LEVEL;
-        Ok((if slows { slow } else { straight }, Some(test)))
+        let chosen = if slows { slow } else { straight };
+        Ok(Self {
+            test: Some(test),
+            ..chosen
+        })
     }
 
     /// The best fit from any of these starts, with the noise estimated from its residuals.
-    fn best(starts: &[State], model: &Model, points: [&[Point]; 2]) -> Option<Self> {
-        let fits = starts.iter().filter_map(|start| {
-            let (state, normal) = descend(*start, model, &[1.0; CHANNELS], points)?;
+    fn best(
+        starts: impl Iterator<Item = State>,
+        model: &Model,
+        points: [&[Point]; 2],
+    ) -> Option<Self> {
+        let fits = starts.filter_map(|start| {
+            let (state, normal) = descend(start, model, &[1.0; CHANNELS], points)?;
             let chi2 = normal.chi2(&state, model, &[1.0; CHANNELS]);
             Some((state, chi2))
         });
@@ -267,25 +265,18 @@ impl TracksFit {
             let used = normal.used(&covariance, &weights);
             // Positions printed to a few figures have at least this noise.
             let least = 1e-9 * extent(points);
-            let mut freedom = [0.0; CHANNELS];
-            let mut noise = [0.0; CHANNELS];
-            for channel in 0..CHANNELS {
-                freedom[channel] = normal.count[channel] - used[channel];
-                if freedom[channel] < 0.5 {
-                    return None;
-                }
+            let freedom: [f64; CHANNELS] = from_fn(|channel| normal.count[channel] - used[channel]);
+            if freedom.iter().any(|freedom| *freedom < 0.5) {
+                return None;
             }
             is_pooled = freedom.iter().any(|freedom| *freedom < FEW);
-            for channel in 0..CHANNELS {
-                let other = if is_pooled {
-                    (channel + 2) % CHANNELS
-                } else {
-                    channel
-                };
+            let noise: [f64; CHANNELS] = from_fn(|channel| {
+                let apart = if is_pooled { 2 } else { 0 };
+                let other = (channel + apart) % CHANNELS;
                 let squares = normal.squares[channel] + normal.squares[other];
                 let variance = squares / (freedom[channel] + freedom[other]);
-                noise[channel] = variance.sqrt().max(least);
-            }
+                variance.sqrt().max(least)
+            });
             weights = noise.map(|sigma| 1.0 / (sigma * sigma));
             last = Some((normal, freedom, noise));
         }
@@ -321,12 +312,13 @@ impl TracksFit {
         };
         let agrees = (found.value - radii).abs() <= CONTRADICTS * sigma;
         let better = agrees.then(|| Self::weighted(self.state, &model, self.weights, points));
+        let better = better.flatten();
         let apart = Apart {
             found,
             radii,
-            agrees: matches!(better, Some(Some(_))),
+            agrees: better.is_some(),
         };
-        if let Some(Some(better)) = better {
+        if let Some(better) = better {
             let test = self.test;
             *self = Self { test, ..better };
         }
@@ -427,29 +419,19 @@ impl TracksFit {
         of: &impl Fn(&State) -> Option<f64>,
         difference: &impl Fn(f64) -> f64,
     ) -> Option<Vector> {
-        let mut gradient = [0.0; PARAMETERS];
-        for (i, slope) in gradient.iter_mut().enumerate() {
-            *slope = self.slope(i, of, difference)?;
-        }
-        Some(gradient)
-    }
-
-    fn slope(
-        &self,
-        parameter: usize,
-        of: &impl Fn(&State) -> Option<f64>,
-        difference: &impl Fn(f64) -> f64,
-    ) -> Option<f64> {
-        let step = 0.1 * self.covariance[parameter][parameter].max(0.0).sqrt();
-        if step <= 0.0 {
-            return Some(0.0);
-        }
-        let moved = |by: f64| {
+        let moved = |parameter: usize, by: f64| {
             let mut state = self.state;
             state.0[parameter] += by;
             of(&state)
         };
-        Some(difference(moved(step)? - moved(-step)?) / (2.0 * step))
+        let mut gradient = [0.0; PARAMETERS];
+        for (i, slope) in gradient.iter_mut().enumerate() {
+            let step = 0.1 * self.covariance[i][i].max(0.0).sqrt();
+            if step > 0.0 {
+                *slope = difference(moved(i, step)? - moved(i, -step)?) / (2.0 * step);
+            }
+        }
+        Some(gradient)
     }
 
     /// The residuals of a body's points as multiples of the noise: the time, x and y.
@@ -469,26 +451,23 @@ impl TracksFit {
 
 /// Starting states slightly earlier and later than a guess. Without them, the fit could get stuck
 /// at a time of contact at which a row passes from one leg to the other.
-fn around(guess: &State, points: [&[Point]; 2]) -> Vec<State> {
-    let times: Vec<f64> = points
-        .iter()
-        .flat_map(|it| it.iter().map(|point| point.t))
-        .collect();
-    let longest = times.iter().fold(f64::MIN, |a, b| a.max(*b));
-    let shortest = times.iter().fold(f64::MAX, |a, b| a.min(*b));
-    let step = (longest - shortest) / points[0].len().max(2) as f64;
-    let mut starts = Vec::new();
-    for by in [-1.0, 0.0, 1.0] {
+fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {
+    let times = || points.into_iter().flatten().map(|point| point.t);
+    let (first, last) = (
+        times().fold(f64::MAX, f64::min),
+        times().fold(f64::MIN, f64::max),
+    );
+    let step = (last - first) / points[0].len().max(2) as f64;
+    [-1.0, 0.0, 1.0].map(|by| {
         let mut start = *guess;
         start.set_time(guess.time() + by * step);
-        starts.push(start);
-    }
-    starts
+        start
+    })
 }
 
 /// Starting states for legs that slow down: from a small deceleration to a stop soon after the
 /// contact.
-fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> Vec<State> {
+fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> [State; 3] {
     let duration = |body: usize| {
         let last = points[body].last().map_or(0.0, |point| point.t);
         (last - start.time()).max(1e-9)
@@ -514,18 +493,14 @@ fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> Vec<State> {
         }
         state
     };
-    [0.1, 1.0, 4.0].map(slowed).to_vec()
+    [0.1, 1.0, 4.0].map(slowed)
 }
 
 /// The size of the region that the tracks cover, in metres.
 fn extent(points: [&[Point]; 2]) -> f64 {
-    let all = || points.iter().flat_map(|it| it.iter().map(|point| point.at));
-    let Some(first) = all().next() else {
-        return 0.0;
-    };
-    let low = all().fold(first, |a, b| a.min(b));
-    let high = all().fold(first, |a, b| a.max(b));
-    low.distance(high)
+    let all = || points.into_iter().flatten().map(|point| point.at);
+    let (low, high) = (all().reduce(DVec2::min), all().reduce(DVec2::max));
+    low.zip(high).map_or(0.0, |(low, high)| low.distance(high))
 }
 
 /// How strongly neighbouring residuals are correlated (von Neumann's ratio, converted to a standard
@@ -557,12 +532,8 @@ fn gap(tracks: &[Track; 2], time: f64) -> (f64, f64) {
         if let (Some(before), Some(after)) = (before, after) {
             longest = longest.max(after.t - before.t);
         }
-        steps.extend(
-            track
-                .points
-                .windows(2)
-                .filter_map(|pair| Some(pair.last()?.t - pair.first()?.t)),
-        );
+        let pairs = track.points.windows(2);
+        steps.extend(pairs.filter_map(|pair| Some(pair.last()?.t - pair.first()?.t)));
     }
     steps.sort_by(f64::total_cmp);
     (longest, steps.get(steps.len() / 2).copied().unwrap_or(0.0))

@@ -1,35 +1,27 @@
 //! A measurement as one JSON object.
 
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::fit::LEVEL;
 use super::{LineFrom, Measurement, QUANTITIES, Unit};
-
-#[derive(Serialize)]
-struct PrintedQuantity {
-    value: f64,
-    /// Half the width of the 68 % interval.
-    uncertainty: f64,
-    interval_95: [f64; 2],
-    degrees_of_freedom: f64,
-}
 
 impl Measurement {
     /// The whole measurement as JSON. If a quantity is not defined, only the reason is given, as
     /// `unknown`.
     pub fn json(&self) -> Value {
         let mut quantities = Map::new();
-        for quantity in &QUANTITIES {
+        for quantity in QUANTITIES.iter() {
             let unit = quantity.unit;
             let value = match self.estimate(quantity) {
                 Ok(it) => {
                     let reach = it.uncertainty95();
-                    json!(PrintedQuantity {
-                        value: unit.in_unit(it.value),
-                        uncertainty: unit.in_unit(it.uncertainty()),
-                        interval_95: [it.value - reach, it.value + reach].map(|x| unit.in_unit(x)),
-                        degrees_of_freedom: it.freedom,
+                    let interval = [it.value - reach, it.value + reach];
+                    json!({
+                        "value": unit.in_unit(it.value),
+                        // Half the width of the 68 % interval.
+                        "uncertainty": unit.in_unit(it.uncertainty()),
+                        "interval_95": interval.map(|x| unit.in_unit(x)),
+                        "degrees_of_freedom": it.freedom,
                     })
                 }
                 Err(reason) => json!({ "unknown": reason }),

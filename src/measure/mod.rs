@@ -2,8 +2,8 @@
 //! exact prediction, and every result has an uncertainty.
 //!
 //! [`read()`] reads the tracks, and [`Measurement::new`] analyses them. Uncertainties follow from
-//! the scatter of the points about the fitted paths; `coverage` checks with simulated measurements
-//! that the 68 % and 95 % intervals contain the true values that often.
+//! the scatter of the points about the fitted paths; `tests/coverage.rs` checks with simulated
+//! measurements that the 68 % and 95 % intervals contain the true values that often.
 
 mod contact;
 mod film;
@@ -17,9 +17,7 @@ mod track;
 mod words;
 
 #[cfg(test)]
-mod coverage;
-#[cfg(test)]
-mod simulated;
+mod tests;
 
 use crate::files::FileError;
 
@@ -158,13 +156,12 @@ impl Measurement {
         quantities::measured(quantity, &self.fit, &self.known, self.names())
     }
 
-    /// A quantity by its name.
-    pub(crate) fn quantity(
-        &self,
-        id: &str,
-    ) -> Option<(&'static Quantity, Result<Estimate, String>)> {
-        let quantity = QUANTITIES.iter().find(|quantity| quantity.id == id)?;
-        Some((quantity, self.estimate(quantity)))
+    /// The quantity with this id and its estimate, or why there is none.
+    pub(crate) fn quantity(&self, id: &str) -> Result<(&'static Quantity, Estimate), String> {
+        let mut all = QUANTITIES.iter();
+        let quantity = all.find(|quantity| quantity.id == id);
+        let quantity = quantity.ok_or_else(|| format!("no quantity {id}"))?;
+        Ok((quantity, self.estimate(quantity)?))
     }
 
     /// The motion that is predicted from nothing but the state before the contact.
@@ -175,9 +172,4 @@ impl Measurement {
         state.set_velocity(1, Leg::After, v2);
         Some(state)
     }
-}
-
-/// A count of points.
-fn plural(count: usize, what: &str) -> String {
-    crate::numbers::counted(count, what)
 }

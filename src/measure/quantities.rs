@@ -1,5 +1,7 @@
 //! Every reported quantity, as a function of the fitted state.
 
+use std::sync::LazyLock;
+
 use glam::DVec2;
 
 use super::Given;
@@ -25,45 +27,66 @@ pub(crate) enum Unit {
 }
 
 impl Unit {
+    /// The sign after a number, the ending of a quantity's name in JSON, and the factor from SI
+    /// units.
+    const fn facts(self) -> (&'static str, &'static str, f64) {
+        match self {
+            Self::Seconds => ("s", "_s", 1.0),
+            Self::Speed => ("m/s", "_m_s", 1.0),
+            Self::Slowing => ("m/s²", "_m_s2", 1.0),
+            Self::Length => ("mm", "_mm", mm_from_m(1.0)),
+            Self::Angle => ("°", "_deg", deg_from_rad(1.0)),
+            Self::Momentum => ("g m/s", "_g_m_s", 1000.0),
+            Self::Energy => ("mJ", "_mj", 1000.0),
+            Self::Percent => ("%", "_percent", 100.0),
+            Self::Number => ("", "", 1.0),
+        }
+    }
+
     /// The sign after a number.
     pub(crate) const fn sign(self) -> &'static str {
-        match self {
-            Self::Seconds => "s",
-            Self::Speed => "m/s",
-            Self::Slowing => "m/s²",
-            Self::Length => "mm",
-            Self::Angle => "°",
-            Self::Momentum => "g m/s",
-            Self::Energy => "mJ",
-            Self::Percent => "%",
-            Self::Number => "",
-        }
+        self.facts().0
     }
 
     /// The unit as the ending of a quantity's name in JSON.
     pub(crate) const fn ending(self) -> &'static str {
-        match self {
-            Self::Seconds => "_s",
-            Self::Speed => "_m_s",
-            Self::Slowing => "_m_s2",
-            Self::Length => "_mm",
-            Self::Angle => "_deg",
-            Self::Momentum => "_g_m_s",
-            Self::Energy => "_mj",
-            Self::Percent => "_percent",
-            Self::Number => "",
-        }
+        self.facts().1
     }
 
     /// Converts a value from SI units to this unit.
     pub(crate) fn in_unit(self, value: f64) -> f64 {
-        match self {
-            Self::Length => mm_from_m(value),
-            Self::Angle => deg_from_rad(value),
-            Self::Momentum | Self::Energy => 1000.0 * value,
-            Self::Percent => 100.0 * value,
-            Self::Seconds | Self::Speed | Self::Slowing | Self::Number => value,
+        value * self.facts().2
+    }
+
+    /// A quantity with this unit.
+    fn of(
+        self,
+        id: impl Into<String>,
+        name: impl Into<String>,
+        needs: &[Need],
+        of: impl Fn(&State, &Known) -> Option<f64> + Send + Sync + 'static,
+    ) -> Quantity {
+        Quantity {
+            id: id.into(),
+            name: name.into(),
+            unit: self,
+            needs: needs.to_vec(),
+            of: Box::new(of),
         }
+    }
+
+    /// Both components of a vector; their ids and names have x and y in place of the asterisk.
+    fn components(
+        self,
+        id: &str,
+        name: &str,
+        needs: &[Need],
+        of: impl Fn(&State, &Known) -> Option<DVec2> + Copy + Send + Sync + 'static,
+    ) -> [Quantity; 2] {
+        [("x", 0), ("y", 1)].map(|(axis, at)| {
+            let [id, name] = [id, name].map(|it| it.replace('*', axis));
+            self.of(id, name, needs, move |s, k| Some(of(s, k)?[at]))
+        })
     }
 }
 
@@ -123,315 +146,132 @@ pub(crate) enum Need {
 /// A reported quantity.
 pub(crate) struct Quantity {
     /// The name of the quantity in JSON, without the unit.
-    pub(crate) id: &'static str,
+    pub(crate) id: String,
     /// The name of the quantity in a table.
-    pub(crate) name: &'static str,
+    pub(crate) name: String,
     pub(crate) unit: Unit,
-    pub(crate) needs: &'static [Need],
-    pub(crate) of: fn(&State, &Known) -> Option<f64>,
-}
-
-const M1_BEFORE: Need = Need::Moves(0, Before);
-const M1_AFTER: Need = Need::Moves(0, After);
-const M2_AFTER: Need = Need::Moves(1, After);
-
-macro_rules! quantity {
-    ($id:literal, $name:literal, $unit:ident, [$($need:expr),*], $of:expr) => {
-        Quantity { id: $id, name: $name, unit: Unit::$unit, needs: &[$($need),*], of: $of }
-    };
+    pub(crate) needs: Vec<Need>,
+    pub(crate) of: Box<dyn Fn(&State, &Known) -> Option<f64> + Send + Sync>,
 }
 
 /// All quantities, in the order of reporting.
-pub(crate) static QUANTITIES: [Quantity; 46] = [
-    quantity!("contact_time", "time of contact", Seconds, [], |s, _| Some(
-        s.time()
-    )),
-    quantity!("u1_x", "u₁ along x", Speed, [], |s, _| Some(
-        s.velocity(0, Before).x
-    )),
-    quantity!("u1_y", "u₁ along y", Speed, [], |s, _| Some(
-        s.velocity(0, Before).y
-    )),
-    quantity!("u1", "speed u₁", Speed, [M1_BEFORE], |s, _| speed(
-        s, 0, Before
-    )),
-    quantity!(
-        "u1_direction",
-        "direction of u₁",
-        Angle,
-        [M1_BEFORE],
-        |s, _| direction(s, 0, Before)
-    ),
-    quantity!("u2_x", "u₂ along x", Speed, [], |s, _| Some(
-        s.velocity(1, Before).x
-    )),
-    quantity!("u2_y", "u₂ along y", Speed, [], |s, _| Some(
-        s.velocity(1, Before).y
-    )),
-    quantity!(
-        "u2",
-        "speed u₂",
-        Speed,
-        [Need::Moves(1, Before)],
-        |s, _| speed(s, 1, Before)
-    ),
-    quantity!(
-        "u2_direction",
-        "direction of u₂",
-        Angle,
-        [Need::Moves(1, Before)],
-        |s, _| { direction(s, 1, Before) }
-    ),
-    quantity!("v1_x", "v₁ along x", Speed, [], |s, _| Some(
-        s.velocity(0, After).x
-    )),
-    quantity!("v1_y", "v₁ along y", Speed, [], |s, _| Some(
-        s.velocity(0, After).y
-    )),
-    quantity!("v1", "speed v₁", Speed, [M1_AFTER], |s, _| speed(
-        s, 0, After
-    )),
-    quantity!(
-        "v1_direction",
-        "direction of v₁",
-        Angle,
-        [M1_AFTER],
-        |s, _| direction(s, 0, After)
-    ),
-    quantity!("v2_x", "v₂ along x", Speed, [], |s, _| Some(
-        s.velocity(1, After).x
-    )),
-    quantity!("v2_y", "v₂ along y", Speed, [], |s, _| Some(
-        s.velocity(1, After).y
-    )),
-    quantity!("v2", "speed v₂", Speed, [M2_AFTER], |s, _| speed(
-        s, 1, After
-    )),
-    quantity!(
-        "v2_direction",
-        "direction of v₂",
-        Angle,
-        [M2_AFTER],
-        |s, _| direction(s, 1, After)
-    ),
-    quantity!(
-        "deceleration1",
-        "deceleration of body 1",
-        Slowing,
-        [Need::Slows(0)],
-        |s, _| { Some(s.slowing(0)) }
-    ),
-    quantity!(
-        "deceleration2",
-        "deceleration of body 2",
-        Slowing,
-        [Need::Slows(1)],
-        |s, _| { Some(s.slowing(1)) }
-    ),
-    quantity!("line_of_impact", "line of impact n", Angle, [], |s, k| {
-        Some(line(s, k).to_angle())
-    }),
-    quantity!(
-        "offset",
-        "impact parameter b",
-        Length,
-        [Need::Approach],
-        |s, _| {
+pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
+    use Need::{Approach, Masses, Moves, Radii, Slows};
+    use Unit::{Angle, Energy, Length, Momentum, Number, Percent, Seconds, Slowing, Speed};
+    let mut all = vec![Seconds.of("contact_time", "time of contact", &[], |s, _| {
+        Some(s.time())
+    })];
+    for (id, sign, body, leg) in [
+        ("u1", "u₁", 0, Before),
+        ("u2", "u₂", 1, Before),
+        ("v1", "v₁", 0, After),
+        ("v2", "v₂", 1, After),
+    ] {
+        let velocity = move |s: &State| s.velocity(body, leg);
+        let (ids, names) = (format!("{id}_*"), format!("{sign} along *"));
+        all.extend(Speed.components(&ids, &names, &[], move |s, _| Some(velocity(s))));
+        let (moves, name) = ([Moves(body, leg)], format!("speed {sign}"));
+        all.push(Speed.of(id, name, &moves, move |s, _| Some(velocity(s).length())));
+        let (id, name) = (format!("{id}_direction"), format!("direction of {sign}"));
+        all.push(Angle.of(id, name, &moves, move |s, _| Some(velocity(s).to_angle())));
+    }
+    for (id, name, body) in [
+        ("deceleration1", "deceleration of body 1", 0),
+        ("deceleration2", "deceleration of body 2", 1),
+    ] {
+        all.push(Slowing.of(id, name, &[Slows(body)], move |s, _| Some(s.slowing(body))));
+    }
+    all.extend([
+        Angle.of("line_of_impact", "line of impact n", &[], |s, k| {
+            Some(line(s, k).to_angle())
+        }),
+        Length.of("offset", "impact parameter b", &[Approach], |s, _| {
             let along = relative(s, Before).try_normalize()?;
             Some(-along.perp_dot(s.centre(1) - s.centre(0)))
-        }
-    ),
-    quantity!(
-        "alpha",
-        "impact angle α",
-        Angle,
-        [Need::Approach],
-        |s, k| { Some(-relative(s, Before).angle_to(line(s, k))) }
-    ),
-    quantity!(
-        "restitution",
-        "coefficient of restitution e",
-        Number,
-        [Need::Approach],
-        restitution
-    ),
-    quantity!(
-        "impulse_ratio",
-        "tangential/normal impulse",
-        Number,
-        [Need::Radii],
-        |s, k| {
-            let (n, change) = (line(s, k), relative(s, Before) - relative(s, After));
-            Some(change.dot(n.perp()) / change.dot(n))
-        }
-    ),
-    quantity!(
-        "mass_ratio",
-        "m₁/m₂ from Δv₂/Δv₁",
-        Number,
-        [],
-        |s, _| {
+        }),
+        Angle.of("alpha", "impact angle α", &[Approach], |s, k| {
+            Some(-relative(s, Before).angle_to(line(s, k)))
+        }),
+        Number.of(
+            "restitution",
+            "coefficient of restitution e",
+            &[Approach],
+            |s, k| {
+                let n = line(s, k);
+                Some(-relative(s, After).dot(n) / relative(s, Before).dot(n))
+            },
+        ),
+        Number.of(
+            "impulse_ratio",
+            "tangential/normal impulse",
+            &[Radii],
+            |s, k| {
+                let (n, change) = (line(s, k), relative(s, Before) - relative(s, After));
+                Some(change.dot(n.perp()) / change.dot(n))
+            },
+        ),
+        Number.of("mass_ratio", "m₁/m₂ from Δv₂/Δv₁", &[], |s, _| {
             let change = |body| s.velocity(body, After) - s.velocity(body, Before);
             let along = (change(1) - change(0)).normalize_or_zero();
             Some(-change(1).dot(along) / change(0).dot(along))
-        }
-    ),
-    quantity!(
-        "p_before_x",
-        "momentum before along x",
-        Momentum,
-        [Need::Masses],
-        |s, k| { Some(momentum(s, k, Before).x) }
-    ),
-    quantity!(
-        "p_before_y",
-        "momentum before along y",
-        Momentum,
-        [Need::Masses],
-        |s, k| { Some(momentum(s, k, Before).y) }
-    ),
-    quantity!(
-        "p_after_x",
-        "momentum after along x",
-        Momentum,
-        [Need::Masses],
-        |s, k| { Some(momentum(s, k, After).x) }
-    ),
-    quantity!(
-        "p_after_y",
-        "momentum after along y",
-        Momentum,
-        [Need::Masses],
-        |s, k| { Some(momentum(s, k, After).y) }
-    ),
-    quantity!(
-        "p_change_along",
-        "momentum change parallel to p",
-        Percent,
-        [Need::Momentum],
-        |s, k| { Some(changed(s, k)?.x) }
-    ),
-    quantity!(
-        "p_change_across",
-        "momentum change normal to p",
-        Percent,
-        [Need::Momentum],
-        |s, k| { Some(changed(s, k)?.y) }
-    ),
-    quantity!(
-        "energy_before",
-        "kinetic energy before",
-        Energy,
-        [Need::Masses],
-        |s, k| { Some(energy(s, k, Before)) }
-    ),
-    quantity!(
-        "energy_after",
-        "kinetic energy after",
-        Energy,
-        [Need::Masses],
-        |s, k| { Some(energy(s, k, After)) }
-    ),
-    quantity!(
-        "energy_kept",
-        "kinetic energy kept",
-        Percent,
-        [Need::Approach],
-        |s, k| { Some(energy(s, k, After) / energy(s, k, Before)) }
-    ),
-    quantity!(
-        "theta1",
-        "deflection θ₁",
-        Angle,
-        [M1_BEFORE, M1_AFTER],
-        |s, _| { Some(s.velocity(0, Before).angle_to(s.velocity(0, After))) }
-    ),
-    quantity!(
-        "theta2",
-        "recoil angle θ₂",
-        Angle,
-        [M1_BEFORE, M2_AFTER],
-        |s, _| { Some(-s.velocity(0, Before).angle_to(s.velocity(1, After))) }
-    ),
-    quantity!(
-        "between",
-        "angle between the paths",
-        Angle,
-        [M1_AFTER, M2_AFTER],
-        |s, _| { Some(s.velocity(0, After).angle_to(s.velocity(1, After)).abs()) }
-    ),
-    quantity!(
-        "predicted_v1_x",
-        "predicted v₁ along x",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(predicted(s, k)?[0].x) }
-    ),
-    quantity!(
-        "predicted_v1_y",
-        "predicted v₁ along y",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(predicted(s, k)?[0].y) }
-    ),
-    quantity!(
-        "predicted_v2_x",
-        "predicted v₂ along x",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(predicted(s, k)?[1].x) }
-    ),
-    quantity!(
-        "predicted_v2_y",
-        "predicted v₂ along y",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(predicted(s, k)?[1].y) }
-    ),
-    quantity!(
-        "residual_v1_x",
-        "v₁ along x − predicted",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(missed(s, k, 0)?.x) }
-    ),
-    quantity!(
-        "residual_v1_y",
-        "v₁ along y − predicted",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(missed(s, k, 0)?.y) }
-    ),
-    quantity!(
-        "residual_v2_x",
-        "v₂ along x − predicted",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(missed(s, k, 1)?.x) }
-    ),
-    quantity!(
-        "residual_v2_y",
-        "v₂ along y − predicted",
-        Speed,
-        [Need::Approach],
-        |s, k| { Some(missed(s, k, 1)?.y) }
-    ),
-    quantity!(
-        "centres_apart",
-        "distance between the centres at contact",
-        Length,
-        [],
-        |s, _| { Some(s.centre(0).distance(s.centre(1))) }
-    ),
-];
-
-fn speed(state: &State, body: usize, leg: Leg) -> Option<f64> {
-    Some(state.velocity(body, leg).length())
-}
-
-fn direction(state: &State, body: usize, leg: Leg) -> Option<f64> {
-    Some(state.velocity(body, leg).to_angle())
-}
+        }),
+    ]);
+    for (ids, names, leg) in [
+        ("p_before_*", "momentum before along *", Before),
+        ("p_after_*", "momentum after along *", After),
+    ] {
+        let total = move |s: &State, k: &Known| Some(momentum(s, k, leg));
+        all.extend(Momentum.components(ids, names, &[Masses], total));
+    }
+    for (id, name, axis) in [
+        ("p_change_along", "momentum change parallel to p", 0),
+        ("p_change_across", "momentum change normal to p", 1),
+    ] {
+        let needs = [Need::Momentum];
+        all.push(Percent.of(id, name, &needs, move |s, k| Some(changed(s, k)?[axis])));
+    }
+    for (id, name, leg) in [
+        ("energy_before", "kinetic energy before", Before),
+        ("energy_after", "kinetic energy after", After),
+    ] {
+        all.push(Energy.of(id, name, &[Masses], move |s, k| Some(energy(s, k, leg))));
+    }
+    let [u1, v1, v2] = [Moves(0, Before), Moves(0, After), Moves(1, After)];
+    all.extend([
+        Percent.of("energy_kept", "kinetic energy kept", &[Approach], |s, k| {
+            Some(energy(s, k, After) / energy(s, k, Before))
+        }),
+        Angle.of("theta1", "deflection θ₁", &[u1, v1], |s, _| {
+            Some(s.velocity(0, Before).angle_to(s.velocity(0, After)))
+        }),
+        Angle.of("theta2", "recoil angle θ₂", &[u1, v2], |s, _| {
+            Some(-s.velocity(0, Before).angle_to(s.velocity(1, After)))
+        }),
+        Angle.of("between", "angle between the paths", &[v1, v2], |s, _| {
+            Some(s.velocity(0, After).angle_to(s.velocity(1, After)).abs())
+        }),
+    ]);
+    for (ids, names, body) in [
+        ("predicted_v1_*", "predicted v₁ along *", 0),
+        ("predicted_v2_*", "predicted v₂ along *", 1),
+    ] {
+        let found = move |s: &State, k: &Known| Some(predicted(s, k)?[body]);
+        all.extend(Speed.components(ids, names, &[Approach], found));
+    }
+    for (ids, names, body) in [
+        ("residual_v1_*", "v₁ along * − predicted", 0),
+        ("residual_v2_*", "v₂ along * − predicted", 1),
+    ] {
+        let missed =
+            move |s: &State, k: &Known| Some(s.velocity(body, After) - predicted(s, k)?[body]);
+        all.extend(Speed.components(ids, names, &[Approach], missed));
+    }
+    let name = "distance between the centres at contact";
+    all.push(Length.of("centres_apart", name, &[], |s, _| {
+        Some(s.centre(0).distance(s.centre(1)))
+    }));
+    all
+});
 
 /// The velocity of body 1 relative to body 2.
 pub(super) fn relative(state: &State, leg: Leg) -> DVec2 {
@@ -445,11 +285,6 @@ pub(crate) fn line(state: &State, known: &Known) -> DVec2 {
         LineFrom::Impulse => relative(state, Before) - relative(state, After),
     }
     .normalize_or_zero()
-}
-
-fn restitution(state: &State, known: &Known) -> Option<f64> {
-    let n = line(state, known);
-    Some(-relative(state, After).dot(n) / relative(state, Before).dot(n))
 }
 
 pub(super) fn momentum(state: &State, known: &Known, leg: Leg) -> DVec2 {
@@ -485,10 +320,6 @@ pub(crate) fn predicted(state: &State, known: &Known) -> Option<[DVec2; 2]> {
     Some([impact.v1, impact.v2])
 }
 
-fn missed(state: &State, known: &Known, body: usize) -> Option<DVec2> {
-    Some(state.velocity(body, After) - predicted(state, known)?[body])
-}
-
 /// A quantity of a measurement: its estimate, or why there is none.
 pub(super) fn measured(
     quantity: &Quantity,
@@ -496,7 +327,7 @@ pub(super) fn measured(
     known: &Known,
     names: [&str; 2],
 ) -> Result<Estimate, String> {
-    for need in quantity.needs {
+    for need in &quantity.needs {
         if let Some(reason) = missing(*need, fit, known, names) {
             return Err(reason);
         }
@@ -513,10 +344,9 @@ fn missing(need: Need, fit: &TracksFit, known: &Known, names: [&str; 2]) -> Opti
     let (clear, reason) = match need {
         Need::Moves(body, leg) => {
             let speed = fit.estimate(|state| Some(state.velocity(body, leg).length()));
-            let side = if leg == Before { "before" } else { "after" };
             let most = speed.map_or(f64::NAN, |it| it.value + it.uncertainty95());
             let reason = format!(
-                "not defined: {} is at rest {side} the contact, or slower than {} m/s",
+                "not defined: {} is at rest {leg} the contact, or slower than {} m/s",
                 names[body],
                 fixed(most, 3)
             );

@@ -6,6 +6,7 @@
 //! spaces separate the columns, and a comma may be the decimal sign unless it separates them.
 
 use glam::dvec2;
+use indexmap::IndexMap;
 
 use super::track::{Point, Track};
 use crate::files::{FileError, FileErrors, Source, quoted, short_name};
@@ -277,64 +278,22 @@ fn table(file: &str, opening: &TableHead, reading: &Reading) -> Result<TrackTabl
         chosen => self::chosen(opening, chosen).map_err(refuse)?,
     };
     let mut time = None;
-    let mut bodies: Vec<(String, [Option<Column>; 2])> = Vec::new();
+    let mut bodies: IndexMap<String, [Option<Column>; 2]> = IndexMap::new();
     for (index, role) in roles {
         let text = opening.heads.get(index).copied().unwrap_or_default();
-        let unit = head(text).1;
-        let column = |factor| Column {
+        let mut column = Column {
             index,
             head: text.to_owned(),
-            factor,
+            factor: 1.0,
         };
-        let place = column(1.0).place();
+        column.factor = factor(head(text).1.as_deref(), &role, reading)
+            .map_err(|expected| refuse(format!("{}: {expected}", column.place())))?;
         match role {
-            ColumnRole::Time => {
-                let factor = match unit.as_deref() {
-                    None => Some(1.0),
-                    Some(unit) => time_unit(unit),
-                };
-                let expected = || {
-                    let found = quoted(unit.as_deref().unwrap_or_default());
-                    refuse(format!(
-                        "{place}: expected a time in s or ms, found {found}"
-                    ))
-                };
-                time.get_or_insert(column(factor.ok_or_else(expected)?));
-            }
+            ColumnRole::Time => time.get_or_insert(column),
             ColumnRole::Coordinate(body, axis) => {
-                let scale = reading.scale.map(|scale| scale[axis]);
-                let factor = match (unit.as_deref(), scale) {
-                    (None, scale) => scale.unwrap_or(1.0),
-                    (Some(unit), scale) => match (length_unit(unit), scale) {
-                        (Some(factor), _) if factor > 0.0 => factor,
-                        (Some(_), Some(scale)) => scale,
-                        (Some(_), None) if reading.takes_pixels => 0.001,
-                        (Some(_), None) => {
-                            return Err(refuse(format!(
-                                "{place}: expected --scale with the millimetres of a pixel, \
-                                 because this column is in pixels"
-                            )));
-                        }
-                        (None, _) => {
-                            let found = quoted(unit);
-                            return Err(refuse(format!(
-                                "{place}: expected a length in m, dm, cm, mm or px, found {found}"
-                            )));
-                        }
-                    },
-                };
-                let at = bodies
-                    .iter()
-                    .position(|(name, _)| *name == body)
-                    .unwrap_or_else(|| {
-                        bodies.push((body, [None, None]));
-                        bodies.len() - 1
-                    });
-                if let Some((_, columns)) = bodies.get_mut(at) {
-                    columns[axis].get_or_insert(column(factor));
-                }
+                bodies.entry(body).or_default()[axis].get_or_insert(column)
             }
-        }
+        };
     }
     let heads = || match opening.heads.as_slice() {
         [] => format!("no headings above {} columns", opening.width),
@@ -372,6 +331,31 @@ fn table(file: &str, opening: &TableHead, reading: &Reading) -> Result<TrackTabl
         time,
         bodies: whole,
     })
+}
+
+/// The factor from the unit in a column's heading to SI units.
+fn factor(unit: Option<&str>, role: &ColumnRole, reading: &Reading) -> Result<f64, String> {
+    let found = quoted(unit.unwrap_or_default());
+    let ColumnRole::Coordinate(_, axis) = role else {
+        let factor = unit.map_or(Some(1.0), time_unit);
+        return factor.ok_or_else(|| format!("expected a time in s or ms, found {found}"));
+    };
+    let scale = reading.scale.map(|scale| scale[*axis]);
+    let Some(unit) = unit else {
+        return Ok(scale.unwrap_or(1.0));
+    };
+    match (length_unit(unit), scale) {
+        (Some(factor), _) if factor > 0.0 => Ok(factor),
+        (Some(_), Some(scale)) => Ok(scale),
+        (Some(_), None) if reading.takes_pixels => Ok(0.001),
+        (Some(_), None) => Err(
+            "expected --scale with the millimetres of a pixel, because this column is in pixels"
+                .into(),
+        ),
+        (None, _) => Err(format!(
+            "expected a length in m, dm, cm, mm or px, found {found}"
+        )),
+    }
 }
 
 /// The columns found by their headings; five or three columns without headings are in the usual
@@ -461,45 +445,39 @@ fn rows(source: Source, opening: &TableHead, table: &TrackTable) -> Result<Vec<T
         if found.iter().all(|field| field.is_empty()) {
             continue;
         }
-        let field = |column: &Column| found.get(column.index).copied();
-        let made = row(table, field, &mut last, |body, t, at| {
-            if let Some(track) = tracks.get_mut(body) {
-                track.points.push(Point {
-                    t,
-                    at,
-                    weight: 1.0,
-                    line: u32::try_from(line).unwrap_or(u32::MAX),
-                });
-            }
-        });
+        let made = row(table, &found, line, &mut last, &mut tracks);
         errors += usize::from(source.accept(line, made).is_none());
     }
     source.finish(Some(tracks))
 }
 
-/// Reads a row, with a point of each body that has one in this row.
-fn row<'a>(
+/// Reads the fields of a row, with a point of each body that has one in this row.
+fn row(
     table: &TrackTable,
-    field: impl Fn(&Column) -> Option<&'a str>,
+    fields: &[&str],
+    line: usize,
     last: &mut f64,
-    mut add: impl FnMut(usize, f64, glam::DVec2),
+    tracks: &mut [Track],
 ) -> Result<(), String> {
-    let Some(t) = value(&table.time, field(&table.time))? else {
-        return Err(format!(
-            "{}: expected a time, found nothing",
-            table.time.place()
-        ));
-    };
+    let read = |column: &Column| value(column, fields.get(column.index).copied());
+    let place = || table.time.place();
+    let t =
+        read(&table.time)?.ok_or_else(|| format!("{}: expected a time, found nothing", place()))?;
     if t <= *last {
         return Err(format!(
             "{}: expected a time after {last} s, found {t} s",
-            table.time.place()
+            place()
         ));
     }
     *last = t;
-    for (body, (name, [x, y])) in table.bodies.iter().enumerate() {
-        match (value(x, field(x))?, value(y, field(y))?) {
-            (Some(x), Some(y)) => add(body, t, dvec2(x, y)),
+    for ((name, [x, y]), track) in table.bodies.iter().zip(tracks) {
+        match (read(x)?, read(y)?) {
+            (Some(x), Some(y)) => track.points.push(Point {
+                t,
+                at: dvec2(x, y),
+                weight: 1.0,
+                line: u32::try_from(line).unwrap_or(u32::MAX),
+            }),
             (None, None) => {}
             (one, _) => {
                 let lacking = if one.is_some() { y } else { x };

@@ -24,8 +24,9 @@ pub struct Track {
     pub points: Vec<Point>,
 }
 
-/// A part of a track: before or after the contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A part of a track; as text, "before" or "after".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::Display)]
+#[strum(serialize_all = "lowercase")]
 pub enum Leg {
     /// The part before the contact.
     Before,

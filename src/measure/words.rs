@@ -6,8 +6,8 @@ use super::fit::{Estimate, LEVEL};
 use super::model::State;
 use super::quantities::{changed, predicted, relative};
 use super::student::t_beyond;
-use super::{LineFrom, Measurement, SlowingDown, Unit};
-use crate::numbers::{capital, fixed, four_figures};
+use super::{LineFrom, Measurement, QUANTITIES, SlowingDown, Unit};
+use crate::numbers::{capital, fixed, four_figures, with_unit};
 
 /// A difference counts as agreement up to the first of these numbers of standard deviations, and as
 /// disagreement beyond the second. The number is rounded as it is printed.
@@ -66,12 +66,10 @@ fn bare(estimate: &Estimate, unit: Unit) -> [String; 2] {
 
 /// A value with its uncertainty: "87° ± 3°", "1.02 ± 0.03 m/s".
 fn printed(estimate: &Estimate, unit: Unit) -> String {
-    let [value, uncertainty] = bare(estimate, unit);
+    let (both, sign) = (bare(estimate, unit), unit.sign());
     match unit {
-        Unit::Angle => format!("{value}° ± {uncertainty}°"),
-        Unit::Percent => format!("{value} % ± {uncertainty} %"),
-        Unit::Number => format!("{value} ± {uncertainty}"),
-        _ => format!("{value} ± {uncertainty} {}", unit.sign()),
+        Unit::Angle | Unit::Percent => both.map(|it| with_unit(&it, sign)).join(" ± "),
+        _ => with_unit(&both.join(" ± "), sign),
     }
 }
 
@@ -118,8 +116,7 @@ fn compared(what: &str, estimate: &Estimate, exact: f64, unit: Unit, wide: f64) 
 /// A number without an uncertainty.
 fn rounded(x: f64, unit: Unit) -> String {
     match unit {
-        Unit::Angle => format!("{}°", fixed(unit.in_unit(x), 0)),
-        Unit::Percent => format!("{} %", fixed(unit.in_unit(x), 0)),
+        Unit::Angle | Unit::Percent => with_unit(&fixed(unit.in_unit(x), 0), unit.sign()),
         _ => four_figures(unit.in_unit(x)),
     }
 }
@@ -169,34 +166,32 @@ fn judged(
 impl Measurement {
     /// The quantity with this id and its uncertainty, as text.
     pub(crate) fn printed(&self, id: &str) -> String {
-        match self.quantity(id) {
-            Some((quantity, Ok(estimate))) => printed(&estimate, quantity.unit),
-            _ => "not defined".into(),
-        }
+        self.found(id).unwrap_or_else(|_| "not defined".into())
     }
 
-    /// A quantity by its name, as text.
+    /// Like [`Self::printed`], or why there is none.
+    fn found(&self, id: &str) -> Result<String, String> {
+        let (quantity, estimate) = self.quantity(id)?;
+        Ok(printed(&estimate, quantity.unit))
+    }
+
     fn text_of(&self, id: &str) -> String {
-        match self.quantity(id) {
-            Some((quantity, Ok(estimate))) => printed(&estimate, quantity.unit),
-            Some((_, Err(reason))) => reason,
-            None => String::new(),
-        }
+        self.found(id).unwrap_or_else(|reason| reason)
     }
 
-    fn estimate_of(&self, id: &str) -> Option<Estimate> {
-        self.quantity(id)?.1.ok()
+    fn estimate_of(&self, id: &str) -> Result<Estimate, String> {
+        self.quantity(id).map(|(_, estimate)| estimate)
     }
 
     /// A vector: "(1.02 ± 0.01, 0.30 ± 0.01) m/s".
-    fn vector(&self, x: &str, y: &str) -> String {
-        match (self.quantity(x), self.quantity(y)) {
-            (Some((quantity, Ok(x))), Some((_, Ok(y)))) => {
+    fn vector(&self, id: &str) -> String {
+        let [x, y] = ["x", "y"].map(|axis| self.quantity(&format!("{id}_{axis}")));
+        match (x, y) {
+            (Ok((quantity, x)), Ok((_, y))) => {
                 let [x, y] = [x, y].map(|it| bare(&it, quantity.unit).join(" ± "));
                 format!("({x}, {y}) {}", quantity.unit.sign())
             }
-            (Some((_, Err(reason))), _) => reason,
-            _ => String::new(),
+            (Err(reason), _) | (_, Err(reason)) => reason,
         }
     }
 
@@ -204,43 +199,29 @@ impl Measurement {
     pub fn sections(&self) -> Vec<ReportSection> {
         let names = self.names();
         let fit = &self.fit;
-        let noise = |body: usize| {
-            let [x, y] = [0, 1].map(|axis| Unit::Length.in_unit(fit.noise[2 * body + axis]));
-            format!(
-                "{} mm in x, {} mm in y",
-                four_figures(round2(x)),
-                four_figures(round2(y))
-            )
-        };
         let counts = |body: usize| {
             let [before, after] = fit.counts[body];
+            let noise = |axis: usize| Unit::Length.in_unit(fit.noise[2 * body + axis]);
+            let [x, y] = [0, 1].map(|axis| four_figures(round2(noise(axis))));
             format!(
-                "{before} points before the contact, {after} after it; noise {}",
-                noise(body)
+                "{before} points before the contact, {after} after it; noise {x} mm in x, {y} mm \
+                 in y"
             )
         };
         let mut data: Vec<_> = (0..2).map(|body| row(names[body], counts(body))).collect();
         data.push(row("given", self.what_is_given()));
-        data.push(row(
-            "contact",
-            format!("at {}", self.text_of("contact_time")),
-        ));
+        let contact = format!("at {}", self.text_of("contact_time"));
+        data.push(row("contact", contact));
         data.push(row("legs", self.legs()));
-        data.extend(
-            self.distance()
-                .map(|text| row("distance between the centres", text)),
-        );
+        let distance = self.distance();
+        data.extend(distance.map(|text| row("distance between the centres", text)));
         let velocity = |name: &str, body: usize, id: &str| {
             let name = format!("{name} {}", names[body]);
-            let parts = self.vector(&format!("{id}_x"), &format!("{id}_y"));
-            let size = match self.quantity(id) {
-                Some((_, Ok(_))) => {
-                    let direction = self.text_of(&format!("{id}_direction"));
-                    format!(", {} at {direction}", self.text_of(id))
-                }
-                _ => format!("; {}", self.text_of(id).replace("not defined: ", "")),
+            let size = match self.found(id) {
+                Ok(size) => format!(", {size} at {}", self.text_of(&format!("{id}_direction"))),
+                Err(reason) => format!("; {}", reason.replace("not defined: ", "")),
             };
-            row(name, parts + &size)
+            row(name, self.vector(id) + &size)
         };
         let mut velocities = vec![
             velocity("u₁", 0, "u1"),
@@ -250,86 +231,64 @@ impl Measurement {
         ];
         for (body, name) in names.iter().enumerate() {
             if fit.model.slows(body) {
-                let id = ["deceleration1", "deceleration2"][body];
-                velocities.push(row(format!("deceleration {name}"), self.text_of(id)));
+                let found = self.text_of(&format!("deceleration{}", body + 1));
+                velocities.push(row(format!("deceleration {name}"), found));
             }
         }
-        let named = |ids: &[&str]| -> Vec<ReportRow> {
-            let rows = ids.iter().filter_map(|id| {
-                let (quantity, _) = self.quantity(id)?;
-                Some(row(quantity.name, self.text_of(id)))
-            });
-            rows.collect()
-        };
-        let mut geometry = named(&["line_of_impact"]);
+        let mut geometry = self.rows(&["line_of_impact"], Self::found);
         for row in &mut geometry {
             row.text += match self.known.line {
                 LineFrom::Centres => ", from the centres at contact",
                 LineFrom::Impulse => ", from the change of the relative velocity",
             };
         }
-        geometry.extend(named(&[
-            "offset",
-            "alpha",
-            "restitution",
-            "impulse_ratio",
-            "theta1",
-            "theta2",
-            "between",
-            "mass_ratio",
-        ]));
+        let impact = ["offset", "alpha", "restitution", "impulse_ratio"];
+        geometry.extend(self.rows(&impact, Self::found));
+        let outcome = ["theta1", "theta2", "between", "mass_ratio"];
+        geometry.extend(self.rows(&outcome, Self::found));
         let mut kept = vec![
-            row("momentum before", self.vector("p_before_x", "p_before_y")),
-            row("momentum after", self.vector("p_after_x", "p_after_y")),
+            row("momentum before", self.vector("p_before")),
+            row("momentum after", self.vector("p_after")),
         ];
-        kept.extend(named(&["p_change_along", "p_change_across"]));
-        kept.extend(named(&["energy_before", "energy_after", "energy_kept"]));
-        let compared = [
-            ("v₁ along x", "v1_x"),
-            ("v₁ along y", "v1_y"),
-            ("v₂ along x", "v2_x"),
-            ("v₂ along y", "v2_y"),
-        ];
-        let predicted = compared.map(|(name, id)| {
-            let text = match (
-                self.estimate_of(id),
-                self.quantity(&format!("predicted_{id}")),
-                self.estimate_of(&format!("residual_{id}")),
-            ) {
-                (Some(found), Some((_, Ok(expected))), Some(missed)) => format!(
-                    "{}, predicted {}, difference {} ({})",
-                    printed(&found, Unit::Speed),
-                    bare(&expected, Unit::Speed).join(" ± "),
-                    bare(&missed, Unit::Speed).join(" ± "),
-                    sigmas(missed.sigmas(0.0)),
-                ),
-                (_, Some((_, Err(reason))), _) => reason,
-                _ => "not defined for this collision".into(),
-            };
-            row(name, text)
-        });
+        kept.extend(self.rows(&["p_change_along", "p_change_across"], Self::found));
+        let energies = ["energy_before", "energy_after", "energy_kept"];
+        kept.extend(self.rows(&energies, Self::found));
+        let predicted = self.rows(&["v1_x", "v1_y", "v2_x", "v2_y"], Self::beside_prediction);
+        let section = |title, rows| ReportSection { title, rows };
         vec![
-            ReportSection {
-                title: "Tracks",
-                rows: data,
-            },
-            ReportSection {
-                title: "Velocities at contact",
-                rows: velocities,
-            },
-            ReportSection {
-                title: "Collision",
-                rows: geometry,
-            },
-            ReportSection {
-                title: "Momentum and energy",
-                rows: kept,
-            },
-            ReportSection {
-                title: "Prediction from the state before the contact",
-                rows: predicted.to_vec(),
-            },
+            section("Tracks", data),
+            section("Velocities at contact", velocities),
+            section("Collision", geometry),
+            section("Momentum and energy", kept),
+            section("Prediction from the state before the contact", predicted),
         ]
+    }
+
+    /// A row for each of these quantities, with its result as `text` gives it, or why there is none.
+    fn rows(
+        &self,
+        ids: &[&str],
+        text: fn(&Self, &str) -> Result<String, String>,
+    ) -> Vec<ReportRow> {
+        let rows = ids.iter().filter_map(|id| {
+            let quantity = QUANTITIES.iter().find(|quantity| quantity.id == *id)?;
+            let text = text(self, id).unwrap_or_else(|reason| reason);
+            Some(row(&quantity.name, text))
+        });
+        rows.collect()
+    }
+
+    /// A velocity component with its prediction and the difference.
+    fn beside_prediction(&self, id: &str) -> Result<String, String> {
+        let expected = self.estimate_of(&format!("predicted_{id}"))?;
+        let missed = self.estimate_of(&format!("residual_{id}"))?;
+        Ok(format!(
+            "{}, predicted {}, difference {} ({})",
+            self.found(id)?,
+            bare(&expected, Unit::Speed).join(" ± "),
+            bare(&missed, Unit::Speed).join(" ± "),
+            sigmas(missed.sigmas(0.0)),
+        ))
     }
 
     /// The masses, the radii, the scale and e, as they were given.
@@ -355,7 +314,7 @@ impl Measurement {
 
     /// Which motion was fitted, and why.
     fn legs(&self) -> String {
-        let slows = (0..2).any(|body| self.fit.model.slows(body));
+        let slows = self.fit.model.rates() > 0;
         let kind = if slows {
             "constant deceleration"
         } else {
@@ -400,21 +359,15 @@ impl Measurement {
     /// The results of the measurement, in sentences to quote.
     pub fn sentences(&self) -> Vec<String> {
         let mut sentences = Vec::new();
-        let is_square = self.known.masses[0] == self.known.masses[1]
-            && self.quantity("u2").is_some_and(|(_, speed)| speed.is_err());
-        match self.quantity("between") {
-            Some((_, Ok(between))) if is_square && self.given.restitution >= 1.0 => {
+        let (what, wide) = ("Angle between the paths", 20_f64.to_radians());
+        let is_square =
+            self.known.masses[0] == self.known.masses[1] && self.quantity("u2").is_err();
+        match self.estimate_of("between") {
+            Ok(between) if is_square && self.given.restitution >= 1.0 => {
                 let exact = 90_f64.to_radians();
-                let wide = 20_f64.to_radians();
-                sentences.push(compared(
-                    "Angle between the paths",
-                    &between,
-                    exact,
-                    Unit::Angle,
-                    wide,
-                ));
+                sentences.push(compared(what, &between, exact, Unit::Angle, wide));
             }
-            Some((_, Ok(between))) => {
+            Ok(between) => {
                 let angle = |[v1, v2]: [DVec2; 2]| v1.angle_to(v2).abs();
                 let expected = |state: &State| Some(angle(predicted(state, &self.known)?));
                 let missed = self.fit.estimate_angle(|state| {
@@ -432,34 +385,18 @@ impl Measurement {
                         ..missed
                     };
                     let exact = between.value - missed.value;
-                    let what = "Angle between the paths";
-                    let wide = 20_f64.to_radians();
                     sentences.push(judged(what, both, &difference, exact, Unit::Angle, wide));
                 }
             }
-            Some((_, Err(reason))) => {
-                sentences.push(format!("Angle between the paths: {reason}."));
-            }
-            None => {}
+            Err(reason) => sentences.push(format!("{what}: {reason}.")),
         }
         sentences.extend(self.momentum_sentence());
-        match self.quantity("restitution") {
-            Some((_, Ok(e))) => {
-                let what = "Coefficient of restitution";
-                sentences.push(compared(
-                    what,
-                    &e,
-                    self.given.restitution,
-                    Unit::Number,
-                    0.3,
-                ));
-            }
-            Some((_, Err(reason))) => {
-                sentences.push(format!("Coefficient of restitution: {reason}."));
-            }
-            None => {}
-        }
-        if let Some(kept) = self.estimate_of("energy_kept") {
+        let what = "Coefficient of restitution";
+        sentences.push(match self.estimate_of("restitution") {
+            Ok(e) => compared(what, &e, self.given.restitution, Unit::Number, 0.3),
+            Err(reason) => format!("{what}: {reason}."),
+        });
+        if let Ok(kept) = self.estimate_of("energy_kept") {
             let what = "Kinetic energy kept";
             sentences.push(compared(what, &kept, 1.0, Unit::Percent, 0.3));
         }
@@ -470,9 +407,9 @@ impl Measurement {
 
     /// "Momentum agrees within 4 %: 1.3 σ."
     fn momentum_sentence(&self) -> Option<String> {
-        let along = match self.quantity("p_change_along")? {
-            (_, Ok(along)) => along,
-            (_, Err(reason)) => return Some(format!("Momentum: {reason}.")),
+        let along = match self.estimate_of("p_change_along") {
+            Ok(along) => along,
+            Err(reason) => return Some(format!("Momentum: {reason}.")),
         };
         let part = |state: &State, axis: usize| Some(changed(state, &self.known)?[axis]);
         let change = changed(&self.fit.state, &self.known)?.length();
@@ -502,10 +439,9 @@ impl Measurement {
 
     /// The friction of the rims: a bound on its coefficient, or why there is none.
     fn friction_sentence(&self) -> String {
-        let ratio = match self.quantity("impulse_ratio") {
-            Some((_, Ok(ratio))) => ratio,
-            Some((_, Err(reason))) => return format!("Friction of the rims: {reason}."),
-            None => return String::new(),
+        let ratio = match self.estimate_of("impulse_ratio") {
+            Ok(ratio) => ratio,
+            Err(reason) => return format!("Friction of the rims: {reason}."),
         };
         // One-sided, 95 %.
         let reach = ratio.deviation * t_beyond(0.1, ratio.freedom);
@@ -528,16 +464,9 @@ impl Measurement {
 
     /// The largest of the four differences from the prediction.
     fn largest_residual(&self) -> Option<String> {
-        let ids = [
-            "residual_v1_x",
-            "residual_v1_y",
-            "residual_v2_x",
-            "residual_v2_y",
-        ];
-        let all = ids
-            .iter()
-            .filter_map(|id| Some((id, self.estimate_of(id)?)));
-        let (_, largest) = all.max_by(|a, b| a.1.sigmas(0.0).total_cmp(&b.1.sigmas(0.0)))?;
+        let ids = ["v1_x", "v1_y", "v2_x", "v2_y"].into_iter();
+        let all = ids.filter_map(|id| self.estimate_of(&format!("residual_{id}")).ok());
+        let largest = all.max_by(|a, b| a.sigmas(0.0).total_cmp(&b.sigmas(0.0)))?;
         let e = four_figures(self.given.restitution);
         let approach = relative(&self.fit.state, super::Leg::Before).length();
         let doubt = match largest.uncertainty95() > 0.25 * approach {
@@ -551,20 +480,18 @@ impl Measurement {
             Agreement::Undecided => "is near the limit of agreement with",
             Agreement::Agrees => "agrees with",
         };
-        let e_found = self
-            .estimate_of("restitution")
-            .filter(|it| (0.0..=1.0).contains(&it.value));
         let is_other = |it: &Estimate| {
-            Agreement::of_chance(it.chance(self.given.restitution)) == Agreement::Disagrees
+            (0.0..=1.0).contains(&it.value)
+                && Agreement::of_chance(it.chance(self.given.restitution)) == Agreement::Disagrees
         };
-        let other_e = match e_found.filter(is_other) {
-            Some(found) => {
+        let other_e = match self.estimate_of("restitution") {
+            Ok(found) if is_other(&found) => {
                 let [value, _] = bare(&found, Unit::Number);
                 format!(
                     " Set e = {value} (--restitution {value}) to predict with the e found here."
                 )
             }
-            None => String::new(),
+            _ => String::new(),
         };
         let how = match self.known.line {
             LineFrom::Centres => "",
@@ -616,7 +543,7 @@ impl Measurement {
                 fixed(gap / step, 0),
             ));
         }
-        if let Some(e) = self.estimate_of("restitution")
+        if let Ok(e) = self.estimate_of("restitution")
             && e.value > 1.0
             && Agreement::of_chance(e.chance(1.0)) == Agreement::Disagrees
         {
@@ -626,7 +553,7 @@ impl Measurement {
                     .to_owned(),
             );
         }
-        let slows = (0..2).any(|body| fit.model.slows(body));
+        let slows = fit.model.rates() > 0;
         match &fit.test {
             Some(test) if slows && !test.is_slowing => warnings.push(
                 "A body speeds up: the surface is not level, the camera moves, or the paths are seen \

@@ -3,6 +3,7 @@
 use glam::DVec2;
 use strum::IntoStaticStr;
 
+use super::impact::kinetic_energy;
 use super::{Board, Disc, Motion, Slide};
 
 mod capture;
@@ -248,10 +249,8 @@ impl Shot {
     /// moves. The rotation of a pair that sticks is cut into chords of a few degrees.
     pub fn path(&self, disc: usize) -> impl Iterator<Item = Leg> + '_ {
         let legs = &self.legs[disc];
-        let free_until = self
-            .capture
-            .as_ref()
-            .map_or(self.duration, |pair| pair.time);
+        let capture = self.capture.as_ref();
+        let free_until = capture.map_or(self.duration, |pair| pair.time);
         let slides = legs.iter().enumerate().filter_map(move |(i, leg)| {
             let end = legs.get(i + 1).map_or(free_until, |next| next.time);
             let moves = leg.motion.velocity != DVec2::ZERO && end > leg.time;
@@ -264,11 +263,8 @@ impl Shot {
                     .position,
             })
         });
-        let chords = self
-            .capture
-            .iter()
-            .flat_map(move |capture| capture.chords(disc, self.duration));
-        slides.chain(chords)
+        let chords = capture.map(|pair| pair.chords(disc, self.duration));
+        slides.chain(chords.into_iter().flatten())
     }
 
     /// The final state of each disc.
@@ -295,11 +291,8 @@ impl Shot {
     }
 
     fn sum_energy(&self, velocity: impl Fn(usize) -> DVec2) -> f64 {
-        self.discs
-            .iter()
-            .enumerate()
-            .map(|(i, disc)| 0.5 * disc.mass * velocity(i).length_squared())
-            .sum()
+        let energy = |(i, disc): (usize, &Disc)| kinetic_energy(disc.mass, velocity(i));
+        self.discs.iter().enumerate().map(energy).sum()
     }
 }
 

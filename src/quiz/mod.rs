@@ -31,8 +31,7 @@ mod rounds;
 pub use families::where_to::hits;
 pub use misconceptions::{Clue, Origin, explain, named, why};
 pub(crate) use misconceptions::{Evidence, NAMED_ODDS, evidence, why_of_hit};
-pub(crate) use question::figures;
-pub(crate) use question::{AimTask, Diagnosis, Markings, Passage, RayGrade, RaysGrade};
+pub(crate) use question::{AimTask, Diagnosis, Markings, Passage, RayGrade, RaysGrade, figures};
 pub use question::{
     Answer, Confidence, Dice, Difficulty, Family, Figures, Fit, Form, Grade, Hit, Illustration,
     MIN_SEPARATION, Measure, Misconception, Pieces, Question, RIGHT_DEG, Ray, Rays, Response,

@@ -240,7 +240,7 @@ fn an_exported_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/export-1.toml");
     let (saved, game) = SavedGame::read("export-1.toml", bytes).unwrap();
     assert_eq!(saved.record.strokes(), 3);
-    assert_eq!(saved.record.setup().restitution, 1.0);
+    assert_eq!(saved.record.setup.restitution, 1.0);
     assert_eq!(Fingerprint::of(&game), saved.end);
 }
 

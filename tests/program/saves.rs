@@ -30,7 +30,7 @@ fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
     let mut record = Record::new(setup);
     let mut game = Game::new(setup);
     for _ in 0..moves {
-        record.push(random_move(&mut game, &mut chance));
+        record.moves.push(random_move(&mut game, &mut chance));
     }
     SavedGame {
         player: "Ada \"L\" \u{e9}".into(),
@@ -156,7 +156,7 @@ fn a_game_of_the_first_format_still_opens() {
     let (saved, game) = SavedGame::read("format-1.toml", bytes).unwrap();
     assert_eq!(saved.player, "Ada");
     assert_eq!(saved.record.strokes(), 30);
-    assert_eq!(saved.record.setup().restitution, 1.0);
+    assert_eq!(saved.record.setup.restitution, 1.0);
     assert_eq!(Fingerprint::of(&game), saved.end);
     // Saved again, it is the same game.
     let text = saved.text().unwrap();
@@ -173,10 +173,10 @@ fn a_game_of_the_second_format_still_opens_with_its_restitution() {
     let text = include_str!("../saves/format-2.toml");
     let (saved, game) = SavedGame::read("format-2.toml", text.as_bytes()).unwrap();
     assert_eq!(saved.record.strokes(), 30);
-    assert_eq!(saved.record.setup().restitution, 0.85);
+    assert_eq!(saved.record.setup.restitution, 0.85);
     assert_eq!(Fingerprint::of(&game), saved.end);
     // A game of this format is a match, and every stroke is played exactly as it was aimed.
-    assert_eq!(saved.record.setup().length, Length::Match);
+    assert_eq!(saved.record.setup.length, Length::Match);
     assert_eq!(saved.company.hand, PlayerHand::Exact);
     // Saved again, it is the same game.
     let again = SavedGame::read("again", saved.text().unwrap().as_bytes()).unwrap();
@@ -192,8 +192,8 @@ fn a_game_of_the_third_format_still_opens_with_its_length_and_hand() {
     let text = include_str!("../saves/format-3.toml");
     let (saved, game) = SavedGame::read("format-3.toml", text.as_bytes()).unwrap();
     assert_eq!(saved.record.strokes(), 30);
-    assert_eq!(saved.record.setup().rules, Rules::Points);
-    assert_eq!(saved.record.setup().length, Length::Board);
+    assert_eq!(saved.record.setup.rules, Rules::Points);
+    assert_eq!(saved.record.setup.length, Length::Board);
     assert_eq!(saved.company.hand, PlayerHand::Club);
     assert_eq!(saved.text().unwrap(), text);
     assert_eq!(Fingerprint::of(&game), saved.end);
@@ -246,7 +246,7 @@ fn a_board_for_one_player_is_saved_and_a_forged_one_is_refused() {
     let text = include_str!("../saves/board.toml");
     let (saved, game) = SavedGame::read("board.toml", text.as_bytes()).unwrap();
     let code = BoardCode::parse("2026-11-26").unwrap();
-    assert_eq!(saved.record.setup(), &code.setup());
+    assert_eq!(saved.record.setup, code.setup());
     assert!(game.coins().is_empty());
     assert_eq!(saved.text().unwrap(), text);
     for (from, to, expected) in [
@@ -308,7 +308,7 @@ fn print_a_board_to_pin() {
     game.player = "Ada".into();
     game.hints.clear();
     for strike in clearing(code).unwrap() {
-        game.record.push(Move::Strike(strike));
+        game.record.moves.push(Move::Strike(strike));
     }
     game.end = Fingerprint::of(&game.record.replay().unwrap());
     print!("{}", game.text().unwrap());
@@ -531,8 +531,11 @@ fn many_games_saved_at_once_do_not_harm_each_other() {
                 let mut store = Store::in_folder(path);
                 for ticket in 0..5 {
                     for moves in 1..=4 {
-                        let begun = game.record.moves().iter().take(moves).cloned();
-                        let record = Record::of(*game.record.setup(), begun.collect());
+                        let begun = game.record.moves.iter().take(moves).cloned();
+                        let record = Record {
+                            setup: game.record.setup,
+                            moves: begun.collect(),
+                        };
                         let end = Fingerprint::of(&record.replay().unwrap());
                         save(
                             &mut store,

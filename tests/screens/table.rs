@@ -1168,7 +1168,7 @@ fn an_unsteady_hand_slips_the_same_way_in_every_replay_and_saved_game() {
     let text = std::fs::read_to_string(&file).unwrap();
     let (saved, _) = SavedGame::read("game", text.as_bytes()).unwrap();
     assert_eq!(saved.company.hand, PlayerHand::Club);
-    let struck = saved.record.moves().to_vec();
+    let struck = saved.record.moves.to_vec();
     let Move::Strike(strike) = &struck[0] else {
         panic!("{struck:?}");
     };

@@ -74,11 +74,6 @@ impl Slip {
     pub(crate) fn meant_direction(self, struck: DVec2) -> DVec2 {
         (struck - struck.perp() * self.turn).normalize_or_zero()
     }
-
-    /// The error in one sentence; `stroke` is, for example, "My stroke".
-    pub(crate) fn in_words(self, stroke: &str, struck: DVec2) -> String {
-        words::slipped(stroke, self, struck)
-    }
 }
 
 /// A number with approximately the standard normal distribution: the sum of twelve uniform numbers

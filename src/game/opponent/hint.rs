@@ -51,13 +51,9 @@ impl StrokeHint {
     /// The second step of the hint: the striker's position, the aim, the speed and the reason.
     pub fn how(&self) -> String {
         let place = self.stand.phrase();
-        let aim = self
-            .stroke
-            .velocity
-            .to_angle()
-            .to_degrees()
-            .rem_euclid(360.0);
-        let speed = self.stroke.velocity.length();
+        let velocity = self.stroke.velocity;
+        let aim = velocity.to_angle().to_degrees().rem_euclid(360.0);
+        let speed = velocity.length();
         let why = capital(&words::met(&self.reason.story, Teller::You));
         let mut described =
             format!("Place the striker {place}, aim at {aim:.1}° and strike at {speed:.1} m/s.");

@@ -33,7 +33,7 @@ pub fn open_shots(game: &Game, from: DVec2) -> Vec<DVec2> {
         let toward = (coin.at - from).try_normalize()?;
         let contact = coin.at - toward * (sight.striker() + sight.coin());
         let way = Way::straight(from, contact)?;
-        way.is_clear(&sight, sight.striker(), None, Some(i))
+        way.is_clear(&sight, sight.striker(), [None, Some(i)])
             .then_some(way.toward)
     });
     full.collect()

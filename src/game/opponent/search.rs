@@ -223,10 +223,10 @@ impl Search<'_> {
 }
 
 /// The unblocked aims of one course with the largest tolerance.
-fn clearest<'a>(
+fn clearest(
     mut aims: Vec<Unchecked<ProposedStroke>>,
-    sight: &'a Sight,
-) -> impl Iterator<Item = ProposedStroke> + 'a {
+    sight: &Sight,
+) -> impl Iterator<Item = ProposedStroke> {
     aims.sort_by(|a, b| b.link.allowance.total_cmp(&a.link.allowance));
     let clear = aims.into_iter().filter_map(|aim| aim.if_clear(sight));
     clear.take(AIMS_A_COURSE)

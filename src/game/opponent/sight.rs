@@ -155,17 +155,11 @@ impl Way {
             .map_or(leaving, |(_, kept)| sight.speed_for(before, leaving / kept))
     }
 
-    /// Whether a disc of `radius` can take this path past every coin other than `own` (the disc
-    /// itself, if it is a coin) and `target` (the coin at the end of the path).
-    pub(super) fn is_clear(
-        &self,
-        sight: &Sight,
-        radius: f64,
-        own: Option<usize>,
-        target: Option<usize>,
-    ) -> bool {
+    /// Whether a disc of `radius` can take this path past every coin that does not take part: the
+    /// disc itself, if it is a coin, and the coin at the end of the path.
+    pub(super) fn is_clear(&self, sight: &Sight, radius: f64, part: [Option<usize>; 2]) -> bool {
         let turn = self.wall.map(|(at, _)| at);
-        turn.is_none_or(|at| sight.is_clear(self.from, at, radius, [own, None]))
-            && sight.is_clear(turn.unwrap_or(self.from), self.to, radius, [own, target])
+        turn.is_none_or(|at| sight.is_clear(self.from, at, radius, [part[0], None]))
+            && sight.is_clear(turn.unwrap_or(self.from), self.to, radius, part)
     }
 }

@@ -147,7 +147,7 @@ struct Fallen {
 }
 
 /// The wanted pieces that fell, in order.
-fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + 'a {
+fn falls(game: &Game, shot: &Shot) -> impl Iterator<Item = Fallen> {
     let events = shot.events().iter().enumerate();
     events.filter_map(|(when, event)| match event.kind {
         EventKind::Pocket { disc, corner } if wants(game, piece_of(game.coins(), disc)?) => {

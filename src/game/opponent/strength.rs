@@ -85,7 +85,10 @@ impl Strength {
 
     /// The maximum number of shots that the opponent simulates before one stroke.
     pub fn most_rehearsals(self) -> usize {
-        self.skill().most_rehearsals()
+        let skill = self.skill();
+        let first_look = skill.aims * skill.speeds.len() + skill.knocks;
+        // One more for the exact stroke, which the comment afterwards describes.
+        first_look + (skill.finalists + skill.refinements) * skill.slips + 1
     }
 
     pub(super) fn skill(self) -> Skill {
@@ -152,28 +155,8 @@ impl Strength {
     }
 }
 
-impl Skill {
-    pub(super) fn most_rehearsals(&self) -> usize {
-        let first_look = self.aims * self.speeds.len() + self.knocks;
-        // One more for the exact stroke, which the comment afterwards describes.
-        first_look + (self.finalists + self.refinements) * self.slips + 1
-    }
-}
-
 /// How steady the players at the keyboard are; as text, one word such as "club".
-#[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Default,
-    Serialize,
-    Deserialize,
-    IntoStaticStr,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
 pub enum PlayerHand {

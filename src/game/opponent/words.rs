@@ -41,38 +41,25 @@ pub(super) const fn pocket(corner: usize) -> &'static str {
 }
 
 /// A side of a path, as seen on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum SideOfPath {
-    Left,
-    Right,
-    Above,
-    Below,
+struct SideOfPath {
+    /// "45° to the left".
+    towards: &'static str,
+    /// "20 mm to the left of its centre".
+    beside: &'static str,
 }
 
 impl SideOfPath {
     /// The left or right side of a path along `heading`, as seen on the screen.
     fn of(heading: DVec2, left: bool) -> Self {
-        let out = if left {
-            heading.perp()
-        } else {
-            -heading.perp()
+        let side = if left { 1.0 } else { -1.0 };
+        let out = side * heading.perp();
+        let (towards, beside) = match out.x.abs() >= out.y.abs() {
+            true if out.x < 0.0 => ("to the left", "to the left of"),
+            true => ("to the right", "to the right of"),
+            false if out.y > 0.0 => ("upwards", "above"),
+            false => ("downwards", "below"),
         };
-        match out.x.abs() >= out.y.abs() {
-            true if out.x < 0.0 => Self::Left,
-            true => Self::Right,
-            false if out.y > 0.0 => Self::Above,
-            false => Self::Below,
-        }
-    }
-
-    /// "45° to the left".
-    const fn towards(self) -> &'static str {
-        ["to the left", "to the right", "upwards", "downwards"][self as usize]
-    }
-
-    /// "20 mm to the left of its centre".
-    const fn beside(self) -> &'static str {
-        ["to the left of", "to the right of", "above", "below"][self as usize]
+        Self { towards, beside }
     }
 }
 
@@ -191,9 +178,9 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
             "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its \
              centre.",
             degrees(hit.alpha),
-            SideOfPath::of(hit.heading, !right).towards(),
+            SideOfPath::of(hit.heading, !right).towards,
             mm_from_m(hit.offset.abs()),
-            SideOfPath::of(hit.heading, right).beside(),
+            SideOfPath::of(hit.heading, right).beside,
         )
     };
     let striker = match hit.theta1.filter(|_| hit.kept > NEARLY_STOPPED) {
@@ -202,7 +189,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         Some(turn) if turn.abs() > PI - FULL => format!("{goes} straight back"),
         Some(turn) => {
             let side = SideOfPath::of(hit.heading, turn > 0.0);
-            format!("{leaves} {} {}", degrees(turn), side.towards())
+            format!("{leaves} {} {}", degrees(turn), side.towards)
         }
     };
     format!("{before}{recoil} {} striker {striker}.", capital(my))
@@ -225,23 +212,26 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
     })
 }
 
-/// The error of the hand in a stroke along `heading`.
-pub(super) fn slipped(stroke: &str, slip: Slip, heading: DVec2) -> String {
-    let turned = slip.turn.atan();
-    let percent = (100.0 * slip.push).round();
-    let direction = (turned.abs() >= SMALLEST_SLIP).then(|| {
-        let side = SideOfPath::of(heading, turned > 0.0);
-        format!("{} off {}", degrees(turned), side.towards())
-    });
-    let strength = (percent != 0.0).then(|| {
-        let way = if percent > 0.0 { "hard" } else { "soft" };
-        format!("{:.0} % too {way}", percent.abs())
-    });
-    let slips: Vec<String> = direction.into_iter().chain(strength).collect();
-    if slips.is_empty() {
-        return format!("{stroke} was just right.");
+impl Slip {
+    /// The error in one sentence, in a stroke along `heading`; `stroke` is, for example, "My
+    /// stroke".
+    pub(crate) fn in_words(self, stroke: &str, heading: DVec2) -> String {
+        let turned = self.turn.atan();
+        let percent = (100.0 * self.push).round();
+        let direction = (turned.abs() >= SMALLEST_SLIP).then(|| {
+            let side = SideOfPath::of(heading, turned > 0.0);
+            format!("{} off {}", degrees(turned), side.towards)
+        });
+        let strength = (percent != 0.0).then(|| {
+            let way = if percent > 0.0 { "hard" } else { "soft" };
+            format!("{:.0} % too {way}", percent.abs())
+        });
+        let slips: Vec<String> = direction.into_iter().chain(strength).collect();
+        if slips.is_empty() {
+            return format!("{stroke} was just right.");
+        }
+        format!("{stroke} was {}.", slips.join(" and "))
     }
-    format!("{stroke} was {}.", slips.join(" and "))
 }
 
 /// The size of an angle: in tenths of a degree below 10°, in whole degrees above.
@@ -401,13 +391,13 @@ mod tests {
     fn sides_are_those_of_the_screen_for_every_seat() {
         // The strokes go up the board from South, down it from North and across it from East.
         for (heading, left, right) in [
-            (DVec2::Y, SideOfPath::Left, SideOfPath::Right),
-            (DVec2::NEG_Y, SideOfPath::Right, SideOfPath::Left),
-            (DVec2::NEG_X, SideOfPath::Below, SideOfPath::Above),
+            (DVec2::Y, "to the left of", "to the right of"),
+            (DVec2::NEG_Y, "to the right of", "to the left of"),
+            (DVec2::NEG_X, "below", "above"),
         ] {
             let turned = DVec2::from_angle(0.3).rotate(heading);
-            assert_eq!(SideOfPath::of(turned, true), left);
-            assert_eq!(SideOfPath::of(turned, false), right);
+            assert_eq!(SideOfPath::of(turned, true).beside, left);
+            assert_eq!(SideOfPath::of(turned, false).beside, right);
         }
         for (corner, at) in Board::default().pockets().enumerate() {
             let row = if at.y > 0.0 { "top" } else { "bottom" };
@@ -420,7 +410,7 @@ mod tests {
     fn only_a_noticeable_slip_is_described() {
         let slip = |turn_deg: f64, push| {
             let turn = rad_from_deg(turn_deg).tan();
-            slipped("My stroke", Slip { turn, push }, DVec2::Y)
+            Slip { turn, push }.in_words("My stroke", DVec2::Y)
         };
         assert_eq!(slip(0.0, 0.0), "My stroke was just right.");
         assert_eq!(slip(-1.24, 0.001), "My stroke was 1.2° off to the right.");

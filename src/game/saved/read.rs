@@ -89,7 +89,10 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         let expected = "expected a fingerprint of 16 hexadecimal digits";
         Fingerprint::parse(end).ok_or_else(|| expected.into())
     });
-    let record = Record::of(setup?, moves?);
+    let record = Record {
+        setup: setup?,
+        moves: moves?,
+    };
     let game = match record.replay() {
         Ok(game) => game,
         Err(error) => return fields.refuse_item("moves", error.number - 1, error.to_string()),

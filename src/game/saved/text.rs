@@ -8,9 +8,8 @@ use toml::ser::ValueSerializer;
 use super::company::BySeat;
 use super::{FORMAT, SavedGame, SeatNames, TooLarge};
 
-const HEAD: &str = "\
-# A game of carrom. `carrom replay FILE` plays it again and checks every move.
-";
+const HEAD: &str =
+    "# A game of carrom. `carrom replay FILE` plays it again and checks every move.\n";
 
 impl SavedGame {
     /// The text of the file.
@@ -35,12 +34,12 @@ impl SavedGame {
         line(&mut text, "hand", &company.hand);
         line(&mut text, "call", &company.call);
         line(&mut text, "aids", &company.aids);
-        line(&mut text, "setup", self.record.setup());
+        line(&mut text, "setup", &self.record.setup);
         if !self.hints.is_empty() {
             line(&mut text, "hints", &self.hints);
         }
         text.push_str("moves = [\n");
-        for made in self.record.moves() {
+        for made in &self.record.moves {
             let _ = writeln!(text, "  {},", value(made));
         }
         text.push_str("]\n");

@@ -188,17 +188,18 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     } else {
         "m₁v₁ + m₂v₂"
     };
-    let kept = if after.energy_rotation > 0.0 && !sticks {
-        rough::kept(after)
-    } else if after.energy_rotation > 0.0 {
+    let rotates = after.energy_rotation > 0.0;
+    let mut kept = match (sticks, rotates) {
+        (true, true) => "½ (m₁ + m₂) V² + ½ I ω²",
+        (true, false) => "½ (m₁ + m₂) V²",
+        (false, true) => "moving + rotating",
+        (false, false) => "½ m₁v₁² + ½ m₂v₂²",
+    }
+    .to_owned();
+    if rotates {
         let moving = number(after.energy_after - after.energy_rotation);
-        let turning = number(after.energy_rotation);
-        format!("½ (m₁ + m₂) V² + ½ I ω² = {moving} + {turning}")
-    } else if sticks {
-        "½ (m₁ + m₂) V²".to_owned()
-    } else {
-        "½ m₁v₁² + ½ m₂v₂²".to_owned()
-    };
+        kept += &format!(" = {moving} + {}", number(after.energy_rotation));
+    }
     let (came, left) = (number(after.energy_before), number(after.energy_after));
     let spinning = c.rims.spins != [0.0; 2] && !sticks;
     let sum = if spinning {

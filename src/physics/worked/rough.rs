@@ -114,8 +114,7 @@ fn changes(c: &Collision, after: &CollisionOutcome, t: DVec2) -> WorkedStep {
         title: "What friction changes",
         why: "Jₜ acts on the target along t and on the striker against it. The two \
               impulses are opposite and act on opposite sides of the centres, so they turn both \
-              discs in the same sense. Spins are positive \
-              anticlockwise, and radii are in m here."
+              discs in the same sense. Spins are positive anticlockwise, and radii are in m here."
             .to_owned(),
         lines,
     }
@@ -129,13 +128,6 @@ pub(super) fn knowns(c: &Collision) -> [String; 2] {
         format!("rims     friction μᵣ = {friction}"),
         format!("spins    ω₁ = {spin1} rad/s   ω₂ = {spin2} rad/s"),
     ]
-}
-
-/// The energy after the collision, with the energy of rotation, for the check.
-pub(super) fn kept(after: &CollisionOutcome) -> String {
-    let moving = number(after.energy_after - after.energy_rotation);
-    let turning = number(after.energy_rotation);
-    format!("moving + rotating = {moving} + {turning}")
 }
 
 /// The spins after the collision, in words.

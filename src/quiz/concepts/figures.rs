@@ -47,7 +47,12 @@ fn figure(asked: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
         })
         .collect::<Result<_, _>>()?;
     let (value, decimals) = match Constant::named(name) {
-        Some(constant) => (of_no_hit(constant, &fields)?, DECIMALS),
+        Some(mut constant) => {
+            for (field, value) in fields {
+                constant.set(field, value)?;
+            }
+            (constant.value(), DECIMALS)
+        }
         None => of_hit(name, &fields, hit)?,
     };
     let value = value.ok_or_else(|| format!("expected a figure, but {name} is undefined here"))?;
@@ -56,13 +61,6 @@ fn figure(asked: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     } else {
         true_minus(&short(value, decimals))
     })
-}
-
-fn of_no_hit(mut constant: Constant, fields: &[(&str, &str)]) -> Result<Option<f64>, String> {
-    for (field, value) in fields {
-        constant.set(field, value)?;
-    }
-    Ok(constant.value())
 }
 
 /// A quantity of the hit after setting these fields, and the number of decimal places to which

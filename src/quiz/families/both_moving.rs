@@ -149,8 +149,7 @@ fn frames(
                               angle between them is always the same.";
     let angle_for = |ride: &str| {
         format!(
-            "An observer moves {ride}. What angle between the two paths does \
-                              this observer see?"
+            "An observer moves {ride}. What angle between the two paths does this observer see?"
         )
     };
     // If the velocities were equal and opposite, the laboratory frame would be the centre-of-mass
@@ -262,9 +261,8 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
     let sign = if pair.way_deg == 180 { -1.0 } else { 1.0 };
     let dot = sign * f64::from(pair.speed * pair.target_speed);
     let between = |v1: f64, v2: f64| degrees((dot / (v1 * v2)).clamp(-1.0, 1.0).acos());
-    let [v1, v2] = [outcome.v1.length(), outcome.v2.length()];
-    let v1 = Intermediate::new(v1, |v1| between(v1, v2));
-    let v2 = Intermediate::new(v2, |v2| between(v1.value, v2));
+    let speeds = [outcome.v1.length(), outcome.v2.length()];
+    let [v1, v2] = Intermediate::pair(speeds, between);
     let separation = between(v1.value, v2.value);
     draft
         .named("separation", TOPIC)
@@ -306,9 +304,7 @@ fn speed(
     let (own, others) = if of_target { (u2, u1) } else { (u1, u2) };
     let truth = velocity.length();
     let speed = |along: f64, across: f64| significant(along.hypot(across));
-    let (along, across) = (others * cos, own * sin);
-    let along = Intermediate::new(along, |along| speed(along, across));
-    let across = Intermediate::new(across, |across| speed(along.value, across));
+    let [along, across] = Intermediate::pair([others * cos, own * sin], speed);
     let [taken, kept] = [others, own].map(significant);
     let all = speed(along.value, across.value);
     draft

@@ -4,15 +4,8 @@ use super::outline::Outline;
 use crate::quiz::concepts::{self, Concept};
 use crate::quiz::question::{Dice, Difficulty, Family, Illustration, Markings, Question};
 
-pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    any(Family::Concept, difficulty, dice)
-}
-
-pub(super) fn ask_more(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    any(Family::Ideas, difficulty, dice)
-}
-
-fn any(family: Family, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+/// Any question in words of this family.
+pub(super) fn ask(family: Family, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let mut concepts = concepts::of(family);
     concepts.retain(|it| it.difficulty == difficulty);
     question(dice.pick(&concepts)?, dice)

@@ -78,9 +78,7 @@ fn passed(hit: &Hit) -> Option<Question> {
     let equal = hit.masses_are_equal();
     let by_mass = PERCENT * masses.m2 / (masses.m1 + masses.m2);
     let share = |speed: f64, ratio: f64| percent(ratio * speed.powi(2));
-    let ratio = masses.m2 / masses.m1;
-    let shown = Intermediate::new(speed, |speed| share(speed, ratio));
-    let ratio = Intermediate::new(ratio, |ratio| share(shown.value, ratio));
+    let [shown, ratio] = Intermediate::pair([speed, masses.m2 / masses.m1], share);
     let passed = share(shown.value, ratio.value);
     let of_energy = if equal {
         format!("{shown}² = {passed}")
@@ -130,8 +128,8 @@ fn lost(hit: &Hit) -> Option<Question> {
     let e = hit.restitution;
     let missing = (1.0 - e) * (1.0 + e);
     let without_return = PERCENT * missing;
-    let most = Intermediate::new(lost / missing, |most| percent(most * missing));
-    let missing = Intermediate::new(missing, |missing| percent(most.value * missing));
+    let product = |most: f64, missing: f64| percent(most * missing);
+    let [most, missing] = Intermediate::pair([lost / missing, missing], product);
     Outline::about(hit)
         .named("lost", "energy-lost")
         .ask("What share of the kinetic energy is lost?")
@@ -153,6 +151,6 @@ fn lost(hit: &Hit) -> Option<Question> {
              approach along the line of impact. The share 1 − e² = {missing} of this is lost: \
              {most} × {missing} = {}.",
             bare_degrees(alpha),
-            percent(most.value * missing.value)
+            product(most.value, missing.value)
         ))
 }

@@ -53,8 +53,8 @@ static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("the centre of mass", centre_of_mass::ask),
     ("Rutherford's counts", rutherford::ask),
     ("make it so", make_it_so::ask),
-    ("ideas in words", concept::ask),
-    ("more ideas in words", concept::ask_more),
+    ("ideas in words", |difficulty, dice| concept::ask(Family::Concept, difficulty, dice)),
+    ("more ideas in words", |difficulty, dice| concept::ask(Family::Ideas, difficulty, dice)),
 ];
 
 impl Family {

@@ -182,8 +182,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
     let separation = hit.outcome().separation?;
     let between = |across: f64, along: f64| degrees(across.atan2(along));
     let along = 0.5 * (1.0 - e) * alpha.cos();
-    let across = Intermediate::new(alpha.sin(), |across| between(across, along));
-    let along = Intermediate::new(along, |along| between(across.value, along));
+    let [across, along] = Intermediate::pair([alpha.sin(), along], between);
     Outline::about(&hit)
         .named("separation", "corner-with-loss")
         .ask("What is the angle between their paths after the collision?")

@@ -164,8 +164,7 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let energy_ratio = (to_energy_mev / beam.energy_mev).powi(2);
     let product = |angle: f64, energy: f64| significant(angle * energy);
     let by_angle = times_as_many(here_deg, there_deg);
-    let by_angle = Intermediate::new(by_angle, |it| product(it, energy_ratio));
-    let by_energy = Intermediate::new(energy_ratio, |it| product(by_angle.value, it));
+    let [by_angle, by_energy] = Intermediate::pair([by_angle, energy_ratio], product);
     let [here, there] = [here_deg, there_deg].map(in_degrees);
     let [from, to] = [beam.energy_mev, to_energy_mev].map(significant);
     let draft = beam

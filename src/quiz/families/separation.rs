@@ -70,6 +70,10 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         "corner-without-loss"
     };
     let square = right == EXACTLY;
+    let (opposite, says) = match m1_g == m2_g {
+        true => (LossOpensAngle, CLOSES),
+        false => (HeavyRebounds, FOLLOWS_OR_BOUNCES),
+    };
     Outline::with_text(&hit, text, unmarked(&hit))
         .topic(topic)
         .ask("What is the angle between their paths after the collision?")
@@ -96,18 +100,8 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
             "Did you assume that the striker pushes the coin along the striker's path? Smooth rims \
              exert a force only along the line of impact.",
         )
-        .chooses(
-            match m1_g == m2_g {
-                true => LossOpensAngle,
-                false => HeavyRebounds,
-            },
-            (!square).then(|| LESS - right),
-        )
-        .says(if m1_g == m2_g {
-            CLOSES
-        } else {
-            FOLLOWS_OR_BOUNCES
-        })
+        .chooses(opposite, (!square).then(|| LESS - right))
+        .says(says)
         .why(if lossy {
             lossy_corner(right, &hit)
         } else {

@@ -165,9 +165,7 @@ fn parting(hit: &Hit) -> Option<Question> {
     let (along, across) = parts(hit);
     let separation = |rims: RimKind| rims.collision(hit).outcome().separation.map(deg_from_rad);
     let between = |along: f64, across: f64| degrees(across.atan2(along));
-    let along = share(hit) * along;
-    let shown = Intermediate::new(along, |along| between(along, across));
-    let across = Intermediate::new(across, |across| between(shown.value, across));
+    let [shown, across] = Intermediate::pair([share(hit) * along, across], between);
     RimKind::Slip
         .ask(hit, "separation", "What is the angle between their paths?")
         .number(Measure::Angle, separation(RimKind::Slip)?)
@@ -196,9 +194,7 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
     let (along, across) = parts(hit);
     let speed = |rims: RimKind| rims.collision(hit).outcome().v1.length();
     let both = |along: f64, across: f64| significant(along.hypot(across));
-    let along = share(hit) * along;
-    let along = Intermediate::new(along, |along| both(along, across));
-    let kept = Intermediate::new(across, |across| both(along.value, across));
+    let [along, kept] = Intermediate::pair([share(hit) * along, across], both);
     RimKind::Slip
         .ask(
             hit,
@@ -268,8 +264,7 @@ fn loss(hit: &Hit) -> Option<Question> {
     let (share, at_stake) = (share(hit), cos.powi(2));
     let outcome = RimKind::Slip.collision(hit).outcome();
     let percent = |of: f64, share: f64| Measure::Share.print(100.0 * of * share);
-    let shown = Intermediate::new(at_stake, |of| percent(of, 1.0 - share));
-    let lost = Intermediate::new(1.0 - share, |lost| percent(shown.value, lost));
+    let [shown, lost] = Intermediate::pair([at_stake, 1.0 - share], percent);
     RimKind::Slip
         .ask(
             hit,

@@ -26,16 +26,15 @@ fn target(hit: &Hit) -> Option<Question> {
     let lossless = speed(&hit.with_restitution(1.0));
     let along = u * alpha.cos();
     let equal = hit.masses_are_equal();
-    let times = truth / along;
-    let shown = Intermediate::new(along, |along| significant(along * times));
-    let times = Intermediate::new(times, |times| significant(shown.value * times));
+    let product = |along: f64, times: f64| significant(along * times);
+    let [shown, times] = Intermediate::pair([along, truth / along], product);
     let share = if equal && e >= 1.0 {
         format!("With equal masses and no energy lost, the {name} gets all of this.")
     } else {
         format!(
             "The {name}'s speed is (1 + e) m₁ / (m₁ + m₂) times this: {times} × {shown} m/s = {} \
              m/s.",
-            significant(times.value * shown.value)
+            product(shown.value, times.value)
         )
     };
     Outline::about(hit)

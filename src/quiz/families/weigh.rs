@@ -132,9 +132,8 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let [before, then, coin] = [u, v1, v2].map(significant);
     let [sin1, sin2] = [theta1, theta2].map(|angle| read_off_angle(angle).sin());
     let mass = |momentum: f64, speed: f64| Measure::Mass.print(momentum / speed);
-    let (momentum, speed) = (STRIKER * read_off(v1) * sin1, read_off(v2) * sin2);
-    let momentum = Intermediate::new(momentum, |momentum| mass(momentum, speed));
-    let speed = Intermediate::new(speed, |speed| mass(momentum.value, speed));
+    let read = [STRIKER * read_off(v1) * sin1, read_off(v2) * sin2];
+    let [momentum, speed] = Intermediate::pair(read, mass);
     seen.outline(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
@@ -179,8 +178,7 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
         let k = Intermediate::new(k, |k| significant(mass(k)));
         let why = format!(
             "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + \
-             θ₂)) = {k}. As k = (1 + e) m₂ / (m₁ + m₂), m₂ = {} × {k} / (1 + {} − {k}) \
-             = {}.",
+             θ₂)) = {k}. As k = (1 + e) m₂ / (m₁ + m₂), m₂ = {} × {k} / (1 + {} − {k}) = {}.",
             significant(STRIKER),
             significant(e),
             found(mass(k.value))

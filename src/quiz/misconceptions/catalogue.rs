@@ -71,11 +71,9 @@ impl Misconception {
     /// The page that corrects the misconception in a question about this topic with these figures.
     pub(crate) fn settled_in(self, topic: &Topic, figures: &Figures) -> Passage {
         let names = Self::names_of_case(topic, figures);
-        let elsewhere = &self.description().elsewhere;
-        let is_for = |it: &&Elsewhere, name: &str| it.topics.iter().any(|topic| topic == name);
-        let found = names
-            .iter()
-            .find_map(|name| elsewhere.iter().find(|it| is_for(it, name)));
+        let elsewhere = self.description().elsewhere.iter();
+        let of_name = |name| elsewhere.clone().find(|it| it.topics.contains(name));
+        let found = names.iter().find_map(of_name);
         found.map_or_else(
             || self.settled_by(),
             |Elsewhere { chapter, page, .. }| Passage { chapter, page },

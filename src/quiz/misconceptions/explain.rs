@@ -2,9 +2,7 @@
 //! right.
 
 use crate::numbers::{degrees, tenths};
-use crate::quiz::question::{
-    Answer, Diagnosis, Form, Passage, Question, Ray, Rays, RaysGrade, Response,
-};
+use crate::quiz::question::{Answer, Form, Passage, Question, Ray, Rays, RaysGrade, Response};
 
 /// An explanation, shown as a title with a text below it.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,8 +11,6 @@ pub struct Explanation {
     pub title: &'static str,
     /// The text, which has two to six short sentences.
     pub text: String,
-    /// The misconception that the explanation addresses first.
-    pub diagnosis: Option<Diagnosis>,
     /// The page to read after a wrong answer: the page that corrects the misconception, or
     /// otherwise the page that teaches the topic.
     pub(crate) passage: Option<Passage>,
@@ -43,7 +39,6 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
     Explanation {
         title,
         text: format!("{opening} {}", question.why).trim().to_owned(),
-        diagnosis: question.diagnose(answer),
         passage,
     }
 }

@@ -93,17 +93,14 @@ impl Misconception {
                     degrees(theta1.abs())
                 ),
                 _ => format!(
-                    "Your rays are swapped: the ray that you drew for the {name} is the \
-                     striker's."
+                    "Your rays are swapped: the ray that you drew for the {name} is the striker's."
                 ),
             },
             Self::HeavyUnmoved if hit.mass_ratio() > 1.0 => {
                 "You sent the heavy striker straight on. But the coin pushes back.".into()
             }
             Self::HeavyUnmoved => {
-                "You left the heavy marble at rest. But equal forces act on both \
-                                   discs."
-                    .into()
+                "You left the heavy marble at rest. But equal forces act on both discs.".into()
             }
             Self::StraightOn => {
                 format!("You sent the striker straight on. But the {name} pushes back.")

@@ -2,10 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::physics::CollisionOutcome;
-
 use crate::numbers::{Intermediate, bare_millimetres, degrees, fixed, significant, true_minus};
-use crate::physics::ImpactPoint;
+use crate::physics::{CollisionOutcome, ImpactPoint};
 use crate::quiz::question::Hit;
 
 /// Explains where the two discs go, with the figures of the hit.
@@ -57,8 +55,7 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let rest_of_sum = Intermediate::angle(alpha, |alpha| degrees(shown.value - alpha));
     let between =
         |along: f64, across: f64| fixed(across.atan2(along).to_degrees(), shown.decimals());
-    let along = Intermediate::new(along, |along| between(along, across));
-    let across = Intermediate::new(across, |across| between(along.value, across));
+    let [along, across] = Intermediate::pair([along, across], between);
     let tangent = match along.value < 0.0 {
         true => format!("{across}/(−{})", along.size()),
         false => format!("{across}/{along}"),

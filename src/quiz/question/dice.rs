@@ -35,6 +35,18 @@ impl Dice {
         items.get(self.below(items.len() as u32) as usize)
     }
 
+    /// `count` of these items in random order; every item comes once before any is repeated.
+    pub(crate) fn in_turn<T: Clone>(&mut self, items: &[T], count: usize) -> Vec<T> {
+        let mut order = Vec::new();
+        while order.len() < count && !items.is_empty() {
+            let mut all = items.to_vec();
+            self.shuffle(&mut all);
+            order.extend(all);
+        }
+        order.truncate(count);
+        order
+    }
+
     /// Shuffles `items` (Fisher and Yates).
     pub(crate) fn shuffle<T>(&mut self, items: &mut [T]) {
         for last in (1..items.len()).rev() {

@@ -27,7 +27,7 @@ fn credit(distance: f64) -> f64 {
 
 /// How good the prediction of one ray is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RayGrade {
+pub(crate) struct RayGrade {
     /// The error in radians, from 0 to π; 0 if the disc stays still both in the answer and in
     /// reality, `None` if it moves in only one of them.
     pub error: Option<f64>,
@@ -50,7 +50,7 @@ impl RayGrade {
 
 /// How good the prediction of both rays is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RaysGrade {
+pub(crate) struct RaysGrade {
     /// The striker's ray.
     pub striker: RayGrade,
     /// The target's ray.
@@ -93,8 +93,6 @@ pub struct Grade {
     /// The error of an angle in radians, or the larger error of two rays; `None` if the answer had
     /// no angle.
     pub angle_error: Option<f64>,
-    /// The grades of the two rays, if the question asked for rays.
-    pub rays: Option<RaysGrade>,
     /// How sure the player was.
     pub confidence: Confidence,
 }
@@ -157,7 +155,6 @@ impl Grade {
             credit: form.credit(said),
             right: form.is_right(said),
             angle_error: form.angle_error(said),
-            rays: form.rays_grade(said),
             confidence: answer.confidence,
         }
     }

@@ -1,9 +1,8 @@
 //! The picture beside a question.
 
 use super::Hit;
-use crate::physics::Collision;
-use crate::physics::ImpactPoint;
 use crate::physics::rutherford::Rutherford;
+use crate::physics::{Collision, ImpactPoint};
 
 /// The picture beside a question.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -27,25 +27,22 @@ impl Form {
     /// Whether some form could accept a stored answer, which must be of a known kind and in range
     /// as for [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
-        let number = |(name, value): (&String, &Value)| {
-            let x = value.as_f64()?;
-            match Measure::with_id(name) {
-                Some(measure) => Some(measure.allows(x)),
-                None => Some(name == OFFSET && x.abs() <= Measure::Length.largest()),
-            }
-        };
         if let Some(rays) = Rays::of_figures(answer) {
             return answer.len() == 2 && rays.are_in_range();
         }
         let mut fields = answer.iter();
-        let (Some(field), None) = (fields.next(), fields.next()) else {
+        let (Some((name, value)), None) = (fields.next(), fields.next()) else {
             return false;
         };
-        match field {
-            (name, Value::String(words)) => {
+        match (value, value.as_f64()) {
+            (Value::String(words), _) => {
                 name == CHOICE && (1..=LONGEST_CHOICE).contains(&words.chars().count())
             }
-            field => number(field).unwrap_or(false),
+            (_, Some(x)) => match Measure::with_id(name) {
+                Some(measure) => measure.allows(x),
+                None => name == OFFSET && x.abs() <= Measure::Length.largest(),
+            },
+            _ => false,
         }
     }
 }

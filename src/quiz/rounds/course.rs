@@ -344,15 +344,15 @@ impl Code {
 
 impl fmt::Display for Code {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Course { kind, count } = &self.course;
+        let (kind, seed) = (&self.course.kind, self.seed);
+        let count = match self.course.count {
+            usual if usual == kind.length() => String::new(),
+            count => count.to_string(),
+        };
         match kind {
-            CourseKind::Hits => write!(f, "{}", self.seed),
-            CourseKind::Read(chapters) if *count == kind.length() => {
-                write!(f, "{READ}-{chapters}-{}", self.seed)
-            }
-            CourseKind::Read(chapters) => write!(f, "{READ}-{chapters}{count}-{}", self.seed),
-            _ if *count == kind.length() => write!(f, "{}-{}", kind.id(), self.seed),
-            _ => write!(f, "{}{count}-{}", kind.id(), self.seed),
+            CourseKind::Hits => write!(f, "{seed}"),
+            CourseKind::Read(chapters) => write!(f, "{READ}-{chapters}{count}-{seed}"),
+            _ => write!(f, "{}{count}-{seed}", kind.id()),
         }
     }
 }

@@ -28,34 +28,23 @@ fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
         Form::Number { .. } | Form::Shot(_) => 2,
         Form::Choice { .. } => 1,
     };
-    let wide = question
-        .beliefs
-        .iter()
-        .filter(|it| question.width(it) > 0.5);
+    let beliefs = question.beliefs.iter();
+    let wide = beliefs.filter(|it| question.width(it) > 0.5);
     wide.filter_map(move |belief| Some((belief.in_codes()?, strength)))
 }
 
-/// How much each misconception has been tested so far.
-#[derive(Default)]
-struct TimesMet(Vec<(Misconception, u32)>);
-
-impl TimesMet {
-    fn of(&self, misconception: Misconception) -> u32 {
-        let met = self.0.iter().filter(|(it, _)| *it == misconception);
-        met.map(|(_, strength)| strength).sum()
-    }
-
-    /// How much a question contributes to the tests that are still missing, in a round of `count`
-    /// questions.
-    fn gain(&self, question: &Question, count: usize) -> u32 {
-        let each = shown(question).map(|(it, strength)| {
-            let common = Misconception::COMMON.contains(&it);
-            let enough = ENOUGH[usize::from(!common)] * count as u32;
-            let missing = enough.saturating_sub(20 * self.of(it));
-            (20 * strength).min(missing) * if common { PREFERRED } else { 1 }
-        });
-        each.sum()
-    }
+/// How much a question contributes to the tests that are still missing, in a round of `count`
+/// questions; `tested` is how much each misconception has been tested so far.
+fn gain(question: &Question, tested: &[(Misconception, u32)], count: usize) -> u32 {
+    let each = shown(question).map(|(it, strength)| {
+        let common = Misconception::COMMON.contains(&it);
+        let enough = ENOUGH[usize::from(!common)] * count as u32;
+        let so_far = tested.iter().filter(|(other, _)| *other == it);
+        let so_far: u32 = so_far.map(|(_, strength)| strength).sum();
+        let missing = enough.saturating_sub(20 * so_far);
+        (20 * strength).min(missing) * if common { PREFERRED } else { 1 }
+    });
+    each.sum()
 }
 
 /// In a round shorter than this, every third question comes from a family not used yet, whatever
@@ -65,7 +54,7 @@ const LONG: usize = 16;
 /// Questions from these families, with rising difficulty. No family comes twice in a row, and none
 /// makes up much more than a quarter of the questions.
 pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
-    let mut met = TimesMet::default();
+    let mut tested = Vec::new();
     let mut questions: Vec<Question> = Vec::with_capacity(count);
     for i in 0..count {
         let difficulty = Difficulty::rising(i, count);
@@ -85,14 +74,14 @@ pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> V
             }
             let gain = match count < LONG && i % 3 == 2 {
                 true => u32::from(often == 0),
-                false => met.gain(&question, count),
+                false => gain(&question, &tested, count),
             };
             if best.as_ref().is_none_or(|(most, _)| gain > *most) {
                 best = Some((gain, question));
             }
         }
         if let Some((_, question)) = best {
-            met.0.extend(shown(&question));
+            tested.extend(shown(&question));
             questions.push(question);
         }
     }

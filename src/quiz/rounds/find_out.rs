@@ -25,7 +25,7 @@ const BEFORE_HARD: usize = 3;
 
 /// The candidates drawn for each question: the families, and how many questions of each difficulty
 /// are drawn from the family.
-const CANDIDATES: [(Family, usize); 11] = [
+pub(super) const CANDIDATES: [(Family, usize); 11] = [
     (Family::FromAngle, 1),
     (Family::FromOffset, 1),
     (Family::FromPicture, 1),
@@ -40,7 +40,7 @@ const CANDIDATES: [(Family, usize); 11] = [
 ];
 
 /// The candidates for the first question, unless it is hard: collisions of equal masses.
-const FIRST_CANDIDATES: [(Family, usize); 3] = [
+pub(super) const FIRST_CANDIDATES: [(Family, usize); 3] = [
     (Family::FromAngle, 3),
     (Family::FromOffset, 3),
     (Family::FromPicture, 3),
@@ -80,16 +80,14 @@ impl Posterior {
             false => 1.0,
         };
         let all_before: f64 = sought.clone().map(before).sum();
-        let held: Vec<_> = sought
+        let mut held: Vec<_> = sought
             .map(|it| (it, before(it) / all_before * weight(it).exp()))
             .collect();
         let none = NONE_BEFORE / (1.0 - NONE_BEFORE);
         let all = none + held.iter().map(|(_, likely)| likely).sum::<f64>();
+        held.iter_mut().for_each(|(_, likely)| *likely /= all);
         Self {
-            held: held
-                .into_iter()
-                .map(|(it, likely)| (it, likely / all))
-                .collect(),
+            held,
             none: none / all,
         }
     }
@@ -152,19 +150,10 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The most informative first question about collisions of equal masses.
-pub(super) fn ask_first(dice: &mut Dice) -> Option<Question> {
-    ask_from(&FIRST_CANDIDATES, &[], &[], dice)
-}
-
-/// The most informative of the questions drawn with `dice`, given the evidence of the answers so
-/// far; `in_codes` counts misconceptions as in the codes of rounds. No question in `asked` is asked
-/// again.
-pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
-    ask_from(&CANDIDATES, asked, in_codes, dice)
-}
-
-fn ask_from(
+/// The most informative of the questions drawn with `dice` from these candidates, given the
+/// evidence of the answers so far; `in_codes` counts misconceptions as in the codes of rounds. No
+/// question in `asked` is asked again.
+pub(super) fn ask(
     candidates: &[(Family, usize)],
     asked: &[Question],
     in_codes: &[Clue],

@@ -54,15 +54,12 @@ fn replacement(families: &[Family], difficulty: Difficulty, dice: &mut Dice) -> 
 fn parallel(asked: &Question, forms: &[Vec<Question>; 2], dice: &mut Dice) -> Option<Question> {
     (0..DRAWS).find_map(|_| {
         let (drawn, _) = asked.family.ask(asked.difficulty, dice)?;
+        let mut others = forms.iter().flatten().chain([asked]);
         let is_parallel = drawn.topic == asked.topic
             && discriminant(&drawn.form) == discriminant(&asked.form)
             && drawn.figures.get("asked") == asked.figures.get("asked")
             && held(&drawn) == held(asked)
-            && !forms
-                .iter()
-                .flatten()
-                .chain([asked])
-                .any(|it| is_alike(it, &drawn));
+            && !others.any(|it| is_alike(it, &drawn));
         is_parallel.then_some(drawn)
     })
 }
@@ -73,23 +70,11 @@ fn is_alike(one: &Question, other: &Question) -> bool {
         return true;
     }
     let [truth, answer] = [one, other].map(|it| on_one_side(it.form.truth()));
-    let is_of_one_kind = (one.family, &one.topic) == (other.family, &other.topic)
-        && one.figures.get("asked") == other.figures.get("asked");
-    match (&one.form, answer) {
-        (Form::Choice { .. }, _) => false,
-        (Form::Rays { .. }, Response::Rays(_)) => {
-            let Response::Rays(truth) = truth else {
-                return false;
-            };
-            let form = Form::Rays {
-                truth,
-                side: 1.0,
-                target: "",
-            };
-            is_of_one_kind && form.is_right(&answer)
-        }
-        (form, answer) => is_of_one_kind && form.accepts(&answer) && form.is_right(&answer),
-    }
+    (one.family, &one.topic) == (other.family, &other.topic)
+        && one.figures.get("asked") == other.figures.get("asked")
+        && !matches!(one.form, Form::Choice { .. })
+        && one.form.accepts(&answer)
+        && one.form.distance(&answer, &truth) <= 1.0
 }
 
 /// An answer without its side.

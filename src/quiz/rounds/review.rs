@@ -14,13 +14,7 @@ pub(super) fn in_turn(
     families: fn(&Topic) -> Vec<Family>,
     dice: &mut Dice,
 ) -> Vec<Question> {
-    let mut order: Vec<Topic> = Vec::new();
-    while order.len() < count && !topics.is_empty() {
-        let mut all = topics.to_vec();
-        dice.shuffle(&mut all);
-        order.extend(all);
-    }
-    order.truncate(count);
+    let order = dice.in_turn(topics, count);
     questions(&order, families, dice)
 }
 

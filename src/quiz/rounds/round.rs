@@ -41,6 +41,8 @@ const VERSION_DRAWS: usize = 400;
 impl Round {
     /// Creates the round with this course and this seed.
     pub fn new(course: Course, seed: u64) -> Self {
+        let count = course.count;
+        let mut dice = Dice::new(salted(course.kind.id(), seed));
         let questions = match &course.kind {
             CourseKind::Hits => where_to::hits(seed)
                 .iter()
@@ -50,48 +52,41 @@ impl Round {
                 })
                 .collect(),
             CourseKind::Quick | CourseKind::Mixed | CourseKind::Exam => {
-                rising(MIXED, &course, seed)
+                rising(MIXED, count, &mut dice)
             }
-            CourseKind::Topic(family) => rising(&[*family], &course, seed),
+            CourseKind::Topic(family) => rising(&[*family], count, &mut dice),
             CourseKind::Read(chapters) => {
                 let salt = salted(&format!("{}-{chapters}", course.kind.id()), seed);
-                chapters.questions(course.count, &mut Dice::new(salt))
+                chapters.questions(count, &mut Dice::new(salt))
             }
-            CourseKind::Even => {
-                let mut dice = Dice::new(salted(course.kind.id(), seed));
-                even::questions(MIXED, course.count, &mut dice)
-            }
+            CourseKind::Even => even::questions(MIXED, count, &mut dice),
             CourseKind::Before | CourseKind::After => {
                 let mut dice = Dice::new(salted(CourseKind::Before.id(), seed));
-                let [before, after] = forms::pairs(MIXED, course.count, &mut dice);
+                let [before, after] = forms::pairs(MIXED, count, &mut dice);
                 match course.kind {
                     CourseKind::Before => before,
                     _ => after,
                 }
             }
             CourseKind::FindOut | CourseKind::FindOutFromAny => Vec::new(),
-            CourseKind::Check(misconception) => showing(*misconception, &course, seed),
-            CourseKind::Own(library) => own(&library.concepts, &course, seed),
+            CourseKind::Check(misconception) => showing(*misconception, count, &mut dice),
+            CourseKind::Own(library) => own(&library.concepts, count, &mut dice),
             CourseKind::Set(set) => {
                 let chosen = set.questions.iter();
                 chosen.map(|it| it.question.clone()).collect()
             }
             CourseKind::Met(topics) => {
-                let mut dice = Dice::new(salted(course.kind.id(), seed));
-                let asked = review::in_turn(topics, course.count, Topic::families, &mut dice);
+                let asked = review::in_turn(topics, count, Topic::families, &mut dice);
                 let mut questions: Vec<Question> = Vec::with_capacity(asked.len());
                 for question in asked {
-                    let is_it =
-                        |it: &Question| (&it.text, &it.form) == (&question.text, &question.form);
-                    if !questions.iter().any(is_it) {
+                    if !questions.iter().any(|it| is_same(it, &question)) {
                         questions.push(question);
                     }
                 }
                 questions
             }
             CourseKind::Review(due) => {
-                let topics = &due[..due.len().min(course.count)];
-                let mut dice = Dice::new(salted(course.kind.id(), seed));
+                let topics = &due[..due.len().min(count)];
                 review::questions(topics, Topic::families, &mut dice)
             }
         };
@@ -123,10 +118,11 @@ impl Round {
             // questions.
             let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
             let dice = &mut Dice::new(seed);
-            let next = match course.kind {
-                CourseKind::FindOut if asked == 0 => find_out::ask_first(dice),
-                _ => find_out::ask(&self.questions, &in_codes, dice),
+            let candidates = match course.kind {
+                CourseKind::FindOut if asked == 0 => &find_out::FIRST_CANDIDATES[..],
+                _ => &find_out::CANDIDATES,
             };
+            let next = find_out::ask(candidates, &self.questions, &in_codes, dice);
             self.questions.extend(next);
         }
     }
@@ -151,18 +147,16 @@ impl Round {
         if number < 2 {
             return self.clone();
         }
-        let mut dice = Dice::new(salted(
-            &format!("{}, version {number}", course.kind.id()),
-            *seed,
-        ));
+        let name = format!("{}, version {number}", course.kind.id());
+        let mut dice = Dice::new(salted(&name, *seed));
         let mut questions: Vec<Question> = Vec::with_capacity(self.questions.len());
         for asked in &self.questions {
             let mut draws = (0..VERSION_DRAWS).filter_map(|draw| self.like(asked, draw, &mut dice));
             let fresh = draws.find(|it| {
-                let old = |other: &Question| (&it.text, &it.form) == (&other.text, &other.form);
+                let mut old = self.questions.iter().chain(&questions);
                 it.topic == asked.topic
                     && discriminant(&it.form) == discriminant(&asked.form)
-                    && !self.questions.iter().chain(&questions).any(old)
+                    && !old.any(|other| is_same(it, other))
             });
             questions.push(fresh.unwrap_or_else(|| asked.clone()));
         }
@@ -215,22 +209,20 @@ impl Round {
     }
 }
 
+/// Whether two questions have the same text and the same answer.
+fn is_same(one: &Question, other: &Question) -> bool {
+    (&one.text, &one.form) == (&other.text, &other.form)
+}
+
 /// Questions from these families, in random order but with easy questions first. No family is
 /// repeated before all families have been used.
-fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
-    let mut dice = Dice::new(salted(course.kind.id(), seed));
-    let mut order: Vec<Family> = Vec::new();
-    while order.len() < course.count && !families.is_empty() {
-        let mut all = families.to_vec();
-        dice.shuffle(&mut all);
-        order.extend(all);
-    }
-    let mut questions: Vec<Question> = Vec::with_capacity(course.count);
-    for (i, family) in order.into_iter().take(course.count).enumerate() {
-        let difficulty = Difficulty::rising(i, course.count);
+fn rising(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
+    let mut questions: Vec<Question> = Vec::with_capacity(count);
+    for (i, family) in dice.in_turn(families, count).into_iter().enumerate() {
+        let difficulty = Difficulty::rising(i, count);
         let mut fresh = None;
         for _ in 0..REDRAWS {
-            fresh = family.ask(difficulty, &mut dice).map(|(asked, _)| asked);
+            fresh = family.ask(difficulty, dice).map(|(asked, _)| asked);
             let old = |it: &Question| Some(&it.text) == fresh.as_ref().map(|it| &it.text);
             if !questions.iter().any(old) {
                 break;
@@ -243,50 +235,49 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
 
 /// Questions from any family that can show this misconception, with easy questions first as far as
 /// possible.
-fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Question> {
-    let mut dice = Dice::new(salted(course.kind.id(), seed));
+fn showing(misconception: Misconception, count: usize, dice: &mut Dice) -> Vec<Question> {
     // The code of a misconception still gives the same questions even if the misconception was
     // split later.
     let shows = |question: &Question| {
         let mut beliefs = question.beliefs.iter();
         beliefs.any(|it| it.misconception == misconception || it.in_codes() == Some(misconception))
     };
-    let mut questions: Vec<Question> = Vec::with_capacity(course.count);
-    for i in 0..course.count {
-        let first = Difficulty::rising(i, course.count);
+    let mut questions: Vec<Question> = Vec::with_capacity(count);
+    for i in 0..count {
+        let first = Difficulty::rising(i, count);
+        let is_new = |it: &Question| shows(it) && !questions.iter().any(|old| old.text == it.text);
         let fresh = (0..SHOWING_DRAWS).find_map(|draw| {
             // Later draws may have any difficulty.
             let difficulty = match draw < SHOWING_DRAWS / 2 {
                 true => first,
                 false => *dice.pick(&Difficulty::ALL)?,
             };
-            let (question, _) = dice.pick(MIXED)?.ask(difficulty, &mut dice)?;
-            let old = questions.iter().any(|it| it.text == question.text);
-            (shows(&question) && !old).then_some(question)
+            let (question, _) = dice.pick(MIXED)?.ask(difficulty, dice)?;
+            is_new(&question).then_some(question)
         });
-        questions.extend(fresh.or_else(|| {
+        let fresh = fresh.or_else(|| {
             let mut written = concepts::of(Family::Concept);
             dice.shuffle(&mut written);
             // Questions that were written later come last, so that older codes do not change.
             written.extend(concepts::of(Family::Ideas));
             let written = written.into_iter();
-            let mut asked = written.filter_map(|it| concept::question(it, &mut dice));
-            asked.find(|it| shows(it) && !questions.iter().any(|old| old.text == it.text))
-        }));
+            let mut asked = written.filter_map(|it| concept::question(it, dice));
+            asked.find(is_new)
+        });
+        questions.extend(fresh);
     }
     questions
 }
 
 /// Questions in words, each of them once, in random order but with easy questions first.
-fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
-    let mut dice = Dice::new(salted(course.kind.id(), seed));
+fn own(concepts: &[Concept], count: usize, dice: &mut Dice) -> Vec<Question> {
     let mut concepts: Vec<&Concept> = concepts.iter().collect();
     dice.shuffle(&mut concepts);
-    concepts.truncate(course.count);
+    concepts.truncate(count);
     concepts.sort_by_key(|concept| concept.difficulty);
     let questions = concepts.into_iter();
     questions
-        .filter_map(|it| concept::question(it, &mut dice))
+        .filter_map(|it| concept::question(it, dice))
         .collect()
 }
 

@@ -38,7 +38,7 @@ impl TeamReport {
 impl BoardReport {
     /// The summary of the last board of a game.
     pub(super) fn of(history: &GameHistory) -> Self {
-        let moves = history.record().moves();
+        let moves = &history.record().moves;
         let last_pack = moves.iter().rposition(|made| *made == Move::NextBoard);
         let first = last_pack.map_or(0, |number| number + 1);
         let mut report = Self {

@@ -124,7 +124,7 @@ impl GameHistory {
         let (shot, rulings) = next.make(&mut self.game)?;
         self.past
             .push(Past::new(before, &next, shot.as_ref(), rulings));
-        self.record.push(next);
+        self.record.moves.push(next);
         self.unsaved = true;
         Ok(shot)
     }
@@ -159,7 +159,7 @@ impl GameHistory {
         let Some(past) = self.past.pop() else {
             return false;
         };
-        self.record.pop();
+        self.record.moves.pop();
         self.unsaved = true;
         self.game = past.before;
         true
@@ -167,7 +167,7 @@ impl GameHistory {
 
     /// The stroke of a move, if the move was one.
     pub(super) fn strike(&self, number: usize) -> Option<&Strike> {
-        match self.record.moves().get(number)? {
+        match self.record.moves.get(number)? {
             Move::Strike(strike) => Some(strike),
             _ => None,
         }
@@ -175,7 +175,7 @@ impl GameHistory {
 
     /// The number of strokes before the move with this number.
     pub(super) fn strokes_before(&self, number: usize) -> usize {
-        let moves = self.record.moves().iter().take(number);
+        let moves = self.record.moves.iter().take(number);
         moves.filter(|made| matches!(made, Move::Strike(_))).count()
     }
 

@@ -86,7 +86,7 @@ impl NewGame {
         let games = games.iter().filter_map(|kept| kept.content.as_deref().ok());
         let own = || games.clone().filter(|(saved, _)| saved.player == *player);
         self.results = Results::of(player, own());
-        let last = own().find(|(saved, _)| saved.record.setup().rules != Rules::Solo);
+        let last = own().find(|(saved, _)| saved.record.setup.rules != Rules::Solo);
         // Options that the player has already changed are kept.
         if let Some((last, _)) = last
             && self.is_fresh

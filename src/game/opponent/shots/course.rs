@@ -20,18 +20,15 @@ pub(in super::super) struct PocketPath {
 }
 
 /// The unblocked straight paths of a coin into pockets.
-pub(in super::super) fn straight<'a>(
-    sight: &'a Sight,
-    coin: usize,
-) -> impl Iterator<Item = PocketPath> + 'a {
+pub(in super::super) fn straight(sight: &Sight, coin: usize) -> impl Iterator<Item = PocketPath> {
     to_the_pockets(sight, coin).filter_map(|course| course.if_clear(sight))
 }
 
 /// The straight paths of a coin to all pockets.
-pub(in super::super) fn to_the_pockets<'a>(
-    sight: &'a Sight,
+pub(in super::super) fn to_the_pockets(
+    sight: &Sight,
     coin: usize,
-) -> impl Iterator<Item = Unchecked<PocketPath>> + 'a {
+) -> impl Iterator<Item = Unchecked<PocketPath>> {
     let from = sight.coins.get(coin).map(|coin| coin.at);
     let pockets = sight.board.pockets();
     let ways = pockets.filter_map(move |pocket| Way::straight(from?, pocket));
@@ -39,10 +36,10 @@ pub(in super::super) fn to_the_pockets<'a>(
 }
 
 /// The paths of a coin into a pocket off the opposite cushion.
-pub(in super::super) fn off_a_cushion<'a>(
-    sight: &'a Sight,
+pub(in super::super) fn off_a_cushion(
+    sight: &Sight,
     coin: usize,
-) -> impl Iterator<Item = PocketPath> + 'a {
+) -> impl Iterator<Item = PocketPath> {
     let from = sight.coins.get(coin).map(|coin| coin.at);
     let ways = from.into_iter().flat_map(move |from| {
         WALLS.into_iter().flat_map(move |wall| {
@@ -73,10 +70,10 @@ fn into_pocket(sight: &Sight, coin: usize, way: Way) -> Unchecked<PocketPath> {
 }
 
 /// The courses of other coins that drive a coin along its course.
-pub(in super::super) fn combinations<'a>(
-    sight: &'a Sight,
-    course: &'a PocketPath,
-) -> impl Iterator<Item = PocketPath> + 'a {
+pub(in super::super) fn combinations(
+    sight: &Sight,
+    course: &PocketPath,
+) -> impl Iterator<Item = PocketPath> {
     let reach = 2.0 * sight.coin();
     let target = sight.coins.get(course.coin).map(|coin| coin.at);
     let ways = target.into_iter().flat_map(move |target| {
@@ -89,7 +86,7 @@ pub(in super::super) fn combinations<'a>(
         let reachable = i != course.coin
             && cosine > THINNEST
             && sight.is_inside(way.to, sight.coin())
-            && way.is_clear(sight, sight.coin(), Some(i), Some(course.coin));
+            && way.is_clear(sight, sight.coin(), [Some(i), Some(course.coin)]);
         let arriving = course.speed / (sight.passed_on(Piece::White) * cosine);
         reachable.then(|| PocketPath {
             coin: i,

@@ -38,8 +38,7 @@ pub(super) struct Unchecked<T> {
 impl<T> Unchecked<T> {
     /// Whether nothing is in the way.
     pub(super) fn is_clear(&self, sight: &Sight) -> bool {
-        let [own, target] = self.part;
-        self.way.is_clear(sight, self.radius, own, target)
+        self.way.is_clear(sight, self.radius, self.part)
     }
 
     /// The link, if nothing is in the way.

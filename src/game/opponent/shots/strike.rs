@@ -36,11 +36,11 @@ pub(in super::super) fn ghost(sight: &Sight, course: &PocketPath) -> Option<DVec
 }
 
 /// The straight strokes from these positions.
-pub(in super::super) fn strikes<'a>(
-    sight: &'a Sight,
-    course: &'a PocketPath,
-    places: &'a [DVec2],
-) -> impl Iterator<Item = Unchecked<ProposedStroke>> + 'a {
+pub(in super::super) fn strikes(
+    sight: &Sight,
+    course: &PocketPath,
+    places: &[DVec2],
+) -> impl Iterator<Item = Unchecked<ProposedStroke>> {
     let ghost = ghost(sight, course).into_iter();
     ghost.flat_map(move |ghost| {
         let places = places.iter();
@@ -78,11 +78,11 @@ pub(in super::super) fn most_allowed(sight: &Sight, course: &PocketPath, away: f
 }
 
 /// The strokes off a cushion from these positions.
-pub(in super::super) fn kicks<'a>(
-    sight: &'a Sight,
-    course: &'a PocketPath,
-    places: &'a [DVec2],
-) -> impl Iterator<Item = Unchecked<ProposedStroke>> + 'a {
+pub(in super::super) fn kicks(
+    sight: &Sight,
+    course: &PocketPath,
+    places: &[DVec2],
+) -> impl Iterator<Item = Unchecked<ProposedStroke>> {
     let ways = ghost(sight, course).into_iter().flat_map(move |ghost| {
         let walls = places
             .iter()

@@ -185,7 +185,7 @@ mod tests {
         let film = FilmFigure::new(&shot.collision(), filming);
         let measurement = film.measured.unwrap();
         ["between", "restitution", "u1"].map(|id| {
-            let estimate = measurement.quantity(id).unwrap().1.unwrap();
+            let (_, estimate) = measurement.quantity(id).unwrap();
             (estimate.value, estimate.uncertainty())
         })
     }

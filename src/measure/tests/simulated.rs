@@ -4,9 +4,9 @@ use glam::{DVec2, dvec2};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::Track;
-use super::film::Camera;
-use super::model::{Model, State};
+use crate::measure::Track;
+use crate::measure::film::Camera;
+use crate::measure::model::{Model, State};
 
 /// A collision and how it is filmed. Lengths are in metres.
 #[derive(Debug, Clone, Copy)]

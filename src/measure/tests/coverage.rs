@@ -5,11 +5,11 @@ use glam::{DVec2, dvec2};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::film::normal;
-use super::fit::{ONE_SIGMA, TracksFit};
-use super::quantities::{Known, QUANTITIES, measured};
 use super::simulated::Film;
-use super::{Given, SlowingDown, Unit};
+use crate::measure::film::normal;
+use crate::measure::fit::{ONE_SIGMA, TracksFit};
+use crate::measure::quantities::{Known, QUANTITIES, measured};
+use crate::measure::{Given, SlowingDown, Unit};
 
 /// How often an interval contained the truth.
 #[derive(Debug, Clone, Copy, Default)]
@@ -130,7 +130,7 @@ fn wrong(all: &[Covered], points: f64) -> Vec<&'static str> {
     let pairs = QUANTITIES.iter().zip(all);
     pairs
         .filter(|(_, covered)| far(covered))
-        .map(|(quantity, _)| quantity.id)
+        .map(|(quantity, _)| quantity.id.as_str())
         .collect()
 }
 

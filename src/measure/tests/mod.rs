@@ -1,0 +1,4 @@
+//! Tests with simulated measurements.
+
+mod coverage;
+mod simulated;
