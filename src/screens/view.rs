@@ -144,6 +144,12 @@ impl<'s, A> View<'s, A> {
         Self { inset, ..self }
     }
 
+    /// This view with a panel that is always visible below both parts.
+    pub(super) fn with_foot(self, foot: Panel<A>) -> Self {
+        let foot = Some(foot);
+        Self { foot, ..self }
+    }
+
     /// This view with a picture in which something can be dragged.
     pub(super) fn dragging(self, drag: impl Into<Option<&'static str>>) -> Self {
         Self {

@@ -427,7 +427,7 @@ fn heard(news: News) -> JoinNews {
     match news {
         News::Reached => JoinNews::Reached,
         News::Heard { text } => JoinNews::Heard(text),
-        News::Lost { reason } => JoinNews::Lost(reason),
+        News::Lost => JoinNews::Lost,
         News::Remembered { seat, name } => JoinNews::Remembered(seat, name),
         News::Awake => JoinNews::Awake,
     }
