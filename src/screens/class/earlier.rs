@@ -6,7 +6,7 @@ use super::ClassAction;
 use super::play::ClassPlay;
 use super::set_up::SetUp;
 use crate::class::{ClassRound, Vote, WayOfVoting};
-use crate::messages::{Kept, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileKind, Kept, StoreAnswer, StoreReply};
 use crate::numbers::counted;
 use crate::progress::long_day;
 use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
@@ -20,12 +20,10 @@ use crate::widgets::{Role, SplitLayout, text};
 const NAMES: usize = 180;
 
 const ROUNDS: KeptKind = KeptKind {
+    kind: FileKind::Class,
     one: "round",
     all: "earlier rounds",
     saved: "carrom saves every round after each vote.",
-    list: StoreRequest::ListClasses,
-    load: StoreRequest::LoadClass,
-    remove: StoreRequest::RemoveClass,
 };
 
 #[derive(Debug, Clone)]

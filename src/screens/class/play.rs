@@ -15,7 +15,9 @@ use super::{ClassAction, RoundAction, question, scores, talk};
 use crate::class::{
     ClassPlace, ClassRound, ClassStep, HandInOnItsWay, Session, SessionEffect, Vote, WayOfVoting,
 };
-use crate::messages::{HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{
+    FileContent, HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest,
+};
 use crate::quiz::Question;
 use crate::screens::{Confirmation, Context, Next, View};
 use crate::widgets::hit::HitPace;
@@ -142,7 +144,7 @@ impl ClassPlay {
             match effect {
                 SessionEffect::Host(call) => cx.host(call),
                 SessionEffect::Save(round) => {
-                    cx.keep(self.ticket, StoreRequest::SaveClass(round));
+                    cx.keep(self.ticket, StoreRequest::Save(FileContent::Class(round)));
                 }
                 SessionEffect::Note(changes, round) => {
                     cx.keep(self.ticket, StoreRequest::NoteClass { changes, round });
@@ -416,7 +418,9 @@ impl ClassPlay {
             RoundAction::WordsAlone => self.stage.words_alone = !self.stage.words_alone,
             RoundAction::BoardNames => self.stage.names_shown = !self.stage.names_shown,
             RoundAction::Tables => {
-                cx.ask(StoreRequest::ExportClass(self.stage.session.shared_round()));
+                cx.ask(StoreRequest::Export(FileContent::Class(
+                    self.stage.session.shared_round(),
+                )));
             }
             // The screen itself handles these actions.
             RoundAction::Pause | RoundAction::Light | RoundAction::Leave => {}

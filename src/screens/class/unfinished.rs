@@ -5,7 +5,7 @@ use super::ClassAction;
 use super::earlier::head_count;
 use super::play::ClassPlay;
 use crate::class::{ClassRound, WayOfVoting};
-use crate::messages::{Kept, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileKind, Kept, StoreAnswer, StoreReply, StoreRequest};
 use crate::progress::long_day;
 use crate::quiz::Code;
 use crate::screens::{Context, View};
@@ -43,7 +43,7 @@ pub(super) enum UnfinishedEnd {
 impl Unfinished {
     /// Looks for an interrupted round that has this code and is for this class, if they are given.
     pub(super) fn ask(code: Option<Code>, name: &str, nicknames: bool, cx: &mut Context) -> Self {
-        cx.ask(StoreRequest::ListClasses);
+        cx.ask(StoreRequest::List(FileKind::Class));
         Self {
             code,
             name: name.to_owned(),
@@ -120,7 +120,8 @@ impl Unfinished {
         match self.list.act(action, CHOICES.len()) {
             Outcome::Done(0) => {
                 self.trouble = None;
-                self.loading = Some(cx.ask(StoreRequest::LoadClass(stopped.name.clone())));
+                self.loading =
+                    Some(cx.ask(StoreRequest::Load(FileKind::Class, stopped.name.clone())));
                 None
             }
             Outcome::Done(_) => Some(UnfinishedEnd::Another),

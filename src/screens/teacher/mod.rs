@@ -9,7 +9,9 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Context, Next, Route, Screen, View};
 use crate::class::ClassRound;
-use crate::messages::{HandInFolder, Input, Kept, Key, StoreReply, StoreRequest};
+use crate::messages::{
+    FileContent, FileKind, HandInFolder, Input, Kept, Key, StoreReply, StoreRequest,
+};
 use crate::paper::Paper;
 use crate::paper::guide::{GUIDES, guide_page};
 use crate::paper::worksheet::{Worksheet, cards};
@@ -86,7 +88,7 @@ pub(crate) struct Teacher {
 impl Teacher {
     /// Requests the saved class rounds.
     pub(crate) fn ask(cx: &mut Context) -> Self {
-        cx.ask(StoreRequest::ListClasses);
+        cx.ask(StoreRequest::List(FileKind::Class));
         Self {
             tasks: ListView::default(),
             code: TextField::new("even12-7", LONGEST),
@@ -202,7 +204,7 @@ impl Teacher {
             TeacherTask::Report => {
                 let round = self.chosen_round().and_then(|it| it.content.clone().ok());
                 if let Some(round) = round {
-                    cx.ask(StoreRequest::ExportClass(Arc::from(round)));
+                    cx.ask(StoreRequest::Export(FileContent::Class(Arc::from(round))));
                 }
             }
             TeacherTask::Gradebook => {
@@ -311,7 +313,7 @@ impl Screen for Teacher {
     }
 
     fn resumed(&mut self, cx: &mut Context) {
-        cx.ask(StoreRequest::ListClasses);
+        cx.ask(StoreRequest::List(FileKind::Class));
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {

@@ -2,7 +2,7 @@
 
 use super::ActiveGame;
 use crate::game::{Fingerprint, RecordError, SavedGame, opponent};
-use crate::messages::{StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileContent, StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
 use crate::screens::table::game_history::GameHistory;
 use crate::screens::table::options::Options;
@@ -51,7 +51,10 @@ impl ActiveGame {
             let ticket = self.keeping.ticket.unwrap_or_else(|| cx.ticket());
             self.keeping.ticket = Some(ticket);
             self.keeping.trouble = None;
-            cx.keep(ticket, StoreRequest::Save(Box::new(self.saved(cx))));
+            cx.keep(
+                ticket,
+                StoreRequest::Save(FileContent::Game(Box::new(self.saved(cx)))),
+            );
         }
     }
 

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::{ActiveGame, After, AimAction, GameAction, GamePhase, OverAction, pictures, trays};
 use crate::game::laws::POINTS_TO_WIN;
 use crate::game::{BoardCode, GameStage, Piece, Rules};
-use crate::messages::{Key, Mouse, StoreRequest};
+use crate::messages::{FileContent, Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, picture, words};
 use crate::screens::{Confirmation, Context, Next, StrikeGuard, View};
 use crate::widgets::hit::{CONTACT, HitPace, contact_picture};
@@ -103,7 +103,9 @@ impl Playing {
                 GameAction::LookBack => game.look_back(cx).into(),
                 GameAction::WatchAll => game.watch_all(cx).into(),
                 GameAction::Export => {
-                    cx.ask(StoreRequest::Export(Box::new(game.saved(cx))));
+                    cx.ask(StoreRequest::Export(FileContent::Game(Box::new(
+                        game.saved(cx),
+                    ))));
                     After::Same
                 }
                 GameAction::Back => phase.back(game, cx),
