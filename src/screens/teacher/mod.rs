@@ -5,6 +5,7 @@ mod view;
 
 use std::sync::Arc;
 
+use jiff::civil::Date;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Context, Next, Route, Screen, View};
@@ -76,8 +77,8 @@ pub(crate) struct Teacher {
     sheets: usize,
     /// The index in [`HandInFolder::ALL`].
     folder: usize,
-    /// The saved class rounds, newest first.
-    rounds: Vec<Kept<ClassRound>>,
+    /// The saved class rounds that can be read, newest first, each with its day if it is known.
+    rounds: Vec<(Arc<ClassRound>, Option<Date>)>,
     round: usize,
     /// The index in [`GUIDES`].
     guide: usize,
@@ -112,8 +113,8 @@ impl Teacher {
         matches!(self.task(), Worksheet | Moodle | Scorm)
     }
 
-    /// The chosen round of a class, if it can be read.
-    fn chosen_round(&self) -> Option<&Kept<ClassRound>> {
+    /// The chosen round of a class, with its day.
+    fn chosen_round(&self) -> Option<&(Arc<ClassRound>, Option<Date>)> {
         self.rounds.get(self.round)
     }
 
@@ -202,9 +203,8 @@ impl Teacher {
                 cx.export("cards.html".into(), cards(sheets.into(), Paper::default()));
             }
             TeacherTask::Report => {
-                let round = self.chosen_round().and_then(|it| it.content.clone().ok());
-                if let Some(round) = round {
-                    cx.ask(StoreRequest::Export(FileContent::Class(Arc::from(round))));
+                if let Some((round, _)) = self.chosen_round() {
+                    cx.ask(StoreRequest::Export(FileContent::Class(Arc::clone(round))));
                 }
             }
             TeacherTask::Gradebook => {
@@ -245,12 +245,11 @@ impl Screen for Teacher {
             false => &[],
         };
         let list = ListView::keys(made).without_keys(ends);
-        let keys = KeyTable::new("teacher").with(list, List);
-        let keys = match self.can_change() {
-            true => keys.by([Key::Left, Key::Right], Change, [-1, 1], "change"),
-            false => keys,
-        };
-        keys.on(Key::Escape, Back, "back")
+        KeyTable::new("teacher")
+            .with(list, List)
+            .by([Key::Left, Key::Right], Change, [-1, 1], "change")
+            .when(self.can_change())
+            .on(Key::Escape, Back, "back")
     }
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
@@ -293,8 +292,11 @@ impl Screen for Teacher {
             }
             Input::Kept(answer) => match &answer.done {
                 StoreReply::Classes(Ok(rounds)) => {
-                    self.rounds.clone_from(rounds);
-                    self.rounds.retain(|it| it.content.is_ok());
+                    let round = |it: &Kept<ClassRound>| {
+                        let round = it.content.as_deref().ok()?;
+                        Some((Arc::new(round.clone()), it.day))
+                    };
+                    self.rounds = rounds.iter().filter_map(round).collect();
                     self.round = 0;
                 }
                 StoreReply::Exported(Ok(places)) => self.done(places),
