@@ -21,7 +21,7 @@ pub enum KeptAction {
 /// A kind of file, with its names.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct KeptKind {
-    pub(super) kind: FileKind,
+    pub(super) file: FileKind,
     /// The singular: "game".
     pub(super) one: &'static str,
     /// The plural: "saved games".
@@ -46,7 +46,7 @@ pub(super) struct KeptFiles<T> {
 impl<T> KeptFiles<T> {
     /// Requests the files; the list is empty until they arrive.
     pub(super) fn ask(kind: KeptKind, cx: &mut Context) -> Self {
-        cx.ask(StoreRequest::List(kind.kind));
+        cx.ask(StoreRequest::List(kind.file));
         Self {
             kind,
             files: Ok(None),
@@ -82,13 +82,13 @@ impl<T> KeptFiles<T> {
         let reason = result.as_ref().err();
         let one = self.kind.one;
         self.notice = reason.map(|reason| format!("The {one} cannot be deleted: {reason}."));
-        cx.ask(StoreRequest::List(self.kind.kind));
+        cx.ask(StoreRequest::List(self.kind.file));
     }
 
     /// Requests the chosen file; returns the ticket.
     pub(super) fn load(&mut self, cx: &mut Context) -> Option<u64> {
         let name = self.chosen()?.name.clone();
-        self.loading = Some(cx.ask(StoreRequest::Load(self.kind.kind, name)));
+        self.loading = Some(cx.ask(StoreRequest::Load(self.kind.file, name)));
         self.loading
     }
 
@@ -99,7 +99,7 @@ impl<T> KeptFiles<T> {
 
     pub(super) fn remove(&self, cx: &mut Context) {
         if let Some(kept) = self.chosen() {
-            cx.ask(StoreRequest::Remove(self.kind.kind, kept.name.clone()));
+            cx.ask(StoreRequest::Remove(self.kind.file, kept.name.clone()));
         }
     }
 

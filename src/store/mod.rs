@@ -159,8 +159,8 @@ impl Store {
         self
     }
 
-    /// Stops the store's clock at `time_s`, in seconds since the start of 1970, with days that begin
-    /// `offset_s` seconds before those of UTC. An impossible offset is ignored.
+    /// Stops the store's clock at `time_s`, in seconds since the start of 1970, with days that
+    /// begin `offset_s` seconds before those of UTC. An impossible offset is ignored.
     pub fn stop_clock(&mut self, time_s: i64, offset_s: i32) {
         let offset = Offset::from_seconds(offset_s).unwrap_or(Offset::UTC);
         self.clock = Clock::Stopped(time_s, offset);

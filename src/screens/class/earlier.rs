@@ -18,7 +18,7 @@ use crate::widgets::{Role, SplitLayout, text};
 const NAMES: usize = 180;
 
 pub(super) const ROUNDS: KeptKind = KeptKind {
-    kind: FileKind::Class,
+    file: FileKind::Class,
     one: "round",
     all: "earlier rounds",
     saved: "carrom saves every round after each vote.",

@@ -18,7 +18,7 @@ use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::panel::Panel;
 
 const GAMES: KeptKind = KeptKind {
-    kind: FileKind::Game,
+    file: FileKind::Game,
     one: "game",
     all: "saved games",
     saved: "carrom saves every game after each stroke.",
