@@ -29,6 +29,9 @@ use super::step::ClassStep;
 /// The version of the protocol.
 pub const VERSION: u32 = 1;
 
+/// The port of a host, if it is free and no other port is given.
+pub(crate) const PORT: u16 = 8090;
+
 /// The largest message from a device, in bytes.
 pub const LARGEST_MESSAGE: usize = 1024;
 

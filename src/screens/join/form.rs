@@ -2,6 +2,7 @@
 
 use strum::IntoStaticStr;
 
+use crate::class::protocol::PORT;
 use crate::class::{JoinCode, LONGEST_NAME};
 use crate::messages::Key;
 use crate::screens::{Context, Route};
@@ -9,8 +10,6 @@ use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role};
 
-/// The port of a class if the address has none.
-pub(crate) const PORT: u16 = 8090;
 /// The maximum number of letters in an address.
 const LONGEST_ADDRESS: usize = 80;
 
