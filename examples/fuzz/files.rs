@@ -12,7 +12,7 @@ use carrom::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv};
 use carrom::lessons::Chapter;
 use carrom::levels::{Level, Patience, Scene};
 use carrom::measure::{self, Given, Measurement, Reading};
-use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::paper::{gradebook, measured_html};
 use carrom::progress::{Attempt, csv, json};
 use carrom::quiz::concepts::Library;
@@ -212,19 +212,22 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
     let path = folder.join("progress.db");
     let said = |error: std::io::Error| error.to_string();
     let _ = fs::remove_dir_all(&folder);
-    let star = StoreRequest::Star(
+    let star = StoreRequest::Note(PlayerAction::Star(
         "Ada".into(),
         carrom::levels::Starred {
             pack: "first".into(),
             level: "one".into(),
             stars: 1,
         },
-    );
+    ));
     let ask = |store: &mut Store, request| store.answer(&StoreCall { ticket: 0, request });
     let mut store = Store::in_folder(&folder).timeless();
     ask(&mut store, star.clone());
     for attempt in attempts("7") {
-        ask(&mut store, StoreRequest::Record(Box::new(attempt)));
+        ask(
+            &mut store,
+            StoreRequest::Note(PlayerAction::Record(Box::new(attempt))),
+        );
     }
     drop(store);
     let mut bytes = fs::read(&path).map_err(said)?;

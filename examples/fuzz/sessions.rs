@@ -3,6 +3,7 @@
 use std::net::Ipv4Addr;
 use std::time::Duration;
 
+use carrom::class::protocol::ClientMessage;
 use carrom::class::{SeatToken, Vote};
 use carrom::messages::{HostNews, Input, JoinNews, Key, Mouse, MouseKind};
 use carrom::screens::Settings;
@@ -224,13 +225,13 @@ fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
                 "sure number 1e300",
                 "",
             ];
-            HostNews::Voted {
-                connection,
-                question: chance.random_range(0..3),
+            let vote = ClientMessage::Vote {
+                q: chance.random_range(0..3),
                 vote: *Vote::BOTH.choose(chance).expect("two"),
                 said: said.choose(chance).copied().unwrap_or_default().into(),
                 n: chance.random_range(0..100),
-            }
+            };
+            HostNews::Said(connection, vote)
         }
     }
 }
@@ -240,7 +241,7 @@ fn join_news(chance: &mut Pcg64Mcg) -> JoinNews {
     match chance.random_range(0..5) {
         0 => JoinNews::Reached,
         1 => JoinNews::Heard(any_text(chance, 30)),
-        2 => JoinNews::Lost(any_text(chance, 30)),
+        2 => JoinNews::Lost,
         3 => JoinNews::Remembered(any_text(chance, 30), any_text(chance, 30)),
         _ => JoinNews::Awake,
     }

@@ -89,14 +89,11 @@ impl AskedHit {
 
     /// The collision; `None` if the numbers are invalid.
     fn collision(&self) -> Option<Collision> {
-        let all = self.masses.iter().chain(&self.radii);
-        let numbers = self
-            .u
-            .iter()
+        let mut sizes = self.masses.iter().chain(&self.radii);
+        let mut others = { self.u.iter() }
             .flatten()
             .chain([&self.offset, &self.offset_rest]);
-        let is_good = all.clone().all(|x| x.is_finite() && *x > 0.0)
-            && numbers.clone().all(|x| x.is_finite());
+        let is_good = sizes.all(|x| x.is_finite() && *x > 0.0) && others.all(|x| x.is_finite());
         let disc = |i: usize| Disc {
             mass: self.masses[i],
             radius: self.radii[i],
@@ -249,8 +246,8 @@ fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2], along: DVec2) -> O
 /// The right answer, once it is revealed, and its explanation for this pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RevealedTruth {
-    /// The right answer, as [`Said::to_text`] writes it.
-    truth: String,
+    /// The right answer.
+    truth: Said,
     /// The explanation, and the feedback on the pupil's answer.
     pub why: String,
     /// This pupil's points for the question, if they have voted.
@@ -275,7 +272,7 @@ impl RevealedTruth {
     /// The right answer to a question, its explanation, and the points for an answer.
     pub fn new(question: &Question, why: String, points: Option<f64>) -> Self {
         Self {
-            truth: question.form.truth().to_text(),
+            truth: question.form.truth().into(),
             why,
             points,
             hit: question.picture.collision().map(|hit| TrueHit {
@@ -291,7 +288,7 @@ impl RevealedTruth {
     /// The question with its right answer and its real collision; `None` if the right answer
     /// belongs to another question.
     pub fn revealed(&self, mut asked: Question) -> Option<Question> {
-        let true_answer = Said::parse(&self.truth)?.response;
+        let true_answer = self.truth.response;
         if !asked.form.accepts(&true_answer) {
             return None;
         }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};
 
-use crate::quiz::{Answer, Confidence, Response};
+use crate::quiz::{Answer, Confidence, Question, Response, explain};
 
 /// One of the two votes on a question; in files, "first" or "second".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumString, IntoStaticStr)]
@@ -52,10 +52,7 @@ impl Said {
         let sure = text
             .split_once(' ')
             .and_then(|(first, rest)| Some((Confidence::with_id(first)?, rest)));
-        let (sure, rest) = match sure {
-            Some((sure, rest)) => (Some(sure), rest),
-            None => (None, text),
-        };
+        let (sure, rest) = sure.map_or((None, text), |(sure, rest)| (Some(sure), rest));
         let response = Response::parse(rest)?;
         Some(Self { response, sure })
     }
@@ -124,6 +121,14 @@ impl Ballot {
 
 /// The confidence of voters who were not asked for it; it does not affect the credit of a vote.
 const UNSURE: Confidence = Confidence::ThinkSo;
+
+/// The explanation of a question, with the feedback on a vote if there is one.
+pub(crate) fn feedback(question: &Question, said: Option<Response>) -> String {
+    match said {
+        Some(said) => explain(question, &unsure(said)).text,
+        None => question.why.clone(),
+    }
+}
 
 /// A vote as an answer without a stated confidence.
 pub(super) fn unsure(said: Response) -> Answer {

@@ -3,9 +3,6 @@
 use std::net::{IpAddr, SocketAddrV4};
 use std::time::Duration;
 
-use serde_json::Value;
-
-use super::ballot::Vote;
 use super::device::ConnectionId;
 use super::join_code::{JoinCode, SeatToken};
 use super::protocol::{ClientMessage, PupilState, Refusal};
@@ -48,52 +45,10 @@ pub enum HostNews {
         /// The time since a fixed moment.
         at: Duration,
     },
-    /// A pupil has voted.
-    Voted {
-        /// The connection.
-        connection: ConnectionId,
-        /// The question, counted from 0.
-        question: usize,
-        /// The first or the second vote.
-        vote: Vote,
-        /// The vote as text; an empty text withdraws it.
-        said: String,
-        /// The number of the vote.
-        n: u64,
-    },
-    /// A pupil has handed in the answers that they gave while playing alone.
-    HandedIn {
-        /// The connection.
-        connection: ConnectionId,
-        /// The number of the hand-in.
-        n: u64,
-        /// The file, as it was sent.
-        file: Value,
-    },
+    /// A pupil who has joined has sent this message.
+    Said(ConnectionId, ClientMessage),
     /// A pupil has left, or cannot be reached.
     Gone(ConnectionId),
-}
-
-impl HostNews {
-    /// The news in a message from a pupil who has joined; `None` for a second request to join.
-    pub(crate) fn said(connection: ConnectionId, message: ClientMessage) -> Option<Self> {
-        Some(match message {
-            ClientMessage::Vote { q, vote, said, n } => Self::Voted {
-                connection,
-                question: q,
-                vote,
-                said,
-                n,
-            },
-            ClientMessage::HandIn { n, file } => Self::HandedIn {
-                connection,
-                n,
-                file,
-            },
-            ClientMessage::Leave => Self::Gone(connection),
-            ClientMessage::Join { .. } => return None,
-        })
-    }
 }
 
 /// How pupils can join.

@@ -6,7 +6,7 @@ use super::ballot::Vote;
 use super::round::ClassRound;
 use super::way::WayOfVoting;
 use crate::progress::{Tally, discrimination};
-use crate::quiz::{Form, Misconception, Response, evidence};
+use crate::quiz::{Form, Misconception, Question, Response, evidence, letter};
 
 /// The results of a question.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,10 +63,9 @@ fn counts(round: &ClassRound, question: usize) -> Vec<(Response, [usize; 2])> {
     let asked = round.questions().get(question);
     let has_choices = asked.is_some_and(|it| matches!(it.form, Form::Choice { .. }));
     let given = has_choices || round.way() == WayOfVoting::Tally;
-    let choices = if given {
-        round.choices(question)
-    } else {
-        Vec::new()
+    let choices = match given {
+        true => round.choices(question),
+        false => Vec::new(),
     };
     let mut counts: Vec<_> = choices.into_iter().map(|choice| (choice, [0, 0])).collect();
     for vote in Vote::BOTH {
@@ -83,6 +82,14 @@ fn counts(round: &ClassRound, question: usize) -> Vec<(Response, [usize; 2])> {
         counts.sort_by_key(|(_, counts)| Reverse(*counts));
     }
     counts
+}
+
+/// The letter of a choice, or another answer in words.
+pub(crate) fn answer_name(question: &Question, said: &Response) -> String {
+    match said {
+        Response::Choice(choice) => letter(*choice).to_string(),
+        _ => question.form.words(said),
+    }
 }
 
 /// How many votes changed to right and to wrong.

@@ -11,8 +11,7 @@ use serde::{Deserialize, Serialize};
 const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
 
 /// The code for joining a class: six consonants, new for each round.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(try_from = "String", into = "String")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct JoinCode([u8; Self::LENGTH]);
 
 impl JoinCode {
@@ -58,20 +57,6 @@ impl FromStr for JoinCode {
             None => Ok(Self(code)),
             Some(_) => Err(NoJoinCode),
         }
-    }
-}
-
-impl TryFrom<String> for JoinCode {
-    type Error = NoJoinCode;
-
-    fn try_from(text: String) -> Result<Self, NoJoinCode> {
-        text.parse()
-    }
-}
-
-impl From<JoinCode> for String {
-    fn from(code: JoinCode) -> Self {
-        code.to_string()
     }
 }
 

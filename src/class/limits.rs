@@ -8,8 +8,9 @@ use std::time::Duration;
 
 use super::join_code::JoinCode;
 
-/// New seats for one address: a class of 40 behind one router may join at once, some of them twice.
-const NEW_SEATS: Allowance = Allowance {
+/// New seats for one address, so that no device can fill a class alone: a class of 40 behind one
+/// router may join at once, some of them twice.
+pub(super) const NEW_SEATS: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.5,
 };
@@ -86,7 +87,7 @@ impl Bucket {
 
 /// The same allowance for each address.
 #[derive(Debug, Clone)]
-struct Addresses {
+pub(super) struct Addresses {
     allowance: Allowance,
     /// The allowances of the addresses that have used part of theirs.
     known: BTreeMap<IpAddr, Bucket>,
@@ -95,12 +96,22 @@ struct Addresses {
 }
 
 impl Addresses {
-    const fn new(allowance: Allowance) -> Self {
+    pub(super) const fn new(allowance: Allowance) -> Self {
         Self {
             allowance,
             known: BTreeMap::new(),
             most: MANY,
         }
+    }
+
+    /// Whether an address has at least 1 left.
+    pub(super) fn has_one(&mut self, address: IpAddr, now: Duration) -> bool {
+        self.of(address, now).has_one(now)
+    }
+
+    /// Uses 1 of the allowance of an address.
+    pub(super) fn take(&mut self, address: IpAddr, now: Duration) {
+        self.of(address, now).take(1.0, now);
     }
 
     /// The bucket of an address.
@@ -112,28 +123,6 @@ impl Addresses {
         }
         let full = Bucket::full(self.allowance);
         self.known.entry(address).or_insert(full)
-    }
-}
-
-/// The limit on new seats per address, so that no device can fill a class alone.
-#[derive(Debug, Clone)]
-pub struct NewSeats(Addresses);
-
-impl Default for NewSeats {
-    fn default() -> Self {
-        Self(Addresses::new(NEW_SEATS))
-    }
-}
-
-impl NewSeats {
-    /// Whether a newcomer from an address may join.
-    pub fn has_one(&mut self, address: IpAddr, now: Duration) -> bool {
-        self.0.of(address, now).has_one(now)
-    }
-
-    /// Records that a newcomer from an address has joined.
-    pub fn take(&mut self, address: IpAddr, now: Duration) {
-        self.0.of(address, now).take(1.0, now);
     }
 }
 
@@ -249,7 +238,7 @@ mod tests {
     #[test]
     fn pupils_behind_one_router_can_mistype_the_code_and_still_join() {
         let mut code = GuardedCode::new(JoinCode::of(7));
-        let mut seats = NewSeats::default();
+        let mut seats = Addresses::new(NEW_SEATS);
         let right = JoinCode::of(7).to_string().to_lowercase();
         for pupil in 0..40 {
             let now = Duration::from_millis(1500) * pupil;
@@ -293,7 +282,7 @@ mod tests {
 
     #[test]
     fn seats_become_available_again_and_addresses_are_forgotten() {
-        let mut seats = NewSeats::default();
+        let mut seats = Addresses::new(NEW_SEATS);
         let mut now = Duration::ZERO;
         let mut taken = 0;
         while seats.has_one(address(1), now) {
@@ -313,7 +302,7 @@ mod tests {
             seats.take(Ipv4Addr::from(host).into(), now);
             now += Duration::from_secs(1);
         }
-        assert!(seats.0.known.len() <= MANY + 60, "{}", seats.0.known.len());
+        assert!(seats.known.len() <= MANY + 60, "{}", seats.known.len());
     }
 
     /// A connection waits until the balance is 0 again.

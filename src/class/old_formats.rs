@@ -3,9 +3,8 @@
 //! changes.
 
 use super::ballot::{Said, Vote};
-use super::change::ClassChange;
 use super::names::{kept_name, names_for, tidy};
-use super::round::{ClassRound, Removed};
+use super::round::{ClassChange, ClassRound, Removed};
 use crate::files::Fields;
 
 /// The oldest format that still opens.

@@ -20,15 +20,17 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use strum::IntoStaticStr;
 
 use super::asked::{AskedQuestion, RevealedTruth};
-use super::ballot::Vote;
+use super::ballot::{Said, Vote};
 use super::join_code::SeatToken;
 use super::step::ClassStep;
 
 /// The version of the protocol.
 pub const VERSION: u32 = 1;
+
+/// The port of a host, if it is free and no other port is given.
+pub(crate) const PORT: u16 = 8090;
 
 /// The largest message from a device, in bytes.
 pub const LARGEST_MESSAGE: usize = 1024;
@@ -101,9 +103,8 @@ impl ClientMessage {
 }
 
 /// Why a pupil is refused or removed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-#[strum(serialize_all = "kebab-case")]
 pub enum Refusal {
     /// The code is wrong.
     Code,
@@ -211,12 +212,12 @@ pub struct PupilState {
     /// Whether the last vote does not fit the question and was not counted.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub misfit: bool,
-    /// Their first vote on this question, as text; empty if there is none.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub first: String,
+    /// Their first vote on this question.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first: Option<Said>,
     /// Their second vote.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub second: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second: Option<Said>,
     /// The current question; `None` in the lobby and at the end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub question: Option<AskedQuestion>,

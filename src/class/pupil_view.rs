@@ -1,12 +1,12 @@
 //! The states that pupils on devices receive.
 
 use super::asked::{AskedQuestion, RevealedTruth};
-use super::ballot::{Said, Vote};
+use super::ballot::{Vote, feedback};
 use super::protocol::{PupilState, PupilStep, VERSION};
 use super::round::{ClassRound, Participant};
 use super::scores::standings;
 use super::step::ClassStep;
-use crate::quiz::{Answer, Confidence, Form, Question, Response, explain};
+use crate::quiz::{Form, Question, Response};
 
 /// The part of the state that is the same for all pupils.
 pub(super) struct PupilView<'r> {
@@ -60,7 +60,6 @@ impl<'r> PupilView<'r> {
     pub(super) fn state(&self, person: usize, one: &Participant) -> Option<PupilState> {
         let q = self.round.place().question;
         let ballot = one.ballot(q);
-        let text = |vote| ballot.given(vote).map(Said::to_text).unwrap_or_default();
         let open = self.step.vote();
         Some(PupilState {
             v: VERSION,
@@ -72,8 +71,8 @@ impl<'r> PupilView<'r> {
             step: self.step,
             n: one.device.n,
             misfit: open.is_some_and(|vote| one.device.misfit == Some((q, vote))),
-            first: text(Vote::First),
-            second: text(Vote::Second),
+            first: ballot.given(Vote::First),
+            second: ballot.given(Vote::Second),
             question: self.asked.clone(),
             spread: self.spread.clone(),
             revealed: self.question.map(|it| self.truth(it, person, one)),
@@ -86,11 +85,7 @@ impl<'r> PupilView<'r> {
     fn truth(&self, question: &Question, person: usize, one: &Participant) -> RevealedTruth {
         let number = self.round.place().question;
         let said = one.ballot(number).counts();
-        let why = match said {
-            Some(said) => explain(question, &Answer::new(said, Confidence::ThinkSo)).text,
-            None => question.why.clone(),
-        };
         let points = said.map(|_| self.round.points(number, person));
-        RevealedTruth::new(question, why, points)
+        RevealedTruth::new(question, feedback(question, said), points)
     }
 }

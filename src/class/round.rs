@@ -1,13 +1,14 @@
-//! A round of a class: its participants, how they join, and all their votes.
+//! A round of a class: all its votes, and every change to it.
 
 use std::net::SocketAddrV4;
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::ballot::{Ballot, Said, Vote, unsure};
 use super::device::Device;
 use super::join_code::{JoinCode, SeatToken};
-use super::names::{folded, free_name, tidy};
-use super::nicknames;
+use super::names::tidy;
 use super::step::ClassPlace;
 use super::way::WayOfVoting;
 use crate::progress::Tally;
@@ -16,11 +17,11 @@ use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question,
 /// A participant: a team, or a pupil on their own device.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Participant {
-    name: String,
+    pub(super) name: String,
     /// The seat token; `None` for a team, or if no device has connected.
     pub(super) seat: Option<SeatToken>,
     /// One ballot per question.
-    ballots: Vec<Ballot>,
+    pub(super) ballots: Vec<Ballot>,
     /// The device, which is not stored.
     pub(super) device: Device,
 }
@@ -52,12 +53,127 @@ impl Participant {
     }
 }
 
+/// A change in a round. Questions, people and choices are counted from 0.
+///
+/// The file of a round begins with the state at the time of the last complete write. Later changes
+/// are appended, so each of 250 votes adds one line instead of rewriting the file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum ClassChange {
+    /// A vote was given or withdrawn.
+    Vote {
+        /// The question.
+        question: usize,
+        /// The first or the second vote.
+        vote: Vote,
+        /// The voter.
+        person: usize,
+        /// The vote.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        said: Option<Said>,
+    },
+    /// Hands were counted, or the count was withdrawn.
+    Count {
+        /// The question.
+        question: usize,
+        /// The first or the second vote.
+        vote: Vote,
+        /// The number of votes for each choice.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        counts: Option<Vec<u32>>,
+    },
+    /// A participant joined and was added at the end of the list.
+    Join {
+        /// Their seat token, if they have a device.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        seat: Option<SeatToken>,
+        /// Their name, which must be unique.
+        name: String,
+    },
+    /// A participant was renamed.
+    Rename {
+        /// The participant.
+        person: usize,
+        /// Their new name.
+        name: String,
+    },
+    /// A participant and all their votes were removed; later participants' indices shift by one.
+    Remove {
+        /// The participant.
+        person: usize,
+    },
+    /// A removed participant may join again.
+    Readmit {
+        /// Their index among the removed participants.
+        removed: usize,
+    },
+    /// A participant's seat was freed, and they may rejoin; later participants' indices shift.
+    Vacate {
+        /// The participant.
+        person: usize,
+    },
+    /// A participant had joined twice.
+    Merge {
+        /// The duplicate, which is removed.
+        from: usize,
+        /// The original participant.
+        into: usize,
+    },
+}
+
+impl ClassChange {
+    /// The line of JSON that stores the change.
+    pub fn line(&self) -> String {
+        // Every field can be written as JSON.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+
+    /// Reads a change from its line.
+    ///
+    /// # Errors
+    /// The reason, if the line is not a change.
+    pub fn read(line: &str) -> Result<Self, String> {
+        serde_json::from_str(line).map_err(|error| format!("expected a change: {error}"))
+    }
+
+    /// Whether a line is a vote, valid or not.
+    pub(super) fn is_vote(line: &str) -> bool {
+        line.starts_with("{\"vote\":")
+    }
+}
+
+/// A change in a file: one line of JSON.
+#[derive(Serialize)]
+pub(super) struct Then {
+    change: String,
+}
+
+impl From<&ClassChange> for Then {
+    fn from(change: &ClassChange) -> Self {
+        let change = change.line();
+        Self { change }
+    }
+}
+
+/// The text that is appended to the file of a round for these changes.
+///
+/// # Errors
+/// The reason if it cannot be written, which does not happen in practice.
+pub fn appended(changes: &[ClassChange]) -> Result<String, String> {
+    #[derive(Serialize)]
+    struct Appended {
+        then: Vec<Then>,
+    }
+    let then = changes.iter().map(Then::from).collect();
+    toml::to_string(&Appended { then }).map_err(|error| error.to_string())
+}
+
 /// A round that a class plays, with all its votes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClassRound {
     /// The questions, which never change.
     round: Arc<Round>,
-    way: WayOfVoting,
+    pub(super) way: WayOfVoting,
     pub(super) participants: Vec<Participant>,
     /// For each question, the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
@@ -67,7 +183,7 @@ pub struct ClassRound {
     /// The name of the class; may be empty.
     class: String,
     /// Whether carrom gives nicknames to pupils' devices instead of asking for names.
-    nicknames: bool,
+    pub(super) nicknames: bool,
     /// The number of votes that were dropped when the file was read, because they did not fit their
     /// questions.
     pub(super) dropped: usize,
@@ -175,162 +291,6 @@ impl ClassRound {
         self.way
     }
 
-    /// The code for joining on devices, while pupils can join.
-    pub fn join_code(&self) -> Option<JoinCode> {
-        self.joining.as_ref().map(|joining| joining.code)
-    }
-
-    /// The address at which pupils' devices last found the round and will look for it again.
-    pub fn address(&self) -> Option<SocketAddrV4> {
-        self.joining.as_ref()?.address
-    }
-
-    /// Lets pupils join, with this code and at this address. An existing code is kept.
-    pub fn open(&mut self, code: JoinCode, address: Option<SocketAddrV4>) {
-        let joining = self.joining.get_or_insert(Joining {
-            code,
-            address,
-            removed: Vec::new(),
-        });
-        joining.address = address;
-    }
-
-    /// Stops pupils from joining and forgets all seat tokens; names and votes are kept.
-    pub fn close(&mut self) {
-        self.joining = None;
-        self.participants.iter_mut().for_each(|it| it.seat = None);
-    }
-
-    /// The index of the participant with this token, counted from 0.
-    pub fn seat(&self, token: SeatToken) -> Option<usize> {
-        let mut all = self.participants.iter();
-        all.position(|it| it.seat == Some(token))
-    }
-
-    /// The names of the participants who were removed and have not been readmitted.
-    pub fn removed(&self) -> impl Iterator<Item = &str> {
-        let removed = self.joining.iter().flat_map(|joining| &joining.removed);
-        removed.map(|it| it.name.as_str())
-    }
-
-    /// Whether a participant with this token or name was removed and has not been readmitted.
-    pub fn is_removed(&self, token: Option<SeatToken>, name: &str) -> bool {
-        let name = folded(&tidy(name));
-        let mut removed = self.joining.iter().flat_map(|joining| &joining.removed);
-        removed.any(|it| {
-            let is_same_device = token.is_some() && it.seat == token;
-            is_same_device || folded(&it.name) == name
-        })
-    }
-
-    /// A new name for a participant, tidied; `None` if no visible letter is left, or if the name is
-    /// taken.
-    pub fn renamed(&self, person: usize, name: &str) -> Option<String> {
-        let name = tidy(name);
-        let mut others = self.participants.iter().enumerate();
-        let taken = others.any(|(i, other)| i != person && folded(&other.name) == folded(&name));
-        (!name.is_empty() && !taken).then_some(name)
-    }
-
-    /// The name that a newcomer with this name would get: tidied, and with a number if it is taken;
-    /// `None` if no visible letter is left.
-    pub fn name_for(&self, name: &str) -> Option<String> {
-        let name = tidy(name);
-        (!name.is_empty()).then(|| free_name(&name, &self.teams()))
-    }
-
-    /// The name that a newcomer with this token gets if they ask for this name: a nickname, if
-    /// the round gives nicknames.
-    pub(super) fn newcomers_name(&self, name: &str, token: SeatToken) -> Option<String> {
-        if !self.nicknames {
-            return self.name_for(name);
-        }
-        let is_taken = |it: &str| {
-            let is_used = self.participants.iter().any(|other| other.name == it);
-            is_used || self.is_removed(None, it)
-        };
-        self.name_for(&nicknames::for_device(name, token, is_taken))
-    }
-
-    fn participant(&mut self, person: usize) -> Result<&mut Participant, String> {
-        let count = self.participants.len();
-        let found = self.participants.get_mut(person);
-        found.ok_or_else(|| format!("expected one of {count} participants"))
-    }
-
-    /// Adds a participant with a unique name. A seat token is accepted only while pupils can join.
-    pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
-        if self.participants.len() >= self.way.most() {
-            return Err(format!("expected at most {} participants", self.way.most()));
-        }
-        if self.name_for(name).as_deref() != Some(name) {
-            return Err(format!("expected a name that is not taken, found {name:?}"));
-        }
-        if self.joining.is_none() && seat.is_some() {
-            return Err("expected a round that pupils can join".into());
-        }
-        self.seat_new(name.to_owned(), seat);
-        Ok(())
-    }
-
-    pub(super) fn rename(&mut self, person: usize, name: &str) -> Result<(), String> {
-        if self.renamed(person, name).as_deref() != Some(name) {
-            return Err(format!("expected a name that is not taken, found {name:?}"));
-        }
-        self.participant(person)?.name = name.to_owned();
-        Ok(())
-    }
-
-    /// Removes a participant and all their votes; they can rejoin only after being readmitted.
-    pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
-        let Participant { seat, name, .. } = self.participant(person)?.clone();
-        self.vacate(person)?;
-        if let Some(joining) = &mut self.joining {
-            joining.removed.push(Removed { seat, name });
-            let surplus = joining.removed.len().saturating_sub(self.way.most());
-            joining.removed.drain(..surplus);
-        }
-        Ok(())
-    }
-
-    /// Lets a removed participant join again.
-    pub(super) fn readmit(&mut self, removed: usize) -> Result<(), String> {
-        let all = self.joining.as_mut().map(|joining| &mut joining.removed);
-        match all.filter(|all| removed < all.len()) {
-            Some(all) => {
-                all.remove(removed);
-                Ok(())
-            }
-            None => Err("expected a participant who was removed".into()),
-        }
-    }
-
-    /// Frees a participant's seat and deletes their votes; they may join again.
-    pub(super) fn vacate(&mut self, person: usize) -> Result<(), String> {
-        self.participant(person)?;
-        self.participants.remove(person);
-        Ok(())
-    }
-
-    /// Merges two entries of a participant who joined twice. The votes of the duplicate replace
-    /// earlier ones, and its device keeps the seat.
-    pub(super) fn merge(&mut self, from: usize, into: usize) -> Result<(), String> {
-        let people = self.participants.len();
-        if from == into || from.max(into) >= people {
-            return Err(format!("expected two of {people} participants"));
-        }
-        let stranger = self.participants[from].clone();
-        let one = &mut self.participants[into];
-        for (ballot, later) in one.ballots.iter_mut().zip(&stranger.ballots) {
-            for vote in Vote::BOTH {
-                ballot.put(vote, later.given(vote).or(ballot.given(vote)));
-            }
-        }
-        one.seat = stranger.seat.or(one.seat);
-        one.device = stranger.device.or_earlier(&one.device);
-        self.vacate(from)
-    }
-
     /// The code that determines the questions.
     pub fn code(&self) -> &Code {
         self.round.code()
@@ -365,6 +325,42 @@ impl ClassRound {
     pub fn go(&mut self, place: ClassPlace) {
         if place.question < self.questions().len() {
             self.place = place;
+        }
+    }
+
+    /// Applies a change.
+    ///
+    /// # Errors
+    /// The reason, if the change does not fit the round; the round then stays unchanged.
+    pub fn change(&mut self, change: &ClassChange) -> Result<(), String> {
+        let taken = |taken: bool, expected: &str| match taken {
+            true => Ok(()),
+            false => Err(format!("expected {expected}, found {}", change.line())),
+        };
+        match change {
+            ClassChange::Vote {
+                question,
+                vote,
+                person,
+                said,
+            } => {
+                let put = self.put(*question, *person, *vote, *said);
+                taken(put, "a participant's vote on one of its questions")
+            }
+            ClassChange::Count {
+                question,
+                vote,
+                counts,
+            } => {
+                let put = self.count(*question, *vote, counts.as_deref());
+                taken(put, "a count for each choice of one of its questions")
+            }
+            ClassChange::Join { seat, name } => self.join(name, *seat),
+            ClassChange::Rename { person, name } => self.rename(*person, name),
+            ClassChange::Remove { person } => self.remove(*person),
+            ClassChange::Readmit { removed } => self.readmit(*removed),
+            ClassChange::Vacate { person } => self.vacate(*person),
+            ClassChange::Merge { from, into } => self.merge(*from, *into),
         }
     }
 
@@ -507,5 +503,46 @@ impl ClassRound {
         let said = self.ballot(question, team).counts();
         let credit = self.grade(question, said).map_or(0.0, |grade| grade.credit);
         Grade::MOST * credit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changes_read_back_as_written() {
+        let seat = SeatToken::of(7);
+        for line in [
+            r#"{"vote":{"question":2,"vote":"first","person":16,"said":"rays -0.5 still"}}"#,
+            r#"{"vote":{"question":2,"vote":"second","person":16,"said":"sure choice 2"}}"#,
+            r#"{"vote":{"question":2,"vote":"first","person":0}}"#,
+            r#"{"count":{"question":0,"vote":"first","counts":[4,17,9,2]}}"#,
+            r#"{"count":{"question":0,"vote":"second"}}"#,
+            &format!(r#"{{"join":{{"seat":"{seat}","name":"Ada Lovelace"}}}}"#),
+            r#"{"join":{"name":"Ants"}}"#,
+            r#"{"rename":{"person":2,"name":"Bo  <b>"}}"#,
+            r#"{"remove":{"person":249}}"#,
+            r#"{"readmit":{"removed":0}}"#,
+            r#"{"vacate":{"person":249}}"#,
+            r#"{"merge":{"from":3,"into":0}}"#,
+        ] {
+            let change = ClassChange::read(line).unwrap_or_else(|it| panic!("{line}: {it}"));
+            assert_eq!(change.line(), line);
+        }
+        for line in [
+            "",
+            "vote 1 first 1",
+            r#"{"vote":{"question":-1,"vote":"first","person":0}}"#,
+            r#"{"vote":{"question":0,"vote":"third","person":0}}"#,
+            r#"{"vote":{"question":0,"vote":"first","person":0,"said":"rays"}}"#,
+            r#"{"vote":{"question":0,"vote":"first","person":0,"sad":"rays 1 2"}}"#,
+            r#"{"count":{"question":0,"vote":"first","counts":["x"]}}"#,
+            r#"{"join":{"seat":"12","name":"Ada"}}"#,
+            r#"{"merge":{"from":1}}"#,
+            r#"{"leave":{"person":1}}"#,
+        ] {
+            assert!(ClassChange::read(line).is_err(), "{line}");
+        }
     }
 }

@@ -7,10 +7,9 @@ use serde::Serialize;
 use strum::VariantArray;
 
 use super::ballot::Vote;
-use super::change::{ClassChange, Then};
 use super::names::{NameTrouble, tidy};
 use super::old_formats;
-use super::round::ClassRound;
+use super::round::{ClassChange, ClassRound, Then};
 use super::step::{ClassPlace, ClassStep};
 use super::way::WayOfVoting;
 use crate::files::{Fields, FileErrors, Source, is_blank_name};
@@ -94,7 +93,7 @@ impl ClassRound {
             number: self.place().question + 1,
             step: self.place().step.into(),
             asked: self.own_ids(),
-            door: self.join_code().map(String::from),
+            door: self.join_code().map(|code| code.to_string()),
             address: self.address().map(|address| address.to_string()),
             then: self.changes().iter().map(Then::from).collect(),
         };

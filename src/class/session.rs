@@ -12,14 +12,13 @@ use std::time::Duration;
 use serde_json::Value;
 
 use super::ballot::{Said, Vote};
-use super::change::ClassChange;
 use super::device::ConnectionId;
 use super::host::{HostCall, HostNews, JoinDetails};
 use super::join_code::SeatToken;
-use super::limits::NewSeats;
-use super::protocol::{HandedIn, NotTaken, PupilStep, Refusal};
+use super::limits::{Addresses, NEW_SEATS};
+use super::protocol::{ClientMessage, HandedIn, NotTaken, PupilStep, Refusal};
 use super::pupil_view::PupilView;
-use super::round::{ClassRound, Participant};
+use super::round::{ClassChange, ClassRound, Participant};
 use super::step::{ClassPlace, ClassStep};
 use super::way::WayOfVoting;
 use crate::gradebook::HandIn;
@@ -48,7 +47,8 @@ pub struct Session {
     /// The total size of the hand-ins so far, in bytes, and their folder.
     handed_bytes: usize,
     handed_in_where: Option<String>,
-    new_seats: NewSeats,
+    /// The seats that newcomers may still take.
+    new_seats: Addresses,
     /// How long pupils have been able to join without anybody joining.
     waited: Duration,
     effects: Vec<SessionEffect>,
@@ -116,7 +116,7 @@ impl Session {
             keeping: Keeping::default(),
             handed_bytes: 0,
             handed_in_where: None,
-            new_seats: NewSeats::default(),
+            new_seats: Addresses::new(NEW_SEATS),
             waited: Duration::ZERO,
             effects: open.into_iter().map(SessionEffect::Host).collect(),
             round: Arc::new(round),
@@ -310,19 +310,15 @@ impl Session {
                     Ok((person, is_new)) => self.seat(person, *connection, *address, is_new),
                     Err(why) => self.refuse(Some(*connection), why),
                 },
-                HostNews::Voted {
-                    connection,
-                    question,
-                    vote,
-                    said,
-                    n,
-                } => self.voted(*connection, (*question, *vote), said, *n),
-                HostNews::HandedIn {
-                    connection,
-                    n,
-                    file,
-                } => self.hand_in(*connection, *n, file),
-                HostNews::Gone(connection) => {
+                HostNews::Said(connection, ClientMessage::Vote { q, vote, said, n }) => {
+                    self.voted(*connection, (*q, *vote), said, *n);
+                }
+                HostNews::Said(connection, ClientMessage::HandIn { n, file }) => {
+                    self.hand_in(*connection, *n, file);
+                }
+                // A pupil who has joined already has a seat.
+                HostNews::Said(_, ClientMessage::Join { .. }) => {}
+                HostNews::Said(connection, ClientMessage::Leave) | HostNews::Gone(connection) => {
                     if let Some(person) = self.person(*connection) {
                         self.participant(person).device.connection = None;
                     }
@@ -496,11 +492,9 @@ impl Session {
             return Err(NotTaken::TooMany);
         }
         self.handed_bytes = bytes;
-        let read = HandIn::of_value(file.clone()).map_err(|_| NotTaken::Format)?;
-        match read.attempts.is_empty() {
-            true => Err(NotTaken::Format),
-            false => Ok(read),
-        }
+        let read = HandIn::of_value(file.clone()).ok();
+        read.filter(|it| !it.attempts.is_empty())
+            .ok_or(NotTaken::Format)
     }
 
     /// Notifies the pupil that a hand-in was saved in this folder, or could not be saved.

@@ -1,11 +1,11 @@
 //! The tables for the teacher, as comma-separated values.
 
 use super::ballot::Vote;
-use super::items::{ItemAnalysis, items};
+use super::items::{ItemAnalysis, answer_name, items};
 use super::round::ClassRound;
 use crate::files::csv_table;
 use crate::numbers::{self, bare_degrees};
-use crate::quiz::{Form, Grade, Question, Response, letter};
+use crate::quiz::{Form, Grade, Question, Response};
 
 /// The first columns of both tables, which describe the question.
 const ASKED: &str = "code,number,family,difficulty,question,truth";
@@ -125,16 +125,8 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
 /// The answers in a vote, with their counts: "A: 4; B: 17; C: 9; D: 2".
 fn counted(question: &Question, item: &ItemAnalysis, vote: Vote) -> String {
     let is_choice = matches!(question.form, Form::Choice { .. });
-    let each = item.counts.iter().enumerate().map(|(i, (said, counts))| {
-        let words = match is_choice {
-            true => letter(i).to_string(),
-            false => question.form.words(said),
-        };
-        (words, counts[vote as usize])
-    });
+    let each = { item.counts.iter() }.map(|(said, counts)| (said, counts[vote as usize]));
     let said = each.filter(|(_, count)| is_choice || *count > 0);
-    let said: Vec<String> = said
-        .map(|(words, count)| format!("{words}: {count}"))
-        .collect();
-    said.join("; ")
+    let said = said.map(|(said, count)| format!("{}: {count}", answer_name(question, said)));
+    said.collect::<Vec<_>>().join("; ")
 }

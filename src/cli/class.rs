@@ -10,7 +10,7 @@ use super::written::{NamedFile, named_file, write_named_beside};
 use super::{Failure, GlobalOptions, Teams, print};
 use crate::class::{ClassRound, is_same_class, team_names};
 use crate::files::{escape_control_lines, quoted};
-use crate::messages::{Kept, StoreCall, StoreReply, StoreRequest};
+use crate::messages::{FileKind, Kept, StoreCall, StoreReply, StoreRequest};
 use crate::numbers::counted;
 use crate::paper::class_report;
 use crate::quiz::Code;
@@ -222,7 +222,7 @@ fn report(
 
 /// The stored rounds, the latest first.
 fn rounds(store: &mut Store) -> Result<Vec<Kept<ClassRound>>, Failure> {
-    let request = StoreRequest::ListClasses;
+    let request = StoreRequest::List(FileKind::Class);
     match store.answer(&StoreCall { ticket: 0, request }).done {
         StoreReply::Classes(kept) => kept.map_err(|reason| anyhow!(reason).into()),
         _ => Err(anyhow!("the rounds could not be read").into()),

@@ -12,7 +12,7 @@ use crate::files::{Document, escape_control_lines};
 use crate::game::Results;
 use crate::lessons::Bookmark;
 use crate::levels::Starred;
-use crate::messages::{History, StoreCall, StoreReply, StoreRequest};
+use crate::messages::{FileKind, History, StoreCall, StoreReply, StoreRequest};
 use crate::paper::report::{Report, Sources};
 use crate::path::{NextStep, PathSoFar};
 use crate::progress::{csv, json};
@@ -147,8 +147,8 @@ fn kept(player: &str, store: &mut Store) -> anyhow::Result<MarksAndStars> {
 
 /// The player's results at the table.
 fn games(player: &str, store: &mut Store) -> anyhow::Result<Value> {
-    let games = match ask(store, StoreRequest::List) {
-        StoreReply::Listed(games) => games.map_err(|reason| anyhow!(reason))?,
+    let games = match ask(store, StoreRequest::List(FileKind::Game)) {
+        StoreReply::Games(games) => games.map_err(|reason| anyhow!(reason))?,
         _ => return Err(anyhow!("the saved games could not be read")),
     };
     let games = games.iter().filter_map(|kept| kept.content.as_deref().ok());

@@ -1,12 +1,11 @@
 //! The pupils who have handed in answers; each pupil and each answer occurs once.
 
 use std::collections::HashSet;
-
-use super::{ClassResults, HandIn};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::{ClassResults, HandIn, PupilResults};
 use crate::files::{self, tidy_name};
 use crate::numbers::counted;
 use crate::progress::Attempt;
@@ -184,6 +183,9 @@ impl Gradebook {
 
     /// The results of every pupil.
     pub fn results(&self) -> ClassResults<'_> {
-        ClassResults::of(self)
+        ClassResults {
+            book: self,
+            pupils: self.pupils.iter().map(PupilResults::of).collect(),
+        }
     }
 }

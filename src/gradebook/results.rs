@@ -35,14 +35,7 @@ pub struct PupilResults<'a> {
     pub beliefs: Vec<HeldBelief>,
 }
 
-impl<'a> ClassResults<'a> {
-    pub(super) fn of(book: &'a Gradebook) -> Self {
-        Self {
-            book,
-            pupils: book.pupils.iter().map(PupilResults::of).collect(),
-        }
-    }
-
+impl ClassResults<'_> {
     /// The rounds that any pupil has begun, sorted by code.
     pub(crate) fn rounds(&self) -> Vec<&str> {
         sorted(self.pupils.iter().flat_map(|it| it.rounds.keys()))
@@ -55,7 +48,7 @@ impl<'a> ClassResults<'a> {
 }
 
 impl<'a> PupilResults<'a> {
-    fn of(pupil: &'a Pupil) -> Self {
+    pub(super) fn of(pupil: &'a Pupil) -> Self {
         let mut asked = HashSet::new();
         let all = pupil.attempts.iter().map(|it| (it, it.round()));
         let answers: Vec<_> = all

@@ -1,6 +1,8 @@
 //! The gradebook as comma-separated values.
 
-use super::{BeliefCount, ClassResults, ItemStatistics, beliefs, items, learning};
+use super::{
+    BeliefCount, ClassResults, ItemStatistics, Learning, Matched, beliefs, items, learning,
+};
 use crate::files::csv_table;
 use crate::numbers::fixed;
 
@@ -114,20 +116,18 @@ pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
 /// The reason if a row cannot be written, which does not happen in practice.
 pub fn learning_csv(results: &ClassResults<'_>) -> Result<Option<String>, String> {
     let all = learning(results);
-    let rows: Vec<Vec<String>> = { all.iter() }
-        .flat_map(|of| {
-            of.matched.iter().map(|it| {
-                let mut row = vec![it.pupil.name.clone(), it.pupil.class.clone()];
-                row.extend(of.codes.clone());
-                row.push(of.count.to_string());
-                row.extend(it.right.map(|right| right.to_string()));
-                row
-            })
-        })
-        .collect();
-    let heads = "name,class,before,after,questions,right_before,right_after".split(',');
+    let columns: [(&str, CellOf<(&Learning, &Matched)>); 7] = [
+        ("name", &|(_, it)| it.pupil.name.clone()),
+        ("class", &|(_, it)| it.pupil.class.clone()),
+        ("before", &|(of, _)| of.codes[0].clone()),
+        ("after", &|(of, _)| of.codes[1].clone()),
+        ("questions", &|(of, _)| of.count.to_string()),
+        ("right_before", &|(_, it)| it.right[0].to_string()),
+        ("right_after", &|(_, it)| it.right[1].to_string()),
+    ];
+    let rows = { all.iter() }.flat_map(|of| of.matched.iter().map(move |it| (of, it)));
     match all.is_empty() {
         true => Ok(None),
-        false => csv_table(heads, &rows).map(Some),
+        false => table(&columns, &rows.collect::<Vec<_>>()).map(Some),
     }
 }

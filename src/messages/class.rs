@@ -28,8 +28,8 @@ pub enum JoinNews {
     Reached,
     /// The host has sent this text.
     Heard(String),
-    /// The host cannot be reached, or the connection has been lost; the text gives the reason.
-    Lost(String),
+    /// The host cannot be reached, or the connection has been lost.
+    Lost,
     /// The token and the name that were saved during an earlier connection.
     Remembered(String, String),
     /// The device was asleep or the page was hidden, and is active again.

@@ -16,6 +16,6 @@ pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
 pub use key::Key;
 pub use store::{
-    GatheredBook, HandInFolder, History, Kept, KeptGame, KnownPlayer, StoreAnswer, StoreCall,
-    StoreReply, StoreRequest,
+    FileContent, FileKind, GatheredBook, HandInFolder, History, Kept, KeptGame, KnownPlayer,
+    PlayerAction, StoreAnswer, StoreCall, StoreReply, StoreRequest,
 };

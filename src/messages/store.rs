@@ -25,20 +25,9 @@ pub struct StoreCall {
 /// What a [`StoreCall`] asks the store to do.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreRequest {
-    /// Save the current state of a game, replacing the state that was previously saved or loaded
-    /// with the same ticket.
-    Save(Box<SavedGame>),
-    /// List the saved games.
-    List,
-    /// Load the game with this name, which will be saved with the same ticket from now on.
-    Load(String),
-    /// Remove the game with this name.
-    Remove(String),
-    /// Export a game for the player.
-    Export(Box<SavedGame>),
-    /// Save the current state of a class round, replacing the state that was previously saved or
+    /// Save the current state of a game or round, replacing the state that was previously saved or
     /// loaded with the same ticket.
-    SaveClass(Arc<ClassRound>),
+    Save(FileContent),
     /// Save the latest changes to a class round: only the changes if everything before them has
     /// been saved, otherwise the whole round.
     NoteClass {
@@ -47,48 +36,28 @@ pub enum StoreRequest {
         /// The round after the changes.
         round: Arc<ClassRound>,
     },
-    /// List the saved class rounds.
-    ListClasses,
-    /// Load the class round with this name, which will be saved with the same ticket from now on.
-    LoadClass(String),
-    /// Remove the class round with this name.
-    RemoveClass(String),
-    /// Export the tables of a class round for the teacher.
-    ExportClass(Arc<ClassRound>),
+    /// List the saved files of this kind.
+    List(FileKind),
+    /// Load the file of this kind and name, which will be saved with the same ticket from now on.
+    Load(FileKind, String),
+    /// Remove the file of this kind and name.
+    Remove(FileKind, String),
+    /// Export a game for the player, or the tables of a class round for the teacher.
+    Export(FileContent),
     /// Save a hand-in, unless an identical hand-in has already been saved.
     KeepHandIn(Box<HandIn>),
     /// Make a gradebook from the hand-ins in a folder.
     Gather(HandInFolder),
-    /// Save an answer with the current time. The answer should be saved before the explanation is
-    /// shown, so nothing is drawn until then, unless saving takes a long time.
-    Record(Box<Attempt>),
-    /// Save what a player saw in a hit, with the current time.
-    Observe(Box<Observation>),
-    /// Add a hit to this player's notebook in the lab, with the current time.
-    NoteHit(String, Box<NotedHit>),
+    /// Save something that a player has done, after everything that is pending.
+    Note(PlayerAction),
     /// List the latest hits in this player's notebook.
     Notebook(String),
-    /// Delete all hits in this player's notebook.
-    ClearNotebook(String),
-    /// Save the stars of a level that this player has won.
-    Star(String, Starred),
     /// Load this player's answers, or everyone's answers if no name is given.
     Recall(Option<String>),
     /// List the levels that this player has won.
     Stars(String),
     /// List everyone who has done something on this device.
     Players,
-    /// Add what a player has done in a chapter to the player's bookmark in the chapter.
-    Mark {
-        /// The player's name.
-        player: String,
-        /// The id of the chapter.
-        chapter: String,
-        /// The progress to add.
-        later: Box<Bookmark>,
-    },
-    /// Delete this player's progress in chapters.
-    Forget(String, Forget),
     /// List this player's bookmarks.
     Marks(String),
     /// Look up today's date in the player's calendar.
@@ -97,6 +66,51 @@ pub enum StoreRequest {
     KeepSettings(String),
     /// Try again to save everything that is pending.
     Retry,
+}
+
+/// The kinds of files that carrom saves and loads again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKind {
+    /// Games.
+    Game,
+    /// Class rounds.
+    Class,
+}
+
+/// The content of a file that is saved or exported.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FileContent {
+    /// A game.
+    Game(Box<SavedGame>),
+    /// A class round.
+    Class(Arc<ClassRound>),
+}
+
+/// Something that a player has done. Actions are saved in the order in which they were done.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlayerAction {
+    /// The player gave an answer, which is saved with the current time. It should be saved before
+    /// the explanation is shown, so nothing is drawn until then, unless saving takes a long time.
+    Record(Box<Attempt>),
+    /// The player saw something in a hit, which is saved with the current time.
+    Observe(Box<Observation>),
+    /// This player added a hit to the notebook in the lab, with the current time.
+    NoteHit(String, Box<NotedHit>),
+    /// This player cleared the notebook.
+    ClearNotebook(String),
+    /// This player won a level with these stars.
+    Star(String, Starred),
+    /// A player did something in a chapter, which is added to the player's bookmark in the chapter.
+    Mark {
+        /// The player's name.
+        player: String,
+        /// The id of the chapter.
+        chapter: String,
+        /// The progress to add.
+        later: Box<Bookmark>,
+    },
+    /// This player deleted progress in chapters.
+    Forget(String, Forget),
 }
 
 /// The result of a [`StoreCall`]; if the call failed, the result contains the reason in words.
@@ -119,9 +133,9 @@ pub enum StoreReply {
     /// The game or the class round has been saved.
     Saved(Result<(), String>),
     /// The saved games, newest first.
-    Listed(Result<Vec<KeptGame>, String>),
+    Games(Result<Vec<KeptGame>, String>),
     /// The game that was loaded.
-    Loaded(Result<Box<SavedGame>, String>),
+    Game(Result<Box<SavedGame>, String>),
     /// The game or the class round has been removed.
     Removed(Result<(), String>),
     /// The path of the exported file or folder.

@@ -11,7 +11,7 @@ use super::route::Route;
 use super::settings::{KeptSettings, Settings};
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
-use crate::messages::{Effect, HostCall, JoinCall, StoreCall, StoreRequest};
+use crate::messages::{Effect, HostCall, JoinCall, PlayerAction, StoreCall, StoreRequest};
 use crate::progress::{Attempt, Observation};
 use crate::quiz::Code;
 use crate::quiz::concepts::Library;
@@ -90,10 +90,16 @@ impl Context {
         ticket
     }
 
+    /// Saves something that the player has done.
+    pub fn note(&mut self, action: PlayerAction) {
+        self.ask(StoreRequest::Note(action));
+    }
+
     /// Records and saves that a level was won.
     pub fn won(&mut self, number: usize, win: Win) {
         if let Some(starred) = self.shelf.won(number, win) {
-            self.ask(StoreRequest::Star(self.settings.player.clone(), starred));
+            let player = self.settings.player.clone();
+            self.note(PlayerAction::Star(player, starred));
         }
     }
 
@@ -128,7 +134,7 @@ impl Context {
     /// Records what was done in the chapter with this id, and saves it.
     pub fn mark(&mut self, chapter: &str, later: Bookmark) {
         self.book.merge(chapter, later.clone());
-        self.ask(StoreRequest::Mark {
+        self.note(PlayerAction::Mark {
             player: self.settings.player.clone(),
             chapter: chapter.to_owned(),
             later: Box::new(later),
@@ -138,7 +144,7 @@ impl Context {
     /// Deletes the record of what was done in chapters, in memory and in the store.
     pub fn forget(&mut self, what: Forget) {
         self.book.forget(&what);
-        self.ask(StoreRequest::Forget(self.settings.player.clone(), what));
+        self.note(PlayerAction::Forget(self.settings.player.clone(), what));
     }
 
     /// A ticket that no request has used yet.
@@ -149,12 +155,12 @@ impl Context {
 
     /// Saves an answer before anything that follows from it is shown.
     pub fn record(&mut self, attempt: Attempt) {
-        self.ask(StoreRequest::Record(Box::new(attempt)));
+        self.note(PlayerAction::Record(Box::new(attempt)));
     }
 
     /// Saves what the player saw.
     pub fn observe(&mut self, observation: Observation) {
-        self.ask(StoreRequest::Observe(Box::new(observation)));
+        self.note(PlayerAction::Observe(Box::new(observation)));
     }
 
     /// Requests that `content` be written to a file called `name`.

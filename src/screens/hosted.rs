@@ -7,13 +7,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::view::{Part, View};
+use super::view::{Part, PlacedPanel, PlacedView, View};
 use super::{Context, Next, Route, Screen};
 use crate::game::Rules;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
-use crate::widgets::{Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, sheet, text};
+use crate::widgets::{Item, Lines, Look, PAGE_ROWS, Role, Words, areas, sheet, text};
 
 /// What the keys do on every screen, unless the screen uses the key for something else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -130,22 +130,11 @@ struct Scrolled {
     stays: bool,
 }
 
-/// A view after layout, with its panels scrolled.
-struct ShownView<'p, A> {
-    /// The area below the tabs.
-    area: Rect,
-    small_heading: bool,
-    layout: SplitLayout,
-    picture: Rect,
-    panels: Vec<(&'p Panel<A>, Shown<'p>)>,
-}
-
-/// A panel after layout, with its scroll position.
-struct Shown<'p> {
-    of: (&'p str, usize),
-    placed: Placed<'p>,
-    area: Rect,
-    rows: u16,
+impl Scrolled {
+    fn is_of<A>(&self, panel: &Panel<A>) -> bool {
+        let (title, subject) = &self.of;
+        *title == panel.title && *subject == panel.subject
+    }
 }
 
 impl<S: Screen> Hosted<S> {
@@ -186,12 +175,12 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// Runs a function on the panels of the view, laid out in the body.
+    /// Runs a function on the view, laid out in the body with its panels scrolled.
     fn with_panels<T>(
         &self,
         view: &View<S::Action>,
         cx: &Context,
-        take: impl FnOnce(&ShownView<S::Action>, &Writing) -> T,
+        take: impl FnOnce(&PlacedView<S::Action>, &Writing) -> T,
     ) -> T {
         let keys = self.keys(cx);
         let key = |action: &S::Action| Some(keys.key_of(&Pressed::Own(*action))?.to_string());
@@ -207,36 +196,22 @@ impl<S: Screen> Hosted<S> {
             Part::Picture(..) | Part::Nothing => cx.room(),
             Part::Panel(_) => cx.body.into(),
         };
-        let placed = view.placed(room, &writing, &key);
-        let panels = placed.panels.into_iter();
-        let panels: Vec<_> = panels
-            .map(|(panel, placed, area)| (panel, self.shown(panel, placed, area)))
-            .collect();
-        let pages = { panels.iter() }.find_map(|(_, it)| Some(it.placed.pages()?.places(it.rows)));
-        let shown = ShownView {
-            area: placed.area,
-            small_heading: placed.small_heading,
-            layout: placed.layout,
-            picture: pages.map_or(placed.layout.picture, |[picture, _]| picture),
-            panels,
-        };
-        take(&shown, &writing)
+        let mut placed = view.placed(room, &writing, &key);
+        for it in &mut placed.panels {
+            it.rows = self.scrolled(it.panel, &it.placed);
+            if let Some(pages) = it.placed.pages() {
+                [placed.layout.picture, it.area] = pages.places(it.rows);
+            }
+        }
+        take(&placed, &writing)
     }
 
-    fn shown<'p>(&self, panel: &'p Panel<S::Action>, placed: Placed<'p>, area: Rect) -> Shown<'p> {
-        let of = (panel.title.as_str(), panel.subject);
-        let scrolled = { self.scrolled.iter() }.find(|it| (it.of.0.as_str(), it.of.1) == of);
-        let rows = match scrolled {
+    /// How far a panel is scrolled, in rows.
+    fn scrolled(&self, panel: &Panel<S::Action>, placed: &Placed) -> u16 {
+        match self.scrolled.iter().find(|it| it.is_of(panel)) {
             Some(it) if it.chosen == placed.chosen => it.rows.min(placed.overflow()),
             _ if panel.from_top => 0,
             _ => placed.following(),
-        };
-        let area = placed.pages().map_or(area, |it| it.places(rows)[1]);
-        Shown {
-            of,
-            placed,
-            area,
-            rows,
         }
     }
 
@@ -244,12 +219,12 @@ impl<S: Screen> Hosted<S> {
     fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &mut Context) -> Next {
         let view = self.screen.view(cx);
         let scrolled = self.with_panels(&view, cx, |view, _| {
-            let is_meant = |shown: &&Shown| match cell {
+            let is_meant = |shown: &&PlacedPanel<S::Action>| match cell {
                 Some(cell) => shown.area.contains(cell.into()),
                 None => shown.placed.overflow() > 0,
             };
             let mut panels = view.panels.iter().rev();
-            let (panel, shown) = panels.find(|(_, shown)| is_meant(&shown))?;
+            let shown = panels.find(is_meant)?;
             let by = match shown.placed.pages() {
                 Some(_) => by.signum(),
                 None => by,
@@ -257,10 +232,10 @@ impl<S: Screen> Hosted<S> {
             let rows = shown.rows.saturating_add_signed(by);
             let rows = rows.min(shown.placed.overflow());
             (rows != shown.rows).then(|| Scrolled {
-                of: (shown.of.0.to_owned(), shown.of.1),
+                of: (shown.panel.title.clone(), shown.panel.subject),
                 rows,
                 chosen: shown.placed.chosen,
-                stays: panel.stays,
+                stays: shown.panel.stays,
             })
         });
         drop(view);
@@ -278,14 +253,11 @@ impl<S: Screen> Hosted<S> {
         if self.scrolled.is_empty() {
             return;
         }
-        let of = |panel: Panel<S::Action>| (panel.title, panel.subject);
         let view = self.screen.view(cx);
-        let shown = match view.first {
-            Part::Panel(panel) => vec![of(panel), of(view.second)],
-            Part::Picture(..) | Part::Nothing => vec![of(view.second)],
+        let is_shown = |it: &Scrolled| {
+            it.is_of(&view.second) || view.first.panel().is_some_and(|panel| it.is_of(panel))
         };
-        self.scrolled
-            .retain(|it| it.stays || shown.contains(&it.of));
+        self.scrolled.retain(|it| it.stays || is_shown(it));
     }
 
     /// The rows that the panel beside the picture needs, and the rows available.
@@ -293,7 +265,7 @@ impl<S: Screen> Hosted<S> {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |view, _| {
             let rows = view.layout.panel.height;
-            let more = view.panels.last().map_or(0, |(_, it)| it.placed.overflow());
+            let more = view.panels.last().map_or(0, |it| it.placed.overflow());
             (rows + more, rows)
         })
     }
@@ -302,9 +274,9 @@ impl<S: Screen> Hosted<S> {
     fn actions(&self, cx: &Context) -> Vec<(Rect, S::Action)> {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |view, _| {
-            let of = |(panel, shown): &(&Panel<S::Action>, Shown)| -> Vec<_> {
+            let of = |shown: &PlacedPanel<S::Action>| -> Vec<_> {
                 let targets = shown.placed.targets(shown.rows);
-                let action = |(cells, at)| Some((cells, panel.action(at)?));
+                let action = |(cells, at)| Some((cells, shown.panel.action(at)?));
                 targets.filter_map(action).collect()
             };
             view.panels.iter().flat_map(of).collect()
@@ -318,21 +290,21 @@ impl<S: Screen> Hosted<S> {
         let has_picture = matches!(view.first, Part::Picture(..));
         let (picture, hit, under) = self.with_panels(&view, cx, |view, _| {
             let mut panels = view.panels.iter();
-            let under = panels.find(|(_, it)| it.area.contains(cell.into()));
-            let hit = under.and_then(|(panel, it)| {
+            let under = panels.find(|it| it.area.contains(cell.into()));
+            let hit = under.and_then(|it| {
                 let mut targets = it.placed.targets(it.rows);
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
-                panel.action(at)
+                it.panel.action(at)
             });
             // The wheel moves the mark of a list, and the list scrolls with it; a list may be shown
             // beside pages.
-            let is_followed = |it: &Shown| {
+            let is_followed = |it: &PlacedPanel<S::Action>| {
                 let placed = &it.placed;
                 let is_list = placed.is_list || placed.pages().is_some();
                 is_list || !has_picture && placed.chosen.is_some()
             };
-            let is_long = under.map(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
-            (view.picture, hit, is_long)
+            let is_long = under.map(|it| it.placed.overflow() > 0 && !is_followed(it));
+            (view.layout.picture, hit, is_long)
         });
         drop(view);
         let wheel = mouse.wheel().map(|up| -up);
@@ -452,7 +424,7 @@ impl<S: Screen> AnyScreen for Hosted<S> {
         self.with_panels(&view, cx, |placed, writing| {
             // Parts are drawn in reading order.
             let (tabs, panels) = placed.panels.split_at(view.tabs.is_some().into());
-            for (_, shown) in tabs {
+            for shown in tabs {
                 shown.placed.draw(0, buf, writing);
             }
             let look = &writing.look;
@@ -465,15 +437,15 @@ impl<S: Screen> AnyScreen for Hosted<S> {
             let [first, second] = view.titles();
             placed.layout.draw(buf, look, &first, &second);
             if let Part::Picture(_, draw) = &view.first
-                && !placed.picture.is_empty()
+                && !placed.layout.picture.is_empty()
             {
                 sheet::next_picture_drags(view.drag);
-                draw(placed.picture, buf, look);
+                draw(placed.layout.picture, buf, look);
             }
-            for (_, shown) in panels {
+            for shown in panels {
                 shown.placed.draw(shown.rows, buf, writing);
             }
-            if let (Some((title, draw)), Some((_, shown))) = (&view.inset, panels.last())
+            if let (Some((title, draw)), Some(shown)) = (&view.inset, panels.last())
                 && cx.room().pictures.is_none()
             {
                 let area = shown.area.inner(Margin::new(1, 0));

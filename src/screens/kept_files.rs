@@ -3,7 +3,7 @@
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Confirmation, Context, Next};
-use crate::messages::{Kept, Key, StoreRequest};
+use crate::messages::{FileKind, Kept, Key, StoreRequest};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role, text};
@@ -18,21 +18,16 @@ pub enum KeptAction {
     Remove,
 }
 
-/// A kind of file: its names, and its requests to the store.
-#[derive(Debug, Clone)]
+/// A kind of file, with its names.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct KeptKind {
+    pub(super) file: FileKind,
     /// The singular: "game".
     pub(super) one: &'static str,
     /// The plural: "saved games".
     pub(super) all: &'static str,
     /// A sentence that says when carrom saves files of this kind.
     pub(super) saved: &'static str,
-    /// Requests the list of files.
-    pub(super) list: StoreRequest,
-    /// Requests one file.
-    pub(super) load: fn(String) -> StoreRequest,
-    /// Requests the deletion of one file.
-    pub(super) remove: fn(String) -> StoreRequest,
 }
 
 /// The saved files of one kind.
@@ -51,7 +46,7 @@ pub(super) struct KeptFiles<T> {
 impl<T> KeptFiles<T> {
     /// Requests the files; the list is empty until they arrive.
     pub(super) fn ask(kind: KeptKind, cx: &mut Context) -> Self {
-        cx.ask(kind.list.clone());
+        cx.ask(StoreRequest::List(kind.file));
         Self {
             kind,
             files: Ok(None),
@@ -87,13 +82,13 @@ impl<T> KeptFiles<T> {
         let reason = result.as_ref().err();
         let one = self.kind.one;
         self.notice = reason.map(|reason| format!("The {one} cannot be deleted: {reason}."));
-        cx.ask(self.kind.list.clone());
+        cx.ask(StoreRequest::List(self.kind.file));
     }
 
     /// Requests the chosen file; returns the ticket.
     pub(super) fn load(&mut self, cx: &mut Context) -> Option<u64> {
         let name = self.chosen()?.name.clone();
-        self.loading = Some(cx.ask((self.kind.load)(name)));
+        self.loading = Some(cx.ask(StoreRequest::Load(self.kind.file, name)));
         self.loading
     }
 
@@ -104,7 +99,7 @@ impl<T> KeptFiles<T> {
 
     pub(super) fn remove(&self, cx: &mut Context) {
         if let Some(kept) = self.chosen() {
-            cx.ask((self.kind.remove)(kept.name.clone()));
+            cx.ask(StoreRequest::Remove(self.kind.file, kept.name.clone()));
         }
     }
 

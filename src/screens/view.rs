@@ -50,6 +50,15 @@ pub(super) enum Part<'s, A> {
     Nothing,
 }
 
+impl<A> Part<'_, A> {
+    pub(super) fn panel(&self) -> Option<&Panel<A>> {
+        match self {
+            Self::Panel(panel) => Some(panel),
+            Self::Picture(..) | Self::Nothing => None,
+        }
+    }
+}
+
 /// A function that draws a picture into its area.
 type DrawPicture<'s> = Box<dyn Fn(Rect, &mut Buffer, &Look) + 's>;
 
@@ -133,6 +142,12 @@ impl<'s, A> View<'s, A> {
             (title, draw)
         });
         Self { inset, ..self }
+    }
+
+    /// This view with a panel that is always visible below both parts.
+    pub(super) fn with_foot(self, foot: Panel<A>) -> Self {
+        let foot = Some(foot);
+        Self { foot, ..self }
     }
 
     /// This view with a picture in which something can be dragged.
@@ -229,17 +244,19 @@ impl<'s, A> View<'s, A> {
                 (SplitLayout::open(picture, words), second)
             }
         };
-        let tabs = { self.tabs.as_ref() }.map(|it| (it, it.placed(above, writing, key), above));
-        let first = match &self.first {
-            Part::Panel(panel) => Some(panel),
-            Part::Picture(..) | Part::Nothing => None,
+        let at = |panel, placed, area| PlacedPanel {
+            panel,
+            placed,
+            area,
+            rows: 0,
         };
-        let first = first.map(|it| {
+        let tabs = { self.tabs.as_ref() }.map(|it| at(it, it.placed(above, writing, key), above));
+        let first = self.first.panel().map(|it| {
             let place = layout.picture;
-            (it, it.placed(place, writing, key), place)
+            at(it, it.placed(place, writing, key), place)
         });
-        let second = (&self.second, second, layout.panel);
-        let foot = foot.map(|(foot, placed)| (foot, placed.moved(below), below));
+        let second = at(&self.second, second, layout.panel);
+        let foot = foot.map(|(foot, placed)| at(foot, placed.moved(below), below));
         let panels = tabs.into_iter().chain(first).chain([second]).chain(foot);
         PlacedView {
             area,
@@ -259,12 +276,20 @@ pub(super) struct PlacedView<'v, A> {
     pub(super) area: Rect,
     pub(super) small_heading: bool,
     pub(super) layout: SplitLayout,
-    /// Its panels, each with its area.
-    pub(super) panels: Vec<(&'v Panel<A>, Placed<'v>, Rect)>,
+    pub(super) panels: Vec<PlacedPanel<'v, A>>,
+}
+
+/// A panel of a view after layout.
+pub(super) struct PlacedPanel<'v, A> {
+    pub(super) panel: &'v Panel<A>,
+    pub(super) placed: Placed<'v>,
+    pub(super) area: Rect,
+    /// How far the panel is scrolled, in rows.
+    pub(super) rows: u16,
 }
 
 impl<A> PlacedView<'_, A> {
     pub(super) fn pages(&self) -> Option<&PlacedPages<'_>> {
-        self.panels.iter().find_map(|(_, placed, _)| placed.pages())
+        self.panels.iter().find_map(|it| it.placed.pages())
     }
 }

@@ -112,7 +112,7 @@ impl Classroom {
         };
         pupil.reaches = reaches;
         if !reaches && let Some(connection) = pupil.connection.take() {
-            pupil.hears(JoinNews::Lost("out of reach".into()));
+            pupil.hears(JoinNews::Lost);
             self.notify_host(HostNews::Gone(connection));
         }
         self.settle();
@@ -181,7 +181,7 @@ impl Classroom {
                 self.code = None;
                 for pupil in &mut self.pupils {
                     if pupil.connection.take().is_some() {
-                        pupil.hears(JoinNews::Lost("the class is over".into()));
+                        pupil.hears(JoinNews::Lost);
                     }
                 }
             }
@@ -229,7 +229,7 @@ impl Classroom {
                         pupil.connection = Some(self.connections);
                         JoinNews::Reached
                     }
-                    false => JoinNews::Lost("out of reach".into()),
+                    false => JoinNews::Lost,
                 };
                 pupil.hears(news);
                 if let Some(connection) = before {
@@ -271,10 +271,7 @@ impl Classroom {
                     at: self.passed,
                 }
             }
-            Ok(message) => match HostNews::said(connection, message) {
-                Some(news) => news,
-                None => return,
-            },
+            Ok(message) => HostNews::Said(connection, message),
             Err(why) => return self.send(connection, &no(why)),
         };
         self.notify_host(news);

@@ -109,32 +109,28 @@ impl Client {
             }
         };
         let talk = move || {
-            let lost = match connect(&address) {
-                Ok((mut socket, wire)) => {
-                    *lock(&place) = Some(wire);
-                    say(JoinNews::Reached);
-                    listen(&mut socket, &say)
-                }
-                Err(error) => error.to_string(),
-            };
-            say(JoinNews::Lost(lost));
+            if let Ok((mut socket, wire)) = connect(&address) {
+                *lock(&place) = Some(wire);
+                say(JoinNews::Reached);
+                listen(&mut socket, &say);
+            }
+            say(JoinNews::Lost);
         };
         let builder = thread::Builder::new().name("client".into());
-        if let Err(error) = builder.spawn(talk) {
-            (self.hear)(JoinNews::Lost(error.to_string()));
+        if builder.spawn(talk).is_err() {
+            (self.hear)(JoinNews::Lost);
         }
     }
 
     fn say(&self, text: &str) {
         let wire = lock(&self.wire).clone();
         let mut bytes = Vec::new();
-        let header = |opcode| FrameHeader {
-            opcode,
+        let header = FrameHeader {
+            opcode: OpCode::Data(Data::Text),
             mask: Some(mask()),
             ..FrameHeader::default()
         };
-        let text = text.to_owned().into_bytes();
-        let frame = Frame::from_payload(header(OpCode::Data(Data::Text)), text.into());
+        let frame = Frame::from_payload(header, text.to_owned().into());
         if let Some(mut wire) = wire
             && frame.format(&mut bytes).is_ok()
         {
@@ -158,44 +154,37 @@ fn mask() -> [u8; 4] {
 }
 
 fn connect(address: &str) -> io::Result<(WebSocket<ClientStream>, ClientStream)> {
-    let mut failed = io::Error::from(ErrorKind::NotFound);
-    for place in address.to_socket_addrs()? {
-        match TcpStream::connect_timeout(&place, PATIENCE) {
-            Ok(stream) => {
-                stream.set_nodelay(true)?;
-                stream.set_read_timeout(Some(PATIENCE))?;
-                stream.set_write_timeout(Some(PATIENCE))?;
-                let wire = ClientStream {
-                    stream: Arc::new(stream),
-                    writing: Arc::default(),
-                };
-                let config = WebSocketConfig::default()
-                    .read_buffer_size(1 << 14)
-                    .max_message_size(Some(LARGEST_STATE))
-                    .max_frame_size(Some(LARGEST_STATE));
-                let link = format!("ws://{address}/class");
-                let (socket, _) = client_with_config(link, wire.clone(), Some(config))
-                    .map_err(|error| io::Error::other(error.to_string()))?;
-                wire.stream.set_read_timeout(Some(GONE))?;
-                return Ok((socket, wire));
-            }
-            Err(error) => failed = error,
-        }
-    }
-    Err(failed)
+    let connect = |place| TcpStream::connect_timeout(&place, PATIENCE).ok();
+    let stream = address.to_socket_addrs()?.find_map(connect);
+    let stream = stream.ok_or(ErrorKind::NotConnected)?;
+    stream.set_nodelay(true)?;
+    stream.set_read_timeout(Some(PATIENCE))?;
+    stream.set_write_timeout(Some(PATIENCE))?;
+    let wire = ClientStream {
+        stream: Arc::new(stream),
+        writing: Arc::default(),
+    };
+    let config = WebSocketConfig::default()
+        .read_buffer_size(1 << 14)
+        .max_message_size(Some(LARGEST_STATE))
+        .max_frame_size(Some(LARGEST_STATE));
+    let link = format!("ws://{address}/class");
+    let (socket, _) = client_with_config(link, wire.clone(), Some(config))
+        .map_err(|error| io::Error::other(error.to_string()))?;
+    wire.stream.set_read_timeout(Some(GONE))?;
+    Ok((socket, wire))
 }
 
-/// Receives the host's messages until the connection is lost; returns the reason.
-fn listen(socket: &mut WebSocket<ClientStream>, say: &impl Fn(JoinNews)) -> String {
-    loop {
-        match socket.read() {
-            Ok(Message::Text(text)) => say(JoinNews::Heard(text.to_string())),
-            Ok(Message::Ping(_)) => {
+/// Receives the host's messages until the connection is lost.
+fn listen(socket: &mut WebSocket<ClientStream>, say: &impl Fn(JoinNews)) {
+    while let Ok(message) = socket.read() {
+        match message {
+            Message::Text(text) => say(JoinNews::Heard(text.to_string())),
+            Message::Ping(_) => {
                 // The reply is sent with the next message.
                 let _ = socket.flush();
             }
-            Ok(_) => {}
-            Err(error) => return error.to_string(),
+            _ => {}
         }
     }
 }

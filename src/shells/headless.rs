@@ -76,7 +76,7 @@ impl Headless {
 
     /// Stops the store's clock at this time, in seconds since the start of 1970.
     pub fn set_time(&mut self, time_s: i64) {
-        self.store.stop_clock(time_s);
+        self.store.stop_clock(time_s, 0);
     }
 
     /// The stored answers in order; empty if they cannot be read.

@@ -14,34 +14,16 @@ pub(super) const LOCK: &str = ".lock";
 
 /// Texts as files in a folder, which is created when the first text is written.
 pub(super) struct Disk {
-    folder: PathBuf,
+    pub(super) folder: PathBuf,
     /// The suffix of the files' names.
-    ending: &'static str,
+    pub(super) ending: &'static str,
     /// The largest number of bytes that are read from a file.
-    largest: usize,
+    pub(super) largest: usize,
     /// Whether only this user can read the files.
-    private: bool,
+    pub(super) private: bool,
 }
 
 impl Disk {
-    /// The files in `folder` whose names end in `ending`, each of at most `largest` bytes.
-    pub(super) fn new(folder: PathBuf, ending: &'static str, largest: usize) -> Self {
-        Self {
-            folder,
-            ending,
-            largest,
-            private: false,
-        }
-    }
-
-    /// Makes the files readable only by this user.
-    pub(super) fn private(self) -> Self {
-        Self {
-            private: true,
-            ..self
-        }
-    }
-
     /// Writes a text completely to a temporary file in the folder.
     fn draft(&self, text: &str) -> io::Result<UnplacedFile> {
         UnplacedFile::write(&self.folder, text, self.private)
@@ -96,6 +78,25 @@ impl Disk {
         fs::metadata(self.path(name)).ok()?.modified().ok()
     }
 
+    /// Runs `act` on the path of a file while the folder is locked. If the file's content is not
+    /// `old`, returns `false` and does nothing.
+    fn change(
+        &self,
+        name: &str,
+        old: &str,
+        act: impl FnOnce(&Path) -> io::Result<()>,
+    ) -> Result<bool, String> {
+        self.reported(|| {
+            let _guard = self.guard()?;
+            let path = self.path(name);
+            let is_unchanged = holds(&path, old)?;
+            if is_unchanged {
+                act(&path)?;
+            }
+            Ok(is_unchanged)
+        })
+    }
+
     /// Runs `act`; an error names the folder.
     fn reported<T>(&self, act: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
         act().map_err(|error| format!("{}: {error}", self.folder.display()))
@@ -143,26 +144,15 @@ impl TextStore for Disk {
     }
 
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String> {
-        self.reported(|| {
-            let _guard = self.guard()?;
-            let path = self.path(name);
-            if !holds(&path, old)? {
-                return Ok(false);
-            }
-            self.draft(text)?.replace(&path)?;
-            fsync_dir(&self.folder)?;
-            Ok(true)
+        self.change(name, old, |path| {
+            self.draft(text)?.replace(path)?;
+            fsync_dir(&self.folder)
         })
     }
 
     fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String> {
-        self.reported(|| {
-            let _guard = self.guard()?;
-            let path = self.path(name);
-            if !holds(&path, old)? {
-                return Ok(false);
-            }
-            let mut file = OpenOptions::new().append(true).open(&path)?;
+        self.change(name, old, |path| {
+            let mut file = OpenOptions::new().append(true).open(path)?;
             let written = file
                 .write_all(added.as_bytes())
                 .and_then(|()| file.sync_data());
@@ -171,7 +161,7 @@ impl TextStore for Disk {
                 // this store remembers. This works on a full disk too.
                 let _ = file.set_len(old.len() as u64);
             }
-            written.map(|()| true)
+            written
         })
     }
 

@@ -67,10 +67,8 @@ impl Forgetting {
 fn remove(path: &Path) -> std::io::Result<()> {
     let parent = path.parent().unwrap_or(path);
     // A folder in which carrom keeps nothing has no lock file, and none is created.
-    let _guard = match parent.join(LOCK).exists() {
-        true => Some(FolderLock::alone(parent, LOCK)?),
-        false => None,
-    };
+    let has_lock = parent.join(LOCK).exists();
+    let _guard = { has_lock.then(|| FolderLock::alone(parent, LOCK)) }.transpose()?;
     fs::remove_file(path)?;
     fsync_dir(parent)
 }

@@ -2,8 +2,8 @@
 //! returns all files as bytes for the caller to keep.
 
 use super::memory::Memory;
-use super::text_store::TextStore;
-use super::{Database, PAGE, Store, TABLE, TEXT};
+use super::{CLASSES, Database, GAMES, Store, TEXT};
+use crate::messages::FileKind;
 
 /// A file: its path in the data folder, such as `games/game-1.toml`, and its bytes.
 pub type FileBytes = (String, Vec<u8>);
@@ -16,19 +16,12 @@ const ASIDE: &str = "progress-damaged";
 const EXPORTS: &str = "exports/";
 
 impl Store {
-    /// A store in memory that starts with these files, the latest last. A damaged database is kept
-    /// under another name, and its readable rows are copied into a new one.
-    pub fn of_files(files: &[FileBytes]) -> Self {
-        let mut store = Self::in_memory();
-        store.renew(files);
-        store
-    }
-
-    /// Replaces all files with these, because another copy of carrom has changed them. Open games
-    /// and rounds stay open.
+    /// Replaces all files of a store in memory with these, the latest last, because another copy of
+    /// carrom has changed them. Open games and rounds stay open. A damaged database is kept under
+    /// another name, and its readable rows are copied into a new one.
     pub fn renew(&mut self, files: &[FileBytes]) {
-        self.games.renew(texts("games", files));
-        self.classes.renew(texts("classes", files));
+        self.games.renew(Memory::holding(GAMES, TEXT, files));
+        self.classes.renew(Memory::holding(CLASSES, TEXT, files));
         let aside = files.iter().filter(|(path, _)| path.starts_with(ASIDE));
         self.aside = aside.cloned().collect();
         self.progress = Database::in_memory();
@@ -74,13 +67,11 @@ impl Store {
             for name in store.names().unwrap_or_default() {
                 let place = store.place(&name);
                 let bytes = store.read(&name).unwrap_or_default();
+                let _ = store.remove(&name);
                 let name_alone = place.strip_prefix(EXPORTS).unwrap_or(&place).to_owned();
                 taken.push((name_alone, String::from_utf8_lossy(&bytes).into_owned()));
             }
         }
-        self.exports = texts("exports", &[]);
-        self.tables = Box::new(Memory::new("exports", TABLE));
-        self.pages = Box::new(Memory::new("exports", PAGE));
         taken
     }
 
@@ -92,23 +83,14 @@ impl Store {
         self.progress.take_in(bytes)
     }
 
-    /// Adds a saved game from a file with that name.
+    /// Adds a saved game or a class's round from a file with that name.
     ///
     /// # Errors
-    /// The reason why the file is not a saved game.
-    pub fn take_in_game(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        self.games.take_in(name, bytes)
+    /// The reason why the file is not of this kind.
+    pub fn take_in(&mut self, kind: FileKind, (name, bytes): &FileBytes) -> Result<(), String> {
+        match kind {
+            FileKind::Game => self.games.take_in(name, bytes),
+            FileKind::Class => self.classes.take_in(name, bytes),
+        }
     }
-
-    /// Adds a class's round from a file with that name.
-    ///
-    /// # Errors
-    /// The reason why the file is not a class's round.
-    pub fn take_in_class(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        self.classes.take_in(name, bytes)
-    }
-}
-
-fn texts(folder: &'static str, files: &[FileBytes]) -> Box<dyn TextStore> {
-    Box::new(Memory::new(folder, TEXT).holding(files))
 }

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::FileBytes;
 use super::text_store::{TextStore, free_number};
 use crate::files::FileError;
 
@@ -14,24 +15,19 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// An empty store with this folder name and this suffix.
-    pub(super) fn new(folder: &'static str, ending: &'static str) -> Self {
+    /// A store with this folder name and this suffix, and with those of the files that have both;
+    /// the latest last.
+    pub(super) fn holding(folder: &'static str, ending: &'static str, files: &[FileBytes]) -> Self {
+        let own = files.iter().filter_map(|(path, bytes)| {
+            let name = path.strip_prefix(folder)?.strip_prefix('/')?;
+            let name = name.strip_suffix(ending)?.to_owned();
+            Some((name, String::from_utf8_lossy(bytes).into_owned()))
+        });
         Self {
             folder,
             ending,
-            texts: Vec::new(),
+            texts: own.collect(),
         }
-    }
-
-    /// The same store with those files that are in its folder and have its suffix; the latest last.
-    pub(super) fn holding(mut self, files: &[(String, Vec<u8>)]) -> Self {
-        let own = files.iter().filter_map(|(path, bytes)| {
-            let name = path.strip_prefix(self.folder)?.strip_prefix('/')?;
-            let name = name.strip_suffix(self.ending)?.to_owned();
-            Some((name, String::from_utf8_lossy(bytes).into_owned()))
-        });
-        self.texts = own.collect();
-        self
     }
 }
 

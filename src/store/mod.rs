@@ -31,8 +31,8 @@ use crate::files::{self, Existing};
 use crate::game::{Game, SavedGame};
 use crate::gradebook::{Gradebook, HandIn};
 use crate::messages::{
-    GatheredBook, HandInFolder, History, KnownPlayer, StoreAnswer, StoreCall, StoreReply,
-    StoreRequest,
+    FileContent, FileKind, GatheredBook, HandInFolder, History, KnownPlayer, PlayerAction,
+    StoreAnswer, StoreCall, StoreReply, StoreRequest,
 };
 use crate::numbers::counted;
 use crate::paper::{self, class_report};
@@ -51,6 +51,7 @@ use text_store::TextStore;
 const TEXT: &str = ".toml";
 /// The error if no data folder is known.
 const NOWHERE: &str = "no data folder is known; set one with --data-dir";
+const GAMES: &str = "games";
 const CLASSES: &str = "classes";
 const HANDED_IN: &str = "handed-in";
 const HAND_IN: &str = ".json";
@@ -58,22 +59,6 @@ const HAND_IN: &str = ".json";
 const TABLE: &str = ".csv";
 /// The suffix of pages for a browser.
 const PAGE: &str = ".html";
-
-/// Whether this request stores an action of the player. These actions are stored in the order in
-/// which they were done.
-fn is_note(request: &StoreRequest) -> bool {
-    matches!(
-        request,
-        StoreRequest::Record(_)
-            | StoreRequest::Observe(_)
-            | StoreRequest::NoteHit(..)
-            | StoreRequest::ClearNotebook(_)
-            | StoreRequest::Star(..)
-            | StoreRequest::Mark { .. }
-            | StoreRequest::Forget(..)
-            | StoreRequest::Retry
-    )
-}
 
 /// All stored data.
 pub struct Store {
@@ -91,8 +76,8 @@ pub struct Store {
     notice: Option<String>,
     /// The file of the settings; `None` if they are not stored.
     settings: Option<PathBuf>,
-    /// The requests that could not be written to the database yet, the oldest first.
-    unsaved: VecDeque<StoreRequest>,
+    /// The actions that could not be written to the database yet, the oldest first.
+    unsaved: VecDeque<PlayerAction>,
     clock: Clock,
     closed: bool,
 }
@@ -110,7 +95,7 @@ impl Store {
     /// A store in memory, which is lost when the process ends.
     pub fn in_memory() -> Self {
         Self::of(Database::in_memory(), |folder, ending, _| {
-            Box::new(Memory::new(folder, ending))
+            Box::new(Memory::holding(folder, ending, &[]))
         })
     }
 
@@ -120,16 +105,14 @@ impl Store {
     pub fn in_folder(folder: &Path) -> Self {
         let progress = Database::in_folder(folder.to_owned());
         let texts = Self::of(progress, |name, ending, largest| {
-            let disk = Disk::new(folder.join(name), ending, largest);
-            // Seat tokens and pupils' answers are for the teacher alone, and so are the tables made
-            // from them.
-            Box::new(
-                if [CLASSES, HANDED_IN].contains(&name) || [TABLE, PAGE].contains(&ending) {
-                    disk.private()
-                } else {
-                    disk
-                },
-            )
+            Box::new(Disk {
+                folder: folder.join(name),
+                ending,
+                largest,
+                // Seat tokens and pupils' answers are for the teacher alone, and so are the tables
+                // made from them.
+                private: [CLASSES, HANDED_IN].contains(&name) || [TABLE, PAGE].contains(&ending),
+            })
         });
         Self {
             settings: Some(folder.join(KeptSettings::FILE)),
@@ -172,18 +155,13 @@ impl Store {
 
     /// The same store with its clock stopped at `time_s`, in seconds since the start of 1970.
     pub fn at(mut self, time_s: i64) -> Self {
-        self.stop_clock(time_s);
+        self.stop_clock(time_s, 0);
         self
     }
 
-    /// Stops the store's clock at `time_s`, in seconds since the start of 1970.
-    pub(crate) fn stop_clock(&mut self, time_s: i64) {
-        self.clock = Clock::Stopped(time_s, Offset::UTC);
-    }
-
-    /// Stops the store's clock at `time_s`, with days that begin `offset_s` seconds before those of
-    /// UTC. An impossible offset is ignored.
-    pub fn stop_clock_at(&mut self, time_s: i64, offset_s: i32) {
+    /// Stops the store's clock at `time_s`, in seconds since the start of 1970, with days that
+    /// begin `offset_s` seconds before those of UTC. An impossible offset is ignored.
+    pub fn stop_clock(&mut self, time_s: i64, offset_s: i32) {
         let offset = Offset::from_seconds(offset_s).unwrap_or(Offset::UTC);
         self.clock = Clock::Stopped(time_s, offset);
     }
@@ -194,7 +172,7 @@ impl Store {
         progress: Database,
         texts: impl Fn(&'static str, &'static str, usize) -> Box<dyn TextStore>,
     ) -> Self {
-        let games = texts("games", TEXT, SavedGame::LARGEST_FILE);
+        let games = texts(GAMES, TEXT, SavedGame::LARGEST_FILE);
         let classes = texts(CLASSES, TEXT, ClassRound::LARGEST_FILE);
         Self {
             games: OpenFiles::new(games, "game", SavedGame::read),
@@ -218,8 +196,8 @@ impl Store {
 
     /// Carries out a request.
     pub fn answer(&mut self, call: &StoreCall) -> StoreAnswer {
-        let needs_folder = !is_note(&call.request) && call.request != StoreRequest::Today;
-        if self.closed && needs_folder {
+        use StoreRequest::{Note, Retry, Today};
+        if self.closed && !matches!(call.request, Note(_) | Retry | Today) {
             return StoreAnswer {
                 unsaved: self.unsaved.len(),
                 ..Self::refused(call, NOWHERE)
@@ -255,15 +233,25 @@ impl Store {
         files::put(&[document], Existing::Go).map_err(|error| error.to_string())
     }
 
-    fn save(&mut self, ticket: u64, game: &SavedGame) -> Result<(), String> {
-        let text = game.text().map_err(|error| error.to_string())?;
-        self.games.save(ticket, text)
+    fn save(&mut self, ticket: u64, content: &FileContent) -> Result<(), String> {
+        match content {
+            FileContent::Game(game) => self.games.save(ticket, text_of(game)?),
+            FileContent::Class(round) => self.classes.save(ticket, round.text()?),
+        }
     }
 
-    fn export(&mut self, game: &SavedGame) -> Result<String, String> {
-        let text = game.text().map_err(|error| error.to_string())?;
-        let name = self.exports.add("carrom-game", &text)?;
-        Ok(self.exports.place(&name))
+    fn remove(&mut self, kind: FileKind, name: &str) -> Result<(), String> {
+        match kind {
+            FileKind::Game => self.games.remove(name),
+            FileKind::Class => self.classes.remove(name),
+        }
+    }
+
+    fn export(&mut self, content: &FileContent) -> Result<String, String> {
+        match content {
+            FileContent::Game(game) => self.exports.export("carrom-game", &text_of(game)?),
+            FileContent::Class(round) => self.export_class(round),
+        }
     }
 
     fn load_class(&mut self, ticket: u64, name: &str) -> Result<Box<ClassRound>, String> {
@@ -291,27 +279,18 @@ impl Store {
 
     /// Writes both tables and the report of a class round.
     fn export_class(&mut self, round: &ClassRound) -> Result<String, String> {
-        let mut places = Vec::new();
         let day = self.calendar().today();
         let today = day.map(|day| day.to_string()).unwrap_or_default();
         let about = class_report::About {
             day,
             with_names: false,
         };
-        for (is_page, kind, text) in [
-            (false, "class-answers", answers_csv(round, &today)?),
-            (false, "class-items", items_csv(round, &today)?),
-            (true, "class-report", class_report::html(round, &about)),
-        ] {
-            let store = match is_page {
-                true => &mut self.pages,
-                false => &mut self.tables,
-            };
-            let name = store.add(kind, &text)?;
-            places.push(store.place(&name));
-        }
-        let last = places.pop().unwrap_or_default();
-        Ok(format!("{} and {last}", places.join(", ")))
+        let [answers, items] = [answers_csv(round, &today)?, items_csv(round, &today)?];
+        let report = class_report::html(round, &about);
+        let answers = self.tables.export("class-answers", &answers)?;
+        let items = self.tables.export("class-items", &items)?;
+        let report = self.pages.export("class-report", &report)?;
+        Ok(format!("{answers}, {items} and {report}"))
     }
 
     /// Makes a gradebook from the hand-ins in a folder.
@@ -362,20 +341,20 @@ impl Store {
 
     /// Stores an action of the player, after all earlier ones that are not stored yet. An answer, an
     /// observation and a hit get the current time.
-    fn note(&mut self, note: &StoreRequest) -> Result<(), String> {
-        let mut note = note.clone();
+    fn note(&mut self, action: &PlayerAction) -> Result<(), String> {
+        let mut action = action.clone();
         let now_s = self.calendar().now_s;
-        match &mut note {
-            StoreRequest::Record(attempt) => attempt.time_s = now_s,
-            StoreRequest::Observe(observation) => observation.time_s = now_s,
-            StoreRequest::NoteHit(_, hit) => hit.time_s = now_s,
+        match &mut action {
+            PlayerAction::Record(attempt) => attempt.time_s = now_s,
+            PlayerAction::Observe(observation) => observation.time_s = now_s,
+            PlayerAction::NoteHit(_, hit) => hit.time_s = now_s,
             _ => {}
         }
-        self.unsaved.push_back(note);
+        self.unsaved.push_back(action);
         self.flush()
     }
 
-    /// Writes the pending requests in order, until one fails.
+    /// Writes the pending actions in order, until one fails.
     fn flush(&mut self) -> Result<(), String> {
         while let Some(oldest) = self.unsaved.front() {
             if self.closed {
@@ -383,25 +362,24 @@ impl Store {
             }
             let progress = &mut self.progress;
             match oldest {
-                StoreRequest::Record(attempt) => progress.record(attempt),
-                StoreRequest::Observe(observation) => progress.observe(observation),
-                StoreRequest::NoteHit(player, hit) => progress.note_hit(player, hit),
-                StoreRequest::ClearNotebook(player) => progress.clear_notebook(player),
-                StoreRequest::Star(player, starred) => progress.star(player, starred),
-                StoreRequest::Mark {
+                PlayerAction::Record(attempt) => progress.record(attempt),
+                PlayerAction::Observe(observation) => progress.observe(observation),
+                PlayerAction::NoteHit(player, hit) => progress.note_hit(player, hit),
+                PlayerAction::ClearNotebook(player) => progress.clear_notebook(player),
+                PlayerAction::Star(player, starred) => progress.star(player, starred),
+                PlayerAction::Mark {
                     player,
                     chapter,
                     later,
                 } => progress.mark(player, chapter, later),
-                StoreRequest::Forget(player, what) => progress.forget(player, what),
-                _ => Ok(()),
+                PlayerAction::Forget(player, what) => progress.forget(player, what),
             }?;
             self.unsaved.pop_front();
         }
         Ok(())
     }
 
-    /// Tries one last time to write the pending requests.
+    /// Tries one last time to write the pending actions.
     ///
     /// # Errors
     /// How much is lost, and why.
@@ -417,10 +395,10 @@ impl Store {
         let mut observations = self.progress.observations(player)?;
         // The answers and observations that are not stored yet count too.
         let is_of = |name: &str| player.is_none_or(|player| player == name);
-        for note in &self.unsaved {
-            match note {
-                StoreRequest::Record(it) if is_of(&it.player) => attempts.push(*it.clone()),
-                StoreRequest::Observe(it) if is_of(&it.player) => observations.push(*it.clone()),
+        for action in &self.unsaved {
+            match action {
+                PlayerAction::Record(it) if is_of(&it.player) => attempts.push(*it.clone()),
+                PlayerAction::Observe(it) if is_of(&it.player) => observations.push(*it.clone()),
                 _ => {}
             }
         }
@@ -434,10 +412,10 @@ impl Store {
     /// The hits in a player's notebook, with those that are not stored yet.
     fn notebook(&mut self, player: &str) -> Result<Vec<NotedHit>, String> {
         let mut hits = self.progress.notebook(player)?;
-        for note in &self.unsaved {
-            match note {
-                StoreRequest::NoteHit(name, hit) if name == player => hits.push(*hit.clone()),
-                StoreRequest::ClearNotebook(name) if name == player => hits.clear(),
+        for action in &self.unsaved {
+            match action {
+                PlayerAction::NoteHit(name, hit) if name == player => hits.push(*hit.clone()),
+                PlayerAction::ClearNotebook(name) if name == player => hits.clear(),
                 _ => {}
             }
         }
@@ -490,6 +468,11 @@ fn common_folder(folder: HandInFolder) -> Result<Option<PathBuf>, String> {
     }
 }
 
+/// The text of a game's file.
+fn text_of(game: &SavedGame) -> Result<String, String> {
+    game.text().map_err(|error| error.to_string())
+}
+
 /// The home folder; a browser has none.
 fn home() -> Option<PathBuf> {
     #[cfg(target_family = "wasm")]
@@ -504,26 +487,25 @@ fn reply(call: &StoreCall, store: Result<&mut Store, String>) -> StoreReply {
     use StoreRequest as Request;
     let ticket = call.ticket;
     match &call.request {
-        Request::Save(game) => Reply::Saved(store.and_then(|it| it.save(ticket, game))),
-        Request::List => Reply::Listed(store.and_then(|it| it.games.list(it.ages().as_ref()))),
-        Request::Load(name) => {
-            let loaded = store.and_then(|it| it.games.load(ticket, name));
-            Reply::Loaded(loaded.map(|(game, _)| Box::new(game)))
-        }
-        Request::Remove(name) => Reply::Removed(store.and_then(|it| it.games.remove(name))),
-        Request::Export(game) => Reply::Exported(store.and_then(|it| it.export(game))),
-        Request::SaveClass(round) => {
-            Reply::Saved(store.and_then(|it| it.classes.save(ticket, round.text()?)))
-        }
+        Request::Save(content) => Reply::Saved(store.and_then(|it| it.save(ticket, content))),
         Request::NoteClass { changes, round } => {
             Reply::Saved(store.and_then(|it| it.note_class(ticket, changes, round)))
         }
-        Request::ListClasses => {
+        Request::List(FileKind::Game) => {
+            Reply::Games(store.and_then(|it| it.games.list(it.ages().as_ref())))
+        }
+        Request::List(FileKind::Class) => {
             Reply::Classes(store.and_then(|it| it.classes.list(it.ages().as_ref())))
         }
-        Request::LoadClass(name) => Reply::Class(store.and_then(|it| it.load_class(ticket, name))),
-        Request::RemoveClass(name) => Reply::Removed(store.and_then(|it| it.classes.remove(name))),
-        Request::ExportClass(round) => Reply::Exported(store.and_then(|it| it.export_class(round))),
+        Request::Load(FileKind::Game, name) => {
+            let loaded = store.and_then(|it| it.games.load(ticket, name));
+            Reply::Game(loaded.map(|(game, _)| Box::new(game)))
+        }
+        Request::Load(FileKind::Class, name) => {
+            Reply::Class(store.and_then(|it| it.load_class(ticket, name)))
+        }
+        Request::Remove(kind, name) => Reply::Removed(store.and_then(|it| it.remove(*kind, name))),
+        Request::Export(content) => Reply::Exported(store.and_then(|it| it.export(content))),
         Request::Gather(folder) => Reply::Gathered(store.and_then(|it| it.gather(*folder))),
         Request::KeepHandIn(file) => Reply::HandedIn(store.and_then(|it| it.keep_hand_in(file))),
         Request::Recall(player) => {
@@ -536,6 +518,6 @@ fn reply(call: &StoreCall, store: Result<&mut Store, String>) -> StoreReply {
         Request::Players => Reply::Players(store.and_then(Store::players)),
         Request::KeepSettings(text) => Reply::Noted(store.and_then(|it| it.keep_settings(text))),
         Request::Retry => Reply::Noted(store.and_then(Store::flush)),
-        note => Reply::Noted(store.and_then(|it| it.note(note))),
+        Request::Note(action) => Reply::Noted(store.and_then(|it| it.note(action))),
     }
 }

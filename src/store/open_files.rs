@@ -53,8 +53,8 @@ impl<T> OpenFiles<T> {
     }
 
     /// Replaces all texts, because another copy of carrom has changed them. Open items stay open.
-    pub(super) fn renew(&mut self, texts: Box<dyn TextStore>) {
-        self.texts = texts;
+    pub(super) fn renew(&mut self, texts: impl TextStore + 'static) {
+        self.texts = Box::new(texts);
     }
 
     /// All texts with their paths, the latest last.

@@ -21,6 +21,12 @@ pub(super) trait TextStore: Send {
     /// Adds a text under an unused name: `kind` with a number. Returns the name.
     fn add(&mut self, kind: &str, text: &str) -> Result<String, String>;
 
+    /// Adds a text like [`Self::add`]; returns its location.
+    fn export(&mut self, kind: &str, text: &str) -> Result<String, String> {
+        let name = self.add(kind, text)?;
+        Ok(self.place(&name))
+    }
+
     /// Replaces a text. If its content is not `old`, returns `false` and does nothing.
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String>;
 

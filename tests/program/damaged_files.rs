@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use carrom::cli;
 use carrom::game::SavedGame;
-use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{FileKind, PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::seq::IndexedRandom;
@@ -99,7 +99,7 @@ fn kept(folder: &Folder, name: &str, bytes: &[u8], request: StoreRequest) -> Ref
     fs::write(&path, bytes).unwrap();
     let mut store = Store::in_folder(folder.path()).timeless();
     match store.answer(&StoreCall { ticket: 0, request }).done {
-        StoreReply::Loaded(loaded) => loaded.err(),
+        StoreReply::Game(loaded) => loaded.err(),
         StoreReply::Class(loaded) => loaded.err(),
         StoreReply::Recalled(recalled) => recalled.err(),
         other => panic!("{other:?}"),
@@ -132,7 +132,7 @@ fn kinds() -> Vec<Kind> {
                 .collect(),
             open: |folder, bytes| {
                 let replayed = check(folder, &["replay"], "game.toml", bytes);
-                let request = StoreRequest::Load("game-1".into());
+                let request = StoreRequest::Load(FileKind::Game, "game-1".into());
                 let loaded = kept(folder, "games/game-1.toml", bytes, request);
                 loaded.or(replayed)
             },
@@ -141,7 +141,7 @@ fn kinds() -> Vec<Kind> {
             name: "rounds of classes",
             models: files("tests/saves", ".toml", "class"),
             open: |folder, bytes| {
-                let request = StoreRequest::LoadClass("class-1".into());
+                let request = StoreRequest::Load(FileKind::Class, "class-1".into());
                 kept(folder, "classes/class-1.toml", bytes, request)
             },
         },
@@ -208,7 +208,7 @@ fn database() -> Vec<u8> {
     let folder = Folder::new("damaged-database");
     let mut store = Store::in_folder(folder.path()).timeless();
     for attempt in hand_in(1, "Ada", 10, 7).attempts {
-        let request = StoreRequest::Record(Box::new(attempt));
+        let request = StoreRequest::Note(PlayerAction::Record(Box::new(attempt)));
         store.answer(&StoreCall { ticket: 0, request });
     }
     drop(store);

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 use carrom::levels::Starred;
-use carrom::messages::{StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{PlayerAction, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use carrom::store::Store;
 use rusqlite::Connection;
 
@@ -68,7 +68,12 @@ fn star(store: &mut Store, level: &str) -> Result<(), String> {
         level: level.into(),
         stars: 1,
     };
-    match ask(store, StoreRequest::Star("Ada".into(), starred)).done {
+    match ask(
+        store,
+        StoreRequest::Note(PlayerAction::Star("Ada".into(), starred)),
+    )
+    .done
+    {
         StoreReply::Noted(noted) => noted,
         other => panic!("{other:?}"),
     }

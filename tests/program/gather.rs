@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
 use carrom::gradebook::{Gradebook, HandIn, items};
-use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, LEVEL, TABLE};
 use carrom::quiz::{Answer, Code, Confidence, Family, Round};
 use carrom::store::Store;
@@ -183,7 +183,7 @@ fn a_hand_in_is_read_back() {
     let data = folder.path().join("data");
     let mut store = Store::in_folder(&data);
     for attempt in hand_in(1, "Ada", 3, 2).attempts {
-        let request = StoreRequest::Record(Box::new(attempt));
+        let request = StoreRequest::Note(PlayerAction::Record(Box::new(attempt)));
         let noted = store.answer(&StoreCall { ticket: 0, request }).done;
         assert!(matches!(noted, StoreReply::Noted(Ok(()))), "{noted:?}");
     }

@@ -9,7 +9,7 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::class::ClassRound;
 use carrom::game::SavedGame;
-use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{FileKind, StoreCall, StoreReply, StoreRequest};
 use carrom::quiz::{Form, Response};
 use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
@@ -37,9 +37,9 @@ fn start(folder: &Path, seed: u64, keys: &str) -> Player {
 fn games(folder: &Path) -> BTreeMap<String, SavedGame> {
     let request = StoreCall {
         ticket: 0,
-        request: StoreRequest::List,
+        request: StoreRequest::List(FileKind::Game),
     };
-    let StoreReply::Listed(Ok(games)) = Store::in_folder(folder).answer(&request).done else {
+    let StoreReply::Games(Ok(games)) = Store::in_folder(folder).answer(&request).done else {
         panic!("the games cannot be listed");
     };
     let read = games.into_iter().map(|kept| {
@@ -201,7 +201,7 @@ fn the_real_game_in_a_terminal_continues_after_being_killed() {
 fn first_votes(folder: &Path) -> Vec<Option<u32>> {
     let request = StoreCall {
         ticket: 0,
-        request: StoreRequest::ListClasses,
+        request: StoreRequest::List(FileKind::Class),
     };
     let StoreReply::Classes(Ok(rounds)) = Store::in_folder(folder).answer(&request).done else {
         panic!("the rounds cannot be listed");

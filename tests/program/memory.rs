@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::levels::Starred;
-use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, Calendar, Due};
 use carrom::quiz::{Code, Course, Round};
 use carrom::screens::{Route, Settings};
@@ -328,7 +328,7 @@ fn stars_are_saved_only_for_the_player_who_won_them() {
         level,
         stars: 2,
     };
-    let request = StoreRequest::Star("Ada".into(), starred);
+    let request = StoreRequest::Note(PlayerAction::Star("Ada".into(), starred));
     let done = Store::in_folder(folder.path())
         .answer(&StoreCall { ticket: 1, request })
         .done;
@@ -381,7 +381,7 @@ fn no_name_breaks_the_screen_the_table_or_json() {
                 player: player.into(),
                 ..attempt.clone()
             };
-            let request = StoreRequest::Record(Box::new(attempt));
+            let request = StoreRequest::Note(PlayerAction::Record(Box::new(attempt)));
             let answer = store.answer(&StoreCall { ticket: 0, request });
             assert_eq!(answer.done, StoreReply::Noted(Ok(())), "{i}");
         }

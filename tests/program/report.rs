@@ -10,7 +10,7 @@ use carrom::files::is_invisible;
 use carrom::lessons::{self, Bookmark, Chapter, Checkpoint, CheckpointKind, GivenAnswer};
 use carrom::levels;
 use carrom::levels::Starred;
-use carrom::messages::{History, StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{History, PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
 use carrom::progress::{Attempt, Calendar, LESSON, csv, json};
@@ -85,7 +85,7 @@ fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
 fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
     let mut store = Store::in_folder(folder);
     for number in 1..=6 {
-        let request = StoreRequest::Record(Box::new(attempt(player, number)));
+        let request = StoreRequest::Note(PlayerAction::Record(Box::new(attempt(player, number))));
         assert_eq!(ask(&mut store, request), StoreReply::Noted(Ok(())));
     }
     let (pack, level) = first_level();
@@ -94,7 +94,10 @@ fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
         level,
         stars: 2,
     };
-    ask(&mut store, StoreRequest::Star(player.into(), star));
+    ask(
+        &mut store,
+        StoreRequest::Note(PlayerAction::Star(player.into(), star)),
+    );
     let mut store = Store::in_folder(folder);
     let StoreReply::Recalled(Ok(history)) =
         ask(&mut store, StoreRequest::Recall(Some(player.into())))

@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::{Command, Output, Stdio};
 
-use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::store::Store;
 
 use crate::folder::Folder;
@@ -85,7 +85,7 @@ fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     (attempt.answer, attempt.truth) = (choice.clone(), choice);
     let call = StoreCall {
         ticket: 0,
-        request: StoreRequest::Record(Box::new(attempt)),
+        request: StoreRequest::Note(PlayerAction::Record(Box::new(attempt))),
     };
     assert_eq!(store.answer(&call).done, StoreReply::Noted(Ok(())));
     let data = folder.path().to_str().unwrap();

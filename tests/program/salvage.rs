@@ -9,7 +9,7 @@ use std::process::Command;
 
 use carrom::lessons::Bookmark;
 use carrom::levels::Starred;
-use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{PlayerAction, StoreCall, StoreReply, StoreRequest};
 use carrom::progress::Attempt;
 use carrom::quiz::{Answer, Confidence, Round};
 use carrom::store::Store;
@@ -102,15 +102,21 @@ fn sound(folder: &Path) -> Vec<u8> {
     for ((number, question), player) in (1..=60).zip(questions).zip(players) {
         let answer = Answer::new(question.form.truth(), Confidence::Sure);
         let attempt = Attempt::of_quiz(player, round.code(), number, question, &answer);
-        ask(&mut store, StoreRequest::Record(Box::new(attempt)));
+        ask(
+            &mut store,
+            StoreRequest::Note(PlayerAction::Record(Box::new(attempt))),
+        );
     }
     let starred = Starred {
         pack: "first".into(),
         level: "level-0".into(),
         stars: 2,
     };
-    ask(&mut store, StoreRequest::Star("Ada".into(), starred));
-    let mark = StoreRequest::Mark {
+    ask(
+        &mut store,
+        StoreRequest::Note(PlayerAction::Star("Ada".into(), starred)),
+    );
+    let mark = StoreRequest::Note(PlayerAction::Mark {
         player: "Bo".into(),
         chapter: "chapter-0".into(),
         later: Box::new(Bookmark {
@@ -118,7 +124,7 @@ fn sound(folder: &Path) -> Vec<u8> {
             pages: [("Page 0".into(), None)].into(),
             ..Bookmark::default()
         }),
-    };
+    });
     ask(&mut store, mark);
     drop(store);
     // Adds more answers in one transaction, which is faster; a few long answers are enough.

@@ -10,7 +10,7 @@ use carrom::game::{
     Aids, BoardCode, Company, Fingerprint, Game, GameSetup, Hands, Length, Move, Player, Record,
     Rules, SavedGame, Seat, SeatNames,
 };
-use carrom::messages::{KeptGame, StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{FileContent, FileKind, KeptGame, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -74,13 +74,17 @@ fn ask(store: &mut Store, ticket: u64, request: StoreRequest) -> StoreReply {
 }
 
 fn save(store: &mut Store, ticket: u64, game: &SavedGame) {
-    let done = ask(store, ticket, StoreRequest::Save(Box::new(game.clone())));
+    let done = ask(
+        store,
+        ticket,
+        StoreRequest::Save(FileContent::Game(Box::new(game.clone()))),
+    );
     assert_eq!(done, StoreReply::Saved(Ok(())));
 }
 
 fn list(store: &mut Store) -> Vec<KeptGame> {
-    match ask(store, 0, StoreRequest::List) {
-        StoreReply::Listed(Ok(games)) => games,
+    match ask(store, 0, StoreRequest::List(FileKind::Game)) {
+        StoreReply::Games(Ok(games)) => games,
         other => panic!("{other:?}"),
     }
 }
@@ -453,8 +457,12 @@ fn an_invalid_file_is_reported_and_left_unchanged_and_the_others_can_be_used() {
         let kept = listed.iter().find(|kept| kept.name == name).unwrap();
         let reason = kept.content.as_ref().unwrap_err();
         assert!(reason.starts_with(expected), "{name}: {reason}");
-        let done = ask(&mut other, 9, StoreRequest::Load(name.into()));
-        let StoreReply::Loaded(Err(reason)) = done else {
+        let done = ask(
+            &mut other,
+            9,
+            StoreRequest::Load(FileKind::Game, name.into()),
+        );
+        let StoreReply::Game(Err(reason)) = done else {
             panic!("{name} was loaded");
         };
         assert!(reason.contains(&format!("{name}.toml:")), "{reason}");
@@ -502,8 +510,12 @@ fn a_game_resumed_twice_keeps_both_continuations() {
     );
     let resume = || {
         let mut store = Store::in_folder(folder.path());
-        let done = ask(&mut store, 1, StoreRequest::Load("game-1".into()));
-        assert!(matches!(done, StoreReply::Loaded(Ok(_))));
+        let done = ask(
+            &mut store,
+            1,
+            StoreRequest::Load(FileKind::Game, "game-1".into()),
+        );
+        assert!(matches!(done, StoreReply::Game(Ok(_))));
         store
     };
     let (mut one, mut two) = (resume(), resume());
@@ -576,7 +588,11 @@ fn an_export_never_replaces_another() {
     let game = saved(friendly(7), 3, 7);
     let mut places = Vec::new();
     for _ in 0..3 {
-        match ask(&mut store, 1, StoreRequest::Export(Box::new(game.clone()))) {
+        match ask(
+            &mut store,
+            1,
+            StoreRequest::Export(FileContent::Game(Box::new(game.clone()))),
+        ) {
             StoreReply::Exported(Ok(place)) => places.push(place),
             other => panic!("{other:?}"),
         }
@@ -594,7 +610,11 @@ fn only_the_removed_game_is_deleted() {
         for ticket in 1..=3 {
             save(&mut store, ticket, &saved(friendly(8), 3, ticket));
         }
-        let removed = ask(&mut store, 9, StoreRequest::Remove("game-2".into()));
+        let removed = ask(
+            &mut store,
+            9,
+            StoreRequest::Remove(FileKind::Game, "game-2".into()),
+        );
         assert_eq!(removed, StoreReply::Removed(Ok(())));
         let names: Vec<_> = readable(&mut store)
             .into_iter()

@@ -7,7 +7,7 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::class::{ClassRound, ClassStep, Vote};
 use carrom::cli;
-use carrom::messages::{Input, StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{FileKind, Input, StoreCall, StoreReply, StoreRequest};
 use carrom::quiz::{Code, Form, Response};
 use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
@@ -61,7 +61,7 @@ fn exported(folder: &Path, name: &str) -> String {
 fn kept(folder: &Path) -> Vec<ClassRound> {
     let request = StoreCall {
         ticket: 0,
-        request: StoreRequest::ListClasses,
+        request: StoreRequest::List(FileKind::Class),
     };
     match Store::in_folder(folder).answer(&request).done {
         StoreReply::Classes(Ok(rounds)) => rounds

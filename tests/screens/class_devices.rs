@@ -7,7 +7,7 @@ use std::net::Ipv4Addr;
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::class::protocol::Refusal;
+use carrom::class::protocol::{ClientMessage, Refusal};
 use carrom::class::{JoinCode, SeatToken, Vote};
 use carrom::cli;
 use carrom::gradebook::HandIn;
@@ -775,13 +775,13 @@ impl Crowd {
     }
 
     fn vote(&mut self, connection: ConnectionId) {
-        self.hear(HostNews::Voted {
-            connection,
-            question: 0,
+        let vote = ClientMessage::Vote {
+            q: 0,
             vote: Vote::First,
             said: "rays 60 30".into(),
             n: 1,
-        });
+        };
+        self.hear(HostNews::Said(connection, vote));
     }
 
     fn shows(&mut self, words: &str) {

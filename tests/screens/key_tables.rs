@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::game::SavedGame;
-use carrom::messages::{Key, MouseKind, StoreCall, StoreRequest};
+use carrom::messages::{FileContent, Key, MouseKind, StoreCall, StoreRequest};
 use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -62,7 +62,7 @@ fn end_of_a_board(settings: Settings) -> Headless {
     let bytes = include_bytes!("../saves/board-over-1.toml");
     let (saved, _) = SavedGame::read("board-over-1.toml", bytes).unwrap();
     let mut store = Store::in_memory().timeless();
-    let request = StoreRequest::Save(Box::new(saved));
+    let request = StoreRequest::Save(FileContent::Game(Box::new(saved)));
     store.answer(&StoreCall {
         ticket: 99,
         request,

@@ -1,7 +1,7 @@
 //! The next step on the screens that show it, and the player to whom it belongs.
 
 use carrom::app::App;
-use carrom::messages::{StoreCall, StoreRequest};
+use carrom::messages::{PlayerAction, StoreCall, StoreRequest};
 use carrom::progress::Attempt;
 use carrom::quiz::{Answer, Code, Confidence, Round};
 use carrom::screens::{Route, Settings};
@@ -19,7 +19,7 @@ fn store(players: &[&str]) -> Store {
     let answer = Answer::new(question.form.truth(), Confidence::Sure);
     for player in players {
         let attempt = Attempt::of_quiz(player, round.code(), 1, question, &answer);
-        let request = StoreRequest::Record(Box::new(attempt));
+        let request = StoreRequest::Note(PlayerAction::Record(Box::new(attempt)));
         store.answer(&StoreCall { ticket: 0, request });
     }
     store

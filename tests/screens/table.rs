@@ -8,7 +8,7 @@ use carrom::game::{
     BoardCode, Colour, Game, GameStage, Length, Move, Piece, Player, Rules, Ruling, SavedGame,
     Seat, Strike, Team,
 };
-use carrom::messages::{Input, Key, Mouse, MouseKind, StoreCall, StoreRequest};
+use carrom::messages::{FileContent, Input, Key, Mouse, MouseKind, StoreCall, StoreRequest};
 use carrom::physics::angle::unit_vector;
 use carrom::progress::{Calendar, Due, TABLE};
 use carrom::quiz::Topic;
@@ -932,7 +932,7 @@ fn boards_won_and_lost_are_counted_by_rules_and_strength() {
         mia.player = "Mia".into();
         mia.company.players[seat as usize] = Player::Person;
         for ticket in [1, 2] {
-            let request = StoreRequest::Save(Box::new(mia.clone()));
+            let request = StoreRequest::Save(FileContent::Game(Box::new(mia.clone())));
             store.answer(&StoreCall { ticket, request });
         }
         let page = new_game("Mia", &folder);
@@ -1128,7 +1128,7 @@ fn a_board_between_two_named_people_is_reported_with_their_names() {
     saved.company.names.set(Seat::North, "Bo");
     let folder = Folder::new("table-named-end");
     let mut store = Store::in_folder(folder.path());
-    let request = StoreRequest::Save(Box::new(saved));
+    let request = StoreRequest::Save(FileContent::Game(Box::new(saved)));
     store.answer(&StoreCall { ticket: 1, request });
     let app = App::new(Route::Table, still(), 1);
     let mut screen = Headless::keeping(app, 120, 40, store);

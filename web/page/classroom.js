@@ -23,7 +23,7 @@ const classroom = (() => {
     hangUp();
     const own = number;
     const tell = (news) => own === number && say({ do: "joined", news });
-    const lost = () => tell({ is: "lost", reason: "the connection is closed" });
+    const lost = () => tell({ is: "lost" });
     const seat = kept();
     if (seat) setTimeout(() => tell({ is: "remembered", seat: seat.seat, name: seat.name }));
     try {

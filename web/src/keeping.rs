@@ -11,7 +11,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use carrom::messages::{StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use carrom::messages::{FileKind, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use carrom::quiz::concepts::Library;
 use carrom::screens::KeptSettings;
 use carrom::store::{FileBytes, Store};
@@ -29,10 +29,8 @@ pub(crate) enum Change {
     Asked(StoreCall),
     /// A `progress.db` was opened.
     Progress(Vec<u8>),
-    /// A saved game was opened.
-    Game(FileBytes),
-    /// The round of a class was opened.
-    Class(FileBytes),
+    /// A saved game or the round of a class was opened.
+    File(FileKind, FileBytes),
     /// A teacher's own file was opened.
     Own(FileBytes),
 }
@@ -143,8 +141,7 @@ impl PageStorage {
         match change {
             Change::Asked(call) => drop(self.answer(call)),
             Change::Progress(bytes) => self.store.take_in_progress(bytes)?,
-            Change::Game((name, bytes)) => self.store.take_in_game(name, bytes)?,
-            Change::Class((name, bytes)) => self.store.take_in_class(name, bytes)?,
+            Change::File(kind, file) => self.store.take_in(*kind, file)?,
             Change::Own(file) => self.put_own(file.clone()),
         }
         Ok(())
@@ -182,9 +179,7 @@ impl PageStorage {
             Change::Asked(call) => match &call.request {
                 StoreRequest::Retry => false,
                 StoreRequest::KeepSettings(_) => saved.insert(NO_TICKET),
-                StoreRequest::Save(_)
-                | StoreRequest::SaveClass(_)
-                | StoreRequest::NoteClass { .. } => saved.insert(call.ticket),
+                StoreRequest::Save(_) | StoreRequest::NoteClass { .. } => saved.insert(call.ticket),
                 _ => true,
             },
             _ => true,
@@ -294,25 +289,14 @@ fn changes(request: &StoreRequest) -> bool {
     use StoreRequest as R;
     match request {
         R::Save(_)
-        | R::Remove(_)
-        | R::SaveClass(_)
         | R::NoteClass { .. }
-        | R::RemoveClass(_)
-        | R::Record(_)
-        | R::Observe(_)
-        | R::NoteHit(..)
-        | R::ClearNotebook(_)
-        | R::Star(..)
-        | R::Mark { .. }
-        | R::Forget(..)
+        | R::Remove(..)
+        | R::Note(_)
         | R::KeepSettings(_)
         | R::Retry => true,
-        R::List
-        | R::Load(_)
+        R::List(_)
+        | R::Load(..)
         | R::Export(_)
-        | R::ListClasses
-        | R::LoadClass(_)
-        | R::ExportClass(_)
         | R::KeepHandIn(_)
         | R::Gather(_)
         | R::Recall(_)
@@ -328,6 +312,7 @@ fn changes(request: &StoreRequest) -> bool {
 mod tests {
     use carrom::class::ClassRound;
     use carrom::levels::Starred;
+    use carrom::messages::{FileContent, PlayerAction};
 
     use super::*;
 
@@ -385,7 +370,9 @@ mod tests {
         fn won(&self) -> Vec<String> {
             let files: Vec<_> = self.files.clone().into_iter().collect();
             let request = StoreRequest::Stars("Ada".into());
-            let answer = Store::of_files(&files).answer(&StoreCall { ticket: 1, request });
+            let mut store = Store::in_memory();
+            store.renew(&files);
+            let answer = store.answer(&StoreCall { ticket: 1, request });
             let StoreReply::Stars(Ok(stars)) = answer.done else {
                 panic!("{answer:?}");
             };
@@ -399,12 +386,12 @@ mod tests {
             level: level.into(),
             stars: 1,
         };
-        StoreRequest::Star("Ada".into(), starred)
+        StoreRequest::Note(PlayerAction::Star("Ada".into(), starred))
     }
 
     fn save_class() -> StoreRequest {
         let round = ClassRound::read("class-3.toml", ROUND, &Arc::default()).unwrap();
-        StoreRequest::SaveClass(Arc::new(round))
+        StoreRequest::Save(FileContent::Class(Arc::new(round)))
     }
 
     #[test]
@@ -473,7 +460,7 @@ mod tests {
         for change in [
             Change::Progress(progress),
             Change::Own(level.clone()),
-            Change::Class(round),
+            Change::File(FileKind::Class, round),
         ] {
             browser.keeping.take_in(change).unwrap();
         }

@@ -135,10 +135,7 @@ pub enum News {
         text: String,
     },
     /// The host cannot be reached, or can no longer be reached.
-    Lost {
-        /// The reason in words.
-        reason: String,
-    },
+    Lost,
     /// The browser remembers an earlier visit.
     Remembered {
         /// The token that returns the pupil to their seat.

@@ -7,6 +7,7 @@ use carrom::files::FileLibrary;
 use carrom::lessons::{Book, ChapterLibrary};
 use carrom::levels::{LevelLibrary, Shelf};
 use carrom::measure::{self, Given, Measurement, Reading};
+use carrom::messages::FileKind;
 use carrom::quiz::concepts::Library;
 use carrom::screens::KeptSettings;
 use carrom::store::FileBytes;
@@ -134,11 +135,11 @@ pub(crate) fn take_in(
         // Class rounds of every format have this field; saved games of no format have it.
         let is_class = String::from_utf8_lossy(bytes).contains("\nstep = ");
         let file = (name.to_owned(), bytes.to_vec());
-        let (change, place) = match is_class {
-            true => (Change::Class(file), "the earlier rounds of a class"),
-            false => (Change::Game(file), "the saved games"),
+        let (kind, place) = match is_class {
+            true => (FileKind::Class, "the earlier rounds of a class"),
+            false => (FileKind::Game, "the saved games"),
         };
-        let taken = keeping.take_in(change).map_err(wrong);
+        let taken = keeping.take_in(Change::File(kind, file)).map_err(wrong);
         return taken.map(|()| (format!("{name} has been added to {place}."), false));
     }
     Err(format!(

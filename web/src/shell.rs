@@ -136,7 +136,7 @@ impl Shell {
             }
             Command::Pass { ms } => self.pass(Duration::from_secs_f64(ms.clamp(0.0, 3.6e6) / 1e3)),
             Command::Now { time_s, offset_s } => {
-                self.keeping.store().stop_clock_at(time_s, offset_s);
+                self.keeping.store().stop_clock(time_s, offset_s);
             }
             Command::Set { charset, color } => {
                 let settings = self.app.settings_mut();
@@ -427,7 +427,7 @@ fn heard(news: News) -> JoinNews {
     match news {
         News::Reached => JoinNews::Reached,
         News::Heard { text } => JoinNews::Heard(text),
-        News::Lost { reason } => JoinNews::Lost(reason),
+        News::Lost => JoinNews::Lost,
         News::Remembered { seat, name } => JoinNews::Remembered(seat, name),
         News::Awake => JoinNews::Awake,
     }

@@ -2,11 +2,9 @@
 
 use jiff::civil::Date;
 
-use super::ClassAction;
-use super::play::ClassPlay;
-use super::set_up::SetUp;
+use super::{ClassAction, ClassScene};
 use crate::class::{ClassRound, Vote, WayOfVoting};
-use crate::messages::{Kept, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileKind, Kept, StoreAnswer, StoreReply};
 use crate::numbers::counted;
 use crate::progress::long_day;
 use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
@@ -19,74 +17,54 @@ use crate::widgets::{Role, SplitLayout, text};
 /// The maximum width, in columns, of the names in the row of a round.
 const NAMES: usize = 180;
 
-const ROUNDS: KeptKind = KeptKind {
+pub(super) const ROUNDS: KeptKind = KeptKind {
+    file: FileKind::Class,
     one: "round",
     all: "earlier rounds",
     saved: "carrom saves every round after each vote.",
-    list: StoreRequest::ListClasses,
-    load: StoreRequest::LoadClass,
-    remove: StoreRequest::RemoveClass,
 };
 
-#[derive(Debug, Clone)]
-pub(super) struct EarlierRounds {
-    /// The page to go back to.
-    pub(super) set_up: SetUp,
-    pub(super) rounds: KeptFiles<ClassRound>,
+/// Handles the answer to a request; returns the round to resume.
+pub(super) fn take_answer(
+    rounds: &mut KeptFiles<ClassRound>,
+    answer: &StoreAnswer,
+    cx: &mut Context,
+) -> Option<ClassScene> {
+    match &answer.done {
+        StoreReply::Classes(found) => rounds.listed(found.clone()),
+        StoreReply::Class(loaded) if rounds.take_loaded(answer.ticket) => {
+            let resumed = ClassScene::resume(loaded, answer.ticket, cx);
+            return resumed
+                .map_err(|trouble| rounds.notice = Some(trouble))
+                .ok();
+        }
+        StoreReply::Removed(result) => rounds.removed(result, cx),
+        _ => {}
+    }
+    None
 }
 
-impl EarlierRounds {
-    /// Requests the list, which is empty until the answer arrives.
-    pub(super) fn ask(set_up: SetUp, cx: &mut Context) -> Self {
-        let rounds = KeptFiles::ask(ROUNDS, cx);
-        Self { set_up, rounds }
-    }
-
-    /// Handles the answer to a request; returns the round to resume.
-    pub(super) fn take_answer(
-        &mut self,
-        answer: &StoreAnswer,
-        cx: &mut Context,
-    ) -> Option<Box<ClassPlay>> {
-        match &answer.done {
-            StoreReply::Classes(rounds) => self.rounds.listed(rounds.clone()),
-            StoreReply::Class(loaded) if self.rounds.take_loaded(answer.ticket) => match loaded {
-                Ok(round) => {
-                    let round = round.as_ref().clone();
-                    return Some(Box::new(ClassPlay::with_ticket(round, answer.ticket, cx)));
-                }
-                Err(reason) => {
-                    self.rounds.notice = Some(format!("The round cannot be resumed: {reason}."));
-                }
-            },
-            StoreReply::Removed(result) => self.rounds.removed(result, cx),
-            _ => {}
-        }
-        None
-    }
-
-    /// The list, and below it the description of the chosen round.
-    pub(super) fn view(&self) -> View<'_, ClassAction> {
-        let mut panel = Panel::new("earlier rounds");
-        let title = |kept: &Kept<ClassRound>| match &kept.content {
-            Ok(round) => titled(round, kept.day),
-            Err(_) => format!("{}: cannot be read", kept.name),
-        };
-        panel.part(ClassAction::Earlier, |panel| {
-            self.rounds.write_list(title, panel);
-        });
-        panel.pin_below();
-        self.rounds.write_chosen(&mut panel, |round, panel| {
-            let number = round.place().question + 1;
-            let place = format!("Question {number} of {}.", round.questions().len());
-            panel.paragraph(place, Role::Text);
-            panel.paragraph(text::clipped(&round.teams().join(", "), NAMES), Role::Dim);
-            panel.gap();
-            let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
-            panel.prompt("resume it where it was left", take_up);
-        });
-        View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
-    }
+/// The list, and below it the description of the chosen round.
+pub(super) fn view(rounds: &KeptFiles<ClassRound>) -> View<'_, ClassAction> {
+    let mut panel = Panel::new("earlier rounds");
+    let title = |kept: &Kept<ClassRound>| match &kept.content {
+        Ok(round) => titled(round, kept.day),
+        Err(_) => format!("{}: cannot be read", kept.name),
+    };
+    panel.part(ClassAction::Earlier, |panel| {
+        rounds.write_list(title, panel);
+    });
+    panel.pin_below();
+    rounds.write_chosen(&mut panel, |round, panel| {
+        let number = round.place().question + 1;
+        let place = format!("Question {number} of {}.", round.questions().len());
+        panel.paragraph(place, Role::Text);
+        panel.paragraph(text::clipped(&round.teams().join(", "), NAMES), Role::Dim);
+        panel.gap();
+        let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
+        panel.prompt("resume it where it was left", take_up);
+    });
+    View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
 }
 
 /// A round in one line: its class, its code, the number of participants, and the day.

@@ -5,11 +5,11 @@ use strum::{EnumMessage, FromRepr, IntoStaticStr};
 
 use super::stage::Stage;
 use super::{ClassAction, RoundAction, scores};
-use crate::class::{ClassRound, ItemAnalysis, WayOfVoting, beliefs, items};
+use crate::class::{ClassRound, ItemAnalysis, WayOfVoting, answer_name, beliefs, items};
 use crate::messages::Key;
 use crate::numbers::fixed;
 use crate::progress::words::percent;
-use crate::quiz::{Form, Question, letter};
+use crate::quiz::Question;
 use crate::screens::View;
 use crate::screens::view::WIDEST;
 use crate::widgets::input::KeyTable;
@@ -74,10 +74,7 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
         "write a report, and tables for a spreadsheet",
         ClassAction::Round(RoundAction::Tables),
     );
-    View {
-        foot: Some(foot),
-        ..scores::view(play, Heading::new(&["The end"], handed))
-    }
+    scores::view(play, Heading::new(&["The end"], handed)).with_foot(foot)
 }
 
 fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
@@ -158,14 +155,9 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
 
 /// "A: 4 then 2; B: 17 then 28. gain 60 %. changed to right 5, to wrong 1"
 fn summary(question: &Question, item: &ItemAnalysis) -> String {
-    let is_choice = matches!(question.form, Form::Choice { .. });
-    let each = item.counts.iter().enumerate();
-    let counts = each.map(|(i, (said, [first, second]))| {
-        let words = match is_choice {
-            true => letter(i).to_string(),
-            false => question.form.words(said),
-        };
-        format!("{words}: {first} then {second}")
+    let counts = item.counts.iter().map(|(said, [first, second])| {
+        let name = answer_name(question, said);
+        format!("{name}: {first} then {second}")
     });
     let counts: Vec<String> = counts.take(MOST_COUNTS).collect();
     let mut summary = vec![counts.join("; ")];

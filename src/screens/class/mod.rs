@@ -28,23 +28,21 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::kept_files::KeptAction;
+use super::kept_files::{KeptAction, KeptFiles};
 use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View};
 use crate::class::ClassRound;
 use crate::messages::{Input, Key, Mouse};
-use crate::quiz::Code;
+use crate::quiz::{Code, Round};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
-use crate::widgets::{Item, Look, Outcome, Palette, Role, Words, areas, sheet};
-use earlier::EarlierRounds;
+use crate::widgets::{Item, Look, Palette, Role, Words, areas, sheet};
 use ending::EndAction;
 use hosting::HostingAction;
 use play::ClassPlay;
-use preview::RoundPreview;
-use set_up::{SetUp, SetUpAction, SetUpEnd, SetUpRow};
+use set_up::{SetUp, SetUpAction, SetUpRow};
 use tally::CountAction;
-use unfinished::{Unfinished, UnfinishedEnd};
+use unfinished::Unfinished;
 use vote::VoteAction;
 
 /// What the keys do in a class round. Each page has its own actions, and so does each step at which
@@ -99,6 +97,7 @@ pub(crate) enum RoundAction {
 /// A round for a class in front of one screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Class {
+    set_up: SetUp,
     scene: ClassScene,
     /// Whether the screen is blank until somebody continues.
     paused: bool,
@@ -107,19 +106,46 @@ pub(crate) struct Class {
 /// The current page.
 #[derive(Debug, Clone)]
 enum ClassScene {
-    SetUp(Box<SetUp>),
-    Preview(Box<RoundPreview>),
-    Earlier(Box<EarlierRounds>),
-    Unfinished(Box<Unfinished>),
+    SetUp,
+    /// The questions of the round that is being set up.
+    Preview(Round),
+    Earlier(KeptFiles<ClassRound>),
+    Unfinished(Unfinished),
     Play(Box<ClassPlay>),
+}
+
+impl ClassScene {
+    /// A round from its start.
+    fn play(round: ClassRound, cx: &mut Context) -> Self {
+        let ticket = cx.ticket();
+        Self::Play(Box::new(ClassPlay::new(round, ticket, cx)))
+    }
+
+    /// A round that has been loaded with this ticket, at the step where it was left.
+    ///
+    /// # Errors
+    /// A sentence that says why the round cannot be resumed.
+    fn resume(
+        loaded: &Result<Box<ClassRound>, String>,
+        ticket: u64,
+        cx: &mut Context,
+    ) -> Result<Self, String> {
+        match loaded {
+            Ok(round) => {
+                let play = ClassPlay::new(ClassRound::clone(round), ticket, cx);
+                Ok(Self::Play(Box::new(play)))
+            }
+            Err(reason) => Err(format!("The round cannot be resumed: {reason}.")),
+        }
+    }
 }
 
 impl Class {
     /// The set-up page, with the known values filled in.
     pub(crate) fn new(code: Option<&Code>, teams: &[String], name: &str, cx: &Context) -> Self {
-        let set_up = SetUp::new(code, teams, name, Arc::clone(&cx.own));
         Self {
-            scene: ClassScene::SetUp(Box::new(set_up)),
+            set_up: SetUp::new(code, teams, name, Arc::clone(&cx.own)),
+            scene: ClassScene::SetUp,
             paused: false,
         }
     }
@@ -133,65 +159,25 @@ impl Class {
         cx: &mut Context,
     ) -> Self {
         let unfinished = Unfinished::ask(code.cloned(), name, nicknames, cx);
-        Self {
-            scene: ClassScene::Unfinished(Box::new(unfinished)),
-            paused: false,
-        }
+        let mut class = Self::new(None, &[], name, cx);
+        class.set_up.nicknames = nicknames;
+        class.set_up.put(SetUpRow::Devices);
+        class.scene = ClassScene::Unfinished(unfinished);
+        class
     }
 
-    /// Resumes an interrupted round, or starts another: at once if its code is known.
-    fn after_unfinished(&mut self, end: Option<UnfinishedEnd>, cx: &mut Context) {
-        let ClassScene::Unfinished(unfinished) = &self.scene else {
-            return;
-        };
-        self.scene = match (end, unfinished.other()) {
-            (None, _) => return,
-            (Some(UnfinishedEnd::TakeUp(play)), _) => ClassScene::Play(play),
-            (Some(UnfinishedEnd::Another), (Some(code), name, nicknames)) => {
-                let round = ClassRound::with_devices(code.clone()).of_class(name);
-                let round = round.with_nicknames(nicknames);
-                ClassScene::Play(Box::new(ClassPlay::new(round, cx)))
-            }
-            (Some(UnfinishedEnd::Another), (None, name, nicknames)) => {
-                let mut set_up = SetUp::new(None, &[], name, Arc::clone(&cx.own));
-                set_up.nicknames = nicknames;
-                set_up.put(SetUpRow::Devices);
-                ClassScene::SetUp(Box::new(set_up))
-            }
-        };
-    }
-
-    fn set_up(&mut self, outcome: Outcome<SetUpEnd>, cx: &mut Context) -> Next {
-        match outcome {
-            Outcome::Ignored => return Next::Ignored,
-            Outcome::Used => {}
-            Outcome::Done(SetUpEnd::Start(play)) => self.scene = ClassScene::Play(play),
-            Outcome::Done(SetUpEnd::Preview(round)) => {
-                if let ClassScene::SetUp(set_up) = &self.scene {
-                    let set_up = *set_up.clone();
-                    let round = *round;
-                    self.scene = ClassScene::Preview(Box::new(RoundPreview { set_up, round }));
-                }
-            }
-            Outcome::Done(SetUpEnd::Earlier) => {
-                if let ClassScene::SetUp(set_up) = &self.scene {
-                    let earlier = EarlierRounds::ask(*set_up.clone(), cx);
-                    self.scene = ClassScene::Earlier(Box::new(earlier));
-                }
-            }
+    /// Goes to the page that follows, if there is one.
+    fn go(&mut self, next: Option<ClassScene>) {
+        if let Some(scene) = next {
+            self.scene = scene;
         }
-        Next::Stay
     }
 
     fn leave(&mut self, cx: &mut Context) -> Next {
         match &mut self.scene {
-            ClassScene::SetUp(_) | ClassScene::Unfinished(_) => Next::Back,
-            ClassScene::Earlier(earlier) => {
-                self.scene = ClassScene::SetUp(Box::new(earlier.set_up.clone()));
-                Next::Stay
-            }
-            ClassScene::Preview(preview) => {
-                self.scene = ClassScene::SetUp(Box::new(preview.set_up.clone()));
+            ClassScene::SetUp | ClassScene::Unfinished(_) => Next::Back,
+            ClassScene::Earlier(_) | ClassScene::Preview(_) => {
+                self.scene = ClassScene::SetUp;
                 Next::Stay
             }
             ClassScene::Play(play) if !play.asks_before_leaving() => {
@@ -261,10 +247,10 @@ impl Screen for Class {
         }
         let keys = KeyTable::new("class");
         let keys = match &self.scene {
-            ClassScene::SetUp(set_up) => keys.with(set_up.keys(), ClassAction::SetUp),
+            ClassScene::SetUp => keys.with(self.set_up.keys(), ClassAction::SetUp),
             ClassScene::Preview(_) => keys,
-            ClassScene::Earlier(earlier) => {
-                keys.with(earlier.rounds.keys("resume it"), ClassAction::Earlier)
+            ClassScene::Earlier(rounds) => {
+                keys.with(rounds.keys("resume it"), ClassAction::Earlier)
             }
             ClassScene::Unfinished(unfinished) => {
                 keys.with(unfinished.keys(), ClassAction::Unfinished)
@@ -276,7 +262,7 @@ impl Screen for Class {
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
         match &mut self.scene {
-            ClassScene::SetUp(set_up) => set_up.typed(key),
+            ClassScene::SetUp => self.set_up.typed(key),
             ClassScene::Play(play) if !self.paused => play.typed(key),
             _ => false,
         }
@@ -292,16 +278,19 @@ impl Screen for Class {
                 };
             }
             (ClassAction::Round(RoundAction::Leave), _) => return self.leave(cx),
-            (ClassAction::SetUp(action), ClassScene::SetUp(set_up)) => {
-                let outcome = set_up.act(action, cx);
-                return self.set_up(outcome, cx);
+            (ClassAction::SetUp(action), ClassScene::SetUp) => {
+                let outcome = self.set_up.act(action, cx);
+                return Next::of(outcome, |scene| {
+                    self.scene = scene;
+                    Next::Stay
+                });
             }
-            (ClassAction::Earlier(action), ClassScene::Earlier(earlier)) => {
-                return earlier.rounds.act(action, cx);
+            (ClassAction::Earlier(action), ClassScene::Earlier(rounds)) => {
+                return rounds.act(action, cx);
             }
             (ClassAction::Unfinished(action), ClassScene::Unfinished(unfinished)) => {
-                let end = unfinished.act(action, cx);
-                self.after_unfinished(end, cx);
+                let next = unfinished.act(action, cx);
+                self.go(next);
             }
             (action, ClassScene::Play(play)) => return play.act(action, cx),
             _ => return Next::Ignored,
@@ -311,8 +300,8 @@ impl Screen for Class {
 
     fn confirmed(&mut self, action: ClassAction, cx: &mut Context) -> Next {
         match (&mut self.scene, action) {
-            (ClassScene::Earlier(earlier), _) => {
-                earlier.rounds.remove(cx);
+            (ClassScene::Earlier(rounds), _) => {
+                rounds.remove(cx);
                 Next::Stay
             }
             (ClassScene::Play(play), ClassAction::Hosting(action)) => {
@@ -329,15 +318,14 @@ impl Screen for Class {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match (input, &mut self.scene) {
-            (Input::Paste(text), ClassScene::SetUp(set_up)) => set_up.paste(text),
-            (Input::Kept(answer), ClassScene::Earlier(earlier)) => {
-                if let Some(play) = earlier.take_answer(answer, cx) {
-                    self.scene = ClassScene::Play(play);
-                }
+            (Input::Paste(text), ClassScene::SetUp) => self.set_up.paste(text),
+            (Input::Kept(answer), ClassScene::Earlier(rounds)) => {
+                let next = earlier::take_answer(rounds, answer, cx);
+                self.go(next);
             }
             (Input::Kept(answer), ClassScene::Unfinished(unfinished)) => {
-                let end = unfinished.take_answer(answer, cx);
-                self.after_unfinished(end, cx);
+                let next = unfinished.take_answer(answer, cx);
+                self.go(next);
             }
             (Input::Kept(answer), ClassScene::Play(play)) => play.take_answer(answer, cx),
             (Input::Hosted(news), ClassScene::Play(play)) => play.take_news(news, cx),
@@ -358,7 +346,7 @@ impl Screen for Class {
         let action = match &self.scene {
             _ if self.paused => None,
             ClassScene::Preview(_) => None,
-            ClassScene::SetUp(_) => Some(ClassAction::SetUp(SetUpAction::List(list))),
+            ClassScene::SetUp => Some(ClassAction::SetUp(SetUpAction::List(list))),
             ClassScene::Earlier(_) => Some(ClassAction::Earlier(KeptAction::List(list))),
             ClassScene::Unfinished(_) => Some(ClassAction::Unfinished(list)),
             ClassScene::Play(play) => play.wheel(by),
@@ -387,9 +375,9 @@ impl Screen for Class {
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ClassAction> {
         match &self.scene {
             _ if self.paused => View::picture_alone(draw_pause),
-            ClassScene::SetUp(set_up) => set_up_view::view(set_up),
-            ClassScene::Preview(preview) => preview.view(),
-            ClassScene::Earlier(earlier) => earlier.view(),
+            ClassScene::SetUp => set_up_view::view(&self.set_up),
+            ClassScene::Preview(round) => preview::view(round),
+            ClassScene::Earlier(rounds) => earlier::view(rounds),
             ClassScene::Unfinished(unfinished) => unfinished.view(),
             ClassScene::Play(play) => play.view(cx),
         }

@@ -15,7 +15,9 @@ use super::{ClassAction, RoundAction, question, scores, talk};
 use crate::class::{
     ClassPlace, ClassRound, ClassStep, HandInOnItsWay, Session, SessionEffect, Vote, WayOfVoting,
 };
-use crate::messages::{HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{
+    FileContent, HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest,
+};
 use crate::quiz::Question;
 use crate::screens::{Confirmation, Context, Next, View};
 use crate::widgets::hit::HitPace;
@@ -56,14 +58,8 @@ enum ClassPhase {
 }
 
 impl ClassPlay {
-    /// A round from its start.
-    pub(super) fn new(round: ClassRound, cx: &mut Context) -> Self {
-        let ticket = cx.ticket();
-        Self::with_ticket(round, ticket, cx)
-    }
-
-    /// A saved round, at the step where it was left.
-    pub(super) fn with_ticket(round: ClassRound, ticket: u64, cx: &mut Context) -> Self {
+    /// A round at the step where it was left, which is saved with this ticket.
+    pub(super) fn new(round: ClassRound, ticket: u64, cx: &mut Context) -> Self {
         let place = round.place();
         let furthest = place.question.max(round.begun().saturating_sub(1));
         let steps = (0..round.questions().len()).map(|question| match question {
@@ -142,7 +138,7 @@ impl ClassPlay {
             match effect {
                 SessionEffect::Host(call) => cx.host(call),
                 SessionEffect::Save(round) => {
-                    cx.keep(self.ticket, StoreRequest::SaveClass(round));
+                    cx.keep(self.ticket, StoreRequest::Save(FileContent::Class(round)));
                 }
                 SessionEffect::Note(changes, round) => {
                     cx.keep(self.ticket, StoreRequest::NoteClass { changes, round });
@@ -317,7 +313,13 @@ impl ClassPlay {
                 (table.with(on, ClassAction::Round), reads)
             }
         };
-        let keys = keys.on('z', WordsAlone, "text only").when(read);
+        let words_alone = keys.on('z', WordsAlone, "text only").when(read);
+        let table = table.with(words_alone, ClassAction::Round);
+        let is_hosted = self.stage.session.is_hosted();
+        let table = match is_hosted {
+            true => table.with(hosting::step_keys(), ClassAction::Hosting),
+            false => table,
+        };
         let is_board = matches!(
             (&self.phase, self.stage.step()),
             (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores)
@@ -326,18 +328,9 @@ impl ClassPlay {
             true => "no names",
             false => "names",
         };
-        let (table, keys) = match self.stage.session.is_hosted() {
-            true => (
-                table
-                    .with(keys, ClassAction::Round)
-                    .with(hosting::step_keys(), ClassAction::Hosting),
-                KeyTable::new("class")
-                    .on('n', BoardNames, names)
-                    .when(is_board),
-            ),
-            false => (table, keys),
-        };
-        let keys = keys
+        let keys = KeyTable::new("class")
+            .on('n', BoardNames, names)
+            .when(is_hosted && is_board)
             .on('e', Tables, if self.is_over() { "tables" } else { "" })
             .on(Key::Backspace, Backward, "back")
             .on('p', Pause, "pause")
@@ -416,7 +409,9 @@ impl ClassPlay {
             RoundAction::WordsAlone => self.stage.words_alone = !self.stage.words_alone,
             RoundAction::BoardNames => self.stage.names_shown = !self.stage.names_shown,
             RoundAction::Tables => {
-                cx.ask(StoreRequest::ExportClass(self.stage.session.shared_round()));
+                cx.ask(StoreRequest::Export(FileContent::Class(
+                    self.stage.session.shared_round(),
+                )));
             }
             // The screen itself handles these actions.
             RoundAction::Pause | RoundAction::Light | RoundAction::Leave => {}
@@ -499,13 +494,7 @@ impl ClassPlay {
     /// Handles the mouse over the picture of a step; returns whether the mouse was used.
     pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect) -> bool {
         let pressed = mouse.kind == MouseKind::Down;
-        let question = self
-            .stage
-            .session
-            .round()
-            .questions()
-            .get(self.stage.number());
-        match (&mut self.phase, question) {
+        match (&mut self.phase, self.stage.question()) {
             (ClassPhase::Vote(votes), Some(question)) if mouse.is_held() => {
                 let input = votes.input_mut();
                 input.is_some_and(|input| input.point(question, picture, mouse.place(), pressed))

@@ -1,7 +1,6 @@
 //! The questions of a round that is being set up.
 
 use super::ClassAction;
-use super::set_up::SetUp;
 use crate::quiz::Round;
 use crate::screens::View;
 use crate::screens::view::WIDEST;
@@ -9,23 +8,14 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Role, SplitLayout};
 
 /// The list of a round's questions, without their answers.
-#[derive(Debug, Clone)]
-pub(super) struct RoundPreview {
-    /// The page to go back to.
-    pub(super) set_up: SetUp,
-    pub(super) round: Round,
-}
-
-impl RoundPreview {
-    pub(super) fn view(&self) -> View<'_, ClassAction> {
-        let mut panel = Panel::new(format!("the questions of {}", self.round.code()));
-        for (number, question) in (1..).zip(self.round.questions()) {
-            panel.marked(&format!("{number:>2}  "), &question.text, Role::Text);
-            let (family, difficulty) = (question.family.name(), question.difficulty.id());
-            let kind = format!("{family}: {}, {difficulty}", question.topic);
-            panel.marked("    ", kind, Role::Dim);
-            panel.gap();
-        }
-        View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+pub(super) fn view(round: &Round) -> View<'_, ClassAction> {
+    let mut panel = Panel::new(format!("the questions of {}", round.code()));
+    for (number, question) in (1..).zip(round.questions()) {
+        panel.marked(&format!("{number:>2}  "), &question.text, Role::Text);
+        let (family, difficulty) = (question.family.name(), question.difficulty.id());
+        let kind = format!("{family}: {}, {difficulty}", question.topic);
+        panel.marked("    ", kind, Role::Dim);
+        panel.gap();
     }
+    View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
 }

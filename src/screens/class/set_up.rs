@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
-use super::play::ClassPlay;
+use super::ClassScene;
+use super::earlier::ROUNDS;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
 use crate::messages::Key;
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Round};
 use crate::screens::Context;
+use crate::screens::kept_files::KeptFiles;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
@@ -83,16 +85,6 @@ pub(crate) enum SetUpAction {
     Remove,
     /// see the questions of the chosen round
     Preview,
-}
-
-/// The result of the set-up page.
-pub(super) enum SetUpEnd {
-    /// The round begins.
-    Start(Box<ClassPlay>),
-    /// Shows the questions of the round.
-    Preview(Box<Round>),
-    /// Opens the list of earlier rounds.
-    Earlier,
 }
 
 impl SetUp {
@@ -194,11 +186,9 @@ impl SetUp {
             SetUpRow::Earlier => "open the list",
         };
         // In a text field, these keys move the cursor to the start or the end of the text.
-        let ends = match at {
-            SetUpRow::Team(_) | SetUpRow::Class | SetUpRow::Kind(RoundKind::Code) => {
-                [Key::Home, Key::End].as_slice()
-            }
-            _ => &[],
+        let ends: &[Key] = match self.has_text() {
+            true => &[Key::Home, Key::End],
+            false => &[],
         };
         KeyTable::new("class")
             .by([Key::Left, Key::Right], Topic, [-1, 1], "another topic")
@@ -210,10 +200,15 @@ impl SetUp {
             .when(self.can_preview())
     }
 
+    /// Whether the marked row contains text.
+    fn has_text(&self) -> bool {
+        use SetUpRow::{Class, Kind, Team};
+        matches!(self.at(), Team(_) | Class | Kind(RoundKind::Code))
+    }
+
     /// Whether the key previews the questions: in rows that contain text it types a letter instead.
     pub(super) fn can_preview(&self) -> bool {
-        use SetUpRow::{Add, Class, Kind, Team};
-        !matches!(self.at(), Team(_) | Add | Class | Kind(RoundKind::Code))
+        !self.has_text() && self.at() != SetUpRow::Add
     }
 
     /// Handles a key that edits text; returns whether the key was used.
@@ -240,7 +235,8 @@ impl SetUp {
         true
     }
 
-    pub(super) fn act(&mut self, action: SetUpAction, cx: &mut Context) -> Outcome<SetUpEnd> {
+    /// Carries out the action of a key or a click; returns the page that follows.
+    pub(super) fn act(&mut self, action: SetUpAction, cx: &mut Context) -> Outcome<ClassScene> {
         match action {
             SetUpAction::List(action) => self.listed(action, cx),
             SetUpAction::Topic(by) => {
@@ -267,13 +263,13 @@ impl SetUp {
                 self.code = TextField::new(&code.to_string(), LONGEST);
                 self.kind = RoundKind::Code;
                 self.put(SetUpRow::Start);
-                Outcome::Done(SetUpEnd::Preview(Box::new(Round::of(code))))
+                Outcome::Done(ClassScene::Preview(Round::of(code)))
             }
         }
     }
 
     /// Moves the mark, or activates the marked row. An empty name is removed.
-    fn listed(&mut self, action: ListAction, cx: &mut Context) -> Outcome<SetUpEnd> {
+    fn listed(&mut self, action: ListAction, cx: &mut Context) -> Outcome<ClassScene> {
         self.trouble = None;
         let left = self.at();
         let rows = self.rows().len();
@@ -329,7 +325,7 @@ impl SetUp {
         self.put(SetUpRow::Team(self.teams.len() - 1));
     }
 
-    fn enter(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
+    fn enter(&mut self, cx: &mut Context) -> Outcome<ClassScene> {
         let at = self.at();
         match at {
             // If no further name has been typed, Enter continues to the kind of round.
@@ -344,12 +340,14 @@ impl SetUp {
             }
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => return self.start(at, cx),
             SetUpRow::Nicknames => self.nicknames = !self.nicknames,
-            SetUpRow::Earlier => return Outcome::Done(SetUpEnd::Earlier),
+            SetUpRow::Earlier => {
+                return Outcome::Done(ClassScene::Earlier(KeptFiles::ask(ROUNDS, cx)));
+            }
         }
         Outcome::Used
     }
 
-    fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<SetUpEnd> {
+    fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<ClassScene> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
             // Counted hands are anonymous, and pupils on devices enter their names themselves, so
@@ -369,7 +367,7 @@ impl SetUp {
             _ => ClassRound::new(code, names),
         };
         let round = round.of_class(self.class.text());
-        Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
+        Outcome::Done(ClassScene::play(round, cx))
     }
 
     /// The code of the chosen round, with a new seed unless it was typed; `None` if what was typed

@@ -3,8 +3,8 @@
 use super::ClassAction;
 use super::question;
 use super::stage::Stage;
-use crate::class::{ClassRound, Vote};
-use crate::quiz::{Answer, Confidence, Form, Question, Response, evidence, explain, letter};
+use crate::class::{ClassRound, Vote, feedback};
+use crate::quiz::{Question, Response, evidence, letter};
 use crate::screens::View;
 use crate::widgets::hit::{HitPace, Reveal, Watch};
 use crate::widgets::panel::{Beside, Panel};
@@ -30,17 +30,10 @@ impl ClassReveal {
         let held = commonest(round, number, Vote::Second)
             .or_else(|| commonest(round, number, Vote::First));
         let said = held.as_ref().map(|shared| shared.said);
-        let why = match said {
-            Some(said) => {
-                let answer = Answer::new(said, Confidence::ThinkSo);
-                explain(question, &answer).text
-            }
-            None => question.why.clone(),
-        };
         Some(Self {
-            reveal: Reveal::new(watch(question, said, pace)),
+            reveal: Reveal::new(Watch::of_question(question, said, pace)),
             held: held.map(|shared| (shared.name, shared.count)),
-            why,
+            why: feedback(question, said),
         })
     }
 }
@@ -108,21 +101,6 @@ fn first_sentence(text: &str) -> (&str, &str) {
     let end = text::sentence_ends(text).next();
     let (first, rest) = text.split_at(end.unwrap_or(text.len()));
     (first, rest.trim_start())
-}
-
-/// The real collision, with the answers beside it. A question answered by shooting shows the right
-/// shot.
-fn watch(question: &Question, said: Option<Response>, pace: HitPace) -> Option<Watch> {
-    let collision = match &question.form {
-        Form::Shot(aim) => Some(aim.with(aim.offset)),
-        _ => question.picture.collision().copied(),
-    };
-    let rays = match said {
-        Some(Response::Rays(rays)) => Some(rays),
-        _ => None,
-    };
-    let frame = question.seen_from();
-    collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
 }
 
 /// The common answer of a group of wrong votes.

@@ -36,10 +36,8 @@ pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, Clas
     let mut foot = Panel::new("");
     write_more(play, question, &mut foot);
     let draw = move |area, buf: &mut _, look: &_| draw(play, question, area, buf, look);
-    View {
-        foot: Some(foot),
-        ..play.step_view(Some(heading), beside(play, question), draw, words)
-    }
+    let view = play.step_view(Some(heading), beside(play, question), draw, words);
+    view.with_foot(foot)
 }
 
 /// Writes the most frequent directions of each ray, the number of participants who have not voted,
@@ -126,13 +124,14 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     let mut same: Vec<&[String]> = shown.chunk_by(|a, b| a == b).collect();
     let mut counts: Vec<usize> = same.iter().map(|same| same.len()).collect();
     counts.sort_unstable_by(|a, b| b.cmp(a));
-    let all = counts.len();
     let least = counts.get(MOST_ANGLES - 1).copied().unwrap_or(0);
-    if all > MOST_ANGLES {
-        same.retain(|same| same.len() >= least);
-        same.truncate(MOST_ANGLES);
-    }
-    let more = if all > MOST_ANGLES { " …" } else { "" };
+    same.retain(|same| same.len() >= least);
+    same.truncate(MOST_ANGLES);
+    let more = if counts.len() > MOST_ANGLES {
+        " …"
+    } else {
+        ""
+    };
     let words = same.into_iter().map(|same| match same {
         [one] => one.clone(),
         _ => format!("{} ({})", same[0], same.len()),

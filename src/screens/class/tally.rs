@@ -148,9 +148,7 @@ impl Tally {
         let draw = move |area, buf: &mut _, look: &_| {
             draw_question(area, buf, look, question, None);
         };
-        View {
-            foot: Some(foot),
-            ..play.step_view(Some(heading), question::beside(question), draw, words)
-        }
+        let view = play.step_view(Some(heading), question::beside(question), draw, words);
+        view.with_foot(foot)
     }
 }

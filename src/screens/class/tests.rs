@@ -50,7 +50,7 @@ fn the_back_row_can_read_every_step_of_every_question() {
                             question: number,
                             step,
                         });
-                        let play = ClassPlay::new(round.clone(), &mut cx);
+                        let play = ClassPlay::new(round.clone(), 1, &mut cx);
                         faults.extend(illegible(&play, &cx, rows));
                     }
                 }
@@ -117,8 +117,8 @@ fn a_long_scoreboard_can_be_scrolled_to_its_end() {
     let mut cx = Context::new(Settings::default(), 1);
     cx.body = Rect::new(0, 0, 80, 19);
     let mut screen = Hosted::new(Class {
-        scene: ClassScene::Play(Box::new(ClassPlay::new(round, &mut cx))),
-        paused: false,
+        scene: ClassScene::play(round, &mut cx),
+        ..Class::new(None, &[], "", &cx)
     });
     let shown = |screen: &Hosted<Class>, cx: &Context| {
         let mut buf = Buffer::empty(Rect::new(0, 0, 80, 20));
@@ -207,7 +207,7 @@ impl OnePages {
                     question: number,
                     step,
                 });
-                let mut play = ClassPlay::new(round.clone(), &mut cx);
+                let mut play = ClassPlay::new(round.clone(), 1, &mut cx);
                 play.host_page = None;
                 let writing = Writing {
                     look: cx.settings.look(),

@@ -1,11 +1,10 @@
 //! A round on devices that was interrupted by a crash or by the end of a lesson. The teacher can
 //! resume it instead of starting another round.
 
-use super::ClassAction;
 use super::earlier::head_count;
-use super::play::ClassPlay;
+use super::{ClassAction, ClassScene};
 use crate::class::{ClassRound, WayOfVoting};
-use crate::messages::{Kept, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileKind, Kept, StoreAnswer, StoreReply, StoreRequest};
 use crate::progress::long_day;
 use crate::quiz::Code;
 use crate::screens::{Context, View};
@@ -32,18 +31,10 @@ pub(super) struct Unfinished {
     trouble: Option<String>,
 }
 
-/// What the teacher chose on the page.
-pub(super) enum UnfinishedEnd {
-    /// Resumes the interrupted round.
-    TakeUp(Box<ClassPlay>),
-    /// Begins another round.
-    Another,
-}
-
 impl Unfinished {
     /// Looks for an interrupted round that has this code and is for this class, if they are given.
     pub(super) fn ask(code: Option<Code>, name: &str, nicknames: bool, cx: &mut Context) -> Self {
-        cx.ask(StoreRequest::ListClasses);
+        cx.ask(StoreRequest::List(FileKind::Class));
         Self {
             code,
             name: name.to_owned(),
@@ -55,10 +46,13 @@ impl Unfinished {
         }
     }
 
-    /// The round that begins if the interrupted one is not resumed, the name of its class, and
-    /// whether the class is given nicknames.
-    pub(super) fn other(&self) -> (Option<&Code>, &str, bool) {
-        (self.code.as_ref(), &self.name, self.nicknames)
+    /// The page on which another round begins: at once if its code is known.
+    fn another(&self, cx: &mut Context) -> ClassScene {
+        let Some(code) = self.code.clone() else {
+            return ClassScene::SetUp;
+        };
+        let round = ClassRound::with_devices(code).of_class(&self.name);
+        ClassScene::play(round.with_nicknames(self.nicknames), cx)
     }
 
     /// The latest round on devices with this code and of this class, if it is not over and somebody
@@ -77,31 +71,22 @@ impl Unfinished {
         is_stopped.then_some(latest)
     }
 
-    /// Handles the answer to a request.
+    /// Handles the answer to a request; returns the page that follows.
     pub(super) fn take_answer(
         &mut self,
         answer: &StoreAnswer,
         cx: &mut Context,
-    ) -> Option<UnfinishedEnd> {
+    ) -> Option<ClassScene> {
         match &answer.done {
             StoreReply::Classes(kept) if self.stopped.is_none() => {
                 self.stopped = kept.as_ref().ok().and_then(|kept| self.find(kept)).cloned();
-                self.stopped.is_none().then_some(UnfinishedEnd::Another)
+                self.stopped.is_none().then(|| self.another(cx))
             }
             StoreReply::Class(loaded)
                 if self.loading.take_if(|it| *it == answer.ticket).is_some() =>
             {
-                match loaded {
-                    Ok(round) => {
-                        let round = round.as_ref().clone();
-                        let play = ClassPlay::with_ticket(round, answer.ticket, cx);
-                        Some(UnfinishedEnd::TakeUp(Box::new(play)))
-                    }
-                    Err(reason) => {
-                        self.trouble = Some(format!("The round cannot be resumed: {reason}."));
-                        None
-                    }
-                }
+                let resumed = ClassScene::resume(loaded, answer.ticket, cx);
+                resumed.map_err(|trouble| self.trouble = Some(trouble)).ok()
             }
             _ => None,
         }
@@ -114,16 +99,17 @@ impl Unfinished {
         }
     }
 
-    /// Carries out the action of a key or a click.
-    pub(super) fn act(&mut self, action: ListAction, cx: &mut Context) -> Option<UnfinishedEnd> {
+    /// Carries out the action of a key or a click; returns the page that follows.
+    pub(super) fn act(&mut self, action: ListAction, cx: &mut Context) -> Option<ClassScene> {
         let stopped = self.stopped.as_ref()?;
         match self.list.act(action, CHOICES.len()) {
             Outcome::Done(0) => {
                 self.trouble = None;
-                self.loading = Some(cx.ask(StoreRequest::LoadClass(stopped.name.clone())));
+                self.loading =
+                    Some(cx.ask(StoreRequest::Load(FileKind::Class, stopped.name.clone())));
                 None
             }
-            Outcome::Done(_) => Some(UnfinishedEnd::Another),
+            Outcome::Done(_) => Some(self.another(cx)),
             _ => None,
         }
     }

@@ -151,10 +151,7 @@ impl TeamVotes {
         self.teams.choose(team);
         let ballot = round.ballot(self.question, team);
         self.booth = Some(Booth {
-            input: match ballot.said(self.vote) {
-                Some(said) => AnswerInput::saying(&question.form, &said),
-                None => AnswerInput::new(&question.form),
-            },
+            input: AnswerInput::saying(&question.form, ballot.said(self.vote)),
             is_open: false,
         });
     }
@@ -191,13 +188,6 @@ impl TeamVotes {
         self.booth.as_mut().map(|booth| &mut booth.input)
     }
 
-    /// The action by which the team that is voting now gives this choice as its answer; `None` if
-    /// no team is voting.
-    pub(super) fn pick(&self, choice: usize) -> Option<VoteAction> {
-        self.booth.as_ref()?;
-        Some(VoteAction::Vote(AnswerAction::Choose(choice)))
-    }
-
     /// The question and who has voted, without the votes; or the team that is voting now.
     pub(super) fn view<'s>(
         &'s self,
@@ -215,7 +205,10 @@ impl TeamVotes {
             ),
         };
         let mut words = play.words();
-        let picks = |choice| self.pick(choice).map(ClassAction::Vote);
+        let picks = |choice| {
+            let pick = VoteAction::Vote(AnswerAction::Choose(choice));
+            self.is_in_booth().then_some(ClassAction::Vote(pick))
+        };
         question::write(play, question, None, picks, &mut words);
         let mut foot = Panel::new("");
         foot.part(ClassAction::Vote, |foot| match &self.booth {
@@ -231,10 +224,7 @@ impl TeamVotes {
         };
         let rays = shown.and_then(|booth| booth.input.rays());
         let view = play.step_view(Some(heading), question::beside(question), draw, words);
-        View {
-            foot: Some(foot),
-            ..view.dragging(rays.map(|_| RayInput::DRAG))
-        }
+        view.with_foot(foot).dragging(rays.map(|_| RayInput::DRAG))
     }
 
     fn write_teams(&self, round: &ClassRound, foot: &mut Panel<VoteAction>) {

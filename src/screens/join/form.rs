@@ -1,5 +1,8 @@
 //! The form for joining: the address of the class, its code and the pupil's name.
 
+use strum::IntoStaticStr;
+
+use crate::class::protocol::PORT;
 use crate::class::{JoinCode, LONGEST_NAME};
 use crate::messages::Key;
 use crate::screens::{Context, Route};
@@ -7,32 +10,30 @@ use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role};
 
-/// The port of a class if the address has none.
-pub(crate) const PORT: u16 = 8090;
 /// The maximum number of letters in an address.
 const LONGEST_ADDRESS: usize = 80;
 
 /// The form for joining a class.
 #[derive(Debug, Clone)]
 pub(super) struct JoinForm {
-    /// The address of the class; `None` if the host has served the page.
-    address: Option<TextField>,
-    code: TextField,
-    name: TextField,
+    /// The fields, from top to bottom; there is no address if the host has served the page.
+    fields: Vec<(JoinField, TextField)>,
+    /// The fields; after the last comes the row that joins.
     list: ListView,
     /// Why joining failed.
     pub(super) trouble: Option<String>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum JoinRow {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+enum JoinField {
     Address,
     Code,
     Name,
-    Enter,
 }
 
 /// A completed form.
+#[derive(Debug, Clone, Default)]
 pub(super) struct Entry {
     pub(super) address: String,
     pub(super) code: String,
@@ -43,73 +44,51 @@ impl JoinForm {
     /// The form with the known values filled in.
     pub(super) fn new(address: Option<&str>, code: Option<JoinCode>, name: &str) -> Self {
         let code = code.map(|code| code.to_string()).unwrap_or_default();
-        let mut form = Self {
-            address: address.map(|it| TextField::new(it, LONGEST_ADDRESS)),
-            code: TextField::new(&code, LONGEST_ADDRESS),
-            name: TextField::new(name, 2 * LONGEST_NAME),
-            list: ListView::default(),
+        let address = address.map(|it| (JoinField::Address, TextField::new(it, LONGEST_ADDRESS)));
+        let others = [
+            (JoinField::Code, TextField::new(&code, LONGEST_ADDRESS)),
+            (JoinField::Name, TextField::new(name, 2 * LONGEST_NAME)),
+        ];
+        let fields: Vec<_> = address.into_iter().chain(others).collect();
+        let mut list = ListView::default();
+        let missing = { fields.iter() }.position(|(_, field)| field.text().trim().is_empty());
+        list.choose(missing.unwrap_or(fields.len()));
+        Self {
+            fields,
+            list,
             trouble: None,
-        };
-        let rows = form.rows();
-        let missing = rows.iter().position(|row| {
-            let field = form.field_of(*row);
-            field.is_none_or(|field| field.text().trim().is_empty())
-        });
-        form.list.choose(missing.unwrap_or(rows.len()));
-        form
+        }
     }
 
     /// The route by which the pupil can rejoin the class that is entered in the form.
     pub(super) fn route(&self) -> Route {
         Route::Join {
-            address: self.address.as_ref().map(|it| it.text().to_owned()),
-            code: self.code.text().parse().ok(),
+            address: self.text(JoinField::Address).map(str::to_owned),
+            code: self.code(),
             again: true,
         }
     }
 
-    fn rows(&self) -> Vec<JoinRow> {
-        let mut rows = vec![
-            JoinRow::Address,
-            JoinRow::Code,
-            JoinRow::Name,
-            JoinRow::Enter,
-        ];
-        rows.retain(|row| *row != JoinRow::Address || self.address.is_some());
-        rows
+    /// The text of a field; `None` if the form does not have it.
+    fn text(&self, field: JoinField) -> Option<&str> {
+        let found = self.fields.iter().find(|(it, _)| *it == field);
+        found.map(|(_, it)| it.text())
     }
 
-    fn at(&self) -> JoinRow {
-        let rows = self.rows();
-        rows[self.list.chosen(rows.len())]
-    }
-
-    fn field_of(&self, row: JoinRow) -> Option<&TextField> {
-        match row {
-            JoinRow::Address => self.address.as_ref(),
-            JoinRow::Code => Some(&self.code),
-            JoinRow::Name => Some(&self.name),
-            JoinRow::Enter => None,
-        }
+    /// The chosen row: the index of a field, or the number of fields for the row that joins.
+    fn at(&self) -> usize {
+        self.list.chosen(self.fields.len() + 1)
     }
 
     fn field(&mut self) -> Option<&mut TextField> {
-        match self.at() {
-            JoinRow::Address => self.address.as_mut(),
-            JoinRow::Code => Some(&mut self.code),
-            JoinRow::Name => Some(&mut self.name),
-            JoinRow::Enter => None,
-        }
+        let at = self.at();
+        self.fields.get_mut(at).map(|(_, field)| field)
     }
 
     pub(super) fn keys(&self) -> KeyTable<ListAction> {
-        let enter = match self.at() {
-            JoinRow::Enter => "join",
-            _ => "next",
-        };
-        let ends: &[Key] = match self.at() {
-            JoinRow::Enter => &[],
-            _ => &[Key::Home, Key::End, Key::Char(' ')],
+        let (enter, ends): (_, &[Key]) = match self.at() == self.fields.len() {
+            true => ("join", &[]),
+            false => ("next", &[Key::Home, Key::End, Key::Char(' ')]),
         };
         ListView::keys(enter).without_keys(ends)
     }
@@ -131,18 +110,13 @@ impl JoinForm {
 
     /// Carries out an action; returns the entry once it is complete.
     pub(super) fn act(&mut self, action: ListAction) -> Option<Entry> {
-        let rows = self.rows();
-        let outcome = match (action, self.list.act(action, rows.len())) {
+        let join = self.fields.len();
+        match (action, self.list.act(action, join + 1)) {
             // One click is enough to join.
-            (ListAction::Point(at), _) if rows.get(at) == Some(&JoinRow::Enter) => {
-                Outcome::Done(at)
-            }
-            (ListAction::Point(_), _) => Outcome::Used,
-            (_, outcome) => outcome,
-        };
-        match outcome {
-            Outcome::Done(at) if rows[at] == JoinRow::Enter => self.entry(),
-            Outcome::Done(at) => {
+            (ListAction::Point(at), _) if at == join => self.entry(),
+            (ListAction::Point(_), _) => None,
+            (_, Outcome::Done(at)) if at == join => self.entry(),
+            (_, Outcome::Done(at)) => {
                 self.list.choose(at + 1);
                 None
             }
@@ -152,50 +126,46 @@ impl JoinForm {
 
     /// The typed code, once it is valid.
     pub(super) fn code(&self) -> Option<JoinCode> {
-        self.code.text().parse().ok()
+        self.text(JoinField::Code)?.parse().ok()
     }
 
     /// The entry, if it is complete.
     pub(super) fn entry(&mut self) -> Option<Entry> {
-        let address = match &self.address {
-            Some(field) => match host_of(field.text()) {
-                Some(address) => address,
-                None => {
-                    return self.refuse(
-                        JoinRow::Address,
-                        "The address is on the board, such as 192.168.43.117:8090.",
-                    );
-                }
-            },
-            None => String::new(),
+        let Some(address) = self
+            .text(JoinField::Address)
+            .map_or(Some(String::new()), host_of)
+        else {
+            let words = "The address is on the board, such as 192.168.43.117:8090.";
+            return self.refuse(JoinField::Address, words);
         };
         let Some(code) = self.code() else {
-            return self.refuse(
-                JoinRow::Code,
-                "The code is the six letters on the board, such as BCDFGH.",
-            );
+            let words = "The code is the six letters on the board, such as BCDFGH.";
+            return self.refuse(JoinField::Code, words);
         };
         // A round that gives nicknames requires no name.
-        let name = self.name.text().trim().to_owned();
-        let code = code.to_string();
+        let name = self.text(JoinField::Name).unwrap_or_default();
         Some(Entry {
             address,
-            code,
-            name,
+            code: code.to_string(),
+            name: name.trim().to_owned(),
         })
     }
 
     /// Adopts the nickname that the class has given to this device. On a page that the host has
     /// served, it also becomes the player's name.
     pub(super) fn take_nickname(&mut self, name: &str, cx: &mut Context) {
-        self.name = TextField::new(name, 2 * LONGEST_NAME);
-        if self.address.is_none() {
+        for (field, text) in &mut self.fields {
+            if *field == JoinField::Name {
+                *text = TextField::new(name, 2 * LONGEST_NAME);
+            }
+        }
+        if self.text(JoinField::Address).is_none() {
             cx.change_player(name.to_owned());
         }
     }
 
-    fn refuse<T>(&mut self, row: JoinRow, words: &str) -> Option<T> {
-        let at = self.rows().iter().position(|it| *it == row);
+    fn refuse<T>(&mut self, field: JoinField, words: &str) -> Option<T> {
+        let at = self.fields.iter().position(|(it, _)| *it == field);
         self.list.choose(at.unwrap_or(0));
         self.trouble = Some(words.into());
         None
@@ -205,23 +175,19 @@ impl JoinForm {
         let at = self.at();
         panel.paragraph("Your class is playing a round.", Role::Title);
         panel.gap();
-        for (i, row) in self.rows().into_iter().enumerate() {
-            let name = match row {
-                JoinRow::Address => "address",
-                JoinRow::Code => "code",
-                JoinRow::Name => "name",
-                JoinRow::Enter => "Join the class",
+        for (i, (name, field)) in self.fields.iter().enumerate() {
+            let typed = match i == at {
+                true => field.around_cursor(),
+                false => (field.text(), ""),
             };
-            let (chosen, point) = (row == at, ListAction::Point(i));
-            match self.field_of(row) {
-                Some(field) if chosen => {
-                    panel.text_field(name, field.around_cursor(), true, Some(point));
-                }
-                Some(field) => panel.text_field(name, (field.text(), ""), false, Some(point)),
-                None => panel.row((name, Role::Text), ("", Role::Text), chosen, point),
-            }
+            let name: &str = name.into();
+            panel.text_field(name, typed, i == at, Some(ListAction::Point(i)));
             panel.gap();
         }
+        let join = self.fields.len();
+        let name = ("Join the class", Role::Text);
+        panel.row(name, ("", Role::Text), at == join, ListAction::Point(join));
+        panel.gap();
         if let Some(trouble) = &self.trouble {
             panel.paragraph(trouble, Role::Warn);
             panel.gap();

@@ -4,14 +4,13 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::link::Link;
 use crate::class::protocol::{PupilState, PupilStep};
 use crate::class::{ClassStep, Said, Vote};
 use crate::messages::{Key, Mouse};
 use crate::quiz::{Form, Question, Response};
-use crate::screens::{Context, Next};
+use crate::screens::Next;
 use crate::widgets::hit::{HitPace, Reveal, Watch};
-use crate::widgets::{AnswerInput, Asking, AskingAction, Outcome};
+use crate::widgets::{AnswerInput, Asking};
 
 /// A pupil's seat in the class.
 #[derive(Debug, Clone)]
@@ -66,10 +65,7 @@ impl JoinedClass {
         self.doing = match self.state.step {
             step if step.vote().is_some() => {
                 let said = self.said().map(|said| said.response);
-                Doing::Vote(Asking::new(match said {
-                    Some(said) => AnswerInput::saying(&question.form, &said),
-                    None => AnswerInput::new(&question.form),
-                }))
+                Doing::Vote(Asking::new(AnswerInput::saying(&question.form, said)))
             }
             PupilStep::Asked(ClassStep::Shot) if self.state.revealed.is_some() => {
                 Doing::Watch(Box::new(Reveal::new(self.watch(question, pace))))
@@ -81,63 +77,37 @@ impl JoinedClass {
     /// The true collision, with the pupil's answer.
     fn watch(&self, question: &Question, pace: HitPace) -> Option<Watch> {
         let said = self.said().map(|said| said.response);
-        let collision = match (&question.form, said) {
+        match (&question.form, said) {
             (Form::Shot(aim), Some(Response::Shot(offset))) => {
-                let shot = aim.with(offset);
-                return Some(Watch::new(shot, None, pace).with_wanted(*aim));
+                Some(Watch::new(aim.with(offset), None, pace).with_wanted(*aim))
             }
-            (Form::Shot(aim), _) => Some(aim.with(aim.offset)),
-            _ => question.picture.collision().copied(),
-        };
-        let rays = said.and_then(Response::rays);
-        let frame = question.seen_from();
-        collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
+            _ => Watch::of_question(question, said, pace),
+        }
     }
 
     /// The pupil's vote that the host has recorded and that applies at this step.
     pub(super) fn said(&self) -> Option<Said> {
         let form = &self.question.as_ref()?.form;
-        let parse = |text: &str| Said::parse(text).filter(|said| form.accepts(&said.response));
+        let fits = |said: &Said| form.accepts(&said.response);
+        let first = self.state.first.filter(fits);
         match self.state.step.vote() {
-            Some(Vote::First) => parse(&self.state.first),
-            _ => parse(&self.state.second).or_else(|| parse(&self.state.first)),
+            Some(Vote::First) => first,
+            _ => self.state.second.filter(fits).or(first),
         }
     }
 
     /// Whether the host has a vote that can be withdrawn.
     pub(super) fn has_voted(&self) -> bool {
         match self.state.step.vote() {
-            Some(Vote::First) => !self.state.first.is_empty(),
-            Some(Vote::Second) => !self.state.second.is_empty(),
+            Some(Vote::First) => self.state.first.is_some(),
+            Some(Vote::Second) => self.state.second.is_some(),
             None => false,
         }
     }
 
-    /// Carries out an action on the vote, which is cast once its confidence is chosen.
-    pub(super) fn ask(&mut self, action: AskingAction, link: &mut Link, cx: &mut Context) {
-        let Doing::Vote(asking) = &mut self.doing else {
-            return;
-        };
-        if let Outcome::Done((response, sure)) = asking.act(action) {
-            asking.back();
-            if let Some(vote) = self.state.step.vote() {
-                let sure = Some(sure);
-                link.vote(self.state.q, vote, Some(Said { response, sure }), cx);
-            }
-        }
-    }
-
-    pub(super) fn take_back(&mut self, link: &mut Link, cx: &mut Context) {
-        if let Some(vote) = self.state.step.vote() {
-            link.vote(self.state.q, vote, None, cx);
-        }
-        if let (Doing::Vote(asking), Some(question)) = (&mut self.doing, &self.question) {
-            *asking = Asking::new(AnswerInput::new(&question.form));
-        }
-    }
-
     /// Handles the mouse over the picture.
-    pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect, pressed: bool) -> Next {
+    pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect) -> Next {
+        let pressed = mouse.presses(picture);
         match (&mut self.doing, &self.question) {
             (Doing::Vote(asking), Some(question)) if mouse.is_held() => {
                 let input = asking.input_mut();

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use serde_json::Value;
 
+use super::form::Entry;
 use crate::class::protocol::{
     ClientMessage, HandedIn, HostMessage, LARGEST_HAND_IN, PupilState, PupilStep, Refusal, VERSION,
 };
@@ -15,11 +16,9 @@ use crate::screens::Context;
 const BACK_OFF: [u64; 2] = [300, 5000];
 
 /// The connection to the host.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Link {
-    address: String,
-    code: String,
-    name: String,
+    entry: Entry,
     /// The token that returns the pupil to their seat.
     seat: Option<SeatToken>,
     state: LinkState,
@@ -38,8 +37,9 @@ pub(super) struct Link {
     handing_in: Option<ClientMessage>,
 }
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 enum LinkState {
+    #[default]
     Dialling,
     /// The device has asked to join.
     Asking,
@@ -59,20 +59,10 @@ pub(super) enum LinkNews {
 
 impl Link {
     /// Connects to the host.
-    pub(super) fn dial(address: &str, code: &str, name: &str, cx: &mut Context) -> Self {
+    pub(super) fn dial(entry: Entry, cx: &mut Context) -> Self {
         let mut link = Self {
-            address: address.to_owned(),
-            code: code.to_owned(),
-            name: name.to_owned(),
-            seat: None,
-            state: LinkState::Dialling,
-            tries: 0,
-            held_up: None,
-            n: 0,
-            pending: None,
-            said: false,
-            handed: 0,
-            handing_in: None,
+            entry,
+            ..Self::default()
         };
         link.redial(cx);
         link
@@ -80,7 +70,7 @@ impl Link {
 
     fn redial(&mut self, cx: &mut Context) {
         self.state = LinkState::Dialling;
-        cx.join(JoinCall::Dial(self.address.clone()));
+        cx.join(JoinCall::Dial(self.entry.address.clone()));
     }
 
     /// Whether the device is connected and has joined, so that the screen shows the current state.
@@ -104,7 +94,7 @@ impl Link {
             _ if self.state == LinkState::Over => {}
             JoinNews::Remembered(seat, name) => {
                 // A different name means a different pupil on the same device.
-                if *name == self.name && self.seat.is_none() {
+                if *name == self.entry.name && self.seat.is_none() {
                     self.seat = seat.parse().ok();
                 }
             }
@@ -112,14 +102,14 @@ impl Link {
                 self.state = LinkState::Asking;
                 let join = ClientMessage::Join {
                     v: VERSION,
-                    code: self.code.clone(),
-                    name: self.name.clone(),
+                    code: self.entry.code.clone(),
+                    name: self.entry.name.clone(),
                     seat: self.seat,
                 };
                 cx.join(JoinCall::Say(join.to_text()));
             }
             JoinNews::Heard(text) => return self.hear(text, cx),
-            JoinNews::Lost(_) => {
+            JoinNews::Lost => {
                 let wait = self.back_off(cx.seed());
                 self.tries += 1;
                 self.state = LinkState::Waiting(wait);
@@ -138,13 +128,13 @@ impl Link {
                 self.tries = 0;
                 self.held_up = None;
                 if is_nickname(&state.name) {
-                    self.name.clone_from(&state.name);
+                    self.entry.name.clone_from(&state.name);
                 }
                 if first && self.seat != Some(state.seat) {
                     cx.join(JoinCall::Remember {
                         seat: state.seat.to_string(),
-                        name: self.name.clone(),
-                        code: self.code.clone(),
+                        name: self.entry.name.clone(),
+                        code: self.entry.code.clone(),
                     });
                 }
                 self.seat = Some(state.seat);
@@ -160,7 +150,7 @@ impl Link {
             }
             Some(HostMessage::No { why }) if why.is_passing() => {
                 self.held_up = Some(why);
-                self.take(&JoinNews::Lost(why.words().into()), cx)
+                self.take(&JoinNews::Lost, cx)
             }
             Some(HostMessage::No { why }) => {
                 self.hang_up(cx);

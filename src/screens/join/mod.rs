@@ -16,16 +16,16 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::recall::Recall;
 use super::{Confirmation, Context, Next, Route, Screen, Settings, SharedAction, View};
 use crate::class::protocol::{PupilStep, Refusal};
-use crate::class::{JoinCode, is_nickname};
+use crate::class::{JoinCode, Said, is_nickname};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::gradebook::HandIn;
-use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::messages::{Input, Key, Mouse};
 use crate::numbers::counted;
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::panel::Panel;
-use crate::widgets::{AnswerAction, AskingAction, Role, SplitLayout};
+use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, Role, SplitLayout};
 use form::JoinForm;
 use joined::{Doing, JoinedClass};
 use link::{Link, LinkNews};
@@ -105,19 +105,14 @@ impl Join {
         joined.is_some_and(|joined| joined.state.step == PupilStep::End)
     }
 
-    /// The number of answers that can be handed in.
+    /// The number of answers that can be handed in now: none during a vote or an explanation.
     fn answers(&self) -> usize {
-        let history = self.history.history();
+        let is_free = self.joined.as_ref().is_some_and(|joined| {
+            let is_beside = matches!(joined.state.step, PupilStep::Lobby | PupilStep::End);
+            is_beside && matches!(joined.doing, Doing::Look)
+        });
+        let history = self.history.history().filter(|_| is_free);
         history.map_or(0, |history| history.attempts.len())
-    }
-
-    /// Whether answers can be handed in now: not during a vote or an explanation.
-    fn may_hand_in(&self) -> bool {
-        let looks = |(joined, _): (&JoinedClass, &Link)| {
-            let is_free = matches!(joined.state.step, PupilStep::Lobby | PupilStep::End);
-            is_free && matches!(joined.doing, Doing::Look)
-        };
-        self.answers() > 0 && self.joined().is_some_and(looks)
     }
 
     fn enter(&mut self, entry: Option<form::Entry>, cx: &mut Context) {
@@ -127,7 +122,16 @@ impl Join {
             if it.address.is_empty() && is_player_name(&name) {
                 cx.change_player(name);
             }
-            self.link = Some(Link::dial(&it.address, &it.code, &it.name, cx));
+            self.link = Some(Link::dial(it, cx));
+        }
+    }
+
+    /// Casts the vote that is open, or withdraws it.
+    fn vote(&mut self, said: Option<Said>, cx: &mut Context) {
+        if let (Some(joined), Some(link)) = (&self.joined, &mut self.link)
+            && let Some(vote) = joined.state.step.vote()
+        {
+            link.vote(joined.state.q, vote, said, cx);
         }
     }
 
@@ -198,7 +202,7 @@ impl Screen for Join {
             .on(Key::Escape, Leave, "back");
         };
         match &joined.doing {
-            Doing::Look => keys.on('h', HandIn, "hand in").when(self.may_hand_in()).on(
+            Doing::Look => keys.on('h', HandIn, "hand in").when(self.answers() > 0).on(
                 Key::Escape,
                 Leave,
                 "leave",
@@ -231,14 +235,20 @@ impl Screen for Join {
                 self.enter(entry, cx);
             }
             (JoinAction::Ask(action), Some(joined)) => {
-                if let Some(link) = &mut self.link {
-                    joined.ask(action, link, cx);
+                if let Doing::Vote(asking) = &mut joined.doing
+                    && let Outcome::Done((response, sure)) = asking.act(action)
+                {
+                    asking.back();
+                    let sure = Some(sure);
+                    self.vote(Some(Said { response, sure }), cx);
                 }
             }
             (JoinAction::TakeBack, Some(joined)) => {
-                if let Some(link) = &mut self.link {
-                    joined.take_back(link, cx);
+                if let (Doing::Vote(asking), Some(question)) = (&mut joined.doing, &joined.question)
+                {
+                    *asking = Asking::new(AnswerInput::new(&question.form));
                 }
+                self.vote(None, cx);
             }
             (JoinAction::Watch(action), Some(joined)) => {
                 if let Doing::Watch(reveal) = &mut joined.doing {
@@ -318,10 +328,8 @@ impl Screen for Join {
     }
 
     fn point(&mut self, mouse: &Mouse, picture: Rect, _cx: &mut Context) -> Next {
-        let pressed = mouse.kind == MouseKind::Down;
-        let on_picture = picture.contains(mouse.cell().into());
         match &mut self.joined {
-            Some(joined) if on_picture => joined.point(mouse, picture, pressed),
+            Some(joined) if picture.contains(mouse.cell().into()) => joined.point(mouse, picture),
             _ => Next::Ignored,
         }
     }
@@ -365,11 +373,6 @@ impl Screen for Join {
             }
             return View::alone(SplitLayout::card, panel);
         };
-        let answers = if self.may_hand_in() {
-            self.answers()
-        } else {
-            0
-        };
-        view::view(joined, link, answers)
+        view::view(joined, link, self.answers())
     }
 }

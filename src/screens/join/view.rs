@@ -187,11 +187,7 @@ fn write_step(
             }
             panel.paragraph(&question.text, Role::Text);
             panel.gap();
-            let counts = match step {
-                ClassStep::Talk => joined.state.spread.as_slice(),
-                _ => &[],
-            };
-            write_choices(question, counts, panel);
+            write_choices(question, &joined.state.spread, panel);
             if let Some(said) = joined.said() {
                 let said = lettered(&question.form, &said.response);
                 panel.marked("you said  ", &said, Role::Predicted);
@@ -298,12 +294,8 @@ fn write_sure(question: &Question, asking: &Asking, panel: &mut Panel<JoinAction
 fn write_result(joined: &JoinedClass, question: &Question, panel: &mut Panel<JoinAction>) {
     let said = joined.said().map(|said| said.response);
     let truth = question.form.truth();
-    if let Some(points) = joined
-        .state
-        .revealed
-        .as_ref()
-        .and_then(|revealed| revealed.points)
-    {
+    let revealed = joined.state.revealed.as_ref();
+    if let Some(points) = revealed.and_then(|it| it.points) {
         let points = format!("{} of 10 points", numbers::points(points));
         panel.paragraph(&points, Role::Title);
         panel.gap();

@@ -12,7 +12,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, Settings, View};
-use crate::messages::{Input, Key, Mouse, MouseKind, StoreRequest};
+use crate::messages::{Input, Key, Mouse, MouseKind, PlayerAction};
 use crate::physics::{CollisionSpec, Frame};
 use crate::progress::{NotedHit, Observation, ObservationPlace};
 use crate::quiz::{Rays, RaysGrade};
@@ -151,7 +151,7 @@ impl Lab {
         if !self.settings.hides_mass() {
             let hit = NotedHit::new(self.settings.setup, said);
             let player = cx.settings.player.clone();
-            cx.ask(StoreRequest::NoteHit(player, Box::new(hit)));
+            cx.note(PlayerAction::NoteHit(player, Box::new(hit)));
         }
         self.hidden = false;
         self.observed = None;

@@ -7,7 +7,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::{TableAction, picture};
 use crate::game::opponent::par;
 use crate::game::{BoardCode, PieceSet, Results};
-use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileKind, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
 use crate::screens::{Context, View};
 use crate::widgets::input::{EntryAction, KeyTable};
@@ -50,7 +50,7 @@ impl BoardPage {
     /// the saved games, from which the results are counted.
     pub(super) fn ask(code: Option<BoardCode>, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::Today);
-        cx.ask(StoreRequest::List);
+        cx.ask(StoreRequest::List(FileKind::Game));
         Self {
             code,
             par: code.and_then(par),
@@ -79,7 +79,7 @@ impl BoardPage {
                     }
                 }
             }
-            StoreReply::Listed(Ok(games)) => {
+            StoreReply::Games(Ok(games)) => {
                 let games = games.iter().filter_map(|kept| kept.content.as_deref().ok());
                 self.results = Results::of(&cx.settings.player, games);
             }

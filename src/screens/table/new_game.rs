@@ -9,7 +9,7 @@ use super::{TableAction, picture, words};
 use crate::game::opponent::{PlayerHand, Strength};
 use crate::game::pack::pack;
 use crate::game::{Hands, Length, PieceSet, Player, Results, Rules, Seat, SeatNames, Team};
-use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileKind, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{counted, fixed};
 use crate::screens::{Context, View};
 use crate::widgets::Role;
@@ -68,7 +68,7 @@ impl NewGame {
             is_fresh: options.is_none(),
             options: options.unwrap_or_default(),
             form: SettingsForm::default(),
-            asked: cx.ask(StoreRequest::List),
+            asked: cx.ask(StoreRequest::List(FileKind::Game)),
             results: Results::default(),
             trouble: None,
         }
@@ -76,7 +76,7 @@ impl NewGame {
 
     /// Handles the list of saved games. Games that cannot be read are left out.
     pub(super) fn take_answer(&mut self, answer: &StoreAnswer, cx: &Context) {
-        let StoreReply::Listed(Ok(games)) = &answer.done else {
+        let StoreReply::Games(Ok(games)) = &answer.done else {
             return;
         };
         if answer.ticket != self.asked {

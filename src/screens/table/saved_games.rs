@@ -7,7 +7,9 @@ use super::options::Options;
 use super::{TableAction, picture, words};
 use crate::game::opponent::PlayerHand;
 use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame, Team};
-use crate::messages::{KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{
+    FileContent, FileKind, KeptGame, Key, StoreAnswer, StoreReply, StoreRequest,
+};
 use crate::numbers::{capital, counted};
 use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
 use crate::screens::{Context, Next, View};
@@ -16,12 +18,10 @@ use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::panel::Panel;
 
 const GAMES: KeptKind = KeptKind {
+    file: FileKind::Game,
     one: "game",
     all: "saved games",
     saved: "carrom saves every game after each stroke.",
-    list: StoreRequest::List,
-    load: StoreRequest::Load,
-    remove: StoreRequest::Remove,
 };
 
 #[derive(Debug, Clone)]
@@ -75,7 +75,9 @@ impl SavedGames {
             SavedGamesAction::WatchAll => self.watch = self.files.load(cx),
             SavedGamesAction::Export => {
                 if let Some((saved, _)) = self.files.content() {
-                    cx.ask(StoreRequest::Export(Box::new(saved.clone())));
+                    cx.ask(StoreRequest::Export(FileContent::Game(Box::new(
+                        saved.clone(),
+                    ))));
                 }
             }
             SavedGamesAction::Back => return Next::Back,
@@ -90,8 +92,8 @@ impl SavedGames {
         cx: &mut Context,
     ) -> Option<Box<Playing>> {
         match &answer.done {
-            StoreReply::Listed(games) => self.files.listed(games.clone()),
-            StoreReply::Loaded(loaded) if self.files.take_loaded(answer.ticket) => {
+            StoreReply::Games(games) => self.files.listed(games.clone()),
+            StoreReply::Game(loaded) if self.files.take_loaded(answer.ticket) => {
                 let active = loaded.clone().and_then(|saved| {
                     let active = ActiveGame::resume_saved(&saved, answer.ticket);
                     active.map_err(|error| error.to_string())

@@ -5,11 +5,14 @@ mod view;
 
 use std::sync::Arc;
 
+use jiff::civil::Date;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Context, Next, Route, Screen, View};
 use crate::class::ClassRound;
-use crate::messages::{HandInFolder, Input, Kept, Key, StoreReply, StoreRequest};
+use crate::messages::{
+    FileContent, FileKind, HandInFolder, Input, Kept, Key, StoreReply, StoreRequest,
+};
 use crate::paper::Paper;
 use crate::paper::guide::{GUIDES, guide_page};
 use crate::paper::worksheet::{Worksheet, cards};
@@ -74,8 +77,8 @@ pub(crate) struct Teacher {
     sheets: usize,
     /// The index in [`HandInFolder::ALL`].
     folder: usize,
-    /// The saved class rounds, newest first.
-    rounds: Vec<Kept<ClassRound>>,
+    /// The saved class rounds that can be read, newest first, each with its day if it is known.
+    rounds: Vec<(Arc<ClassRound>, Option<Date>)>,
     round: usize,
     /// The index in [`GUIDES`].
     guide: usize,
@@ -86,7 +89,7 @@ pub(crate) struct Teacher {
 impl Teacher {
     /// Requests the saved class rounds.
     pub(crate) fn ask(cx: &mut Context) -> Self {
-        cx.ask(StoreRequest::ListClasses);
+        cx.ask(StoreRequest::List(FileKind::Class));
         Self {
             tasks: ListView::default(),
             code: TextField::new("even12-7", LONGEST),
@@ -110,8 +113,8 @@ impl Teacher {
         matches!(self.task(), Worksheet | Moodle | Scorm)
     }
 
-    /// The chosen round of a class, if it can be read.
-    fn chosen_round(&self) -> Option<&Kept<ClassRound>> {
+    /// The chosen round of a class, with its day.
+    fn chosen_round(&self) -> Option<&(Arc<ClassRound>, Option<Date>)> {
         self.rounds.get(self.round)
     }
 
@@ -200,9 +203,8 @@ impl Teacher {
                 cx.export("cards.html".into(), cards(sheets.into(), Paper::default()));
             }
             TeacherTask::Report => {
-                let round = self.chosen_round().and_then(|it| it.content.clone().ok());
-                if let Some(round) = round {
-                    cx.ask(StoreRequest::ExportClass(Arc::from(round)));
+                if let Some((round, _)) = self.chosen_round() {
+                    cx.ask(StoreRequest::Export(FileContent::Class(Arc::clone(round))));
                 }
             }
             TeacherTask::Gradebook => {
@@ -243,12 +245,11 @@ impl Screen for Teacher {
             false => &[],
         };
         let list = ListView::keys(made).without_keys(ends);
-        let keys = KeyTable::new("teacher").with(list, List);
-        let keys = match self.can_change() {
-            true => keys.by([Key::Left, Key::Right], Change, [-1, 1], "change"),
-            false => keys,
-        };
-        keys.on(Key::Escape, Back, "back")
+        KeyTable::new("teacher")
+            .with(list, List)
+            .by([Key::Left, Key::Right], Change, [-1, 1], "change")
+            .when(self.can_change())
+            .on(Key::Escape, Back, "back")
     }
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
@@ -291,8 +292,11 @@ impl Screen for Teacher {
             }
             Input::Kept(answer) => match &answer.done {
                 StoreReply::Classes(Ok(rounds)) => {
-                    self.rounds.clone_from(rounds);
-                    self.rounds.retain(|it| it.content.is_ok());
+                    let round = |it: &Kept<ClassRound>| {
+                        let round = it.content.as_deref().ok()?;
+                        Some((Arc::new(round.clone()), it.day))
+                    };
+                    self.rounds = rounds.iter().filter_map(round).collect();
                     self.round = 0;
                 }
                 StoreReply::Exported(Ok(places)) => self.done(places),
@@ -311,7 +315,7 @@ impl Screen for Teacher {
     }
 
     fn resumed(&mut self, cx: &mut Context) {
-        cx.ask(StoreRequest::ListClasses);
+        cx.ask(StoreRequest::List(FileKind::Class));
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {

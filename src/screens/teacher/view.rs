@@ -94,13 +94,8 @@ pub(super) fn view(teacher: &Teacher) -> View<'_, TeacherAction> {
     let mut list = Panel::new("for teachers");
     for (at, task) in TeacherTask::ALL.iter().copied().enumerate() {
         let action = TeacherAction::List(ListAction::Point(at));
-        let is_chosen = task == teacher.task();
-        list.row(
-            (task.name(), Role::Text),
-            ("", Role::Dim),
-            is_chosen,
-            action,
-        );
+        let name = (task.name(), Role::Text);
+        list.row(name, ("", Role::Dim), task == teacher.task(), action);
     }
     let mut panel = Panel::new("what it is");
     let task = teacher.task();
@@ -160,17 +155,15 @@ fn write_choice(teacher: &Teacher, panel: &mut Panel<TeacherAction>) {
                 "There is no saved round yet: first play one with your class.",
                 Role::Dim,
             ),
-            Some(kept) => {
-                if let Ok(round) = &kept.content {
-                    let class = match round.class() {
-                        "" => "without a name".to_owned(),
-                        class => class.to_owned(),
-                    };
-                    panel.fact("class", class);
-                    panel.fact("round", round.code().to_string());
-                    if let Some(day) = kept.day {
-                        panel.fact("day", long_day(day));
-                    }
+            Some((round, day)) => {
+                let class = match round.class() {
+                    "" => "without a name",
+                    class => class,
+                };
+                panel.fact("class", class);
+                panel.fact("round", round.code().to_string());
+                if let Some(day) = day {
+                    panel.fact("day", long_day(*day));
                 }
             }
         },

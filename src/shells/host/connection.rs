@@ -291,10 +291,10 @@ fn listen(
             _ => 1.0,
         };
         thread::sleep(messages.take(weight, board.now()));
-        match HostNews::said(connection.id, message) {
-            Some(HostNews::Gone(_)) => return None,
-            Some(news) => board.hear(news),
-            None => return Some(Refusal::Format),
+        match message {
+            ClientMessage::Join { .. } => return Some(Refusal::Format),
+            ClientMessage::Leave => return None,
+            message => board.hear(HostNews::Said(connection.id, message)),
         }
     }
 }

@@ -25,13 +25,12 @@ use page::ServedPage;
 
 use super::PageFile;
 use crate::class::JoinCode;
+use crate::class::protocol::PORT;
 use crate::messages::{HostCall, HostNews, JoinDetails};
 use crate::quiz::Code;
 use switchboard::Switchboard;
 
-/// The default port; the next ones are tried if it is in use.
-pub(crate) const PORT: u16 = 8090;
-/// How many ports are tried.
+/// How many ports are tried, from [`PORT`] on.
 const PORTS: u16 = 10;
 /// How long a program or a round that has just ended may take to release its port.
 const LETTING_GO: Duration = Duration::from_secs(5);

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::{message::Message, spawn};
 use crate::files::escape_control;
-use crate::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use crate::messages::{Input, PlayerAction, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::store::Store;
 
 /// How long the screen waits for a stroke or a team's vote to be saved before showing it. Nearly
@@ -70,8 +70,8 @@ impl StoreWorker {
             return false;
         }
         let patience = match request.request {
-            StoreRequest::Save(_) | StoreRequest::SaveClass(_) => PATIENCE,
-            StoreRequest::Record(_) => ANSWER_PATIENCE,
+            StoreRequest::Save(_) => PATIENCE,
+            StoreRequest::Note(PlayerAction::Record(_)) => ANSWER_PATIENCE,
             _ => return false,
         };
         // A save is overdue; do not block again.
@@ -161,7 +161,7 @@ mod tests {
         };
         let star = |ticket| StoreCall {
             ticket,
-            request: StoreRequest::Star("Ada".into(), starred.clone()),
+            request: StoreRequest::Note(PlayerAction::Star("Ada".into(), starred.clone())),
         };
         assert!(
             !store_worker.ask(&star(1), &sender),
@@ -172,7 +172,7 @@ mod tests {
         other.execute_batch("BEGIN IMMEDIATE").unwrap();
         let record = |ticket| StoreCall {
             ticket,
-            request: StoreRequest::Record(Box::new(attempt.clone())),
+            request: StoreRequest::Note(PlayerAction::Record(Box::new(attempt.clone()))),
         };
         assert!(store_worker.ask(&record(2), &sender), "it is being saved");
         let start = Instant::now();

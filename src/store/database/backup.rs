@@ -51,8 +51,7 @@ fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<_> = names
         .filter(|name| name.starts_with(START) && name.ends_with(".db"))
         .collect();
-    names.sort();
-    names.reverse();
+    names.sort_unstable_by(|a, b| b.cmp(a));
     names
 }
 

@@ -49,8 +49,7 @@ impl DatabaseError {
 
     /// Whether a later attempt may succeed.
     pub(super) fn is_busy(&self) -> bool {
-        let busy = [ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked];
-        self.code().is_some_and(|code| busy.contains(&code))
+        self.is_any_of(&[ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked])
     }
 
     /// Whether the file is not a carrom database, or not a file.
@@ -61,44 +60,40 @@ impl DatabaseError {
     /// Whether the file is damaged. An interruption means damage too, because an undamaged database
     /// never exceeds the limit on work.
     pub(super) fn is_damage(&self) -> bool {
-        let damage = [
-            ErrorCode::DatabaseCorrupt,
-            ErrorCode::NotADatabase,
-            ErrorCode::OperationInterrupted,
-        ];
-        matches!(self, Self::Damaged(_)) || self.code().is_some_and(|code| damage.contains(&code))
+        use ErrorCode::{DatabaseCorrupt, NotADatabase, OperationInterrupted};
+        matches!(self, Self::Damaged(_))
+            || self.is_any_of(&[DatabaseCorrupt, NotADatabase, OperationInterrupted])
     }
 
     /// Whether the disk is full.
     pub(super) fn is_full(&self) -> bool {
-        self.code() == Some(ErrorCode::DiskFull)
+        self.is_any_of(&[ErrorCode::DiskFull])
             || matches!(self, Self::Folder(error) if is_full(error))
     }
 
     /// Whether the disk may be full: for some of its files SQLite reports only that they cannot be
     /// created or written.
     pub(super) fn may_be_full(&self) -> bool {
-        let unclear = [ErrorCode::SystemIoFailure, ErrorCode::CannotOpen];
-        self.code().is_some_and(|code| unclear.contains(&code))
+        self.is_any_of(&[ErrorCode::SystemIoFailure, ErrorCode::CannotOpen])
     }
 
     /// Whether carrom may not write to the file or its folder.
     pub(super) fn is_forbidden(&self) -> bool {
-        let forbidden = [ErrorCode::ReadOnly, ErrorCode::CannotOpen];
         match self {
             Self::Folder(error) => matches!(
                 error.kind(),
                 ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem
             ),
-            _ => self.code().is_some_and(|code| forbidden.contains(&code)),
+            _ => self.is_any_of(&[ErrorCode::ReadOnly, ErrorCode::CannotOpen]),
         }
     }
 
-    fn code(&self) -> Option<ErrorCode> {
-        match self {
-            Self::Sqlite(error) => error.sqlite_error_code(),
-            _ => None,
-        }
+    /// Whether this is an error of SQLite with one of these codes.
+    fn is_any_of(&self, codes: &[ErrorCode]) -> bool {
+        let Self::Sqlite(error) = self else {
+            return false;
+        };
+        { error.sqlite_error_code() }.is_some_and(|code| codes.contains(&code))
     }
 }
 

@@ -3,7 +3,7 @@
 use rusqlite::{Row, params};
 
 use super::Database;
-use super::tables::{LossyText, is_nonsense};
+use super::tables::LossyText;
 use crate::progress::{NotedHit, Observation, rays_of_text, rays_text};
 
 const NOTEBOOK: &str = "SELECT time_s, setup, said FROM lab_hit WHERE player = ?1 \
@@ -35,15 +35,10 @@ impl Database {
     /// The latest hits in a player's notebook, in the order in which they were made. A notice
     /// reports once how many are left out because carrom cannot have written them.
     pub(in crate::store) fn notebook(&mut self, player: &str) -> Result<Vec<NotedHit>, String> {
-        let found = self.look_up(|transaction| {
-            let mut statement = transaction.prepare(NOTEBOOK)?;
-            let rows = statement.query_map(params![player, NotedHit::MOST as i64], noted_hit)?;
-            sound(rows)
-        })?;
-        let count = found.len();
-        let mut hits: Vec<NotedHit> = found.into_iter().flatten().collect();
+        let latest = (player, NotedHit::MOST as i64);
+        let (mut hits, misfits) = self.rows(NOTEBOOK, latest, noted_hit)?;
         hits.reverse();
-        self.report_misfits(count - hits.len(), "hit", "that cannot be played");
+        self.report_misfits(misfits, "hit", "that cannot be played");
         Ok(hits)
     }
 
@@ -81,27 +76,10 @@ impl Database {
         &mut self,
         player: Option<&str>,
     ) -> Result<Vec<Observation>, String> {
-        let found = self.look_up(|transaction| {
-            let mut statement = transaction.prepare(OBSERVATIONS)?;
-            let rows = statement.query_map([player], observation)?;
-            sound(rows)
-        })?;
-        let count = found.len();
-        let seen: Vec<Observation> = found.into_iter().flatten().collect();
-        self.report_misfits(count - seen.len(), "observation", "that fit no hit");
+        let (seen, misfits) = self.rows(OBSERVATIONS, [player], observation)?;
+        self.report_misfits(misfits, "observation", "that fit no hit");
         Ok(seen)
     }
-}
-
-/// The rows, each `None` if carrom cannot have written it.
-fn sound<T>(
-    rows: impl Iterator<Item = rusqlite::Result<Option<T>>>,
-) -> rusqlite::Result<Vec<Option<T>>> {
-    rows.map(|row| match row {
-        Err(error) if is_nonsense(&error) => Ok(None),
-        row => row,
-    })
-    .collect()
 }
 
 fn noted_hit(row: &Row) -> rusqlite::Result<Option<NotedHit>> {

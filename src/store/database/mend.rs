@@ -91,10 +91,7 @@ fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseEr
 /// Copies a damaged database, and corrects its first bytes.
 fn copy_damaged(from: &Path, to: &Path) -> io::Result<()> {
     for ending in ["", "-wal"] {
-        match fs::copy(with_ending(from, ending), with_ending(to, ending)) {
-            Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
+        if_there(fs::copy(with_ending(from, ending), with_ending(to, ending)))?;
     }
     File::options().write(true).open(to)?.write_all(&HEADER)
 }
@@ -197,10 +194,10 @@ fn put_in_place(damaged: &Path, draft: &Path) -> io::Result<PathBuf> {
     fsync_dir(folder)?;
     // The log and similar files are renamed first, because the new database must not find them.
     for ending in ENDINGS.iter().filter(|ending| !ending.is_empty()) {
-        match fs::rename(with_ending(damaged, ending), with_ending(&kept, ending)) {
-            Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
+        if_there(fs::rename(
+            with_ending(damaged, ending),
+            with_ending(&kept, ending),
+        ))?;
     }
     fs::rename(draft, damaged)?;
     fsync_dir(folder)?;
@@ -217,12 +214,17 @@ fn free_place(damaged: &Path) -> PathBuf {
 /// Removes a database and its other files, if they exist.
 pub(super) fn remove(path: &Path) -> io::Result<()> {
     for ending in ENDINGS {
-        match fs::remove_file(with_ending(path, ending)) {
-            Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
+        if_there(fs::remove_file(with_ending(path, ending)))?;
     }
     Ok(())
+}
+
+/// The result of an action on a file that may be missing, which is no error.
+fn if_there<T>(done: io::Result<T>) -> io::Result<()> {
+    match done {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
 }
 
 pub(super) fn with_ending(path: &Path, ending: &str) -> PathBuf {

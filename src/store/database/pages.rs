@@ -303,14 +303,9 @@ pub(super) fn values(record: &[u8]) -> Option<Vec<ValueRef<'_>>> {
 
 /// A big-endian number in two's complement.
 fn integer(bytes: &[u8]) -> i64 {
-    let sign = if bytes.first().is_some_and(|it| *it > 127) {
-        -1
-    } else {
-        0
-    };
-    bytes
-        .iter()
-        .fold(sign, |number, byte| number << 8 | i64::from(*byte))
+    let is_negative = bytes.first().is_some_and(|it| *it > 127);
+    let sign = -i64::from(is_negative);
+    { bytes.iter() }.fold(sign, |number, byte| number << 8 | i64::from(*byte))
 }
 
 /// A number of one to nine bytes, with seven bits in each except the ninth, and the bytes after it.

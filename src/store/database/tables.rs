@@ -1,7 +1,7 @@
 //! Writes to the tables and reads from them.
 
 use rusqlite::types::{FromSql, FromSqlResult, ValueRef};
-use rusqlite::{Connection, Row, named_params, params};
+use rusqlite::{Connection, Params, Row, params};
 
 use super::{Database, NAME};
 use crate::levels::Starred;
@@ -11,7 +11,7 @@ use crate::quiz::{Confidence, Figures};
 
 const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, question, answer, \
                         truth, error_deg, credit, is_right, confidence, misconception \
-                        FROM attempt WHERE :player IS NULL OR player = :player ORDER BY id";
+                        FROM attempt WHERE ?1 IS NULL OR player = ?1 ORDER BY id";
 
 const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER BY pack, level";
 
@@ -26,13 +26,8 @@ impl Database {
     /// All players about whom anything is stored, each with the time of their last answer, the most
     /// recent first.
     pub(in crate::store) fn players(&mut self) -> Result<Vec<(String, Option<i64>)>, String> {
-        self.look_up(|transaction| {
-            let mut statement = transaction.prepare(PLAYERS)?;
-            let found =
-                statement.query_map([], |row| Ok((row.get("player")?, row.get("last_s")?)))?;
-            let sound = found.filter(|row| !row.as_ref().is_err_and(is_nonsense));
-            sound.collect()
-        })
+        let player = |row: &Row| Ok(Some((row.get("player")?, row.get("last_s")?)));
+        self.rows(PLAYERS, [], player).map(|(players, _)| players)
     }
 
     /// Stores an answer.
@@ -76,18 +71,24 @@ impl Database {
 
     /// The stars of all levels that a player has won.
     pub(in crate::store) fn stars(&mut self, player: &str) -> Result<Vec<Starred>, String> {
-        self.look_up(|transaction| {
-            let mut statement = transaction.prepare(STARS)?;
-            let found = statement.query_map([player], |row| {
-                Ok(Starred {
-                    pack: row.get("pack")?,
-                    level: row.get("level")?,
-                    stars: row.get("stars")?,
-                })
-            })?;
-            let sound = found.filter(|row| !row.as_ref().is_err_and(is_nonsense));
-            sound.collect()
-        })
+        let starred = |row: &Row| {
+            Ok(Some(Starred {
+                pack: row.get("pack")?,
+                level: row.get("level")?,
+                stars: row.get("stars")?,
+            }))
+        };
+        self.rows(STARS, [player], starred).map(|(stars, _)| stars)
+    }
+
+    /// The rows of a query that can be read, and the number of the others; see [`readable`].
+    pub(super) fn rows<T>(
+        &mut self,
+        sql: &str,
+        params: impl Params + Copy,
+        read: impl Fn(&Row) -> rusqlite::Result<Option<T>>,
+    ) -> Result<(Vec<T>, usize), String> {
+        self.look_up(|transaction| readable(transaction, sql, params, &read))
     }
 }
 
@@ -123,23 +124,33 @@ pub(super) fn attempts(
     connection: &Connection,
     player: Option<&str>,
 ) -> rusqlite::Result<(Vec<Attempt>, usize)> {
-    let mut statement = connection.prepare(ATTEMPTS)?;
-    let found = statement.query_map(named_params! {":player": player}, attempt)?;
-    let (mut attempts, mut misfits) = (Vec::new(), 0);
-    for row in found {
+    readable(connection, ATTEMPTS, [player], attempt)
+}
+
+/// The rows of a query that can be read, and the number of the others. `read` returns `None` for a
+/// row that carrom cannot have written.
+fn readable<T>(
+    connection: &Connection,
+    sql: &str,
+    params: impl Params,
+    read: impl Fn(&Row) -> rusqlite::Result<Option<T>>,
+) -> rusqlite::Result<(Vec<T>, usize)> {
+    let mut statement = connection.prepare(sql)?;
+    let (mut sound, mut misfits) = (Vec::new(), 0);
+    for row in statement.query_map(params, read)? {
         match row {
-            Ok(attempt) if attempt.fault().is_none() => attempts.push(attempt),
-            Ok(_) => misfits += 1,
+            Ok(Some(row)) => sound.push(row),
+            Ok(None) => misfits += 1,
             Err(error) if is_nonsense(&error) => misfits += 1,
             Err(error) => return Err(error),
         }
     }
-    Ok((attempts, misfits))
+    Ok((sound, misfits))
 }
 
 /// Whether a row cannot be read because carrom cannot have written it. One damaged row must not
 /// hide the others.
-pub(super) fn is_nonsense(error: &rusqlite::Error) -> bool {
+fn is_nonsense(error: &rusqlite::Error) -> bool {
     use rusqlite::Error::{FromSqlConversionFailure, IntegralValueOutOfRange, InvalidColumnType};
     matches!(
         error,
@@ -158,7 +169,7 @@ impl FromSql for LossyText {
     }
 }
 
-fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
+fn attempt(row: &Row) -> rusqlite::Result<Option<Attempt>> {
     let text = |name| row.get::<_, LossyText>(name).map(|text| text.0);
     // A row without the question's numbers is still valid; one without the given answer is not.
     let figures = |name| text(name).map(|text| read_figures(&text).unwrap_or_default());
@@ -168,7 +179,7 @@ fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
     })?;
     let confidence: Option<LossyText> = row.get("confidence")?;
     let misconception: Option<LossyText> = row.get("misconception")?;
-    Ok(Attempt {
+    let attempt = Attempt {
         time_s: row.get("time_s")?,
         player: text("player")?,
         family: text("family")?,
@@ -183,7 +194,8 @@ fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
         right: row.get("is_right")?,
         confidence: confidence.and_then(|it| Confidence::with_id(&it.0)),
         misconception: misconception.map(|it| it.0),
-    })
+    };
+    Ok(Some(attempt).filter(|it| it.fault().is_none()))
 }
 
 fn read_figures(text: &str) -> serde_json::Result<Figures> {

@@ -66,17 +66,18 @@ impl AnswerInput {
         }
     }
 
-    /// Creates an input that contains an earlier answer, which the player can change.
-    pub(crate) fn saying(form: &Form, said: &Response) -> Self {
+    /// Creates an input that contains an earlier answer, if there is one, which the player can
+    /// change.
+    pub(crate) fn saying(form: &Form, said: Option<Response>) -> Self {
         let mut input = Self::new(form);
         match (&mut input, said) {
-            (Self::Rays(input), Response::Rays(rays)) => *input = input.clone().saying(rays),
-            (Self::Number(number), Response::Number(x)) => number.set(*x),
-            (Self::Choice { chosen, count }, Response::Choice(i)) if i < count => {
-                *chosen = Some(*i);
+            (Self::Rays(input), Some(Response::Rays(rays))) => *input = input.clone().saying(&rays),
+            (Self::Number(number), Some(Response::Number(x))) => number.set(x),
+            (Self::Choice { chosen, count }, Some(Response::Choice(i))) if i < *count => {
+                *chosen = Some(i);
             }
-            (Self::Shot(offset), Response::Shot(x)) => {
-                offset.set((mm_from_m(*x) * 1e6).round() / 1e6);
+            (Self::Shot(offset), Some(Response::Shot(x))) => {
+                offset.set((mm_from_m(x) * 1e6).round() / 1e6);
             }
             _ => {}
         }

@@ -11,7 +11,7 @@ use super::playback::{HitPace, Playback};
 use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Collision, CollisionOutcome, Frame, Shot};
-use crate::quiz::{AimTask, Rays};
+use crate::quiz::{AimTask, Form, Question, Rays, Response};
 use crate::widgets::panels::{impact_angle, masses, offset, rim_facts, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
@@ -134,6 +134,21 @@ impl Watch {
     #[must_use]
     pub(crate) fn with_faces(self, faces: [Face; 2]) -> Self {
         Self { faces, ..self }
+    }
+
+    /// The real collision of a question, with the rays of an answer. A question that is answered by
+    /// shooting shows the right shot. `None` if the question is not about one collision.
+    pub(crate) fn of_question(
+        question: &Question,
+        said: Option<Response>,
+        pace: HitPace,
+    ) -> Option<Self> {
+        let collision = match &question.form {
+            Form::Shot(aim) => aim.with(aim.offset),
+            _ => *question.picture.collision()?,
+        };
+        let rays = said.and_then(Response::rays);
+        Some(Self::new(collision, rays, pace).seen_from(question.seen_from()))
     }
 
     /// This collision with the required path of one disc.

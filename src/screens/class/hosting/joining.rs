@@ -96,10 +96,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
             panel,
         ),
     };
-    View {
-        foot: Some(foot),
-        ..view
-    }
+    view.with_foot(foot)
 }
 
 /// Writes the code, the number of participants and, unless it is shown below the QR code, the
@@ -114,7 +111,8 @@ fn write(
         panel.line("In the browser, type the address below", Role::Key);
     } else {
         panel.line("In the browser, type the address", Role::Key);
-        panel.large(in_lines(address).iter().map(String::as_str), LARGE_FROM);
+        let lines = in_lines(address);
+        panel.large(lines.iter().map(String::as_str), LARGE_FROM);
         panel.gap();
     }
     panel.line("and the code of this class", Role::Key);

@@ -93,15 +93,9 @@ impl HostPage {
         action: HostingAction,
         session: &Session,
     ) -> Option<String> {
-        match (self, action) {
-            (Self::People(_), HostingAction::RemoveAway) => {
-                let away = session.away().len();
-                Some(format!(
-                    "Remove everyone who is away and never voted ({away})? They can join again."
-                ))
-            }
-            (Self::People(people), _) => people.confirmation(action, session),
-            (Self::Joining, _) => None,
+        match self {
+            Self::People(people) => people.confirmation(action, session),
+            Self::Joining => None,
         }
     }
 

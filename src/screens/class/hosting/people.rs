@@ -8,7 +8,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role};
 
 /// The page of names.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(in crate::screens::class) struct People {
     list: ListView,
     /// The marked row.
@@ -27,8 +27,9 @@ enum PersonRow {
 }
 
 /// The action in progress on the chosen row.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 enum PersonEdit {
+    #[default]
     Nothing,
     /// A new name is being typed.
     Rename(String, TextField),
@@ -61,12 +62,7 @@ fn number(session: &Session, name: &str) -> Option<usize> {
 impl People {
     /// The page in the current state of the session.
     pub(super) fn new(session: &Session) -> Self {
-        let mut people = Self {
-            list: ListView::default(),
-            marked: None,
-            doing: PersonEdit::Nothing,
-            asked: None,
-        };
+        let mut people = Self::default();
         people.renew(session);
         people
     }
@@ -75,10 +71,8 @@ impl People {
     /// left.
     pub(super) fn renew(&mut self, session: &Session) {
         let rows = rows(session);
-        if let Some(at) = rows
-            .iter()
-            .position(|row| Some(row) == self.marked.as_ref())
-        {
+        let marked = self.marked.as_ref();
+        if let Some(at) = rows.iter().position(|row| Some(row) == marked) {
             self.list.choose(at);
         }
         self.marked = rows.get(self.list.chosen(rows.len())).cloned();
@@ -160,6 +154,12 @@ impl People {
         self.asked = self.at().map(str::to_owned);
         let asked = self.asked.as_ref();
         match (&self.doing, action) {
+            (_, HostingAction::RemoveAway) => {
+                let away = session.away().len();
+                Some(format!(
+                    "Remove everyone who is away and never voted ({away})? They can join again."
+                ))
+            }
             (PersonEdit::Nothing, HostingAction::Remove) => Some(format!(
                 "Remove {} with all their votes? They stay out until you let them in \
                  again.",
@@ -178,10 +178,7 @@ impl People {
     /// Carries out an action; returns the change of the round.
     pub(super) fn act(&mut self, action: HostingAction, session: &Session) -> Option<ClassChange> {
         let asked = self.asked.take().and_then(|name| number(session, &name));
-        match (
-            action,
-            std::mem::replace(&mut self.doing, PersonEdit::Nothing),
-        ) {
+        match (action, std::mem::take(&mut self.doing)) {
             (HostingAction::List(action), doing) => {
                 let rows = rows(session);
                 let outcome = self.list.act(action, rows.len());

@@ -12,8 +12,7 @@ const MARGIN: usize = 2;
 
 /// A QR code that can be drawn.
 pub(super) struct Qr {
-    modules: Vec<Module>,
-    side: usize,
+    code: QrCode,
     /// White and black.
     colours: [Color; 2],
     /// The width of a module, in columns.
@@ -26,8 +25,7 @@ impl Qr {
     pub(super) fn of(text: &str, look: &Look) -> Option<Self> {
         let has_cells = look.charset == Charset::Unicode && look.theme.depth != Depth::None;
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
-        has_cells.then(|| Self {
-            side: code.width(),
+        has_cells.then_some(Self {
             // Terminals let users redefine the first sixteen colours, so fixed ones are used if
             // there are more.
             colours: match look.theme.depth {
@@ -35,7 +33,7 @@ impl Qr {
                 Depth::Indexed256 | Depth::True => [Color::Indexed(231), Color::Indexed(16)],
             },
             scale: 1,
-            modules: code.to_colors(),
+            code,
         })
     }
 
@@ -46,18 +44,15 @@ impl Qr {
 
     /// The size in columns and rows.
     pub(super) fn size(&self) -> (u16, u16) {
-        let side = (self.scale * (self.side + 2 * MARGIN)) as u16;
+        let side = (self.scale * (self.code.width() + 2 * MARGIN)) as u16;
         (side, side.div_ceil(2))
     }
 
     fn is_dark(&self, column: usize, row: usize) -> bool {
         let inside = |at: usize| (at / self.scale).checked_sub(MARGIN);
-        let inside = |at: usize| inside(at).filter(|at| *at < self.side);
-        let module = |column, row: usize| self.modules.get(row * self.side + column);
-        match (inside(column), inside(row)) {
-            (Some(column), Some(row)) => module(column, row) == Some(&Module::Dark),
-            _ => false,
-        }
+        let inside = |at: usize| inside(at).filter(|at| *at < self.code.width());
+        let module = inside(column).zip(inside(row));
+        module.is_some_and(|place| self.code[place] == Module::Dark)
     }
 
     /// Draws the code into the upper left corner of an area, on white.

@@ -7,7 +7,7 @@ mod view;
 use strum::{EnumMessage, IntoStaticStr};
 
 use crate::files::csv_table;
-use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{Key, PlayerAction, StoreAnswer, StoreReply, StoreRequest};
 use crate::physics::CollisionSpec;
 use crate::progress::{NotedHit, utc};
 use crate::screens::{Confirmation, Context, Next};
@@ -190,7 +190,7 @@ impl Notebook {
 
     /// Deletes all hits, now that the player has agreed.
     pub(super) fn clear(&mut self, cx: &mut Context) {
-        cx.ask(StoreRequest::ClearNotebook(cx.settings.player.clone()));
+        cx.note(PlayerAction::ClearNotebook(cx.settings.player.clone()));
         self.hits = Hits::Known(Vec::new());
         self.plots = false;
     }

@@ -62,10 +62,8 @@ impl PageQuestion {
     /// Begins the second try: the rays keep their positions and can be changed.
     pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
         self.first = Some(first);
-        self.stage = CheckpointStage::Asking(match first {
-            Response::Rays(_) => AnswerInput::saying(form, &first),
-            _ => AnswerInput::new(form),
-        });
+        let rays = first.rays().map(Response::Rays);
+        self.stage = CheckpointStage::Asking(AnswerInput::saying(form, rays));
     }
 }
 

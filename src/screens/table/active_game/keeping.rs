@@ -2,7 +2,7 @@
 
 use super::{ActiveGame, GameHistory, Options};
 use crate::game::{Fingerprint, RecordError, SavedGame, opponent};
-use crate::messages::{StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{FileContent, StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
 use crate::screens::table::words;
 
@@ -46,7 +46,10 @@ impl ActiveGame {
             let ticket = self.keeping.ticket.unwrap_or_else(|| cx.ticket());
             self.keeping.ticket = Some(ticket);
             self.keeping.trouble = None;
-            cx.keep(ticket, StoreRequest::Save(Box::new(self.saved(cx))));
+            cx.keep(
+                ticket,
+                StoreRequest::Save(FileContent::Game(Box::new(self.saved(cx)))),
+            );
         }
     }
 

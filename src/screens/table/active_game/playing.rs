@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::{ActiveGame, After, AimAction, GameAction, GamePhase, arranging, pictures, trays};
 use crate::game::laws::POINTS_TO_WIN;
 use crate::game::{GameStage, Piece, Rules};
-use crate::messages::{Key, Mouse, StoreRequest};
+use crate::messages::{FileContent, Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, TablePanel, picture, words};
 use crate::screens::{Confirmation, Context, Next, StrikeGuard, View};
 use crate::widgets::hit::{CONTACT, Face, HitPace, contact_picture};
@@ -110,7 +110,8 @@ impl Playing {
             (_, Game(LookBack)) => game.look_back(cx).into(),
             (_, Game(WatchAll)) => game.watch_all(cx).into(),
             (_, Game(Export)) => {
-                cx.ask(StoreRequest::Export(Box::new(game.saved(cx))));
+                let saved = FileContent::Game(Box::new(game.saved(cx)));
+                cx.ask(StoreRequest::Export(saved));
                 After::Same
             }
             (phase, Game(Back)) => phase.back(game, cx),
