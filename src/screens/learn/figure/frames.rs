@@ -1,12 +1,12 @@
 //! One collision in the laboratory frame and in the centre-of-mass frame, at the same moment.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::FigureArea;
 use crate::physics::{Bond, Collision, Frame};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, Role, areas};
+use crate::widgets::{Lines, Role, areas};
 
 /// The two frames: laboratory, centre of mass.
 pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
@@ -32,18 +32,13 @@ fn halves(area: Rect) -> [Rect; 2] {
 }
 
 /// Both pictures, each with its name above it.
-pub(super) fn lay_out(
-    watches: &[Watch],
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Vec<Picture> {
+pub(super) fn lay_out(watches: &[Watch], figure: FigureArea) -> Vec<Picture> {
     let names = ["the board", "centre of mass"];
     let words = watches.first().map(|board| revealed(board.collision()));
     let words = names.into_iter().zip(words.into_iter().flatten());
-    let each = watches.iter().zip(halves(area)).zip(words);
+    let each = watches.iter().zip(halves(figure.area)).zip(words);
     each.map(|((watch, half), (name, revealed))| {
-        let mut lines = Lines::new(half, buf, *look);
+        let mut lines = Lines::new(half, figure.buf, *figure.look);
         lines.line(name, Role::Dim);
         lines.line(&revealed, Role::Text);
         watch.picture(areas::upper(half, lines.written())[1])
