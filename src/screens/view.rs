@@ -53,7 +53,7 @@ pub(super) enum Part<'s, A> {
 /// A function that draws a picture into its area.
 type DrawPicture<'s> = Box<dyn Fn(Rect, &mut Buffer, &Look) + 's>;
 
-impl<'s, A> View<'s, A> {
+impl<'s, A: Copy> View<'s, A> {
     /// A picture under a title, and a panel beside it.
     pub(super) fn picture(
         title: impl Into<String>,
@@ -163,10 +163,7 @@ impl<'s, A> View<'s, A> {
         room: Room,
         writing: &Writing,
         key: &dyn Fn(&A) -> Option<String>,
-    ) -> PlacedView<'_, A>
-    where
-        A: Copy,
-    {
+    ) -> PlacedView<'_, A> {
         let under = |small: bool| self.placed_under(small, room, writing, key);
         let large = under(false);
         // A small heading leaves more rows for the pages. The large heading is used only if the
@@ -191,10 +188,7 @@ impl<'s, A> View<'s, A> {
         room: Room,
         writing: &Writing,
         key: &dyn Fn(&A) -> Option<String>,
-    ) -> PlacedView<'_, A>
-    where
-        A: Copy,
-    {
+    ) -> PlacedView<'_, A> {
         let look = &writing.look;
         let [above, area] = areas::upper(room.area, self.tabs.is_some().into());
         let heading = self.heading.as_ref();
@@ -231,13 +225,12 @@ impl<'s, A> View<'s, A> {
         };
         let tabs = { self.tabs.as_ref() }.map(|it| (it, it.placed(above, writing, key), above));
         let first = match &self.first {
-            Part::Panel(panel) => Some(panel),
+            Part::Panel(panel) => {
+                let place = layout.picture;
+                Some((panel, panel.placed(place, writing, key), place))
+            }
             Part::Picture(..) | Part::Nothing => None,
         };
-        let first = first.map(|it| {
-            let place = layout.picture;
-            (it, it.placed(place, writing, key), place)
-        });
         let second = (&self.second, second, layout.panel);
         let foot = foot.map(|(foot, placed)| (foot, placed.moved(below), below));
         let panels = tabs.into_iter().chain(first).chain([second]).chain(foot);

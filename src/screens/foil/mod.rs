@@ -242,13 +242,10 @@ impl Screen for FoilScreen {
     type Action = FoilAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "foil".into()
-    }
+    const TITLE: &'static str = "foil";
 
     fn route(&self, _cx: &Context) -> Route {
-        Route::FoilAt { page: self.page }
+        Route::Foil(self.page)
     }
 
     fn status(&self, _cx: &Context) -> String {
