@@ -437,7 +437,7 @@ impl App {
                 self.with_screen(|screen, cx| match screen.route(cx) == route {
                     true => Next::Stay,
                     false => Next::Open(route),
-                })
+                });
             }
             (Some(AppLayer::Leave(_)), LayerDone::Agreed) => self.has_quit = true,
             (_, LayerDone::Agreed) => self.with_screen(|screen, cx| screen.confirmed(cx)),

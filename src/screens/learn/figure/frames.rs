@@ -33,12 +33,13 @@ fn halves(area: Rect) -> [Rect; 2] {
 
 /// Both pictures, each with its name above it.
 pub(super) fn lay_out(watches: &[Watch], figure: FigureArea) -> Vec<Picture> {
+    let (area, buf, look) = (figure.area, figure.buf, figure.look);
     let names = ["the board", "centre of mass"];
     let words = watches.first().map(|board| revealed(board.collision()));
     let words = names.into_iter().zip(words.into_iter().flatten());
-    let each = watches.iter().zip(halves(figure.area)).zip(words);
+    let each = watches.iter().zip(halves(area)).zip(words);
     each.map(|((watch, half), (name, revealed))| {
-        let mut lines = Lines::new(half, figure.buf, *figure.look);
+        let mut lines = Lines::new(half, buf, *look);
         lines.line(name, Role::Dim);
         lines.line(&revealed, Role::Text);
         watch.picture(areas::upper(half, lines.written())[1])
