@@ -12,7 +12,7 @@ use carrom::app::App;
 use carrom::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, Foil, METALS, Sampler, ScatteringLaw};
 use carrom::physics::beam::Beam;
 use carrom::physics::rutherford::RADIUM_C_ENERGY;
-use carrom::screens::{Route, Settings};
+use carrom::screens::{FoilPage, Route, Settings};
 use carrom::shells::{FRAME, Headless};
 use carrom::widgets::{Charset, Depth};
 use rand::Rng;
@@ -87,7 +87,11 @@ fn pictures() {
         depth: Depth::True,
         ..Settings::default()
     };
-    let mut game = Headless::new(App::new(Route::Foil, settings, SEED), 120, 40);
+    let mut game = Headless::new(
+        App::new(Route::Foil(FoilPage::default()), settings, SEED),
+        120,
+        40,
+    );
     game.press("<Tab><Down><Down><Down><Down><Down><Right><Right><Enter>");
     let mut times = Vec::new();
     while game.app().wake().is_some() {

@@ -193,6 +193,38 @@ pub(crate) fn true_minus(text: &str) -> String {
 /// The digits as superscripts, for exponents.
 pub(crate) const RAISED_DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
+/// The name of a Greek letter, capitalized like the letter: "delta", "Delta".
+pub(crate) const fn greek(letter: char) -> Option<&'static str> {
+    Some(match letter {
+        'α' => "alpha",
+        'β' => "beta",
+        'γ' => "gamma",
+        'δ' => "delta",
+        'ε' | 'ϵ' => "epsilon",
+        'η' => "eta",
+        'θ' | 'ϑ' => "theta",
+        'λ' => "lambda",
+        'μ' => "mu",
+        'ν' => "nu",
+        'π' => "pi",
+        'ρ' => "rho",
+        'σ' => "sigma",
+        'τ' => "tau",
+        'φ' | 'ϕ' => "phi",
+        'χ' => "chi",
+        'ψ' => "psi",
+        'ω' => "omega",
+        'Γ' => "Gamma",
+        'Δ' => "Delta ",
+        'Θ' => "Theta",
+        'Λ' => "Lambda",
+        'Σ' => "Sigma",
+        'Φ' => "Phi",
+        'Ω' => "Omega",
+        _ => return None,
+    })
+}
+
 /// `text` with a capital first letter.
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();

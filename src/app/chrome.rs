@@ -75,17 +75,13 @@ fn ask_for_room(area: Rect, buf: &mut Buffer, look: Look) {
 }
 
 fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, look: Look) {
-    let name = format!(" carrom : {}", screen.title());
-    let name = look.charset.text(&name);
     let status = [app.keeping(), screen.status(&app.context)].join("  ");
-    sheet::begin(
-        SheetKind::Screen,
-        &look.charset.text(&screen.title()),
-        &look.charset.text(status.trim()),
-    );
-    let status = look.charset.text(status.trim());
-    let title = look.theme.style(Role::Title);
-    let (end, _) = buf.set_stringn(0, 0, name, area.width.into(), title);
+    let title = screen.title();
+    let [title, status] = [&*title, status.trim()].map(|it| look.charset.text(it));
+    sheet::begin(SheetKind::Screen, &title, &status);
+    let name = format!(" carrom : {title}");
+    let style = look.theme.style(Role::Title);
+    let (end, _) = buf.set_stringn(0, 0, name, area.width.into(), style);
     let width = text::width(&status) as u16;
     let start = area.width.saturating_sub(width + 1).max(end + 2);
     let room = usize::from(area.width.saturating_sub(start));
@@ -102,10 +98,8 @@ fn key_line(
     look: Look,
 ) {
     let keys: Vec<_> = keys.filter(|(keys, _)| !keys.is_empty()).collect();
-    let pairs: Vec<_> = keys
-        .iter()
-        .map(|(keys, name)| (keys.as_str(), *name))
-        .collect();
+    let pairs = keys.iter().map(|(keys, name)| (keys.as_str(), *name));
+    let pairs: Vec<_> = pairs.collect();
     let line = keys::key_line(&pairs, area.width, &look);
     let row = Rect::new(area.x, area.bottom() - 1, area.width, 1);
     clear(row, buf, look);
@@ -168,38 +162,23 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     let writing = writing(app);
     let panel = panel_of(app, layer);
     let columns = centred(body);
+    let low = || {
+        let placed = panel.placed(columns.inner(Margin::new(1, 1)), &writing, &|_| None);
+        let height = (placed.rows() + 2).min(body.height / 2);
+        areas::upper(columns, columns.height.saturating_sub(height))[1]
+    };
     let (kind, scrolled, frame) = match layer {
         AppLayer::Help { scrolled, .. } => (SheetKind::Help, *scrolled, columns),
-        layer => {
-            let kind = match layer {
-                AppLayer::Notice(_) => SheetKind::Notice,
-                _ => SheetKind::Question,
-            };
-            let rows = panel.placed(columns.inner(Margin::new(1, 1)), &writing, &|_| None);
-            let height = (rows.rows() + 2).min(body.height / 2);
-            let y = body.bottom().saturating_sub(height);
-            (
-                kind,
-                0,
-                Rect {
-                    y,
-                    height,
-                    ..columns
-                },
-            )
-        }
+        AppLayer::Notice(_) => (SheetKind::Notice, 0, low()),
+        AppLayer::Confirm(_) | AppLayer::Leave(_) => (SheetKind::Question, 0, low()),
     };
     sheet::begin(kind, &panel.title, "");
     let look = writing.look;
-    clear(
-        if kind == SheetKind::Help { body } else { frame },
-        buf,
-        look,
-    );
+    let covered = if kind == SheetKind::Help { body } else { frame };
+    clear(covered, buf, look);
     let inside = draw_panel(buf, frame, &panel.title, &look);
-    panel
-        .placed(inside, &writing, &|_| None)
-        .draw(scrolled, buf, &writing);
+    let placed = panel.placed(inside, &writing, &|_| None);
+    placed.draw(scrolled, buf, &writing);
 }
 
 /// The columns of the body that are covered by a layer.

@@ -5,7 +5,6 @@ use strum::{EnumMessage, IntoStaticStr};
 use crate::game::Rules;
 use crate::messages::Key;
 use crate::screens::{Confirmation, Route};
-use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, Rebound};
 
 #[derive(Debug, Clone)]
@@ -71,30 +70,20 @@ impl AppLayer {
         table.rebound(rebound)
     }
 
-    pub(super) fn scrolls(&self, key: Key, rebound: &Rebound) -> bool {
-        matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
-    }
-
-    /// Handles a key; returns [`Outcome::Done`] if the key closes the layer. `most` is the number
-    /// of lines by which a help page can be scrolled.
-    pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
+    /// Handles a key; if the key closes the layer, returns how. `most` is the number of lines by
+    /// which a help page can be scrolled.
+    pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Option<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {
             (Self::Help { scrolled, .. }, Some(LayerAction::Scroll(by))) => {
                 *scrolled = scrolled.saturating_add_signed(by).min(most);
-                Outcome::Used
+                None
             }
-            (Self::Help { .. }, Some(LayerAction::Glossary)) => {
-                Outcome::Done(LayerDone::LookUp(Route::Glossary))
-            }
-            (Self::Help { .. }, Some(LayerAction::Rules(rules))) => {
-                Outcome::Done(LayerDone::LookUp(Route::Rules { rules }))
-            }
-            (Self::Confirm(_) | Self::Leave(_), Some(LayerAction::Agree)) => {
-                Outcome::Done(LayerDone::Agreed)
-            }
-            (Self::Confirm(_) | Self::Leave(_), None) => Outcome::Ignored,
-            _ => Outcome::Done(LayerDone::Closed),
+            (Self::Confirm(_) | Self::Leave(_), None) => None,
+            (_, Some(LayerAction::Glossary)) => Some(LayerDone::LookUp(Route::Glossary)),
+            (_, Some(LayerAction::Rules(rules))) => Some(LayerDone::LookUp(Route::Rules(rules))),
+            (_, Some(LayerAction::Agree)) => Some(LayerDone::Agreed),
+            _ => Some(LayerDone::Closed),
         }
     }
 }

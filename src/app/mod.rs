@@ -18,9 +18,7 @@ use ratatui::layout::Rect;
 use crate::lessons::Book;
 use crate::levels::Shelf;
 use crate::measure::Measurement;
-use crate::messages::{
-    Effect, Input, Key, Mouse, MouseKind, StoreAnswer, StoreCall, StoreReply, StoreRequest,
-};
+use crate::messages::{Effect, Input, Key, MouseKind, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::concepts::Library;
 use crate::screens::{
     AnyScreen, Confirmation, Context, Hosted, KeptSettings, Next, Route, Screen, Settings,
@@ -42,7 +40,7 @@ use crate::screens::{
     teacher::Teacher,
 };
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Outcome, Palette, PictureSizes};
+use crate::widgets::{Palette, PictureSizes};
 
 use layer::{AppLayer, LayerDone};
 
@@ -131,8 +129,8 @@ impl App {
             has_quit: false,
         };
         match route {
-            Route::Level { .. } => app.open(Route::Levels),
-            Route::Chapter { .. } => app.open(Route::Learn),
+            Route::Level(_) => app.open(Route::Levels),
+            Route::Chapter(_) => app.open(Route::Learn),
             _ => {}
         }
         match route {
@@ -142,19 +140,9 @@ impl App {
         app
     }
 
-    /// The questions in words written by a teacher.
-    pub fn own(&self) -> &Arc<Library> {
-        &self.context.own
-    }
-
-    /// The available chapters.
-    pub fn book(&self) -> &Book {
-        &self.context.book
-    }
-
-    /// The available levels.
-    pub fn shelf(&self) -> &Shelf {
-        &self.context.shelf
+    /// The state that all screens share.
+    pub fn context(&self) -> &Context {
+        &self.context
     }
 
     /// Creates an app that starts on a screen supplied by the caller, with Home below.
@@ -191,15 +179,12 @@ impl App {
     /// Applies the preferences of the player's system to the settings that the player has not
     /// changed.
     pub fn prefer(&mut self, palette: Palette, reduced_motion: bool) {
-        let preferred = Settings {
-            palette,
-            reduced_motion,
-            ..self.context.settings.clone()
-        };
-        self.context.settings = match &self.context.kept {
-            Some(kept) => kept.over(preferred),
-            None => preferred,
-        };
+        let settings = &mut self.context.settings;
+        settings.palette = palette;
+        settings.reduced_motion = reduced_motion;
+        if let Some(kept) = &self.context.kept {
+            *settings = kept.over(settings.clone());
+        }
     }
 
     /// Sets the sizes of pictures independently of the size of the screen, for a page that arranges
@@ -216,48 +201,45 @@ impl App {
 
     /// Handles one input and returns what the shell has to do.
     pub fn update(&mut self, input: &Input) -> Vec<Effect> {
-        let before = self.context.settings.clone();
-        let mut effects = self.take(input);
-        self.context.keep_settings(&before);
-        effects.extend(self.context.take_asked());
-        effects
+        self.effects_of(|app| app.take(input))
     }
 
-    fn take(&mut self, input: &Input) -> Vec<Effect> {
+    /// Lets the app act, saves the settings that this changes, and returns what the shell has to
+    /// do, including requests that the first screen made when it was opened.
+    fn effects_of(&mut self, act: impl FnOnce(&mut Self)) -> Vec<Effect> {
+        let before = self.context.settings.clone();
+        act(self);
+        self.context.keep_settings(&before);
+        self.context.take_asked()
+    }
+
+    fn take(&mut self, input: &Input) {
         match input {
             Input::Resize(columns, rows) => {
                 self.size = Rect::new(0, 0, *columns, *rows);
                 self.context.body = chrome::body(self.size);
-                // The first screen may already have made requests.
-                return self.context.take_asked();
             }
             Input::Key(Key::Ctrl('c')) => self.leave(),
             // The screen that made the request is waiting for the result, even if a layer covers
             // the screen.
-            Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
-                return self.pass_down(input);
-            }
+            Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => self.pass_down(input),
             Input::Saving(ticket) => {
                 self.saving.insert(*ticket);
             }
             Input::Kept(answer) => {
                 self.note(answer);
-                return self.pass_down(input);
+                self.pass_down(input);
             }
             // On a screen this small, the player could not see the effect of a key.
             _ if self.too_small() => {}
-            Input::Key(key) => return self.press(*key),
-            Input::Mouse(mouse) => {
-                // A drag may leave the body, and the button may be released outside the body.
-                let held = matches!(mouse.kind, MouseKind::Drag | MouseKind::Up);
-                if self.layers.is_empty() && (held || self.in_body(mouse)) {
-                    return self.pass_on(input);
-                }
-            }
+            Input::Key(key) => self.press(*key),
+            // A drag may leave the body, and the button may be released outside the body.
+            Input::Mouse(mouse)
+                if !matches!(mouse.kind, MouseKind::Drag | MouseKind::Up)
+                    && !self.context.body.contains(mouse.cell().into()) => {}
             _ if !self.layers.is_empty() => {}
-            _ => return self.pass_on(input),
+            _ => self.with_screen(|screen, cx| screen.input(input, cx)),
         }
-        vec![]
     }
 
     /// Handles the parts of a reply from the store that do not concern a particular screen.
@@ -266,28 +248,26 @@ impl App {
         if let Some(notice) = &answer.notice {
             self.notify(notice.clone());
         }
-        if let StoreReply::Stars(Ok(stars)) = &answer.done {
-            for starred in stars {
-                self.context.shelf.recall(starred);
-            }
-        }
         if let StoreReply::Marks(marks) = &answer.done {
-            let book = &mut self.context.book;
-            book.recall(marks.as_ref().cloned().unwrap_or_default());
+            let marks = marks.clone().unwrap_or_default();
+            self.context.book.recall(marks);
         }
         if self.retry.ticket == Some(answer.ticket) {
             self.retry.ticket = None;
             self.retry.failures += 1;
         }
-        if answer.unsaved == 0 {
-            self.retry.failures = 0;
-        }
         let was_unsaved = std::mem::replace(&mut self.unsaved, answer.unsaved);
         if answer.unsaved == 0 {
+            self.retry.failures = 0;
             self.layers
                 .retain(|layer| !matches!(layer, AppLayer::Leave(_)));
         }
         match &answer.done {
+            StoreReply::Stars(Ok(stars)) => {
+                for starred in stars {
+                    self.context.shelf.recall(starred);
+                }
+            }
             StoreReply::Noted(Err(reason)) if was_unsaved == 0 && answer.unsaved > 0 => {
                 self.retry.waited = Duration::ZERO;
                 self.notify(format!(
@@ -337,20 +317,15 @@ impl App {
     }
 
     /// Reduces the time until the next retry by `passed`, and starts the retry when it is due.
-    fn retry(&mut self, passed: Duration) -> Option<Effect> {
-        self.retry_in()?;
-        self.retry.waited += passed;
-        if self.retry.waited < self.retry.pause() {
-            return None;
+    fn retry(&mut self, passed: Duration) {
+        if self.retry_in().is_none() {
+            return;
         }
-        let ticket = self.context.ticket();
-        self.retry = Retry {
-            waited: Duration::ZERO,
-            ticket: Some(ticket),
-            ..self.retry
-        };
-        let request = StoreRequest::Retry;
-        Some(Effect::Keep(StoreCall { ticket, request }))
+        self.retry.waited += passed;
+        if self.retry.waited >= self.retry.pause() {
+            self.retry.waited = Duration::ZERO;
+            self.retry.ticket = Some(self.context.ask(StoreRequest::Retry));
+        }
     }
 
     /// The status of a save that is slow or has failed; otherwise empty.
@@ -364,15 +339,14 @@ impl App {
 
     /// Advances the time of the app by `passed`.
     pub fn advance(&mut self, passed: Duration) -> Vec<Effect> {
-        let mut effects = match self.screen_wake() {
-            None => vec![],
-            Some(_) => self.with_screen(|screen, cx| {
+        if self.screen_wake().is_some() {
+            self.with_screen(|screen, cx| {
                 screen.advance(passed, cx);
                 Next::Stay
-            }),
-        };
-        effects.extend(self.retry(passed));
-        effects
+            });
+        }
+        self.retry(passed);
+        self.context.take_asked()
     }
 
     /// The time until the app must next be advanced; `None` if nothing moves and no retry is due.
@@ -418,14 +392,11 @@ impl App {
 
     /// Activates the target with this number, as if it had been clicked.
     pub fn choose(&mut self, target: usize) -> Vec<Effect> {
-        let before = self.context.settings.clone();
-        let mut effects = match self.layers.is_empty() && !self.too_small() {
-            true => self.with_screen(|screen, cx| screen.choose(target, cx)),
-            false => Vec::new(),
-        };
-        self.context.keep_settings(&before);
-        effects.extend(self.context.take_asked());
-        effects
+        self.effects_of(|app| {
+            if app.layers.is_empty() && !app.too_small() {
+                app.with_screen(|screen, cx| screen.choose(target, cx));
+            }
+        })
     }
 
     /// Draws the whole screen. For mouse positions to be correct, the app must already have
@@ -440,10 +411,6 @@ impl App {
         self.size.width < SMALLEST.0 || self.size.height < SMALLEST.1
     }
 
-    fn in_body(&self, mouse: &Mouse) -> bool {
-        self.context.body.contains(mouse.cell().into())
-    }
-
     /// Shows a notice over the screen until a key is pressed.
     pub fn notify(&mut self, words: String) {
         self.layers
@@ -452,46 +419,35 @@ impl App {
     }
 
     /// Passes a key to the topmost layer or screen.
-    fn press(&mut self, key: Key) -> Vec<Effect> {
-        // The text is measured only if the key scrolls the text.
-        let scrolls = |layer: &AppLayer| layer.scrolls(key, &self.context.settings.keys);
-        let most = match self.layers.last().is_some_and(scrolls) {
-            true => chrome::help_overflow(self),
-            false => 0,
+    fn press(&mut self, key: Key) {
+        let most = match self.layers.last() {
+            Some(AppLayer::Help { .. }) => chrome::help_overflow(self),
+            _ => 0,
         };
         let Some(layer) = self.layers.last_mut() else {
             return self.with_screen(|screen, cx| screen.press(key, cx));
         };
-        match layer.press(key, most, &self.context.settings.keys) {
-            Outcome::Ignored | Outcome::Used => vec![],
-            Outcome::Done(done) => match (self.layers.pop(), done) {
-                (_, LayerDone::Closed) => vec![],
-                (_, LayerDone::LookUp(route)) => self.look_up(route),
-                (Some(AppLayer::Leave(_)), LayerDone::Agreed) => {
-                    self.has_quit = true;
-                    vec![]
-                }
-                (_, LayerDone::Agreed) => self.with_screen(|screen, cx| screen.confirmed(cx)),
-            },
+        let Some(done) = layer.press(key, most, &self.context.settings.keys) else {
+            return;
+        };
+        match (self.layers.pop(), done) {
+            (_, LayerDone::Closed) => {}
+            // The page may already be open below the layer.
+            (_, LayerDone::LookUp(route)) => {
+                self.with_screen(|screen, cx| match screen.route(cx) == route {
+                    true => Next::Stay,
+                    false => Next::Open(route),
+                });
+            }
+            (Some(AppLayer::Leave(_)), LayerDone::Agreed) => self.has_quit = true,
+            (_, LayerDone::Agreed) => self.with_screen(|screen, cx| screen.confirmed(cx)),
         }
-    }
-
-    /// Opens a reference page over the screen, unless the page is already open.
-    fn look_up(&mut self, route: Route) -> Vec<Effect> {
-        self.with_screen(|screen, cx| match screen.route(cx) == route {
-            true => Next::Stay,
-            false => Next::Open(route),
-        })
-    }
-
-    fn pass_on(&mut self, input: &Input) -> Vec<Effect> {
-        self.with_screen(|screen, cx| screen.input(input, cx))
     }
 
     /// Passes an input to the topmost screen or, if that screen ignores the input, to the screen of
     /// a class below it, because the class continues for its other members. If the class then opens
     /// or closes a screen, the screens above the class are closed first.
-    fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
+    fn pass_down(&mut self, input: &Input) {
         let top = self.stack.len().saturating_sub(1);
         let mut screens = self.stack.iter_mut().enumerate().rev();
         let found = screens.find_map(|(at, screen)| {
@@ -501,29 +457,23 @@ impl App {
             let next = screen.input(input, &mut self.context);
             (next != Next::Ignored).then_some((at, next))
         });
-        let Some((at, next)) = found else {
-            return vec![];
-        };
-        if next != Next::Stay {
-            self.stack.truncate(at + 1);
+        if let Some((at, next)) = found {
+            if next != Next::Stay {
+                self.stack.truncate(at + 1);
+            }
+            self.with_screen(|_, _| next);
         }
-        self.with_screen(|_, _| next)
     }
 
     /// Lets the topmost screen act, then carries out its requests.
-    fn with_screen(
-        &mut self,
-        act: impl FnOnce(&mut dyn AnyScreen, &mut Context) -> Next,
-    ) -> Vec<Effect> {
-        let Some(screen) = self.stack.last_mut() else {
-            return vec![];
-        };
-        let next = act(screen.as_mut(), &mut self.context);
-        self.follow(next);
-        if let Some(reported) = self.context.take_notice() {
-            self.notify(reported);
+    fn with_screen(&mut self, act: impl FnOnce(&mut dyn AnyScreen, &mut Context) -> Next) {
+        if let Some(screen) = self.stack.last_mut() {
+            let next = act(screen.as_mut(), &mut self.context);
+            self.follow(next);
+            if let Some(reported) = self.context.take_notice() {
+                self.notify(reported);
+            }
         }
-        self.context.take_asked()
     }
 
     /// Carries out actions that all screens share.
@@ -564,7 +514,6 @@ impl App {
             }
             Next::Confirm(question) => self.layers.push(AppLayer::Confirm(question)),
             Next::Shared(action) => self.share(action),
-            Next::Quit => self.leave(),
         }
     }
 
@@ -577,63 +526,53 @@ impl App {
 
     /// Shows a measured collision.
     pub fn show(&mut self, measurement: Measurement) {
-        self.open(Route::Measured {
-            measurement: Arc::new(measurement),
-        });
+        self.open(Route::Measured(Arc::new(measurement)));
     }
 
     fn open(&mut self, route: Route) {
-        let cx = &mut self.context;
-        self.stack.push(match route {
-            Route::Home => hosted(Home::ask(cx)),
-            Route::Lab => hosted(Lab::resume(cx)),
-            Route::LabOf { setup, hidden } => hosted(Lab::of(setup, hidden)),
-            Route::Learn => hosted(Contents::new(cx)),
-            Route::Glossary => hosted(GlossaryScreen::default()),
-            Route::Chapter { number } => match Reading::new(number, cx) {
-                Some(reading) => hosted(reading),
-                None => return,
-            },
-            Route::Page { number, page } => match Reading::visit(number, page, cx) {
-                Some(reading) => hosted(reading),
-                None => return,
-            },
-            Route::Quiz { code: Some(code) } => hosted(Quiz::new(code)),
-            Route::Quiz { code: None } => hosted(Choosing::ask(cx)),
-            Route::OpenRound {
-                code,
-                answers,
-                is_explained,
-            } => hosted(Quiz::left_at(code, &answers, is_explained, cx)),
-            Route::Levels => hosted(Levels::new(cx)),
-            Route::Level { number } => match LevelPlay::new(number, cx) {
-                Some(play) => hosted(play),
-                None => return,
-            },
-            Route::Class { code, teams, name } => {
-                hosted(Class::new(code.as_ref(), &teams, &name, cx))
-            }
-            Route::Host {
-                code,
-                name,
-                nicknames,
-            } => hosted(Class::with_devices(code.as_ref(), &name, nicknames, cx)),
-            Route::Join {
-                address,
-                code,
-                again,
-            } => hosted(Join::new(address.as_deref(), code, again, cx)),
-            Route::Foil => hosted(FoilScreen::default()),
-            Route::FoilAt { page } => hosted(FoilScreen::at(page)),
-            Route::Table => hosted(Table::new_game(None, cx)),
-            Route::Board { code } => hosted(Table::board(code, cx)),
-            Route::Rules { rules } => hosted(RulesScreen { rules }),
-            Route::Measured { measurement } => hosted(MeasuredScreen::new(measurement)),
-            Route::Progress => hosted(Progress::ask(cx)),
-            Route::Teacher => hosted(Teacher::ask(cx)),
-            Route::Settings => hosted(SettingsScreen::ask(cx)),
-        });
+        self.stack.extend(screen_of(route, &mut self.context));
     }
+}
+
+/// The screen of a route; `None` if there is no such chapter or level.
+fn screen_of(route: Route, cx: &mut Context) -> Option<Box<dyn AnyScreen>> {
+    Some(match route {
+        Route::Home => hosted(Home::ask(cx)),
+        Route::Lab => hosted(Lab::resume(cx)),
+        Route::LabOf { setup, hidden } => hosted(Lab::of(setup, hidden)),
+        Route::Learn => hosted(Contents::new(cx)),
+        Route::Glossary => hosted(GlossaryScreen::default()),
+        Route::Chapter(number) => hosted(Reading::new(number, cx)?),
+        Route::Page { chapter, page } => hosted(Reading::visit(chapter, page, cx)?),
+        Route::Quiz(Some(code)) => hosted(Quiz::new(code)),
+        Route::Quiz(None) => hosted(Choosing::ask(cx)),
+        Route::OpenRound {
+            code,
+            answers,
+            is_explained,
+        } => hosted(Quiz::left_at(code, &answers, is_explained, cx)),
+        Route::Levels => hosted(Levels::new(cx)),
+        Route::Level(number) => hosted(LevelPlay::new(number, cx)?),
+        Route::Class { code, teams, name } => hosted(Class::new(code.as_ref(), &teams, &name, cx)),
+        Route::Host {
+            code,
+            name,
+            nicknames,
+        } => hosted(Class::with_devices(code.as_ref(), &name, nicknames, cx)),
+        Route::Join {
+            address,
+            code,
+            again,
+        } => hosted(Join::new(address.as_deref(), code, again, cx)),
+        Route::Foil(page) => hosted(FoilScreen::at(page)),
+        Route::Table => hosted(Table::new_game(None, cx)),
+        Route::Board(code) => hosted(Table::board(code, cx)),
+        Route::Rules(rules) => hosted(RulesScreen { rules }),
+        Route::Measured(measurement) => hosted(MeasuredScreen::new(measurement)),
+        Route::Progress => hosted(Progress::ask(cx)),
+        Route::Teacher => hosted(Teacher::ask(cx)),
+        Route::Settings => hosted(SettingsScreen::ask(cx)),
+    })
 }
 
 fn hosted<S: Screen + 'static>(screen: S) -> Box<dyn AnyScreen> {

@@ -20,16 +20,14 @@ impl Data {
                 let expected =
                     "the number or the name of a chapter, such as 2 or the-line-of-impact";
                 let (name, page) = value.split_once(':').unwrap_or((value, ""));
-                let number = self.book.library().find(name).ok_or(expected)?;
-                let pages = self.book.chapter(number).map_or(0, |it| it.pages.len());
-                match page.parse() {
-                    _ if page.is_empty() => Route::Chapter { number },
-                    Ok(page) if (1..=pages).contains(&page) => Route::Page {
-                        number,
-                        page: page - 1,
-                    },
+                let chapter = self.book.library().find(name).ok_or(expected)?;
+                let pages = self.book.chapter(chapter).map_or(0, |it| it.pages.len());
+                let page = match page.parse() {
+                    _ if page.is_empty() => return Ok(Route::Chapter(chapter)),
+                    Ok(page) if (1..=pages).contains(&page) => page - 1,
                     _ => return Err(format!("a page of that chapter, 1 to {pages}")),
-                }
+                };
+                Route::Page { chapter, page }
             }
             "lab" if value.is_empty() => Route::Lab,
             "lab" => {
@@ -39,34 +37,22 @@ impl Data {
                     hidden: shown.is_some(),
                 }
             }
-            "foil" if value.is_empty() => Route::Foil,
+            "foil" if value.is_empty() => Route::Foil(FoilPage::default()),
             "foil" => {
-                let page = value
-                    .parse()
-                    .ok()
-                    .and_then(|page: usize| page.checked_sub(1));
-                let page = page.and_then(|page| FoilPage::ALL.get(page));
-                let page = *page.ok_or("a page of the foil, 1 to 3")?;
-                Route::FoilAt { page }
+                let number = value.parse::<usize>().ok();
+                let page = number.and_then(|page| FoilPage::ALL.get(page.checked_sub(1)?));
+                Route::Foil(*page.ok_or("a page of the foil, 1 to 3")?)
             }
             "glossary" => Route::Glossary,
             "table" => Route::Table,
-            "board" => Route::Board {
-                code: match value {
-                    "" => None,
-                    value => Some(BoardCode::parse(value).map_err(|_| BOARD)?),
-                },
-            },
+            "board" if value.is_empty() => Route::Board(None),
+            "board" => Route::Board(Some(BoardCode::parse(value).map_err(|_| BOARD)?)),
             "rules" => {
                 let is_meant = |rules: &Rules| rules_in_link(*rules) == value || value.is_empty();
                 let rules = Rules::ALL.into_iter().find(is_meant);
-                Route::Rules {
-                    rules: rules.ok_or("tournament, friendly, points, practice or board")?,
-                }
+                Route::Rules(rules.ok_or("tournament, friendly, points, practice or board")?)
             }
-            "quiz" => Route::Quiz {
-                code: self.round(value)?,
-            },
+            "quiz" => Route::Quiz(self.round(value)?),
             "class" => Route::Class {
                 code: self.round(value)?,
                 teams: Vec::new(),
@@ -80,9 +66,7 @@ impl Data {
             "levels" | "level" if value.is_empty() => Route::Levels,
             "levels" | "level" => {
                 let number = self.shelf.find(value);
-                Route::Level {
-                    number: number.ok_or("the id of a level, such as dead-stop")?,
-                }
+                Route::Level(number.ok_or("the id of a level, such as dead-stop")?)
             }
             "progress" => Route::Progress,
             "teacher" => Route::Teacher,
@@ -120,38 +104,35 @@ const ANSWERS: &str = "&said=";
 /// The address of a route, in the form that [`Data::route`] reads. The answers given in a round
 /// come after [`ANSWERS`].
 pub(super) fn address(route: &Route, cx: &Context) -> String {
-    let named = |name: &str, value: &str| match value {
+    let name: &str = route.into();
+    let named = |value: &str| match value {
         "" => name.to_owned(),
         value => format!("{name}={value}"),
     };
-    let round = |name: &str, code: &Code| match code.course.kind.is_personal() {
+    let round = |code: &Code| match code.course.kind.is_personal() {
         // The questions depend on the player's record, so the code would be of no use to anybody
         // else.
         true => name.to_owned(),
-        false => named(name, &code.to_string()),
+        false => named(&code.to_string()),
     };
-    let chapter = |number: usize| cx.book.chapter(number).map_or("", |it| &it.id);
+    let chapter = |at: usize| cx.book.chapter(at).map_or("", |it| &it.id);
     match route {
-        Route::Home => String::new(),
-        Route::Lab => "lab".into(),
+        // The file of a measured collision is not part of a link.
+        Route::Home | Route::Measured(_) => String::new(),
         Route::LabOf { setup, hidden } => {
             let hide = hidden.then(|| HIDE.to_owned());
             let parts = [Some(setup.to_link()).filter(|it| !it.is_empty()), hide];
             let parts: Vec<_> = parts.into_iter().flatten().collect();
-            named("lab", &parts.join(","))
+            named(&parts.join(","))
         }
-        Route::Learn => "learn".into(),
-        Route::Glossary => "glossary".into(),
-        Route::Chapter { number } => named("lesson", chapter(*number)),
-        Route::Page { number, page } => format!("lesson={}:{}", chapter(*number), page + 1),
-        Route::Quiz { code: None } => "quiz".into(),
-        Route::Quiz { code: Some(code) } => round("quiz", code),
+        Route::Chapter(at) => named(chapter(*at)),
+        Route::Page { chapter: at, page } => named(&format!("{}:{}", chapter(*at), page + 1)),
         Route::OpenRound {
             code,
             answers,
             is_explained,
         } => {
-            let address = round("quiz", code);
+            let address = round(code);
             if answers.is_empty() || code.course.kind.is_personal() {
                 return address;
             }
@@ -160,38 +141,22 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
             let explained = if *is_explained { ";" } else { "" };
             format!("{address}{ANSWERS}{said}{explained}")
         }
-        Route::Class { code: None, .. } | Route::Host { code: None, .. } => "class".into(),
-        Route::Class {
-            code: Some(code), ..
+        Route::Quiz(code) | Route::Class { code, .. } | Route::Host { code, .. } => {
+            code.as_ref().map_or(name.to_owned(), round)
         }
-        | Route::Host {
-            code: Some(code), ..
-        } => round("class", code),
-        Route::Join { code: None, .. } => "join".into(),
         Route::Join {
             code: Some(code), ..
         } => format!("code={code}"),
-        Route::Foil => "foil".into(),
-        Route::FoilAt { page } => match page {
-            FoilPage::Tracks => "foil".into(),
-            page => format!("foil={}", *page as usize + 1),
-        },
-        Route::Table => "table".into(),
-        Route::Board { code: None } => "board".into(),
-        Route::Board { code: Some(code) } => named("board", &code.to_string()),
-        // Its file is not part of a link.
-        Route::Measured { .. } => String::new(),
-        Route::Rules { rules } => named("rules", rules_in_link(*rules)),
-        Route::Progress => "progress".into(),
-        Route::Teacher => "teacher".into(),
-        Route::Settings => "settings".into(),
-        Route::Levels => "levels".into(),
-        Route::Level { number } => {
-            let level = cx.shelf.get(*number);
-            level.map_or("levels".into(), |(pack, level)| {
-                format!("level={}/{}", pack.name, level.id)
-            })
+        Route::Foil(page) if *page != FoilPage::default() => {
+            named(&(*page as usize + 1).to_string())
         }
+        Route::Board(Some(code)) => named(&code.to_string()),
+        Route::Rules(rules) => named(rules_in_link(*rules)),
+        Route::Level(number) => match cx.shelf.get(*number) {
+            Some((pack, level)) => named(&format!("{}/{}", pack.name, level.id)),
+            None => "levels".into(),
+        },
+        _ => name.to_owned(),
     }
 }
 
@@ -201,7 +166,7 @@ impl Route {
     /// # Errors
     /// Returns a description of what was expected instead.
     pub fn with_answers(self, said: &str) -> Result<Self, String> {
-        let Self::Quiz { code: Some(code) } = self else {
+        let Self::Quiz(Some(code)) = self else {
             return Err("answers only after the code of a round".into());
         };
         let is_explained = said.ends_with(';');

@@ -48,7 +48,7 @@ use crate::class::JoinCode;
 use crate::files::{LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json};
 use crate::physics::CollisionSpec;
 use crate::quiz::{Code, concepts};
-use crate::screens::{KeptSettings, Route, code_of, host_of};
+use crate::screens::{FoilPage, KeptSettings, Route, code_of, host_of};
 use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
@@ -294,23 +294,20 @@ impl OpenCommand {
                 setup: *setup,
                 hidden: *hide,
             },
-            Self::Quiz { code, .. } => Route::Quiz {
-                // If only a seed is given, the round has ten hits.
-                code: filled(code.as_ref(), &data.own)?.or_else(|| options.seed.map(Code::hits)),
-            },
+            Self::Quiz { code, .. } => Route::Quiz(round(code.as_ref(), options, &data.own)?),
             Self::Class(args) => args.route(filled(args.code.as_ref(), &data.own)?)?,
             Self::Join { address, code } => Route::Join {
                 code: code.or_else(|| code_of(address.as_deref()?)),
                 address: Some(address.as_deref().and_then(host_of).unwrap_or_default()),
                 again: false,
             },
-            Self::Foil => Route::Foil,
+            Self::Foil => Route::Foil(FoilPage::default()),
             Self::Table => Route::Table,
-            Self::Board(args) => Route::Board { code: args.code() },
+            Self::Board(args) => Route::Board(args.code()),
             Self::Progress(_) => Route::Progress,
-            Self::Measure(args) => Route::Measured {
-                measurement: Arc::new(args.measurement().map_err(|it| it.error().to_string())?),
-            },
+            Self::Measure(args) => Route::Measured(Arc::new(
+                args.measurement().map_err(|it| it.error().to_string())?,
+            )),
             Self::Teacher { .. } => Route::Teacher,
             Self::Settings => Route::Settings,
             Self::Levels { name } => named(data, "levels", name.as_deref())?,

@@ -37,7 +37,7 @@ pub(super) fn run(
     let seed = options.seed.unwrap_or_else(any_seed);
     let mut app =
         app(screen, options, options.data_dir().as_deref(), auto, seed).map_err(Failure::input)?;
-    let store = options.store().with_own(app.own());
+    let store = options.store().with_own(&app.context().own);
     let host = host_options(options, screen).map_err(Failure::Input)?;
     if plain {
         let input = BufReader::new(io::stdin());

@@ -57,7 +57,9 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         let (app, options) = super::open_within(arguments, options)?;
         Ok(match options.given_data_dir() {
             Some(folder) => {
-                let store = Store::in_folder(folder).timeless().with_own(app.own());
+                let store = Store::in_folder(folder)
+                    .timeless()
+                    .with_own(&app.context().own);
                 Headless::keeping(app, 80, 24, store)
             }
             None => Headless::from(app),

@@ -1,8 +1,8 @@
 //! The text of a page: paragraphs, lists, formulas and numbers.
 
-use super::inline::{self, Meaning};
+use super::inline::{self, PageSource};
 use super::{Formula, Quantity, SourceLine};
-use crate::files::{Source, all};
+use crate::files::all;
 
 /// A block of text.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,11 +40,7 @@ pub enum Tone {
 }
 
 /// Reads the blocks of text in these lines.
-pub(super) fn read(
-    source: &Source,
-    lines: &[SourceLine],
-    meaning: &Meaning,
-) -> Option<Vec<TextBlock>> {
+pub(super) fn read(lines: &[SourceLine], page: &PageSource) -> Option<Vec<TextBlock>> {
     let mut blocks = Vec::new();
     let mut open: Option<OpenBlock> = None;
     for &(number, line) in lines {
@@ -55,10 +51,10 @@ pub(super) fn read(
         let (item, rest) = item(text);
         let ends = text.is_empty() || formula.is_some() || item.is_some();
         if let Some(done) = open.take_if(|_| ends) {
-            blocks.push(done.close(source, meaning));
+            blocks.push(done.close(page));
         }
         if let Some(formula) = formula {
-            let formula = source.accept(number, Formula::read(formula));
+            let formula = page.source.accept(number, Formula::read(formula));
             blocks.push(formula.map(TextBlock::Formula));
         } else if !text.is_empty() {
             match &mut open {
@@ -76,7 +72,7 @@ pub(super) fn read(
             }
         }
     }
-    blocks.extend(open.map(|open| open.close(source, meaning)));
+    blocks.extend(open.map(|open| open.close(page)));
     all(blocks)
 }
 
@@ -88,8 +84,8 @@ struct OpenBlock {
 }
 
 impl OpenBlock {
-    fn close(self, source: &Source, meaning: &Meaning) -> Option<TextBlock> {
-        let pieces = inline::read(source, self.line, &self.text, meaning)?;
+    fn close(self, page: &PageSource) -> Option<TextBlock> {
+        let pieces = inline::read(self.line, &self.text, page)?;
         Some(match self.item {
             None => TextBlock::Paragraph(pieces),
             Some(number) => TextBlock::Item(number, pieces),

@@ -69,11 +69,8 @@ impl Book {
     pub fn named(&self, passage: Passage) -> Option<String> {
         let (number, page) = self.find(passage)?;
         let chapter = self.chapter(number)?.number;
-        Some(format!(
-            "chapter {chapter}, page {}: {}",
-            page + 1,
-            passage.page
-        ))
+        let Passage { page: title, .. } = passage;
+        Some(format!("chapter {chapter}, page {}: {title}", page + 1))
     }
 
     /// Whether the bookmarks are known.
@@ -94,6 +91,11 @@ impl Book {
     /// The bookmark in a chapter; `None` if the chapter was never opened.
     pub fn mark(&self, id: &str) -> Option<&Bookmark> {
         self.marks.as_ref()?.get(id)
+    }
+
+    /// The index of the page where the player left a chapter.
+    pub(crate) fn left_at(&self, chapter: &Chapter) -> usize {
+        self.mark(&chapter.id).map_or(0, |mark| mark.page(chapter))
     }
 
     /// Adds what the player has done in a chapter to the bookmark in that chapter.

@@ -54,9 +54,8 @@ impl Bookmark {
         right: bool,
     ) -> Self {
         let mut mark = Self::at(page);
-        let asked = asked.written.clone();
         let given = GivenAnswer {
-            asked,
+            asked: asked.written.clone(),
             answer,
             right,
             first,

@@ -70,16 +70,17 @@ fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage
     let lines: Vec<SourceLine> = source.lines().skip(first - 1).collect();
     let is_heading = |(_, text): &SourceLine| text.starts_with("# ") || *text == "#";
     let start = lines.iter().position(is_heading).unwrap_or(lines.len());
-    let (before, mut left) = lines.split_at(start);
+    let (before, left) = lines.split_at(start);
     if let Some((line, _)) = before.iter().find(|(_, text)| !text.trim().is_empty()) {
         source.refuse::<()>(*line, "expected a page title (# Title)");
     } else if left.is_empty() {
         source.refuse::<()>(first, "expected a page title (# Title), found none");
     }
     let mut pages: Vec<Option<ChapterPage>> = Vec::new();
-    while let [(line, text), rest @ ..] = left {
-        let length = rest.iter().position(is_heading).unwrap_or(rest.len());
-        let (inside, after) = rest.split_at(length);
+    for page in left.chunk_by(|_, next| !is_heading(next)) {
+        let [(line, text), inside @ ..] = page else {
+            continue;
+        };
         let title = text.trim_start_matches('#').trim();
         let mut known = pages.iter().flatten();
         if let Some(other) = known.find(|other| other.title == title) {
@@ -93,7 +94,6 @@ fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage
             return source.refuse(*line, format!("expected at most {MOST_PAGES} pages"));
         }
         pages.push(ChapterPage::read(source, (*line, title), inside, shots));
-        left = after;
     }
     all(pages)
 }

@@ -1,9 +1,9 @@
 //! Checkpoints: questions that are asked before the outcome is shown.
 
-use super::inline::{self, Meaning};
+use super::inline::{self, PageSource, no_shot};
 use super::words::Words;
 use super::{CollisionSpec, Figure, Inline, Quantity, SourceLine, TextBlock, block};
-use crate::files::{Source, all};
+use crate::files::all;
 use crate::physics::Collision;
 use crate::quiz::{Form, Measure, Rays, Response};
 
@@ -71,9 +71,7 @@ impl Expected {
     fn range(&self) -> (f64, f64) {
         const ANY: (f64, f64) = (-1e9, 1e9);
         match self {
-            Self::Of(quantity, _) | Self::Figure(quantity) if quantity.is_part_of_whole() => {
-                (0.0, 1.0)
-            }
+            Self::Of(it, _) | Self::Figure(it) if it.is_part_of_whole() => (0.0, 1.0),
             _ => ANY,
         }
     }
@@ -145,31 +143,20 @@ impl Checkpoint {
     pub(crate) fn hint_to(&self, said: &Response) -> Vec<TextBlock> {
         match (said, &self.asked) {
             (Response::Choice(chosen), CheckpointKind::Choice(choices)) if self.hint.is_empty() => {
-                let chosen = choices.get(*chosen).into_iter();
-                chosen
-                    .map(|it| TextBlock::Paragraph(it.why.clone()))
-                    .collect()
+                let why = choices.get(*chosen).map(|it| it.why.clone());
+                Vec::from_iter(why.map(TextBlock::Paragraph))
             }
             _ => self.hint.clone(),
         }
     }
 
     /// Reads a checkpoint, given the words after the three colons and the lines up to the end.
-    pub(super) fn read(
-        source: &Source,
-        (line, words): SourceLine,
-        inside: &[SourceLine],
-        figure: Option<&Figure>,
-        meaning: &Meaning,
-    ) -> Option<Self> {
-        let rule = inside.iter().position(|(_, text)| text.trim() == "---");
-        let (asking, answered) = inside.split_at(rule.unwrap_or(inside.len()));
-        let answered = answered.get(1..).unwrap_or_default();
-        let rule = asking
-            .iter()
-            .position(|(_, text)| text.trim() == "--- hint");
-        let (asking, hint) = asking.split_at(rule.unwrap_or(asking.len()));
-        let hint = hint.get(1..).unwrap_or_default();
+    pub(super) fn read(head: SourceLine, inside: &[SourceLine], page: &PageSource) -> Option<Self> {
+        let (source, (line, words)) = (page.source, head);
+        let mut parts = inside.splitn(2, |(_, text)| text.trim() == "---");
+        let (asking, answered) = (parts.next().unwrap_or_default(), parts.next());
+        let mut parts = asking.splitn(2, |(_, text)| text.trim() == "--- hint");
+        let (asking, hint) = (parts.next().unwrap_or_default(), parts.next());
         let texts = asking.iter().map(|(_, text)| text.trim());
         let written: Vec<_> = std::iter::once(words.trim()).chain(texts).collect();
         let mut words = source.accept(line, Words::of(words))?;
@@ -180,9 +167,9 @@ impl Checkpoint {
             _ => (asking, &[][..]),
         };
         let asked = match name.as_str() {
-            "rays" => source.accept(line, rays(figure)),
-            "number" => source.accept(line, number(&mut words, meaning)),
-            "choice" => read_choices(source, line, choices, meaning).map(CheckpointKind::Choice),
+            "rays" => source.accept(line, rays(page.figure)),
+            "number" => source.accept(line, number(&mut words, page)),
+            "choice" => choice(line, choices, page),
             other => {
                 let message = format!("expected :::rays, :::number or :::choice, found {other}");
                 return source.refuse(line, message);
@@ -192,10 +179,11 @@ impl Checkpoint {
         if asked.is_some() {
             source.accept(line, words.finish());
         }
-        let question = block::read(source, question, meaning);
-        let hint = block::read(source, hint, meaning);
-        let after = block::read(source, answered, meaning);
-        if rule.is_some() && hint.as_ref().is_some_and(Vec::is_empty) {
+        let question = block::read(question, page);
+        let has_hint = hint.is_some();
+        let hint = block::read(hint.unwrap_or_default(), page);
+        let after = block::read(answered.unwrap_or_default(), page);
+        if has_hint && hint.as_ref().is_some_and(Vec::is_empty) {
             source.refuse::<()>(line, "expected a hint after --- hint, found none");
         }
         if question.as_ref().is_some_and(Vec::is_empty) {
@@ -215,34 +203,34 @@ impl Checkpoint {
     }
 }
 
-fn rays(figure: Option<&Figure>) -> Result<CheckpointKind, String> {
+fn rays(figure: Option<Figure>) -> Result<CheckpointKind, String> {
     match figure {
         Some(figure) if figure.kind.is_hit() && figure.shot.collision().outcome().hit() => {
             Ok(CheckpointKind::Rays)
         }
-        _ => Err(
-            "expected a figure of a collision on the page (lab or split), for turning the rays"
-                .into(),
-        ),
+        _ => Err(NO_HIT.into()),
     }
 }
 
-fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String> {
+const NO_HIT: &str =
+    "expected a figure of a collision on the page (lab or split), for turning the rays";
+
+fn number(words: &mut Words, page: &PageSource) -> Result<CheckpointKind, String> {
     let tolerance = words.number("tolerance", 1e-9, 1e6)?;
     let tolerance =
         tolerance.ok_or("expected tolerance= and the largest error that counts as right")?;
     let expected = match words.field("answer") {
         Some(answer) => {
+            let wrong = || format!("answer: expected a number, found {answer}");
             let value = answer.parse().ok().filter(|value: &f64| value.abs() < 1e9);
-            let value =
-                value.ok_or_else(|| format!("answer: expected a number, found {answer}"))?;
+            let value = value.ok_or_else(wrong)?;
             let unit = words.field("unit").unwrap_or_default();
             if unit.chars().count() > UNIT {
                 return Err(format!("unit: expected at most {UNIT} letters"));
             }
             Expected::Fixed(value, unit)
         }
-        None => named(words, meaning)?,
+        None => named(words, page)?,
     };
     Ok(CheckpointKind::Number {
         expected,
@@ -252,34 +240,26 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String
 
 /// Reads the name of a number: a constant, a quantity of a named shot, or a quantity of the page's
 /// figure.
-fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
+fn named(words: &mut Words, page: &PageSource) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
+    let undefined = || format!("{name} is undefined here");
     if let Some(constant) = words.constant(&name)? {
-        let value = constant.value();
-        let value = value.ok_or_else(|| format!("{name} is undefined here"))?;
+        let value = constant.value().ok_or_else(undefined)?;
         return Ok(Expected::Fixed(value, String::new()));
     }
     let quantity = Quantity::named(&name)
         .ok_or_else(|| format!("expected the name of a number or answer=, found {name}"))?;
-    let shot = meaning.shots.take(words, None)?;
-    let right = shot.or(meaning.figure);
-    let right =
-        right.ok_or_else(|| format!("expected a shot after {name}: the page has no figure"))?;
-    if quantity.of(&right.collision()).is_none() {
-        return Err(format!("{name} is undefined here"));
-    }
+    let shot = page.shots.take(words, None)?;
+    let right = shot.or(page.shot()).ok_or_else(|| no_shot(&name))?;
+    quantity.of(&right.collision()).ok_or_else(undefined)?;
     Ok(match shot {
         Some(shot) => Expected::Of(quantity, shot),
         None => Expected::Figure(quantity),
     })
 }
 
-fn read_choices(
-    source: &Source,
-    line: usize,
-    lines: &[SourceLine],
-    meaning: &Meaning,
-) -> Option<Vec<CheckpointChoice>> {
+fn choice(line: usize, lines: &[SourceLine], page: &PageSource) -> Option<CheckpointKind> {
+    let source = page.source;
     let mut choices = Vec::new();
     let mut right_ones = 0;
     let mut left = lines;
@@ -293,18 +273,15 @@ fn read_choices(
             let message = "expected - [ ] or - [x] and an option, and indented lines after it";
             return source.refuse(*number, message);
         };
-        let length = rest
-            .iter()
-            .take_while(|(_, text)| text.starts_with("  "))
-            .count();
-        let (why, after) = rest.split_at(length);
+        let is_indented = |(_, text): &&SourceLine| text.starts_with("  ");
+        let (why, after) = rest.split_at(rest.iter().take_while(is_indented).count());
         let shown: Vec<_> = why.iter().map(|(_, text)| text.trim()).collect();
         if shown.is_empty() {
             let message = "expected indented lines of feedback for this choice";
             source.refuse::<()>(*number, message);
         }
-        let text = inline::read(source, *number, text, meaning);
-        let why = inline::read(source, number + 1, &shown.join("\n"), meaning);
+        let text = inline::read(*number, text, page);
+        let why = inline::read(number + 1, &shown.join("\n"), page);
         let right = right.is_some();
         right_ones += usize::from(right);
         let choice = text.zip(why);
@@ -318,5 +295,5 @@ fn read_choices(
         );
         return source.refuse(line, message);
     }
-    all(choices)
+    all(choices).map(CheckpointKind::Choice)
 }

@@ -237,9 +237,8 @@ impl Figure {
         then.finish()?;
         let plots = [FigureKind::Curves, FigureKind::Angles, FigureKind::Energy];
         if plots.contains(&kind) && [shot, after].iter().any(|it| it.rims.friction > 0.0) {
-            return Err(
-                "expected a shot without rim_friction: the curves are for smooth rims".into(),
-            );
+            let message = "expected a shot without rim_friction: the curves are for smooth rims";
+            return Err(message.into());
         }
         Ok(Self {
             kind,

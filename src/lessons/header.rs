@@ -75,10 +75,8 @@ pub(super) fn read(source: &Source) -> Option<Header> {
         return source.refuse(1, "expected a header between two lines of +++");
     }
     let is_closing = |line: &&str| line.trim_end() == FENCE;
-    let inside: Vec<_> = lines
-        .by_ref()
-        .take_while(|line| !is_closing(line))
-        .collect();
+    let inside = lines.by_ref().take_while(|line| !is_closing(line));
+    let inside: Vec<_> = inside.collect();
     let length: usize = inside.iter().map(|line| line.len()).sum();
     let ends = inside.len() + 2;
     if source.text().lines().count() < ends {
@@ -105,10 +103,8 @@ fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
 
 fn shots(fields: &Fields) -> Option<Shots> {
     let shots = fields.table("shot", &[])?;
-    let tables = shots
-        .named_tables(&CollisionSpec::field_names())?
-        .into_iter();
-    let read = tables.map(|(id, table)| {
+    let tables = shots.named_tables(&CollisionSpec::field_names())?;
+    let read = tables.into_iter().map(|(id, table)| {
         let shot = read_hit(&table);
         if !is_id(id) || id == "own" {
             let message = "expected a name of lower-case letters, digits and hyphens";

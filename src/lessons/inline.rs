@@ -2,16 +2,23 @@
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-use super::{CollisionSpec, Formula, Inline, Quantity, Tone};
+use super::{CollisionSpec, Figure, Formula, Inline, Quantity, Tone};
 use super::{header::Shots, words::Words, written::WrittenFigure};
 use crate::files::{Source, all};
 
-/// The shots to which names in the text refer.
-pub(super) struct Meaning<'a> {
+/// A page that is being read: where its errors are reported, and what its names refer to.
+pub(super) struct PageSource<'a> {
+    pub(super) source: &'a Source<'a>,
     /// The shots of the chapter.
     pub(super) shots: &'a Shots,
+    pub(super) figure: Option<Figure>,
+}
+
+impl PageSource<'_> {
     /// The shot of the page's figure.
-    pub(super) figure: Option<CollisionSpec>,
+    pub(super) fn shot(&self) -> Option<CollisionSpec> {
+        self.figure.map(|figure| figure.shot)
+    }
 }
 
 /// The placeholder that represents a formula or a number while the Markdown is being read: the
@@ -19,12 +26,8 @@ pub(super) struct Meaning<'a> {
 const STAND_IN: u32 = 0xe000;
 
 /// Reads a paragraph that begins at a line.
-pub(super) fn read(
-    source: &Source,
-    line: usize,
-    text: &str,
-    meaning: &Meaning,
-) -> Option<Vec<Inline>> {
+pub(super) fn read(line: usize, text: &str, page: &PageSource) -> Option<Vec<Inline>> {
+    let source = page.source;
     let mut kept: Vec<Option<Inline>> = Vec::new();
     let mut plain = String::with_capacity(text.len());
     let mut rest = text;
@@ -44,7 +47,7 @@ pub(super) fn read(
         let inner = inner.replace('\n', " ");
         let piece = match opening {
             "$" => Formula::read(&inner).map(Inline::Formula),
-            _ => number(&inner, meaning),
+            _ => number(&inner, page),
         };
         let Some(letter) = stand_in(kept.len()) else {
             return source.refuse(here, "expected fewer formulas");
@@ -63,7 +66,7 @@ fn stand_in(number: usize) -> Option<char> {
 
 /// Reads a number: `v1 carrom alpha_deg=40: 2.57`, or `v1` for a number that changes with the
 /// figure.
-fn number(text: &str, meaning: &Meaning) -> Result<Inline, String> {
+fn number(text: &str, page: &PageSource) -> Result<Inline, String> {
     let (what, written) = match text.split_once(':') {
         Some((what, written)) => (what, Some(WrittenFigure::read(written)?)),
         None => (text, None),
@@ -80,18 +83,18 @@ fn number(text: &str, meaning: &Meaning) -> Result<Inline, String> {
     };
     let Some(written) = written else {
         words.finish()?;
-        return match meaning.figure {
-            Some(_) => Ok(Inline::Live(quantity)),
-            None => Err(format!(
-                "expected a figure on the page for {name} to follow"
-            )),
-        };
+        let live = page.figure.map(|_| Inline::Live(quantity));
+        return live.ok_or_else(|| format!("expected a figure on the page for {name} to follow"));
     };
-    let shot = meaning.shots.take(&mut words, meaning.figure)?;
+    let shot = page.shots.take(&mut words, page.shot())?;
     words.finish()?;
-    let shot =
-        shot.ok_or_else(|| format!("expected a shot after {name}: the page has no figure"))?;
+    let shot = shot.ok_or_else(|| no_shot(&name))?;
     agreed(&name, &written, quantity.of(&shot.collision()))
+}
+
+/// The message about a quantity without the shot to which it belongs.
+pub(super) fn no_shot(name: &str) -> String {
+    format!("expected a shot after {name}: the page has no figure")
 }
 
 fn agreed(name: &str, written: &WrittenFigure, truth: Option<f64>) -> Result<Inline, String> {
@@ -105,6 +108,9 @@ fn agreed(name: &str, written: &WrittenFigure, truth: Option<f64>) -> Result<Inl
         None => Err(format!("{name} is undefined here, found {shown}")),
     }
 }
+
+const OTHER_MARKDOWN: &str =
+    "expected plain text with *emphasis*, **strong** and `keys`, found other Markdown";
 
 /// Splits the text into pieces; placeholders stand for formulas and numbers.
 fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
@@ -122,12 +128,7 @@ fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
                 tones.pop();
             }
             Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => {}
-            _ => {
-                return Err(
-                    "expected plain text with *emphasis*, **strong** and `keys`, found other Markdown"
-                        .into(),
-                );
-            }
+            _ => return Err(OTHER_MARKDOWN.into()),
         }
     }
     Ok(pieces)

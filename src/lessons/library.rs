@@ -28,29 +28,10 @@ impl ChapterLibrary {
 
     /// The index of the chapter whose id or number is `name`.
     pub fn find(&self, name: &str) -> Option<usize> {
-        let by_id = self.chapters.iter().position(|chapter| chapter.id == name);
-        let by_number = || {
-            let number: u32 = name.parse().ok()?;
-            self.chapters
-                .iter()
-                .position(|chapter| chapter.number == number)
-        };
-        by_id.or_else(by_number)
-    }
-
-    /// Adds the chapter in a file, given the bytes of the file.
-    pub fn add(&mut self, file: &str, bytes: &[u8]) {
-        let chapter = match Chapter::read(file, bytes) {
-            Ok(chapter) => chapter,
-            Err(errors) => return self.problems.extend(errors),
-        };
-        match self.chapters.iter().find(|known| known.id == chapter.id) {
-            None => self.chapters.push(chapter),
-            Some(known) => {
-                let message = format!("expected a unique id; {} already has it", known.file);
-                self.problems.push(FileError::of_file(file, message));
-            }
-        }
+        let by_id = self.chapters.iter().position(|it| it.id == name);
+        let number: Option<u32> = name.parse().ok();
+        let is_it = |it: &Chapter| Some(it.number) == number;
+        by_id.or_else(|| self.chapters.iter().position(is_it))
     }
 }
 
@@ -71,6 +52,17 @@ impl FileLibrary for ChapterLibrary {
     }
 
     fn add_bytes(&mut self, path: &Path, bytes: &[u8]) {
-        self.add(&path.display().to_string(), bytes);
+        let file = path.display().to_string();
+        let chapter = match Chapter::read(&file, bytes) {
+            Ok(chapter) => chapter,
+            Err(errors) => return self.problems.extend(errors),
+        };
+        match self.chapters.iter().find(|known| known.id == chapter.id) {
+            None => self.chapters.push(chapter),
+            Some(known) => {
+                let message = format!("expected a unique id; {} already has it", known.file);
+                self.problems.push(FileError::of_file(&file, message));
+            }
+        }
     }
 }

@@ -26,8 +26,7 @@ mod tests;
 mod words;
 mod written;
 
-pub(crate) use answer::{AFTER_HINT, answer_json};
-pub(crate) use answer::{given_json, tries_of_json};
+pub(crate) use answer::{AFTER_HINT, answer_json, given_json, tries_of_json};
 pub(crate) use block::Tone;
 pub use block::{Inline, TextBlock};
 pub use book::{Book, Forget};

@@ -1,7 +1,7 @@
 //! A page of a chapter.
 
 use super::{Checkpoint, Figure, SourceLine, TextBlock, block};
-use super::{header::Shots, inline::Meaning};
+use super::{header::Shots, inline::PageSource};
 use crate::files::Source;
 
 /// The maximum length of a title, in characters.
@@ -35,18 +35,19 @@ impl ChapterPage {
             source.refuse::<()>(line, message);
         }
         let figure = figure(source, lines, shots)?;
-        let meaning = Meaning {
+        let page = PageSource {
+            source,
             shots,
-            figure: figure.map(|figure| figure.shot),
+            figure,
         };
         let is_checkpoint = |(_, text): &SourceLine| text.starts_with(":::");
         let start = lines.iter().position(is_checkpoint).unwrap_or(lines.len());
         let (before, asked) = lines.split_at(start);
         let text = before.iter().copied().filter(|line| !is_figure(*line));
-        let text = block::read(source, &text.collect::<Vec<_>>(), &meaning);
+        let text = block::read(&text.collect::<Vec<_>>(), &page);
         let checkpoint = match asked {
             [] => None,
-            [head, rest @ ..] => Some(checkpoint(source, *head, rest, figure.as_ref(), &meaning)?),
+            [head, rest @ ..] => Some(checkpoint(*head, rest, &page)?),
         };
         let text = text?;
         if text.is_empty() && checkpoint.is_none() {
@@ -63,13 +64,8 @@ impl ChapterPage {
 }
 
 /// Reads a checkpoint, and checks that nothing comes after the checkpoint.
-fn checkpoint(
-    source: &Source,
-    (line, words): SourceLine,
-    rest: &[SourceLine],
-    figure: Option<&Figure>,
-    meaning: &Meaning,
-) -> Option<Checkpoint> {
+fn checkpoint(head: SourceLine, rest: &[SourceLine], page: &PageSource) -> Option<Checkpoint> {
+    let (source, (line, words)) = (page.source, head);
     let end = rest.iter().position(|(_, text)| text.trim_end() == ":::");
     let Some(end) = end else {
         return source.refuse(line, "expected ::: at the end of the checkpoint");
@@ -81,7 +77,7 @@ fn checkpoint(
         source.refuse::<()>(*line, message);
     }
     let head = (line, words.trim_start_matches(':'));
-    Checkpoint::read(source, head, inside, figure, meaning)
+    Checkpoint::read(head, inside, page)
 }
 
 fn is_figure((_, text): SourceLine) -> bool {

@@ -3,7 +3,7 @@
 use super::Constant;
 
 /// The words of a directive. The parser removes the words that it knows from this list, one by one.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Words {
     bare: Vec<String>,
     fields: Vec<(String, String)>,
@@ -15,24 +15,18 @@ impl Words {
     /// # Errors
     /// Returns a message that states what was expected.
     pub(super) fn of(text: &str) -> Result<Self, String> {
-        let mut words = Self {
-            bare: Vec::new(),
-            fields: Vec::new(),
-        };
+        let mut words = Self::default();
         let parts = shlex::split(text).ok_or("expected a closing quote")?;
         for part in parts {
             match part.split_once('=') {
                 Some(("", _)) => {
-                    return Err(format!(
-                        "expected a field such as alpha_deg=45, found {part}"
-                    ));
+                    let message = format!("expected a field such as alpha_deg=45, found {part}");
+                    return Err(message);
                 }
-                Some((name, value)) => {
-                    if words.fields.iter().any(|(known, _)| known == name) {
-                        return Err(format!("expected {name} once, found it twice"));
-                    }
-                    words.fields.push((name.into(), value.into()));
+                Some((name, _)) if words.fields.iter().any(|(known, _)| known == name) => {
+                    return Err(format!("expected {name} once, found it twice"));
                 }
+                Some((name, value)) => words.fields.push((name.into(), value.into())),
                 None => words.bare.push(part),
             }
         }
@@ -58,11 +52,8 @@ impl Words {
 
     /// Takes all fields whose names `wanted` accepts.
     pub(super) fn fields(&mut self, wanted: impl Fn(&str) -> bool) -> Vec<(String, String)> {
-        let (taken, left) = std::mem::take(&mut self.fields)
-            .into_iter()
-            .partition(|(name, _)| wanted(name));
-        self.fields = left;
-        taken
+        let taken = self.fields.extract_if(.., |(name, _)| wanted(name));
+        taken.collect()
     }
 
     /// The constant with this name, if there is one; also takes the fields of the constant.

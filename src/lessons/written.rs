@@ -37,11 +37,9 @@ impl WrittenFigure {
                 margin: NOISE * value,
             });
         }
-        let plain = text
-            .bytes()
-            .all(|b| b.is_ascii_digit() || b"+-.e".contains(&b));
+        let is_plain = |b: u8| b.is_ascii_digit() || b"+-.e".contains(&b);
         let value: f64 = text.parse().map_err(|_| wrong())?;
-        if !(plain && value.is_finite() && text.len() <= 16) {
+        if !(text.bytes().all(is_plain) && value.is_finite() && text.len() <= 16) {
             return Err(wrong());
         }
         let (mantissa, exponent) = match text.split_once('e') {
@@ -70,10 +68,9 @@ impl WrittenFigure {
     /// `truth` rounded to the same number of decimal places, for a message.
     pub(super) fn corrected(&self, truth: f64) -> String {
         let places = (-self.margin.log10()).floor().clamp(0.0, 12.0) as usize;
-        if self.shown.contains("×10") {
-            format!("{truth:.2e}")
-        } else {
-            format!("{truth:.places$}")
+        match self.shown.contains("×10") {
+            true => format!("{truth:.2e}"),
+            false => format!("{truth:.places$}"),
         }
     }
 }

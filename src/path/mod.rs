@@ -21,7 +21,7 @@ use crate::lessons::{Book, Chapter};
 use crate::levels::Shelf;
 use crate::numbers::counted;
 use crate::progress::{Attempt, Calendar, Due, Tally, UnsettledBelief, page_about, unsettled};
-use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Passage, Topic};
+use crate::quiz::{ChaptersRead, Confidence, CourseKind, Misconception, Topic};
 
 /// With fewer quiz answers than this, the path suggests *Find out*.
 const ENOUGH_ANSWERS: usize = 3;
@@ -107,7 +107,7 @@ impl<'a> PathSoFar<'a> {
     /// The next step.
     pub fn next_step(&self) -> NextStep {
         let topics = self.topics_asked();
-        let answers = self.attempts.iter().filter(|it| it.is_of_quiz()).count();
+        let answers = self.quiz_answers().count();
         self.belief()
             .or_else(|| self.begun())
             .or_else(|| (answers < ENOUGH_ANSWERS).then(find_out))
@@ -115,10 +115,9 @@ impl<'a> PathSoFar<'a> {
             .or_else(|| self.review())
             .or_else(|| self.next_chapter(&topics))
             .or_else(|| self.pack())
-            .unwrap_or_else(|| NextStep {
-                step: Step::Table,
-                words: "Play at the table".into(),
-                why: "Every chapter is done or known, and every level is won.".into(),
+            .unwrap_or_else(|| {
+                let why = "Every chapter is done or known, and every level is won.";
+                NextStep::new(Step::Table, "Play at the table", why)
             })
     }
 
@@ -126,16 +125,15 @@ impl<'a> PathSoFar<'a> {
     pub fn done(&self) -> PathDone {
         let topics = self.topics_asked();
         let chapters = self.chapters().len();
-        let open = (0..chapters)
-            .filter(|at| self.is_open(*at, &topics))
-            .count();
+        let open = (0..chapters).filter(|at| self.is_open(*at, &topics));
+        let known = chapters - open.count();
         let (held, named) = unsettled(self.attempts);
         let mut packs: IndexMap<&str, bool> = IndexMap::new();
         for (number, (pack, _)) in self.shelf.levels().enumerate() {
             *packs.entry(&pack.name).or_insert(true) &= self.shelf.stars(number) > 0;
         }
         PathDone {
-            chapters: (chapters - open, chapters),
+            chapters: (known, chapters),
             beliefs: (named - held.len(), named),
             packs: (packs.values().filter(|won| **won).count(), packs.len()),
         }
@@ -146,18 +144,18 @@ impl<'a> PathSoFar<'a> {
     pub fn topics_met(&self) -> Vec<Topic> {
         let read = self.book.read_through();
         let taught = read.flat_map(|chapter| Topic::taught_in(&chapter.id));
-        let answered = self.attempts.iter().filter(|it| it.is_of_quiz());
-        let answered: Vec<&str> = answered.map(|it| &*it.topic).collect();
-        let answered = match answered.len() {
-            ..NEW => Vec::new(),
-            _ => answered,
-        };
-        let answered = answered.into_iter().map(|id| Topic::with_id(id.to_owned()));
+        let is_new = self.quiz_answers().count() < NEW;
+        let answered = self.quiz_answers().filter(|_| !is_new);
+        let answered = answered.map(|it| Topic::with_id(it.topic.clone()));
         let first = FIRST_TOPICS.map(Topic::with_id).into_iter();
         let all = first.chain(taught).chain(answered);
         // A teacher's own topics have no questions here.
         let all: IndexSet<Topic> = all.filter(|it| !it.families().is_empty()).collect();
         all.into_iter().collect()
+    }
+
+    fn quiz_answers(&self) -> impl Iterator<Item = &'a Attempt> {
+        self.attempts.iter().filter(|it| it.is_of_quiz())
     }
 
     fn chapters(&self) -> &'a [Chapter] {
@@ -182,23 +180,18 @@ impl<'a> PathSoFar<'a> {
         let passage = page_about(misconception, belief.shown.iter().copied())?;
         let (chapter, page) = self.book.find(passage)?;
         let number = self.chapters()[chapter].number;
-        Some(match self.has_seen(passage) {
-            false => NextStep {
-                step: Step::ReadPage { chapter, page },
-                words: format!("Read chapter {number}, page {}", page + 1),
-                why,
-            },
-            true => NextStep {
-                step: Step::Check(misconception),
-                words: "Check with two questions".into(),
-                why: format!("{why} Chapter {number}, page {}, covers it.", page + 1),
-            },
-        })
-    }
-
-    fn has_seen(&self, passage: Passage) -> bool {
         let mark = self.book.mark(passage.chapter);
-        mark.is_some_and(|mark| mark.pages.contains_key(passage.page))
+        let has_seen = mark.is_some_and(|mark| mark.pages.contains_key(passage.page));
+        Some(match has_seen {
+            false => {
+                let words = format!("Read chapter {number}, page {}", page + 1);
+                NextStep::new(Step::ReadPage { chapter, page }, words, why)
+            }
+            true => {
+                let why = format!("{why} Chapter {number}, page {}, covers it.", page + 1);
+                NextStep::new(Step::Check(misconception), "Check with two questions", why)
+            }
+        })
     }
 
     fn begun(&self) -> Option<NextStep> {
@@ -209,14 +202,9 @@ impl<'a> PathSoFar<'a> {
             0 => "One of its questions is not answered yet.".into(),
             _ => format!("You have read {seen} of its {} pages.", of_it.pages.len()),
         };
-        Some(NextStep {
-            step: Step::Read {
-                chapter,
-                page: Some(page),
-            },
-            words: format!("Continue chapter {}, page {}", of_it.number, page + 1),
-            why,
-        })
+        let words = format!("Continue chapter {}, page {}", of_it.number, page + 1);
+        let page = Some(page);
+        Some(NextStep::new(Step::Read { chapter, page }, words, why))
     }
 
     /// The ids of the topics about which the player has been asked, in the quiz or in a chapter.
@@ -242,9 +230,7 @@ impl<'a> PathSoFar<'a> {
     fn is_known(&self, at: usize, topics: &TopicsAsked) -> bool {
         let mut taught = Topic::taught_in(&self.chapters()[at].id).peekable();
         if taught.peek().is_none() {
-            return at
-                .checked_sub(1)
-                .is_some_and(|before| self.is_known(before, topics));
+            return at > 0 && self.is_known(at - 1, topics);
         }
         let mut asked = taught.filter_map(|it| topics.get(it.id())).peekable();
         asked.peek().is_some() && asked.all(|known| *known == Some(true))
@@ -253,8 +239,7 @@ impl<'a> PathSoFar<'a> {
     /// Whether at least four in five quiz answers are right. If so, the path leads only to the
     /// chapters that teach missed topics, not to every chapter in order.
     fn knows_most(&self) -> bool {
-        let quiz = self.attempts.iter().filter(|it| it.is_of_quiz());
-        let all = Tally::of(quiz);
+        let all = Tally::of(self.quiz_answers());
         5 * all.right >= 4 * all.attempts
     }
 
@@ -289,14 +274,9 @@ impl<'a> PathSoFar<'a> {
     }
 
     fn begin(&self, chapter: usize, why: String) -> NextStep {
-        NextStep {
-            step: Step::Read {
-                chapter,
-                page: None,
-            },
-            words: format!("Read chapter {}", self.chapters()[chapter].number),
-            why,
-        }
+        let words = format!("Read chapter {}", self.chapters()[chapter].number);
+        let page = None;
+        NextStep::new(Step::Read { chapter, page }, words, why)
     }
 
     fn review(&self) -> Option<NextStep> {
@@ -306,23 +286,20 @@ impl<'a> PathSoFar<'a> {
         }
         let due = Due::of(self.attempts, self.calendar);
         let (first, all) = (due.first().len(), due.now.len());
-        (first > 0).then(|| NextStep {
-            words: format!("Review {}", counted(first, "topic")),
-            why: match all - first {
-                0 => "You missed these, or it is time to repeat them.".into(),
-                _ => format!("{all} topics are due. Ten a day is enough."),
-            },
-            step: Step::Review(due),
-        })
+        let words = format!("Review {}", counted(first, "topic"));
+        let why = match all - first {
+            0 => "You missed these, or it is time to repeat them.".into(),
+            _ => format!("{all} topics are due. Ten a day is enough."),
+        };
+        (first > 0).then(|| NextStep::new(Step::Review(due), words, why))
     }
 
     fn next_chapter(&self, topics: &TopicsAsked) -> Option<NextStep> {
         let all = self.chapters().len();
         let last = self.chapters().iter().rposition(|it| self.book.is_done(it));
         let after = last.map_or(0, |last| last + 1);
-        let mut open = (after..all)
-            .chain(0..after)
-            .filter(|at| self.is_open(*at, topics));
+        let from_there = (after..all).chain(0..after);
+        let mut open = from_there.filter(|at| self.is_open(*at, topics));
         if self.knows_most() {
             let mut open: Vec<usize> = open.collect();
             open.sort_unstable();
@@ -335,12 +312,9 @@ impl<'a> PathSoFar<'a> {
     /// Questions about the first few of these chapters. If none has questions, the step is to read
     /// the first one.
     fn ask(&self, open: &[usize]) -> Option<NextStep> {
-        let has_questions = |at: &&usize| {
-            let id = self.chapters()[**at].id.as_str();
-            ChaptersRead::of([id]).is_some()
-        };
-        let asked = open.iter().filter(has_questions).take(ASKED_AT_ONCE);
-        let asked: Vec<&Chapter> = asked.map(|at| &self.chapters()[*at]).collect();
+        let has_questions = |it: &&Chapter| ChaptersRead::of([it.id.as_str()]).is_some();
+        let asked = open.iter().map(|at| &self.chapters()[*at]);
+        let asked: Vec<_> = asked.filter(has_questions).take(ASKED_AT_ONCE).collect();
         let Some(chapters) = ChaptersRead::of(asked.iter().map(|it| it.id.as_str())) else {
             let why = "You have not read it yet.".to_owned();
             return open.first().map(|chapter| self.begin(*chapter, why));
@@ -351,11 +325,9 @@ impl<'a> PathSoFar<'a> {
             Some((last, others)) => format!("chapters {} and {last}", others.join(", ")),
             None => String::new(),
         };
-        Some(NextStep {
-            step: Step::Ask(chapters),
-            words: format!("Questions on {named}"),
-            why: format!("You have not read {named}. If you know it already, you can skip it."),
-        })
+        let words = format!("Questions on {named}");
+        let why = format!("You have not read {named}. If you know it already, you can skip it.");
+        Some(NextStep::new(Step::Ask(chapters), words, why))
     }
 
     fn pack(&self) -> Option<NextStep> {
@@ -364,21 +336,22 @@ impl<'a> PathSoFar<'a> {
         let won = (0..).zip(self.shelf.levels());
         let won = won.filter(|(at, (of, _))| of.name == pack.name && self.shelf.stars(*at) > 0);
         let (won, all) = (won.count(), pack.levels.len());
-        Some(NextStep {
-            step: Step::Level(level),
-            words: format!("Levels: {}", pack.title().to_lowercase()),
-            why: format!("You have won {won} of the {all} levels in this pack."),
-        })
+        let words = format!("Levels: {}", pack.title().to_lowercase());
+        let why = format!("You have won {won} of the {all} levels in this pack.");
+        Some(NextStep::new(Step::Level(level), words, why))
     }
 }
 
 fn find_out() -> NextStep {
-    NextStep {
-        step: Step::FindOut,
-        words: "Find out what you believe".into(),
-        why: "At most twelve questions, and your answers choose the chapters for you. Guessing is \
-              fine."
-            .into(),
+    let why = "At most twelve questions, and your answers choose the chapters for you. Guessing is \
+               fine.";
+    NextStep::new(Step::FindOut, "Find out what you believe", why)
+}
+
+impl NextStep {
+    fn new(step: Step, words: impl Into<String>, why: impl Into<String>) -> Self {
+        let (words, why) = (words.into(), why.into());
+        Self { step, words, why }
     }
 }
 

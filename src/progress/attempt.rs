@@ -1,12 +1,13 @@
 //! One answer, with everything known about it.
 
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{LEVEL, TABLE};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::{
     Answer, Clue, Code, Confidence, Figures, Form, Grade, Misconception, Question, Rays, Topic,
+    figures,
 };
 
 /// The family to which all questions in chapters belong.
@@ -24,7 +25,7 @@ pub(crate) fn figures_text(figures: &Figures) -> String {
 /// One answer, with everything known about it. An attempt is not specific to the quiz: anything
 /// that asks questions can record answers. The serialized form is used in a pupil's hand-in, a file
 /// that contains the player's name only once.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
     /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` until
     /// the attempt is stored, or if the time is unknown.
@@ -77,28 +78,21 @@ impl Attempt {
         answer: &Answer,
     ) -> Self {
         let grade = Grade::new(question, answer);
-        let figures = [
-            (ROUND, code.to_string()),
-            ("difficulty", question.difficulty.id().into()),
-        ];
+        let noted = json!({(ROUND): code.to_string(), "difficulty": question.difficulty.id()});
         let attempt = Self {
-            time_s: None,
             player: player.to_owned(),
             family: question.family.id().to_owned(),
             topic: question.topic.id().to_owned(),
             seed: code.seed,
             number,
-            question: figures
-                .map(|(name, it)| (name.into(), it.into()))
-                .into_iter()
-                .collect(),
+            question: figures(noted),
             answer: question.form.kept(&answer.said),
             truth: question.form.kept(&question.form.truth()),
             error_deg: grade.angle_error.map(deg_from_rad),
             credit: grade.credit,
             right: grade.right,
             confidence: Some(answer.confidence),
-            misconception: None,
+            ..Self::default()
         };
         attempt.with_evidence(question, answer)
     }
@@ -109,10 +103,8 @@ impl Attempt {
         let clue = Clue::new(question, answer);
         let beliefs = clue.could_show.iter().map(|it| it.id());
         self.question.extend(question.figures.clone());
-        self.question
-            .insert(MISCONCEPTIONS.into(), beliefs.collect());
-        self.question
-            .insert(BY_CHANCE.into(), clue.by_chance.into());
+        let noted = json!({(MISCONCEPTIONS): Vec::from_iter(beliefs), (BY_CHANCE): clue.by_chance});
+        self.question.extend(figures(noted));
         self.misconception = clue.shows.map(|it| it.id().to_owned());
         self
     }
@@ -244,9 +236,7 @@ impl Attempt {
 fn lesson_answer_is_possible(answer: &Figures) -> bool {
     match (answer.get("number"), answer.get("choice")) {
         (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
-        (None, Some(line)) => line
-            .as_u64()
-            .is_some_and(|line| (1..=MOST_LINES).contains(&line)),
+        (None, Some(line)) => matches!(line.as_u64(), Some(1..=MOST_LINES)),
         _ => Rays::of_figures(answer).is_some_and(|it| it.are_in_range()),
     }
 }

@@ -58,16 +58,12 @@ impl HeldBelief {
     /// How the misconception develops.
     pub(crate) fn trend(&self) -> Trend {
         let Self { before, since, .. } = self;
-        if since.asked == 0 {
-            Trend::NotMet
-        } else if since.denies() {
-            Trend::Gone
-        } else if since.weight < 0.0 {
-            Trend::Fading
-        } else if before.weight > 0.0 {
-            Trend::Held
-        } else {
-            Trend::New
+        match since {
+            Evidence { asked: 0, .. } => Trend::NotMet,
+            since if since.denies() => Trend::Gone,
+            since if since.weight < 0.0 => Trend::Fading,
+            _ if before.weight > 0.0 => Trend::Held,
+            _ => Trend::New,
         }
     }
 }
@@ -136,19 +132,16 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
     let (before, since) = clues.split_at(clues.len() / 2);
-    let mut beliefs: Vec<HeldBelief> = Misconception::ALL
-        .iter()
-        .filter_map(|&misconception| {
-            let [all, before, since] =
-                [&clues, before, since].map(|clues| Evidence::of(misconception, clues));
-            let named = [all, before, since].iter().any(Evidence::names);
-            named.then_some(HeldBelief {
-                misconception,
-                before,
-                since,
-            })
+    let held = |misconception: &Misconception| {
+        let evidence = [&clues, before, since].map(|it| Evidence::of(*misconception, it));
+        let [_, before, since] = evidence;
+        evidence.iter().any(Evidence::names).then_some(HeldBelief {
+            misconception: *misconception,
+            before,
+            since,
         })
-        .collect();
+    };
+    let mut beliefs: Vec<_> = Misconception::ALL.iter().filter_map(held).collect();
     beliefs.sort_by(|a, b| {
         let since = a.since.stronger_first(&b.since);
         since.then_with(|| a.before.stronger_first(&b.before))

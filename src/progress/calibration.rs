@@ -43,13 +43,10 @@ impl Calibrated {
 
 /// The results for each confidence level, the least sure level first.
 pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
-    Confidence::ALL.map(|confidence| Calibrated {
-        confidence,
-        tally: Tally::of(
-            attempts
-                .iter()
-                .filter(|it| it.confidence == Some(confidence)),
-        ),
+    Confidence::ALL.map(|confidence| {
+        let is_so_sure = |it: &&Attempt| it.confidence == Some(confidence);
+        let tally = Tally::of(attempts.iter().filter(is_so_sure));
+        Calibrated { confidence, tally }
     })
 }
 
@@ -60,10 +57,8 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
 pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize, f64)>; 3] {
     let reach = reach.max(ENOUGH);
     Confidence::ALL.map(|confidence| {
-        let numbered = (1..).zip(attempts);
-        let of_it: Vec<_> = numbered
-            .filter(|(_, attempt)| attempt.confidence == Some(confidence))
-            .collect();
+        let is_so_sure = |(_, it): &(usize, &Attempt)| it.confidence == Some(confidence);
+        let of_it: Vec<_> = (1..).zip(attempts).filter(is_so_sure).collect();
         let point = |end: usize| {
             let window = &of_it[end.saturating_sub(reach)..end];
             let right = window.iter().filter(|(_, attempt)| attempt.right).count();
@@ -77,12 +72,11 @@ pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<
 /// A comment of one or two sentences on the confidence level whose fraction of right answers is
 /// farthest outside its range; in a tie, on the higher level.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
-    let gap = |it: &&Calibrated| it.beyond().abs();
-    let widest = calibration
-        .iter()
-        .max_by(|a, b| gap(a).total_cmp(&gap(b)))
-        .map_or((Confidence::Sure, 0.0), |it| (it.confidence, it.beyond()));
-    match widest {
+    let [.., last] = calibration;
+    let gap = |it: &Calibrated| it.beyond().abs();
+    let widest = calibration.iter().max_by(|a, b| gap(a).total_cmp(&gap(b)));
+    let widest = widest.unwrap_or(last);
+    match (widest.confidence, widest.beyond()) {
         (Confidence::Sure, beyond) if beyond < 0.0 => {
             "You are sure too often. Before you say \"sure\", ask what would have to be true \
              for you to be wrong."

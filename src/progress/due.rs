@@ -21,10 +21,8 @@ impl Due {
             return Self::default();
         };
         let mut due = Self::default();
-        for review in reviews(attempts, calendar)
-            .into_iter()
-            .filter(Review::is_of_quiz)
-        {
+        let reviews = reviews(attempts, calendar).into_iter();
+        for review in reviews.filter(is_of_quiz) {
             if review.is_due(today) {
                 due.now.push(Topic::with_id(review.topic));
             } else if due.next.is_none() {
@@ -46,12 +44,9 @@ impl Due {
     }
 }
 
-impl Review {
-    /// Whether the quiz has questions about the topic: a teacher's own questions may have other
-    /// topics.
-    fn is_of_quiz(&self) -> bool {
-        self.family != LESSON && !Topic::with_id(self.topic.clone()).families().is_empty()
-    }
+/// Whether the quiz has questions about the topic: a teacher's own questions may have other topics.
+fn is_of_quiz(review: &Review) -> bool {
+    review.family != LESSON && !Topic::with_id(review.topic.clone()).families().is_empty()
 }
 
 #[cfg(test)]

@@ -6,7 +6,10 @@ use serde_json::{Value, json};
 
 use super::attempt::{ROUND, figures_text};
 use super::observation::observations_json;
-use super::{Attempt, Observation, ObservationCounts, TABLE, Tally, beliefs, calibration, topics};
+use super::{
+    Attempt, Calibrated, HeldBelief, Observation, ObservationCounts, TABLE, Tally, TopicStanding,
+    beliefs, calibration, topics,
+};
 use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
@@ -69,10 +72,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         (_, number) => number.to_string(),
     };
     let row = |attempt: &Attempt| {
-        let cells = COLUMNS
-            .iter()
-            .map(|(head, value)| cell(head, value(attempt)));
-        cells.chain(in_words(attempt)).collect()
+        let cells = COLUMNS.map(|(head, value)| cell(head, value(attempt)));
+        cells.into_iter().chain(in_words(attempt)).collect()
     };
     let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
     let heads = COLUMNS.iter().map(|(head, _)| *head).chain(IN_WORDS);
@@ -84,8 +85,7 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
 fn tidied(said: &Figures) -> Figures {
     let mut said = said.clone();
     for value in said.values_mut() {
-        let number = value.as_f64().map(numbers::tidy);
-        match number {
+        match value.as_f64().map(numbers::tidy) {
             Some(x) if x.fract() == 0.0 && x.abs() < 1e15 => *value = json!(x as i64),
             Some(x) => *value = json!(x),
             None => {}
@@ -117,7 +117,7 @@ pub fn json(
     summary["observations"] = ObservationCounts::new(observed).json();
     let all = All {
         summary,
-        attempts,
+        attempts: attempts.iter().map(AttemptRow).collect(),
         observations: observations_json(observed),
     };
     let mut text = Vec::new();
@@ -128,14 +128,8 @@ pub fn json(
 #[derive(Serialize)]
 struct All<'a> {
     summary: Value,
-    #[serde(serialize_with = "rows")]
-    attempts: &'a [Attempt],
+    attempts: Vec<AttemptRow<'a>>,
     observations: Value,
-}
-
-/// Serializes attempts one by one, because there may be very many.
-fn rows<S: Serializer>(attempts: &[Attempt], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(attempts.iter().map(AttemptRow))
 }
 
 /// An attempt, serialized in the order of the [`COLUMNS`].
@@ -165,47 +159,38 @@ fn summary(attempts: &[Attempt], next: Option<&str>) -> Value {
             "mean_error_deg": tally.mean_error_deg(),
         })
     };
-    let topics: Vec<_> = topics(attempts)
-        .iter()
-        .map(|topic| {
-            json!({
-                "topic": topic.name,
-                "mastery": topic.mastery().name(),
-                "all": tally(&topic.all),
-                "lately": tally(&topic.lately),
-            })
+    let topic = |it: &TopicStanding| {
+        json!({
+            "topic": it.name,
+            "mastery": it.mastery().name(),
+            "all": tally(&it.all),
+            "lately": tally(&it.lately),
         })
-        .collect();
-    let calibration: Vec<_> = calibration(attempts)
-        .iter()
-        .map(|it| {
-            json!({
-                "confidence": it.confidence.id(),
-                "attempts": it.tally.attempts,
-                "right": it.tally.right,
-            })
+    };
+    let calibrated = |it: &Calibrated| {
+        json!({
+            "confidence": it.confidence.id(),
+            "attempts": it.tally.attempts,
+            "right": it.tally.right,
         })
-        .collect();
-    let beliefs: Vec<_> = beliefs(attempts)
-        .iter()
-        .map(|belief| {
-            json!({
-                "misconception": belief.misconception.id(),
-                "before": belief.before.times,
-                "before_asked": belief.before.asked,
-                "since": belief.since.times,
-                "since_asked": belief.since.asked,
-                "before_evidence": belief.before.weight,
-                "since_evidence": belief.since.weight,
-                "trend": belief.trend().name(),
-            })
+    };
+    let belief = |it: &HeldBelief| {
+        json!({
+            "misconception": it.misconception.id(),
+            "before": it.before.times,
+            "before_asked": it.before.asked,
+            "since": it.since.times,
+            "since_asked": it.since.asked,
+            "before_evidence": it.before.weight,
+            "since_evidence": it.since.weight,
+            "trend": it.trend().name(),
         })
-        .collect();
+    };
     json!({
         "all": tally(&Tally::of(attempts)),
-        "topics": topics,
-        "calibration": calibration,
-        "misconceptions": beliefs,
+        "topics": topics(attempts).iter().map(topic).collect::<Value>(),
+        "calibration": calibration(attempts).iter().map(calibrated).collect::<Value>(),
+        "misconceptions": beliefs(attempts).iter().map(belief).collect::<Value>(),
         "calls": calls(attempts),
         "next": next,
     })

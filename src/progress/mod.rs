@@ -39,7 +39,6 @@ pub use schedule::Review;
 pub(crate) use schedule::reviews;
 pub use summary::Summary;
 pub use tally::Tally;
-pub(crate) use tally::discrimination;
-pub(crate) use tally::{ENOUGH_ANGLES, ends_deg, smoothed_errors_deg};
+pub(crate) use tally::{ENOUGH_ANGLES, discrimination, ends_deg, smoothed_errors_deg};
 pub use topics::topics;
 pub(crate) use topics::{LATELY, Mastery, TopicStanding};

@@ -50,17 +50,19 @@ impl Attempt {
                 grade.is_right(),
             ),
             Some(ray) => {
-                let grade = RayGrade {
-                    error: said.apart(&truth, ray),
-                };
+                let error = said.apart(&truth, ray);
+                let grade = RayGrade { error };
                 let angles = [said, &truth].map(|rays| rays.get(ray));
-                let (error, credit) = (grade.error, grade.credit());
-                (one_ray(ray, angles), error, credit, grade.is_right())
+                (
+                    one_ray(ray, angles),
+                    error,
+                    grade.credit(),
+                    grade.is_right(),
+                )
             }
         };
         let [answer, truth] = said_and_true;
         let mut attempt = Self {
-            time_s: None,
             player: predicted.player.to_owned(),
             family: predicted.family.to_owned(),
             topic: hit.reviewed_as().id().to_owned(),
@@ -72,8 +74,7 @@ impl Attempt {
             error_deg: error.map(deg_from_rad),
             credit,
             right,
-            confidence: None,
-            misconception: None,
+            ..Self::default()
         };
         if let Some(ray) = predicted.only {
             let name = match ray {

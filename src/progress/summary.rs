@@ -4,8 +4,8 @@ use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration, page_about};
 use crate::numbers;
 use crate::physics::units::rad_from_deg;
 use crate::quiz::{
-    ChaptersRead, Clue, Confidence, Evidence, Grade, Misconception, Origin, Passage, Rays,
-    RaysGrade, Topic, evidence, named,
+    ChaptersRead, Clue, Evidence, Grade, Misconception, Origin, Passage, Rays, RaysGrade, Topic,
+    evidence, named,
 };
 
 /// The minimum number of answers for a comment on calibration.
@@ -75,11 +75,8 @@ impl<'a> Summary<'a> {
             let grade = RaysGrade::new(&said?, &truth?);
             Some([grade.striker.error, grade.target.error])
         };
-        let errors = self
-            .attempts
-            .iter()
-            .flat_map(move |it| of_rays(it).unwrap_or([it.error_deg.map(rad_from_deg), None]));
-        errors.flatten()
+        let of_attempt = move |it| of_rays(it).unwrap_or([it.error_deg.map(rad_from_deg), None]);
+        self.attempts.iter().flat_map(of_attempt).flatten()
     }
 
     /// The number of angles.
@@ -93,33 +90,25 @@ impl<'a> Summary<'a> {
         (count >= ENOUGH_ANGLES).then(|| self.errors().sum::<f64>() / count as f64)
     }
 
-    /// The number of answers with this confidence level, and how many of them were right.
-    pub fn calibration(&self, confidence: Confidence) -> (usize, usize) {
-        let tally = self.calibration[confidence as usize].tally;
-        (tally.attempts, tally.right)
-    }
-
     /// A comment on how well the confidence matched the answers; empty if there are no answers.
     pub fn calibration_words(&self) -> String {
-        let (sure, sure_right) = self.calibration(Confidence::Sure);
-        let (thought, thought_right) = self.calibration(Confidence::ThinkSo);
-        let (guesses, guesses_right) = self.calibration(Confidence::Guess);
-        let counted = match sure {
+        let [guess, think_so, sure] = self.calibration.map(|it| it.tally);
+        let counted = match (sure.attempts, sure.right) {
             _ if self.attempts.is_empty() => return String::new(),
-            0 => "You were never sure.".into(),
-            1 if sure_right == 1 => "Sure once, and right.".into(),
-            1 => "Sure once, and wrong.".into(),
-            _ => format!("Sure {sure} times: {sure_right} right."),
+            (0, _) => "You were never sure.".into(),
+            (1, 1) => "Sure once, and right.".into(),
+            (1, _) => "Sure once, and wrong.".into(),
+            (times, right) => format!("Sure {times} times: {right} right."),
         };
         // "Sure" earns the most points if at least four in five answers are right, and "guess" if
         // at most one in two is right. A single wrong "think so" is not enough for a comment.
-        let verdict = if 5 * sure_right < 4 * sure {
+        let verdict = if 5 * sure.right < 4 * sure.attempts {
             "Review the answers that were sure but wrong: they teach you most."
-        } else if 2 * guesses_right > guesses
-            || sure == 0 && 5 * self.right() >= 4 * self.attempts.len()
+        } else if 2 * guess.right > guess.attempts
+            || sure.attempts == 0 && 5 * self.right() >= 4 * self.attempts.len()
         {
             "You know more than you think."
-        } else if thought > 1 && 2 * thought_right < thought {
+        } else if think_so.attempts > 1 && 2 * think_so.right < think_so.attempts {
             "\"Think so\" was right less than half the time: a guess would have cost nothing."
         } else if self.attempts.len() < ENOUGH_ANSWERS || self.right() == 0 {
             // There are too few answers, or all are wrong, so they show nothing about calibration.
@@ -136,11 +125,9 @@ impl<'a> Summary<'a> {
         named(&clues)
     }
 
-    /// The misconception with the strongest evidence, and the number of answers that fit this
-    /// misconception.
-    pub fn most_held(&self) -> Option<(Misconception, usize)> {
-        let named = self.named();
-        named.first().map(|it| (it.misconception, it.times))
+    /// The misconception with the strongest evidence.
+    pub fn most_held(&self) -> Option<Misconception> {
+        self.named().first().map(|it| it.misconception)
     }
 
     /// A sentence about the misconception with the strongest evidence.
@@ -239,7 +226,7 @@ impl<'a> Summary<'a> {
     /// in the order of the chapters, that teaches a missed topic; topics missed with "sure" come
     /// first. `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
-        if let Some((misconception, _)) = self.most_held() {
+        if let Some(misconception) = self.most_held() {
             let shows = |it: &&Attempt| it.shows() == Some(misconception);
             let shown = self.attempts.iter().filter(shows);
             return page_about(misconception, shown);
@@ -273,7 +260,7 @@ fn times_as(weight: f64) -> String {
 mod tests {
     use super::*;
     use crate::physics::ImpactPoint;
-    use crate::quiz::{Answer, Code, Hit, Pieces, Question, Response};
+    use crate::quiz::{Answer, Code, Confidence, Hit, Pieces, Question, Response};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,

@@ -32,11 +32,8 @@ impl Tally {
     pub(crate) fn of_grades(grades: impl IntoIterator<Item = Grade>) -> Self {
         let mut tally = Self::default();
         for grade in grades {
-            tally.count(
-                grade.right,
-                grade.credit,
-                grade.angle_error.map(deg_from_rad),
-            );
+            let error_deg = grade.angle_error.map(deg_from_rad);
+            tally.count(grade.right, grade.credit, error_deg);
         }
         tally
     }

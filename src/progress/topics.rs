@@ -85,9 +85,7 @@ impl TopicStanding {
 
     /// How well the topic is known.
     pub(crate) fn mastery(&self) -> Mastery {
-        let Tally {
-            attempts, right, ..
-        } = self.lately;
+        let (attempts, right) = (self.lately.attempts, self.lately.right);
         match attempts {
             0 => Mastery::New,
             _ if attempts >= LATELY && 5 * right >= 4 * attempts => Mastery::Solid,

@@ -4,33 +4,19 @@
 use super::recall::Recall;
 use super::{Context, Next, Route};
 use crate::lessons::Book;
-use crate::messages::{StoreAnswer, StoreRequest};
-use crate::path::{NextStep, PathDone, PathSoFar, Step};
-use crate::quiz::{Code, Course, Passage};
+use crate::messages::{Input, StoreRequest};
+use crate::path::{NextStep, PathDone, Step};
+use crate::quiz::{Course, Passage};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
 /// The player's record, and the next step once the whole record is known.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Ahead {
     /// The player whose record this is.
     player: String,
     pub(super) history: Recall,
-    /// The request for the updated record; until it arrives, the earlier record is shown.
-    again: Option<Recall>,
     found: Option<(NextStep, PathDone)>,
-}
-
-impl Default for Ahead {
-    /// Nothing has been requested yet.
-    fn default() -> Self {
-        Self {
-            player: String::new(),
-            history: Recall::Asked(0),
-            again: None,
-            found: None,
-        }
-    }
 }
 
 impl Ahead {
@@ -42,42 +28,33 @@ impl Ahead {
         Self {
             player,
             history: Recall::ask(cx),
-            again: None,
-            found: None,
+            ..Self::default()
         }
     }
 
-    /// Requests the record again, because the player has done something.
+    /// Requests the record again, because the player has done something; until it arrives, the
+    /// earlier record is shown.
     pub(super) fn ask_again(&mut self, cx: &mut Context) {
         let fresh = Self::ask(cx);
         match fresh.player == self.player {
-            true => self.again = Some(fresh.history),
+            true => self.history.ticket = fresh.history.ticket,
             false => *self = fresh,
         }
     }
 
-    /// Handles `answer`, if it belongs to one of the requests.
-    pub(super) fn take(&mut self, answer: &StoreAnswer, cx: &Context) {
-        self.history.take(answer);
-        if let Some(again) = &mut self.again {
-            again.take(answer);
-            if !matches!(again, Recall::Asked(_)) {
-                self.history = again.clone();
-                self.again = None;
-            }
-        }
-        let Recall::Known(history) = &self.history else {
-            return;
+    /// Handles an answer from the store, which may belong to one of the requests.
+    pub(super) fn input(&mut self, input: &Input, cx: &Context) -> Next {
+        let Input::Kept(answer) = input else {
+            return Next::Ignored;
         };
-        if cx.book.is_known() {
-            let so_far = PathSoFar {
-                attempts: &history.attempts,
-                calendar: &history.calendar,
-                book: &cx.book,
-                shelf: &cx.shelf,
-            };
+        self.history.take(answer);
+        if let Some(history) = self.history.known()
+            && cx.book.is_known()
+        {
+            let so_far = cx.so_far(history);
             self.found = Some((so_far.next_step(), so_far.done()));
         }
+        Next::Stay
     }
 
     /// The next step, once it is known.
@@ -96,8 +73,8 @@ impl Ahead {
 
     /// Opens the next step on top of the screen that shows it.
     pub(super) fn follow(&self, cx: &mut Context) -> Next {
-        let step = self.step().map(|it| it.step.clone());
-        step.map_or(Next::Stay, |step| Next::Open(route(&step, cx)))
+        let step = self.step();
+        step.map_or(Next::Stay, |it| Next::Open(route(&it.step, cx)))
     }
 
     /// Writes the next step, which `action` opens, and the reason for it.
@@ -127,35 +104,19 @@ impl Ahead {
 
 /// The route that a step opens.
 fn route(step: &Step, cx: &mut Context) -> Route {
-    if let Step::FindOut = step {
+    match (step, step.round()) {
         // The screen for choosing a round explains the round before it begins.
-        return Route::Quiz { code: None };
-    }
-    if let Some(kind) = step.round() {
-        let code = Code {
-            course: Course::new(kind),
-            seed: cx.next_seed(),
-        };
-        return Route::Quiz { code: Some(code) };
-    }
-    match *step {
-        Step::ReadPage { chapter, page } => Route::Page {
-            number: chapter,
-            page,
-        },
-        Step::Read { chapter, page } => {
-            let left = cx.book.chapter(chapter).map_or(0, |of_it| {
-                cx.book.mark(&of_it.id).map_or(0, |mark| mark.page(of_it))
-            });
-            match page.filter(|page| *page != left) {
-                Some(page) => Route::Page {
-                    number: chapter,
-                    page,
-                },
-                None => Route::Chapter { number: chapter },
+        (Step::FindOut, _) => Route::Quiz(None),
+        (_, Some(kind)) => Route::Quiz(Some(cx.next_code(Course::new(kind)))),
+        (&Step::ReadPage { chapter, page }, _) => Route::Page { chapter, page },
+        (&Step::Read { chapter, page }, _) => {
+            let left = cx.book.chapter(chapter).map(|it| cx.book.left_at(it));
+            match page.filter(|page| left != Some(*page)) {
+                Some(page) => Route::Page { chapter, page },
+                None => Route::Chapter(chapter),
             }
         }
-        Step::Level(number) => Route::Level { number },
+        (&Step::Level(number), _) => Route::Level(number),
         _ => Route::Table,
     }
 }

@@ -11,14 +11,15 @@ use super::route::Route;
 use super::settings::{KeptSettings, Settings};
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
-use crate::messages::{Effect, HostCall, JoinCall, PlayerAction, StoreCall, StoreRequest};
-use crate::progress::{Attempt, Observation};
-use crate::quiz::Code;
+use crate::messages::{Effect, History, HostCall, JoinCall, PlayerAction, StoreCall, StoreRequest};
+use crate::path::PathSoFar;
+use crate::progress::{Attempt, Observation, ObservationPlace};
 use crate::quiz::concepts::Library;
+use crate::quiz::{Code, Course, Rays};
 use crate::widgets::{PictureSizes, Room};
 
 /// Shared state, passed to a screen during a call.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Context {
     /// The appearance and behaviour of the app.
     pub settings: Settings,
@@ -52,20 +53,19 @@ impl Context {
     pub fn new(settings: Settings, seed: u64) -> Self {
         Self {
             settings,
-            body: Rect::default(),
-            pictures: None,
-            shelf: Shelf::default(),
-            book: Book::default(),
-            own: Arc::default(),
-            class: None,
-            lab: None,
-            folder: None,
             kept: Some(KeptSettings::default()),
             seed,
-            rounds: 0,
-            tickets: 0,
-            asked: Vec::new(),
-            reported: None,
+            ..Self::default()
+        }
+    }
+
+    /// What is known about the player, whose record is `history`.
+    pub(super) fn so_far<'a>(&'a self, history: &'a History) -> PathSoFar<'a> {
+        PathSoFar {
+            attempts: &history.attempts,
+            calendar: &history.calendar,
+            book: &self.book,
+            shelf: &self.shelf,
         }
     }
 
@@ -158,9 +158,19 @@ impl Context {
         self.note(PlayerAction::Record(Box::new(attempt)));
     }
 
-    /// Saves what the player saw.
-    pub fn observe(&mut self, observation: Observation) {
-        self.note(PlayerAction::Observe(Box::new(observation)));
+    /// Saves what the player saw in a hit, and returns it.
+    pub fn observe(&mut self, place: ObservationPlace, rays: [Rays; 3]) -> Observation {
+        let [said, truth, seen] = rays;
+        let observation = Observation {
+            time_s: None,
+            player: self.settings.player.clone(),
+            place,
+            said,
+            truth,
+            seen,
+        };
+        self.note(PlayerAction::Observe(Box::new(observation.clone())));
+        observation
     }
 
     /// Requests that `content` be written to a file called `name`.
@@ -211,6 +221,12 @@ impl Context {
     /// The app's own seed.
     pub const fn seed(&self) -> u64 {
         self.seed
+    }
+
+    /// The code of another round of a course.
+    pub(super) fn next_code(&mut self, course: Course) -> Code {
+        let seed = self.next_seed();
+        Code { course, seed }
     }
 
     /// The seed of the next round: at first the app's own seed, then others that follow from it.

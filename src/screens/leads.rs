@@ -8,8 +8,8 @@ use crate::widgets::panel::Panel;
 /// Opens the page on top of the screen that names it; that screen does not change.
 pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
     let found = passage.and_then(|passage| cx.book.find(passage));
-    found.map_or(Next::Stay, |(number, page)| {
-        Next::Open(Route::Page { number, page })
+    found.map_or(Next::Stay, |(chapter, page)| {
+        Next::Open(Route::Page { chapter, page })
     })
 }
 

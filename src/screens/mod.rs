@@ -57,12 +57,20 @@ pub trait Screen {
     /// line.
     const HELP: &'static str;
 
-    /// The screen's name for the title line, in lower case.
-    fn title(&self) -> String;
+    /// The screen's name for the title line, in lower case, if it is always the same.
+    const TITLE: &'static str = "";
+
+    /// The route that opens this screen, if it is always the same.
+    const ROUTE: Route = Route::Home;
+
+    /// The screen's name for the title line.
+    fn title(&self) -> String {
+        Self::TITLE.into()
+    }
 
     /// The route that opens this screen in its current state.
     fn route(&self, _cx: &Context) -> Route {
-        Route::Home
+        Self::ROUTE
     }
 
     /// The rest of the title line: a short summary of the screen's state.
@@ -151,14 +159,17 @@ pub enum Next {
     Confirm(Confirmation),
     /// The action of a key that means the same on every screen.
     Shared(SharedAction),
-    /// Leave the program.
-    Quit,
 }
 
 impl Next {
     /// The consequence of an input, depending on whether it was used.
     pub(crate) fn after(used: bool) -> Self {
         if used { Self::Stay } else { Self::Ignored }
+    }
+
+    /// Scrolls the text by this many rows.
+    pub(crate) const fn scroll(rows: i16) -> Self {
+        Self::Shared(SharedAction::Scroll(rows))
     }
 
     /// The consequence of an input to a part of the screen; `done` computes it from the result.

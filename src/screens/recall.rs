@@ -6,59 +6,57 @@ use crate::progress::Observation;
 use crate::widgets::Role;
 
 /// The player's record, if it has been loaded.
-#[derive(Debug, Clone)]
-pub(super) enum Recall {
-    /// It has been requested with this ticket.
-    Asked(u64),
-    /// It cannot be loaded, for this reason.
-    Unknown(String),
-    Known(Box<History>),
+#[derive(Debug, Clone, Default)]
+pub(super) struct Recall {
+    /// The ticket of the latest request.
+    pub(super) ticket: u64,
+    /// The record, or the reason why it cannot be loaded; `None` until the first answer.
+    record: Option<Result<Box<History>, String>>,
 }
 
 impl Recall {
     /// Requests the record.
     pub(super) fn ask(cx: &mut Context) -> Self {
         let player = cx.settings.player.clone();
-        Self::Asked(cx.ask(StoreRequest::Recall(Some(player))))
+        Self {
+            ticket: cx.ask(StoreRequest::Recall(Some(player))),
+            record: None,
+        }
     }
 
-    /// Stores the result if `answer` belongs to this request.
+    /// Stores the result if `answer` belongs to the latest request.
     pub(super) fn take(&mut self, answer: &StoreAnswer) {
-        if let (Self::Asked(ticket), StoreReply::Recalled(recalled)) = (&*self, &answer.done)
-            && *ticket == answer.ticket
+        if let StoreReply::Recalled(recalled) = &answer.done
+            && answer.ticket == self.ticket
         {
-            *self = match recalled {
-                Ok(history) => Self::Known(history.clone()),
-                Err(reason) => Self::Unknown(reason.clone()),
-            };
+            self.record = Some(recalled.clone());
         }
     }
 
     /// A message that says that the record is being loaded, or why it cannot be loaded.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
-        match self {
-            Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),
-            Self::Unknown(reason) => {
+        match &self.record {
+            None => Some(("Loading …".into(), Role::Dim)),
+            Some(Err(reason)) => {
                 let message = format!("Your progress cannot be loaded: {reason}.");
                 Some((message, Role::Warn))
             }
-            Self::Known(_) => None,
+            Some(Ok(_)) => None,
         }
+    }
+
+    /// The record, if it has been loaded.
+    pub(super) fn known(&self) -> Option<&History> {
+        self.record.as_ref()?.as_deref().ok()
     }
 
     /// What the player saw in hits; empty until the record has been loaded.
     pub(super) fn observations(&self) -> &[Observation] {
-        match self {
-            Self::Known(history) => &history.observations,
-            Self::Asked(_) | Self::Unknown(_) => &[],
-        }
+        self.known().map_or(&[], |it| &it.observations)
     }
 
     /// The player's history, if it has been loaded and contains any attempts.
     pub(super) fn history(&self) -> Option<&History> {
-        match self {
-            Self::Known(history) if !history.attempts.is_empty() => Some(history),
-            _ => None,
-        }
+        self.known().filter(|it| !it.attempts.is_empty())
     }
 }

@@ -2,20 +2,24 @@
 
 use std::sync::Arc;
 
+use strum::IntoStaticStr;
+
 use crate::class::JoinCode;
 use crate::game::{BoardCode, Rules};
 use crate::measure::Measurement;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 
-/// A screen to open, with its contents.
-#[derive(Debug, Clone, PartialEq)]
+/// A screen to open, with its contents. The name of a route is the one in links.
+#[derive(Debug, Clone, PartialEq, IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum Route {
     /// The first screen.
     Home,
     /// The lab.
     Lab,
     /// The lab with a collision set up.
+    #[strum(serialize = "lab")]
     LabOf {
         /// The collision.
         setup: CollisionSpec,
@@ -26,24 +30,21 @@ pub enum Route {
     Learn,
     /// The glossary.
     Glossary,
-    /// A chapter, at the page where the player left it.
-    Chapter {
-        /// Its index among all chapters.
-        number: usize,
-    },
+    /// The chapter with this index among all chapters, at the page where the player left it.
+    #[strum(serialize = "lesson")]
+    Chapter(usize),
     /// A page of a chapter, to look something up; the chapter's bookmark does not change.
+    #[strum(serialize = "lesson")]
     Page {
         /// The chapter's index among all chapters.
-        number: usize,
+        chapter: usize,
         /// The page, from 0.
         page: usize,
     },
-    /// The quiz.
-    Quiz {
-        /// The code of the round to play; with `None` the player chooses one.
-        code: Option<Code>,
-    },
+    /// The round of the quiz with this code; with `None` the player chooses one.
+    Quiz(Option<Code>),
     /// An interrupted round of the quiz, to resume.
+    #[strum(serialize = "quiz")]
     OpenRound {
         /// The code of the round.
         code: Code,
@@ -62,6 +63,7 @@ pub enum Route {
         name: String,
     },
     /// A round for a class in which each pupil uses their own device.
+    #[strum(serialize = "class")]
     Host {
         /// The code of the round; with `None` the teacher chooses one.
         code: Option<Code>,
@@ -81,41 +83,24 @@ pub enum Route {
         /// Whether the pupil has already joined once and is rejoining without the form.
         again: bool,
     },
-    /// The foil: beams of many particles.
-    Foil,
-    /// A page of the foil.
-    FoilAt {
-        /// The page.
-        page: FoilPage,
-    },
+    /// The foil, with its beams of many particles, at a page.
+    Foil(FoilPage),
     /// The table: carrom itself.
     Table,
-    /// A board for one player.
-    Board {
-        /// The code of the board; with `None` it is the board of the day.
-        code: Option<BoardCode>,
-    },
-    /// The rules of carrom.
-    Rules {
-        /// The set of rules.
-        rules: Rules,
-    },
+    /// The board for one player with this code; with `None` it is the board of the day.
+    Board(Option<BoardCode>),
+    /// A set of rules of carrom.
+    Rules(Rules),
     /// A measured collision.
-    Measured {
-        /// The measurement.
-        measurement: Arc<Measurement>,
-    },
+    Measured(Arc<Measurement>),
     /// The player's progress.
     Progress,
     /// The player's settings.
     Settings,
     /// The list of levels.
     Levels,
-    /// A level.
-    Level {
-        /// Its index among all levels.
-        number: usize,
-    },
+    /// The level with this index among all levels.
+    Level(usize),
 }
 
 /// A page of the foil.

@@ -62,7 +62,7 @@ impl<A> Part<'_, A> {
 /// A function that draws a picture into its area.
 type DrawPicture<'s> = Box<dyn Fn(Rect, &mut Buffer, &Look) + 's>;
 
-impl<'s, A> View<'s, A> {
+impl<'s, A: Copy> View<'s, A> {
     /// A picture under a title, and a panel beside it.
     pub(super) fn picture(
         title: impl Into<String>,
@@ -178,10 +178,7 @@ impl<'s, A> View<'s, A> {
         room: Room,
         writing: &Writing,
         key: &dyn Fn(&A) -> Option<String>,
-    ) -> PlacedView<'_, A>
-    where
-        A: Copy,
-    {
+    ) -> PlacedView<'_, A> {
         let under = |small: bool| self.placed_under(small, room, writing, key);
         let large = under(false);
         // A small heading leaves more rows for the pages. The large heading is used only if the
@@ -206,10 +203,7 @@ impl<'s, A> View<'s, A> {
         room: Room,
         writing: &Writing,
         key: &dyn Fn(&A) -> Option<String>,
-    ) -> PlacedView<'_, A>
-    where
-        A: Copy,
-    {
+    ) -> PlacedView<'_, A> {
         let look = &writing.look;
         let [above, area] = areas::upper(room.area, self.tabs.is_some().into());
         let heading = self.heading.as_ref();

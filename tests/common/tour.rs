@@ -5,7 +5,7 @@ use carrom::game::{BoardCode, Rules};
 use carrom::levels::Shelf;
 use carrom::measure::{self, Given, Measurement, Reading};
 use carrom::quiz::Code;
-use carrom::screens::{Route, Settings};
+use carrom::screens::{FoilPage, Route, Settings};
 use carrom::shells::classroom::Who;
 use carrom::shells::{Classroom, Headless};
 
@@ -343,16 +343,14 @@ impl TourStop {
         let settings = Settings { sees, ..settings };
         let place = match place {
             "learn" => Route::Learn,
-            "chapter" => Route::Chapter { number: number() },
+            "chapter" => Route::Chapter(number()),
             "lab" => Route::Lab,
             "hidden-lab" => Route::LabOf {
                 setup: Default::default(),
                 hidden: true,
             },
-            "foil" => Route::Foil,
-            "quiz" => Route::Quiz {
-                code: Code::parse(rest),
-            },
+            "foil" => Route::Foil(FoilPage::default()),
+            "quiz" => Route::Quiz(Code::parse(rest)),
             "class" => {
                 let mut words = rest.split_whitespace();
                 Route::Class {
@@ -368,16 +366,10 @@ impl TourStop {
             },
             "glossary" => Route::Glossary,
             "levels" => Route::Levels,
-            "level" => Route::Level {
-                number: Shelf::default().find(rest).expect(rest),
-            },
+            "level" => Route::Level(Shelf::default().find(rest).expect(rest)),
             "table" => Route::Table,
-            "board" => Route::Board {
-                code: BoardCode::parse(rest).ok(),
-            },
-            "rules" => Route::Rules {
-                rules: Rules::Tournament,
-            },
+            "board" => Route::Board(BoardCode::parse(rest).ok()),
+            "rules" => Route::Rules(Rules::Tournament),
             "measured" => measured(),
             "teacher" => Route::Teacher,
             "progress" => Route::Progress,
@@ -401,9 +393,7 @@ pub(crate) fn measured() -> Route {
     };
     let measurement = Measurement::new(tracks.unwrap_or_default(), given);
     match measurement {
-        Ok(measurement) => Route::Measured {
-            measurement: measurement.into(),
-        },
+        Ok(measurement) => Route::Measured(measurement.into()),
         Err(_) => Route::Home,
     }
 }

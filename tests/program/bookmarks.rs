@@ -29,7 +29,7 @@ fn settings(player: &str) -> Settings {
 
 /// Opens the contents, or the chapter with this number (counted from 1), for a player.
 fn open(folder: &Path, player: &str, chapter: Option<usize>) -> Headless {
-    let place = chapter.map_or(Route::Learn, |number| Route::Chapter { number: number - 1 });
+    let place = chapter.map_or(Route::Learn, |number| Route::Chapter(number - 1));
     let app = App::new(place, settings(player), 1);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
@@ -176,7 +176,7 @@ fn own(folder: &Path, pages: &str) -> Headless {
     let mut library = ChapterLibrary::default();
     library.add_file(&file);
     assert_eq!(library.problems, []);
-    let place = Route::Chapter { number: 0 };
+    let place = Route::Chapter(0);
     let book = Book::new(library);
     let data = Data {
         book,
@@ -252,7 +252,7 @@ fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
     let folder = Folder::new("bookmarks-waiting");
     open(folder.path(), "Ada", Some(2)).press("2<Enter>nn");
     let mut store = Store::in_folder(folder.path());
-    for place in [Route::Learn, Route::Chapter { number: 1 }] {
+    for place in [Route::Learn, Route::Chapter(1)] {
         let mut app = App::new(place, settings("Ada"), 1);
         let asked = app.update(&Input::Resize(80, 24));
         // The contents also request what the next step depends on.
@@ -290,7 +290,7 @@ fn without_storage_data_is_kept_in_memory() {
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
     for store in [Store::in_folder(&file), Store::nowhere()] {
-        let app = App::new(Route::Chapter { number: 1 }, settings("Ada"), 1);
+        let app = App::new(Route::Chapter(1), settings("Ada"), 1);
         let mut game = Headless::keeping(app, 80, 24, store);
         shows(&mut game, "Your progress cannot be saved");
         game.press("x");

@@ -50,7 +50,7 @@ fn app(place: Route, player: &str) -> App {
 
 fn quiz(folder: &Path, player: &str) -> Headless {
     let code = Some(Code::hits(7));
-    let app = app(Route::Quiz { code }, player);
+    let app = app(Route::Quiz(code), player);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 
@@ -139,7 +139,7 @@ fn an_answer_is_saved_before_its_explanation_is_shown() {
 /// answer as a guess.
 fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
     let round = Round::of(code.clone());
-    let place = Route::Quiz { code: Some(code) };
+    let place = Route::Quiz(Some(code));
     let store = Store::in_folder(folder).at(time_s);
     let mut game = Headless::keeping(app(place, "Ada"), 80, 24, store);
     for (i, question) in round.questions().iter().enumerate() {
@@ -318,11 +318,11 @@ fn stars_are_saved_only_for_the_player_who_won_them() {
         game
     };
     let fresh = app_of("Ada");
-    let first = fresh.app().shelf().levels().next();
+    let first = fresh.app().context().shelf.levels().next();
     let (pack, level) = first
         .map(|(pack, level)| (pack.name.clone(), level.id.clone()))
         .unwrap();
-    assert_eq!(fresh.app().shelf().stars(0), 0);
+    assert_eq!(fresh.app().context().shelf.stars(0), 0);
     let starred = Starred {
         pack,
         level,
@@ -334,10 +334,13 @@ fn stars_are_saved_only_for_the_player_who_won_them() {
         .done;
     assert_eq!(done, StoreReply::Noted(Ok(())));
     let mut ada = app_of("Ada");
-    assert_eq!(ada.app().shelf().stars(0), 2);
+    assert_eq!(ada.app().context().shelf.stars(0), 2);
     assert!(ada.screen().contains("1 of"), "{}", ada.screen());
-    assert_eq!(ada.app().shelf().next(), Some(ada.app().shelf().at));
-    assert_eq!(app_of("Bo").app().shelf().stars(0), 0);
+    assert_eq!(
+        ada.app().context().shelf.next(),
+        Some(ada.app().context().shelf.at)
+    );
+    assert_eq!(app_of("Bo").app().context().shelf.stars(0), 0);
 }
 
 /// Names that no player can have, but that a database may contain.

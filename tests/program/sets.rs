@@ -100,7 +100,7 @@ impl Teacher {
             self.set, self.concepts
         );
         let app = cli::open(&arguments).unwrap();
-        let store = Store::in_folder(self.folder.path()).with_own(app.own());
+        let store = Store::in_folder(self.folder.path()).with_own(&app.context().own);
         Headless::keeping(app, 80, 24, store)
     }
 

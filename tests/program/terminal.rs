@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use carrom::app::App;
 use carrom::messages::Key;
-use carrom::screens::{Context, Hosted, Next, Screen, Settings, View};
+use carrom::screens::{Context, Hosted, Next, Screen, Settings, SharedAction, View};
 use carrom::shells::FRAME;
 use carrom::shells::host::HostOptions;
 use carrom::shells::terminal::{self, Ending};
@@ -359,7 +359,7 @@ impl Screen for Restless {
     }
 
     fn act(&mut self, _: RestlessAction, _: &mut Context) -> Next {
-        Next::Quit
+        Next::Shared(SharedAction::Quit)
     }
 
     fn typed(&mut self, key: Key, _: &mut Context) -> bool {

@@ -261,7 +261,7 @@ fn walk(charset: Charset) -> BTreeMap<(String, String), Seen> {
             reduced_motion: true,
             ..Settings::default()
         };
-        let app = App::new(Route::Chapter { number }, settings, 1);
+        let app = App::new(Route::Chapter(number), settings, 1);
         let mut game = Headless::new(app, 120, 40);
         for page in &chapter.pages {
             let seen: &mut Seen = pages

@@ -21,7 +21,7 @@ fn opened(route: Route, store: Store) -> Headless {
 
 fn board(code: &str, store: Store) -> Headless {
     let code = BoardCode::parse(code).ok();
-    opened(Route::Board { code }, store)
+    opened(Route::Board(code), store)
 }
 
 fn timeless() -> Store {
@@ -103,7 +103,7 @@ fn a_board_is_cleared_and_its_result_is_kept() {
     // After a restart, the board, the attempt and the best result are still there.
     let mut game = board("2026-11-26", store());
     assert!(words(&mut game).contains(&best), "{}", game.screen());
-    let mut other = App::new(Route::Board { code: None }, Settings::default(), 1);
+    let mut other = App::new(Route::Board(None), Settings::default(), 1);
     other.settings_mut().player = "Bo".into();
     let mut other = Headless::keeping(other, 80, 24, store());
     other.press("20261126<Enter>");
@@ -124,7 +124,7 @@ fn a_board_is_cleared_and_its_result_is_kept() {
 #[test]
 fn the_board_of_the_day_follows_the_date() {
     let today = || Store::in_memory().at(NOON_S);
-    let mut game = opened(Route::Board { code: None }, today());
+    let mut game = opened(Route::Board(None), today());
     assert!(words(&mut game).contains("Board of 26 November 2026"));
     game.press("<Right>");
     let said = words(&mut game);
@@ -144,7 +144,7 @@ fn the_board_of_the_day_follows_the_date() {
         assert!(["table", "levels"].contains(&&*address), "{address}");
     }
 
-    let mut game = opened(Route::Board { code: None }, timeless());
+    let mut game = opened(Route::Board(None), timeless());
     let said = words(&mut game);
     assert!(said.contains("Today's date is unknown."), "{said}");
     game.press("<Enter>");

@@ -544,7 +544,7 @@ fn a_round_of_own_questions_is_resumed_if_they_are_unchanged() {
     let open = |arguments: &str| {
         let arguments = format!("class {arguments} --concepts '{}' --seed 3", mine.display());
         let app = cli::open(&arguments).unwrap();
-        let store = Store::in_folder(folder.path()).with_own(app.own());
+        let store = Store::in_folder(folder.path()).with_own(&app.context().own);
         Headless::keeping(app, 80, 24, store)
     };
     let mut game = open("--teams A,B");

@@ -6,7 +6,7 @@ use carrom::app::App;
 use carrom::game::{BoardCode, Rules};
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::quiz::{Code, Course, CourseKind};
-use carrom::screens::{Route, Settings};
+use carrom::screens::{FoilPage, Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -18,30 +18,29 @@ fn places() -> Vec<Route> {
         Route::Lab,
         Route::Learn,
         Route::Glossary,
-        Route::Chapter { number: 2 },
-        Route::Chapter { number: 3 },
-        Route::Quiz { code: None },
+        Route::Chapter(2),
+        Route::Chapter(3),
+        Route::Quiz(None),
         Route::Class {
             code: None,
             teams: Vec::new(),
             name: String::new(),
         },
-        Route::Foil,
+        Route::Foil(FoilPage::default()),
         Route::Table,
-        Route::Board { code: None },
-        Route::Board {
-            code: BoardCode::parse("2026-11-26").ok(),
-        },
-        Route::Rules {
-            rules: Rules::Tournament,
-        },
+        Route::Board(None),
+        Route::Board(BoardCode::parse("2026-11-26").ok()),
+        Route::Rules(Rules::Tournament),
         crate::tour::measured(),
         Route::Levels,
         Route::Progress,
         Route::Teacher,
         Route::Settings,
-        Route::Page { number: 6, page: 4 },
-        Route::Level { number: 4 },
+        Route::Page {
+            chapter: 6,
+            page: 4,
+        },
+        Route::Level(4),
     ];
     let topics = CourseKind::topics().map(CourseKind::Topic);
     let review = CourseKind::Review(vec!["equal-masses".into(), "both-moving".into()]);
@@ -50,11 +49,11 @@ fn places() -> Vec<Route> {
             .into_iter()
             .chain([review])
             .chain(topics)
-            .map(|kind| Route::Quiz {
-                code: Some(Code {
+            .map(|kind| {
+                Route::Quiz(Some(Code {
                     course: Course::new(kind),
                     seed: 7,
-                }),
+                }))
             }),
     );
     places

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::messages::Key;
-use carrom::screens::{Route, Settings};
+use carrom::screens::{FoilPage, Route, Settings};
 use carrom::shells::{FRAME, Headless};
 
 const LONG: Duration = Duration::from_secs(120);
@@ -14,7 +14,11 @@ fn foil(predict: bool, seed: u64) -> Headless {
         predict,
         ..Settings::default()
     };
-    Headless::new(App::new(Route::Foil, settings, seed), 100, 30)
+    Headless::new(
+        App::new(Route::Foil(FoilPage::default()), settings, seed),
+        100,
+        30,
+    )
 }
 
 /// The page of the beam, set to `10^exponent` particles.
@@ -187,7 +191,11 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
 #[test]
 fn both_pages_warn_about_a_light_nucleus() {
     for (wide, high) in [(80, 24), (120, 40)] {
-        let mut game = Headless::new(App::new(Route::Foil, Settings::default(), 1), wide, high);
+        let mut game = Headless::new(
+            App::new(Route::Foil(FoilPage::default()), Settings::default(), 1),
+            wide,
+            high,
+        );
         for page in ["<Down>", "<Tab>"] {
             game.press(page);
             assert!(

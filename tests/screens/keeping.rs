@@ -96,7 +96,7 @@ impl Blocked {
 
 fn a_round() -> Route {
     let code = Some(Code::hits(7));
-    Route::Quiz { code }
+    Route::Quiz(code)
 }
 
 /// Closes a notice, if there is one.

@@ -15,7 +15,7 @@ fn open(number: usize, charset: Charset, size: (u16, u16)) -> Headless {
         charset,
         ..Settings::default()
     };
-    let app = App::new(Route::Chapter { number }, settings, 1);
+    let app = App::new(Route::Chapter(number), settings, 1);
     Headless::new(app, size.0, size.1)
 }
 
@@ -50,7 +50,7 @@ fn every_chapter_can_be_read_from_first_page_to_last() {
                     seen(&mut game);
                     game.press("n");
                 }
-                let book = game.app().book();
+                let book = &game.app().context().book;
                 assert!(book.is_done(chapter), "{}", chapter.id);
                 assert!(game.screen().contains("1 of "), "{}", game.screen());
                 let asked = chapter
@@ -123,7 +123,7 @@ fn the_bookmark_is_saved_and_can_be_reset() {
         screen.contains("page 1 of 5") && screen.contains("starts again"),
         "{screen}"
     );
-    let mark = game.app().book().mark(&chapter.id);
+    let mark = game.app().context().book.mark(&chapter.id);
     assert_eq!(mark.unwrap().answered(chapter), 0);
     game.press("<Escape>R");
     let screen = game.screen();
@@ -133,11 +133,11 @@ fn the_bookmark_is_saved_and_can_be_reset() {
     );
     game.press("n");
     assert!(
-        game.app().book().mark(&chapter.id).is_some(),
+        game.app().context().book.mark(&chapter.id).is_some(),
         "only a confirmation deletes the bookmark"
     );
     game.press("Ry");
-    assert!(game.app().book().mark(&chapter.id).is_none());
+    assert!(game.app().context().book.mark(&chapter.id).is_none());
     assert_eq!(game.attempts().len(), 1, "the record of answers stays");
 }
 
@@ -325,7 +325,7 @@ fn a_second_try_after_a_hint_earns_half_the_credit() {
         .map(|it| (it.right, it.credit))
         .collect();
     assert_eq!(credits, [(false, 0.0), (true, 0.5)]);
-    let mark = game.app().book().mark(&chapter.id).unwrap();
+    let mark = game.app().context().book.mark(&chapter.id).unwrap();
     assert_eq!(
         (mark.right(chapter), mark.right_after_hint(chapter)),
         (1, 1)
@@ -356,7 +356,7 @@ fn the_lab_hides_the_outcome_while_a_question_of_the_page_is_open() {
         predicted: 3,
         ..Settings::default()
     };
-    let app = App::new(Route::Chapter { number }, settings, 1);
+    let app = App::new(Route::Chapter(number), settings, 1);
     let mut game = Headless::new(app, 100, 30);
     let hidden = "hidden until you have";
     game.press("o");

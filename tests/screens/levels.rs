@@ -49,7 +49,7 @@ fn a_key_press_that_continues_never_shoots() {
 }
 
 fn level(number: usize) -> Headless {
-    open(Route::Level { number }, Settings::default(), (80, 24))
+    open(Route::Level(number), Settings::default(), (80, 24))
 }
 
 fn number(id: &str) -> usize {
@@ -91,13 +91,17 @@ fn every_level_is_won_by_its_solution_and_shows_its_whole_explanation() {
     let shelf = embedded();
     for (number, (_, level)) in shelf.levels().enumerate() {
         for size in [(80, 24), (60, 20)] {
-            let place = Route::Level { number };
+            let place = Route::Level(number);
             let mut game = open(place, Settings::default(), size);
             set(&mut game, level);
             shoot(&mut game);
             let screen = game.screen();
             assert!(screen.contains("Won!"), "{}\n{screen}", level.id);
-            assert!(game.app().shelf().stars(number) >= 2, "{}", level.id);
+            assert!(
+                game.app().context().shelf.stars(number) >= 2,
+                "{}",
+                level.id
+            );
             let read = all_pages(&mut game);
             for word in level.explanation.split_whitespace() {
                 let word = Charset::Ascii.text(word);
@@ -115,7 +119,7 @@ fn enter_alone_gives_no_answer() {
     let shelf = embedded();
     let mut asked = 0;
     for (number, (_, level)) in shelf.levels().enumerate() {
-        let mut game = open(Route::Level { number }, Settings::default(), (80, 24));
+        let mut game = open(Route::Level(number), Settings::default(), (80, 24));
         set(&mut game, level);
         game.key(Key::Enter);
         if !game.screen().contains("predict it") {
@@ -127,7 +131,7 @@ fn enter_alone_gives_no_answer() {
         assert!(screen.contains("predict it"), "{}\n{screen}", level.id);
         assert!(squeezed(&screen).contains("Turntheray,ortype"), "{screen}");
         game.key(Key::Escape);
-        assert_eq!(game.app().shelf().stars(number), 0, "{}", level.id);
+        assert_eq!(game.app().context().shelf.stars(number), 0, "{}", level.id);
     }
     assert!(asked > 20);
 }
@@ -149,7 +153,7 @@ fn the_last_speed_chosen_is_remembered() {
 fn the_answer_is_not_shown_before_the_question() {
     let mut asked = 0;
     for (number, (_, level)) in embedded().levels().enumerate() {
-        let mut game = open(Route::Level { number }, Settings::default(), (120, 40));
+        let mut game = open(Route::Level(number), Settings::default(), (120, 40));
         set(&mut game, level);
         game.key(Key::Enter);
         let screen = game.screen();
@@ -211,9 +215,9 @@ fn a_win_is_shown_at_the_end_and_saved_even_if_left_before() {
     game.press("53<Enter><Enter>0<Enter>");
     game.pass(Duration::from_millis(100));
     assert!(game.screen().contains("Space: go on"), "{}", game.screen());
-    assert_eq!(game.app().shelf().stars(at), 0);
+    assert_eq!(game.app().context().shelf.stars(at), 0);
     game.key(Key::Escape);
-    assert_eq!(game.app().shelf().stars(at), 3);
+    assert_eq!(game.app().context().shelf.stars(at), 3);
 }
 
 #[test]
@@ -223,7 +227,7 @@ fn a_right_prediction_earns_the_third_star() {
         let mut game = level(at);
         game.press(&format!("53<Enter><Enter>{said}<Enter>"));
         assert!(game.settle(LONG));
-        assert_eq!(game.app().shelf().stars(at), stars);
+        assert_eq!(game.app().context().shelf.stars(at), stars);
         let screen = game.screen();
         assert!(screen.contains("you said"), "{screen}");
         let advice = all_pages(&mut game).contains("predict the paths within 4 deg");
@@ -277,7 +281,7 @@ fn a_miss_shows_the_missed_goals_and_keeps_the_aim() {
     shoot(&mut game);
     assert!(squeezed(&game.screen()).contains("wasnotinthefirsthit"));
     assert!(game.screen().contains("shot 2"));
-    assert_eq!(game.app().shelf().next(), Some(0));
+    assert_eq!(game.app().context().shelf.next(), Some(0));
 }
 
 #[test]
@@ -349,7 +353,7 @@ fn every_title_fits_the_list_on_a_small_screen() {
 #[test]
 fn a_shot_that_wins_is_shown_after_the_last_hint_and_earns_no_star() {
     for (number, (_, level)) in embedded().levels().enumerate() {
-        let mut game = open(Route::Level { number }, Settings::default(), (80, 24));
+        let mut game = open(Route::Level(number), Settings::default(), (80, 24));
         let dial = |screen: &str| {
             screen
                 .lines()
@@ -372,7 +376,7 @@ fn a_shot_that_wins_is_shown_after_the_last_hint_and_earns_no_star() {
             "{read}"
         );
         assert!(!read.contains("Won"), "{}: {read}", level.id);
-        assert_eq!(game.app().shelf().stars(number), 0, "{}", level.id);
+        assert_eq!(game.app().context().shelf.stars(number), 0, "{}", level.id);
         game.press("<Enter>");
         assert_eq!(dial(&game.screen()), before, "{}", level.id);
     }

@@ -33,9 +33,7 @@ fn opened(folder: &Folder, film: usize, size: (u16, u16), charset: Charset) -> H
     };
     let tracks = read(&[(name, text.as_bytes())], &reading).unwrap();
     let measurement = Measurement::new(tracks, Given::default()).unwrap();
-    let route = Route::Measured {
-        measurement: measurement.into(),
-    };
+    let route = Route::Measured(measurement.into());
     let settings = Settings {
         charset,
         ..Settings::default()

@@ -55,12 +55,7 @@ fn home_marks_one_first_step_and_explains_it_before_it_begins() {
 #[test]
 fn learn_progress_and_the_end_of_a_round_show_the_same_step_as_home() {
     let answers = "22<Enter>22<Enter>3<End><Enter>".repeat(3);
-    let mut round = game(
-        Route::Quiz {
-            code: Code::parse("from-angle3-7"),
-        },
-        &[],
-    );
+    let mut round = game(Route::Quiz(Code::parse("from-angle3-7")), &[]);
     let first = round.screen();
     round.press(&answers);
     let screen = round.screen();

@@ -19,9 +19,7 @@ fn quiz(seed: u64, charset: Charset, (columns, rows): (u16, u16)) -> Headless {
         charset,
         ..Settings::default()
     };
-    let place = Route::Quiz {
-        code: Some(Code::hits(seed)),
-    };
+    let place = Route::Quiz(Some(Code::hits(seed)));
     Headless::new(App::new(place, settings, seed), columns, rows)
 }
 
@@ -512,9 +510,7 @@ fn what_was_seen_in_a_question_is_no_answer_and_no_evidence() {
             sees,
             ..Settings::default()
         };
-        let place = Route::Quiz {
-            code: Some(Code::hits(7)),
-        };
+        let place = Route::Quiz(Some(Code::hits(7)));
         let mut game = Headless::new(App::new(place, settings, 7), 100, 30);
         game.press("60<Enter>30<Enter>2");
         if sees {

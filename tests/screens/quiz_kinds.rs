@@ -21,13 +21,13 @@ fn settings(charset: Charset) -> Settings {
 
 /// The screen on which a round is chosen, with a store that has a clock.
 fn choosing() -> Headless {
-    let app = App::new(Route::Quiz { code: None }, settings(Charset::Ascii), 7);
+    let app = App::new(Route::Quiz(None), settings(Charset::Ascii), 7);
     Headless::keeping(app, 80, 24, Store::in_memory())
 }
 
 /// A round that begins immediately.
 fn round(code: Code, charset: Charset) -> Headless {
-    let place = Route::Quiz { code: Some(code) };
+    let place = Route::Quiz(Some(code));
     Headless::new(App::new(place, settings(charset), 7), 80, 24)
 }
 

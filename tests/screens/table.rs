@@ -1025,7 +1025,7 @@ fn a_moving_board_for_one_player_counts_only_its_own_coins() {
         reduced_motion: false,
         ..still()
     };
-    let mut game = Headless::new(App::new(Route::Board { code }, settings, 1), 120, 40);
+    let mut game = Headless::new(App::new(Route::Board(code), settings, 1), 120, 40);
     game.press("<Enter>");
     let mut game = rested(game);
     game.press(" ");

@@ -216,10 +216,7 @@ struct Notes(String);
 impl Screen for Notes {
     type Action = ();
     const HELP: &'static str = "";
-
-    fn title(&self) -> String {
-        "notes".into()
-    }
+    const TITLE: &'static str = "notes";
     fn keys(&self, _: &Context) -> KeyTable<()> {
         KeyTable::new("notes")
     }

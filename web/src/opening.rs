@@ -46,10 +46,8 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
         }
     }
     // As on the command line: a seed alone means ten hits.
-    if wanted.seeded && wanted.route == (Route::Quiz { code: None }) {
-        wanted.route = Route::Quiz {
-            code: Some(Code::hits(wanted.seed)),
-        };
+    if wanted.seeded && wanted.route == (Route::Quiz(None)) {
+        wanted.route = Route::Quiz(Some(Code::hits(wanted.seed)));
     }
     let mut app = App::with_data(data, wanted.route, wanted.settings, wanted.seed);
     app.set_kept(Some(kept));

@@ -41,7 +41,7 @@ pub(crate) fn data(files: &[FileBytes]) -> Data {
                 let (pack, _) = rest.split_once('/').unwrap_or(("own", rest));
                 levels.add(pack, rest, bytes);
             }
-            "lessons" => chapters.add(rest, bytes),
+            "lessons" => chapters.add_bytes(rest.as_ref(), bytes),
             "concepts" => {
                 let subject = rest.trim_end_matches(".toml");
                 concepts.add(subject, rest, bytes);

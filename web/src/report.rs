@@ -44,9 +44,7 @@ pub(crate) fn of_round(code: &str, said: &str, own: &Arc<Library>) -> Option<Rou
     let code = Code::parse(code)?.with_own(own).ok()?;
     let round = Round::of(code.clone());
     let questions = round.questions();
-    let route = Route::Quiz {
-        code: Some(code.clone()),
-    };
+    let route = Route::Quiz(Some(code.clone()));
     let Ok(Route::OpenRound { answers, .. }) = route.with_answers(&said.replace('+', " ")) else {
         return None;
     };

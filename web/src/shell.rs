@@ -208,7 +208,7 @@ impl Shell {
             }
             Command::Joined { news } => self.input(&Input::Joined(heard(news))),
             Command::Round { code, said } => {
-                reply.round = report::of_round(&code, &said, self.app.own());
+                reply.round = report::of_round(&code, &said, &self.app.context().own);
             }
             Command::Tell { words } => self.app.notify(words),
         }

@@ -39,18 +39,12 @@ fn of_node(node: &Node) -> String {
 /// The formula in brackets, unless it consists of a single part.
 fn tight(formula: &Formula) -> String {
     let line = formula.inline();
-    if formula.0.len() == 1 {
-        line
-    } else {
-        format!("({line})")
+    match formula.0.len() {
+        1 => line,
+        _ => format!("({line})"),
     }
 }
 
 fn script(mark: char, formula: &Formula, set: fn(&str) -> Option<String>) -> String {
-    let line = formula.inline();
-    match set(&line) {
-        Some(set) => set,
-        None if formula.0.len() == 1 => format!("{mark}{line}"),
-        None => format!("{mark}({line})"),
-    }
+    set(&formula.inline()).unwrap_or_else(|| format!("{mark}{}", tight(formula)))
 }

@@ -1,40 +1,24 @@
 //! The names of letters and signs, and the superscript and subscript characters of Unicode.
 
-use crate::numbers::RAISED_DIGITS;
+use crate::numbers::{RAISED_DIGITS, greek};
+
+/// The Greek letters of formulas.
+const GREEK: &str = "αβγδεηθλμνπρστφψωΔΘΣΦΩ";
 
 /// The letter or sign that a word stands for in a formula; `None` for any other word.
-pub(super) fn letter(word: &str) -> Option<&'static str> {
-    Some(match word {
-        "alpha" => "α",
-        "beta" => "β",
-        "gamma" => "γ",
-        "delta" => "δ",
-        "epsilon" => "ε",
-        "eta" => "η",
-        "theta" => "θ",
-        "lambda" => "λ",
-        "mu" => "μ",
-        "nu" => "ν",
-        "pi" => "π",
-        "rho" => "ρ",
-        "sigma" => "σ",
-        "tau" => "τ",
-        "phi" => "φ",
-        "psi" => "ψ",
-        "omega" => "ω",
-        "Delta" => "Δ",
-        "Theta" => "Θ",
-        "Sigma" => "Σ",
-        "Phi" => "Φ",
-        "Omega" => "Ω",
-        "times" => "×",
-        "dot" => "·",
-        "approx" => "≈",
-        "perp" => "⟂",
-        "infinity" => "∞",
-        "deg" => "°",
-        _ => return None,
-    })
+pub(super) fn letter(word: &str) -> Option<char> {
+    match word {
+        "times" => Some('×'),
+        "dot" => Some('·'),
+        "approx" => Some('≈'),
+        "perp" => Some('⟂'),
+        "infinity" => Some('∞'),
+        "deg" => Some('°'),
+        // The spelling of Δ ends in a space.
+        _ => GREEK
+            .chars()
+            .find(|it| greek(*it).map(str::trim_end) == Some(word)),
+    }
 }
 
 /// The subscript form of a letter.

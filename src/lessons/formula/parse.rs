@@ -126,8 +126,7 @@ impl FormulaReader<'_> {
         if text.is_empty() {
             return Err("expected letters, digits or a bracket after _ or ^".into());
         }
-        let text = letter(&text).map_or(text.clone(), Into::into);
-        Ok(Node::Word(text).into())
+        Ok(Node::Word(letter(&text).map_or(text, String::from)).into())
     }
 
     fn atom(&mut self) -> Result<Node, String> {
@@ -146,7 +145,7 @@ impl FormulaReader<'_> {
             return match name.as_str() {
                 "sqrt" => Ok(Node::Root(self.argument()?)),
                 "vec" => Ok(Node::Vector(self.argument()?)),
-                name => Ok(Node::Word(letter(name).unwrap_or(name).into())),
+                _ => Ok(Node::Word(letter(&name).map_or(name, String::from))),
             };
         }
         if first == '"' {

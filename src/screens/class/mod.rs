@@ -203,10 +203,7 @@ impl Screen for Class {
     type Action = ClassAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "class".into()
-    }
+    const TITLE: &'static str = "class";
 
     fn route(&self, _cx: &Context) -> Route {
         Route::Class {

@@ -374,10 +374,7 @@ impl SetUp {
     /// is not a valid code, and the page then shows the error.
     fn chosen_code(&mut self, cx: &mut Context) -> Option<Code> {
         let code = match self.course(self.kind) {
-            Some(kind) => Ok(Code {
-                course: Course::new(kind),
-                seed: cx.next_seed(),
-            }),
+            Some(kind) => Ok(cx.next_code(Course::new(kind))),
             None => Code::parse(self.code.text())
                 .ok_or_else(|| NO_CODE.to_owned())
                 .and_then(|code| code.with_own(&self.own)?.same_for_all()),

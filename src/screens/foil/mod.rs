@@ -230,14 +230,10 @@ impl Screen for FoilScreen {
     type Action = FoilAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "foil".into()
-    }
+    const TITLE: &'static str = "foil";
 
     fn route(&self, _cx: &Context) -> Route {
-        let page = self.fields.page;
-        Route::FoilAt { page }
+        Route::Foil(self.fields.page)
     }
 
     fn status(&self, _cx: &Context) -> String {

@@ -44,14 +44,8 @@ impl Screen for GlossaryScreen {
     type Action = GlossaryAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "glossary".into()
-    }
-
-    fn route(&self, _cx: &Context) -> Route {
-        Route::Glossary
-    }
+    const TITLE: &'static str = "glossary";
+    const ROUTE: Route = Route::Glossary;
 
     fn keys(&self, _cx: &Context) -> KeyTable<GlossaryAction> {
         // Enter has its own action here: in plain mode, choosing a term must not open the page at

@@ -5,7 +5,8 @@ mod view;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::ahead::Ahead;
-use super::{Confirmation, Context, Next, Route, Screen, View};
+use super::route::FoilPage;
+use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View};
 use crate::messages::{Input, Key};
 use crate::physics::{CollisionSpec, ImpactPoint};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
@@ -20,17 +21,14 @@ pub(crate) struct Home {
     ahead: Ahead,
 }
 
-/// The impact angle of the picture, in degrees. It differs from that of the lab's first shot,
-/// because the player should predict the result of that shot.
-const ALPHA_DEG: f64 = -50.0;
-
 impl Default for Home {
     /// The first line is chosen; the picture shows a collision at the moment of contact.
     fn default() -> Self {
+        // Another angle than that of the lab's first shot, because the player should predict the
+        // result of that shot.
+        let alpha_deg = -50.0;
         let shot = CollisionSpec {
-            point: ImpactPoint::Angle {
-                alpha_deg: ALPHA_DEG,
-            },
+            point: ImpactPoint::Angle { alpha_deg },
             ..CollisionSpec::default()
         };
         let layers = Overlays::default().without([Overlay::Triangle]);
@@ -98,31 +96,24 @@ pub enum HomeAction {
 }
 
 /// The index of the class in [`ENTRIES`].
-const CLASS: usize = 3;
+const CLASS_AT: usize = 3;
+
+const FOIL: Route = Route::Foil(FoilPage::Tracks);
+const CLASS: Route = Route::Class {
+    code: None,
+    teams: Vec::new(),
+    name: String::new(),
+};
 
 /// The menu: the letter, the name, the description and the screen of each entry.
 static ENTRIES: [(char, &str, &str, Route); 10] = [
     ('e', "Learn", "interactive chapters", Route::Learn),
     ('l', "Lab", "set up, predict, watch", Route::Lab),
-    (
-        'z',
-        "Quiz",
-        "find out what you know",
-        Route::Quiz { code: None },
-    ),
-    (
-        'c',
-        "Class",
-        "phones, cards or teams",
-        Route::Class {
-            code: None,
-            teams: Vec::new(),
-            name: String::new(),
-        },
-    ),
+    ('z', "Quiz", "find out what you know", Route::Quiz(None)),
+    ('c', "Class", "phones, cards or teams", CLASS),
     ('t', "Table", "carrom, hits explained", Route::Table),
     ('v', "Levels", "puzzles, solved by aiming", Route::Levels),
-    ('f', "Foil", "beams: from board to atom", Route::Foil),
+    ('f', "Foil", "beams: from board to atom", FOIL),
     ('p', "Progress", "how far you have come", Route::Progress),
     ('h', "Teacher", "worksheets and reports", Route::Teacher),
     ('s', "Settings", "colours, motion, player", Route::Settings),
@@ -132,10 +123,7 @@ impl Screen for Home {
     type Action = HomeAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "home".into()
-    }
+    const TITLE: &'static str = "home";
 
     fn status(&self, cx: &Context) -> String {
         text::clipped(&cx.settings.player, 24)
@@ -155,7 +143,7 @@ impl Screen for Home {
             .when(cx.class.is_some())
             .each(letters, "")
             // Earlier versions used this letter for the class.
-            .or([(Key::Char('g'), HomeAction::Open(CLASS))])
+            .or([(Key::Char('g'), HomeAction::Open(CLASS_AT))])
             .on(Key::Escape, HomeAction::Leave, "")
     }
 
@@ -169,12 +157,12 @@ impl Screen for Home {
             HomeAction::Suggested(line) => self.open(line, cx),
             HomeAction::Open(entry) => self.open(HomeLine::Entry(entry), cx),
             HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
-            HomeAction::Quit => Next::Quit,
+            HomeAction::Quit => Next::Shared(SharedAction::Quit),
         }
     }
 
     fn confirmed(&mut self, _action: HomeAction, _cx: &mut Context) -> Next {
-        Next::Quit
+        Next::Shared(SharedAction::Quit)
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
@@ -182,13 +170,7 @@ impl Screen for Home {
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match input {
-            Input::Kept(answer) => {
-                self.ahead.take(answer, cx);
-                Next::Stay
-            }
-            _ => Next::Ignored,
-        }
+        self.ahead.input(input, cx)
     }
 
     fn resumed(&mut self, cx: &mut Context) {

@@ -86,7 +86,7 @@ impl Join {
             form: JoinForm::new(address, code, name),
             link: None,
             joined: None,
-            history: Recall::Asked(0),
+            history: Recall::default(),
         };
         if again {
             let entry = join.form.entry();
@@ -166,10 +166,7 @@ impl Screen for Join {
     type Action = JoinAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "class".into()
-    }
+    const TITLE: &'static str = "class";
 
     fn route(&self, _cx: &Context) -> Route {
         Route::Join {

@@ -188,10 +188,7 @@ impl Screen for Lab {
     type Action = LabAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "lab".into()
-    }
+    const TITLE: &'static str = "lab";
 
     fn route(&self, _cx: &Context) -> Route {
         match self.settings.hides_mass() {
@@ -315,15 +312,9 @@ impl Screen for Lab {
             (LabPhase::See(sighting, said), LabAction::See(action)) => {
                 if let Outcome::Done(seen) = sighting.act(action) {
                     let said = *said;
-                    self.observed = seen.map(|seen| Observation {
-                        time_s: None,
-                        player: cx.settings.player.clone(),
-                        place: ObservationPlace::Lab,
-                        said,
-                        truth: Rays::from(&settings.setup.collision().outcome()),
-                        seen,
-                    });
-                    self.observed.iter().for_each(|it| cx.observe(it.clone()));
+                    let truth = Rays::from(&settings.setup.collision().outcome());
+                    let rays = seen.map(|seen| [said, truth, seen]);
+                    self.observed = rays.map(|rays| cx.observe(ObservationPlace::Lab, rays));
                     self.explain(Some(said), cx);
                 }
             }

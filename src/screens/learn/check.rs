@@ -20,9 +20,7 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
         for charset in [Charset::Ascii, Charset::Unicode] {
             faults.extend(formulas(chapter, page, charset));
             let checkpoint = page.checkpoint.as_ref();
-            let revealed = checkpoint
-                .map(|checkpoint| answers(&checkpoint.asked))
-                .unwrap_or_default();
+            let revealed = checkpoint.map_or(vec![], |it| answers(&it.asked));
             let hit = page.figure.map(|figure| figure.shot.collision());
             let hinted = |it: &&Response| {
                 checkpoint.is_some_and(|asks| {
@@ -83,12 +81,9 @@ fn too_long(
         Some(Response::Choice(_)) => format!("the feedback{}", line_of(answer)),
         Some(_) => "the feedback on the answer".to_owned(),
     };
-    (rows > room).then(|| {
-        format!(
-            "{what} takes {rows} rows, expected at most {room} (80x24, {})",
-            name(charset)
-        )
-    })
+    let charset = name(charset);
+    let message = format!("{what} takes {rows} rows, expected at most {room} (80x24, {charset})");
+    (rows > room).then_some(message)
 }
 
 /// The last words of an error message: the choice that it is about.
@@ -117,20 +112,18 @@ fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<File
     let checkpoint = page.checkpoint.iter();
     let asked = checkpoint.flat_map(|it| it.question.iter().chain(&it.hint).chain(&it.after));
     let blocks = page.text.iter().chain(asked);
-    blocks
-        .filter_map(|block| match block {
-            TextBlock::Formula(formula) => Some(formula),
-            _ => None,
-        })
-        .filter_map(|formula| {
-            let rows = formula::set(formula, charset);
-            let width = rows.iter().map(|row| text::width(row)).max().unwrap_or(0);
-            let message = format!(
-                "the formula {} is {width} columns wide, expected at most {room} ({})",
-                formula.inline(),
-                name(charset)
-            );
-            (width > room).then(|| chapter.fault(page.line, message))
-        })
-        .collect()
+    let fault = |block: &TextBlock| {
+        let TextBlock::Formula(formula) = block else {
+            return None;
+        };
+        let rows = formula::set(formula, charset);
+        let width = rows.iter().map(|row| text::width(row)).max().unwrap_or(0);
+        let message = format!(
+            "the formula {} is {width} columns wide, expected at most {room} ({})",
+            formula.inline(),
+            name(charset)
+        );
+        (width > room).then(|| chapter.fault(page.line, message))
+    };
+    blocks.filter_map(fault).collect()
 }

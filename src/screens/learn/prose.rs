@@ -7,7 +7,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role, formula};
 
 /// The settings for writing the text of a page.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Prose<'a> {
     /// The collision from which the live numbers are computed.
     pub figure: Option<&'a Collision>,
@@ -34,9 +34,8 @@ impl Prose<'_> {
             }
             runs
         };
-        let mut before: Option<&TextBlock> = None;
-        for block in blocks {
-            if before.is_some_and(|before| !self.belong_together(before, block)) {
+        for (at, block) in blocks.iter().enumerate() {
+            if at > 0 && !self.belong_together(&blocks[at - 1], block) {
                 panel.gap();
             }
             match block {
@@ -49,7 +48,6 @@ impl Prose<'_> {
                     panel.formula(formula.clone(), one.unwrap_or(Role::Title));
                 }
             }
-            before = Some(block);
         }
     }
 

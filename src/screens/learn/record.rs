@@ -37,11 +37,9 @@ pub fn attempt(
     }
     let share = if after_hint { AFTER_HINT } else { 1.0 };
     let attempt = Attempt {
-        time_s: None,
         player: player.to_owned(),
         family: LESSON.to_owned(),
         topic: chapter.title.clone(),
-        seed: 0,
         number,
         question: figures(question),
         answer: figures(answer_json(answer)),
@@ -49,8 +47,7 @@ pub fn attempt(
         error_deg: form.angle_error(answer).map(deg_from_rad),
         credit: share * form.credit(answer),
         right: form.is_right(answer),
-        confidence: None,
-        misconception: None,
+        ..Attempt::default()
     };
     match (figure.filter(|_| !after_hint), answer) {
         (Some(collision), Response::Rays(rays)) => attempt.with_evidence_of_rays(collision, rays),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Route, Screen, SharedAction, View};
+use super::{Context, Next, Route, Screen, View};
 use crate::measure::Measurement;
 use crate::messages::{Input, Key};
 use crate::paper::measured_html;
@@ -93,15 +93,10 @@ impl Screen for MeasuredScreen {
     type Action = MeasuredAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "a measured collision".into()
-    }
+    const TITLE: &'static str = "a measured collision";
 
     fn route(&self, _cx: &Context) -> Route {
-        Route::Measured {
-            measurement: Arc::clone(&self.measurement),
-        }
+        Route::Measured(Arc::clone(&self.measurement))
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<MeasuredAction> {
@@ -129,7 +124,7 @@ impl Screen for MeasuredScreen {
 
     fn act(&mut self, action: MeasuredAction, cx: &mut Context) -> Next {
         match action {
-            MeasuredAction::Scroll(rows) => return Next::Shared(SharedAction::Scroll(rows)),
+            MeasuredAction::Scroll(rows) => return Next::scroll(rows),
             MeasuredAction::Everything => self.shown = MeasuredPage::Everything,
             MeasuredAction::Settings => self.shown = MeasuredPage::Settings,
             MeasuredAction::Set(action) => self.edit(|form, settings| form.act(action, settings)),

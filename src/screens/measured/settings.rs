@@ -44,6 +44,8 @@ const RADII: (f64, f64) = (0.0, 1_000.0);
 const SCALES: (f64, f64) = (0.001, 1_000.0);
 const OF_BOTH: &str = "Unless both masses are set, equal masses are assumed.";
 const OF_RADII: &str = "If both radii are set, the line of impact is found from the centres.";
+const OF_SCALE: &str = "All lengths are multiplied by this number. For a file in pixels, set the \
+                        millimetres per pixel.";
 
 /// Begins with a number even if no value is set, so that a browser page shows a number field.
 fn shown(value: f64, unit: &str) -> String {
@@ -68,14 +70,7 @@ static ROWS: [FieldRow<MeasuredSettings>; 6] = [
     row!("mass m₂", OF_BOTH, masses_g[1], MASSES, 0.5, " g"),
     row!("radius r₁", OF_RADII, radii_mm[0], RADII, 0.5, " mm"),
     row!("radius r₂", OF_RADII, radii_mm[1], RADII, 0.5, " mm"),
-    row!(
-        "scale",
-        "All lengths are multiplied by this number. For a file in pixels, set the millimetres per pixel.",
-        scale,
-        SCALES,
-        0.01,
-        ""
-    ),
+    row!("scale", OF_SCALE, scale, SCALES, 0.01, ""),
     FieldRow {
         name: "predict with e",
         about: "The prediction uses this coefficient of restitution.",

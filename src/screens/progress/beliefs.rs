@@ -30,13 +30,9 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
             TableColumn::words("", 0),
         ];
         let rows = beliefs.iter().map(|belief| {
-            let cells = vec![
-                belief.misconception.name().into(),
-                belief.before.to_string(),
-                belief.since.to_string(),
-                belief.trend().name().into(),
-            ];
-            TableRow::of(cells, role(belief))
+            let [name, trend] = [belief.misconception.name(), belief.trend().name()];
+            let [before, since] = [belief.before, belief.since].map(|it| it.to_string());
+            TableRow::of(vec![name.into(), before, since, trend.into()], role(belief))
         });
         panel.table(heads, rows.collect(), None);
     } else {
@@ -54,11 +50,6 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
          explains the answers {NAMED_ODDS} times better than guessing does."
     );
     panel.paragraph(legend, Role::Dim);
-}
-
-/// The strongest belief that the player still holds.
-fn held(history: &History) -> Option<HeldBelief> {
-    { beliefs(&history.attempts).into_iter() }.find(|belief| belief.trend() != Trend::Gone)
 }
 
 /// Advice against a misconception of this origin.
@@ -80,15 +71,13 @@ const fn how_it_fades(origin: Origin) -> &'static str {
 /// Advice on the strongest misconception, or a note that all have disappeared.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let beliefs = beliefs(&history.attempts);
-    let fading = beliefs
-        .iter()
-        .filter(|belief| belief.trend().is_good())
-        .count();
+    let fading = beliefs.iter().filter(|it| it.trend().is_good()).count();
     if fading > 0 {
         panel.coloured_fact("gone or fading", fading.to_string(), Role::Good);
         panel.gap();
     }
-    match held(history) {
+    // The strongest belief that the player still holds.
+    match beliefs.iter().find(|it| it.trend() != Trend::Gone) {
         Some(belief) => {
             panel.paragraph(belief.misconception.name(), Role::Title);
             panel.paragraph(belief.misconception.advice(), Role::Text);
@@ -96,9 +85,9 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
             panel.paragraph(how_it_fades(belief.misconception.origin()), Role::Dim);
         }
         None if beliefs.is_empty() => {}
-        None => panel.paragraph(
-            "All of them are gone. You have changed your mind.",
-            Role::Good,
-        ),
+        None => {
+            let text = "All of them are gone. You have changed your mind.";
+            panel.paragraph(text, Role::Good);
+        }
     }
 }

@@ -11,7 +11,7 @@ use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 use super::ahead::Ahead;
 use super::view::View;
-use super::{Context, Next, Route, Screen, SharedAction};
+use super::{Context, Next, Route, Screen};
 use crate::gradebook::HandIn;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::numbers::counted;
@@ -58,13 +58,11 @@ enum ProgressPage {
 }
 
 impl ProgressPage {
-    const ALL: &[Self] = Self::VARIANTS;
-
     /// The page this many steps after this one; the first page follows the last.
     fn beside(self, steps: isize) -> Self {
-        let count = Self::ALL.len() as isize;
+        let count = Self::VARIANTS.len() as isize;
         let at = (self as isize + steps).rem_euclid(count);
-        Self::ALL[at as usize]
+        Self::VARIANTS[at as usize]
     }
 
     /// The titles of the picture and of the panel.
@@ -140,21 +138,15 @@ fn nothing_yet(panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// Draws the picture, or returns the reason why there is none.
-type DrawPlot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>;
+/// A picture, or the reason why there is none.
+type Plotted = Result<Picture, &'static str>;
 
 impl Screen for Progress {
     type Action = ProgressAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "progress".into()
-    }
-
-    fn route(&self, _cx: &Context) -> Route {
-        Route::Progress
-    }
+    const TITLE: &'static str = "progress";
+    const ROUTE: Route = Route::Progress;
 
     fn status(&self, cx: &Context) -> String {
         let player = text::clipped(&cx.settings.player, 24);
@@ -166,15 +158,12 @@ impl Screen for Progress {
 
     fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
         use ProgressAction::{Back, DoNext, HandIn, Scroll, Turn, TurnTo};
-        let pages = ('1'..).zip((0..ProgressPage::ALL.len()).map(TurnTo));
+        let pages = ('1'..).zip((0..ProgressPage::VARIANTS.len()).map(TurnTo));
         let some = self.history().is_some();
         KeyTable::new("progress")
             .on(Key::Tab, Turn(1), "next page")
-            .or([
-                (Key::Right, Turn(1)),
-                (Key::BackTab, Turn(-1)),
-                (Key::Left, Turn(-1)),
-            ])
+            .or([(Key::Right, Turn(1)), (Key::BackTab, Turn(-1))])
+            .or([(Key::Left, Turn(-1))])
             .when(some)
             .each(pages, "page")
             .when(some)
@@ -190,8 +179,8 @@ impl Screen for Progress {
     fn act(&mut self, action: ProgressAction, cx: &mut Context) -> Next {
         match action {
             ProgressAction::Turn(by) => self.page = self.page.beside(by),
-            ProgressAction::TurnTo(page) => self.page = ProgressPage::ALL[page],
-            ProgressAction::Scroll(rows) => return Next::Shared(SharedAction::Scroll(rows)),
+            ProgressAction::TurnTo(page) => self.page = ProgressPage::VARIANTS[page],
+            ProgressAction::Scroll(rows) => return Next::scroll(rows),
             ProgressAction::DoNext => return self.ahead.follow(cx),
             ProgressAction::HandIn => self.hand_in(cx),
             ProgressAction::Back => return Next::Back,
@@ -201,15 +190,11 @@ impl Screen for Progress {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Kept(answer) => {
-                self.ahead.take(answer, cx);
-                Next::Stay
-            }
             Input::Exported(exported) => {
                 cx.notify_of_export("file to hand in", exported);
                 Next::Stay
             }
-            _ => Next::Ignored,
+            input => self.ahead.input(input, cx),
         }
     }
 
@@ -230,7 +215,7 @@ impl Screen for Progress {
         };
         let (title, beside) = page.titles();
         let (mut first, mut second) = (Panel::new(title), Panel::new(beside));
-        let plot: Option<DrawPlot> = match page {
+        let plot: Option<fn(&History, Rect, Look) -> Plotted> = match page {
             ProgressPage::OverTime => {
                 over_time::panel(history, &mut second);
                 self.ahead.write_done(&mut second);
@@ -258,18 +243,14 @@ impl Screen for Progress {
             }
         };
         second.gap();
-        let view = match plot {
-            Some(plot) => View::picture(
-                title,
-                move |area, buf, look| match plot(history, area, *look) {
-                    Ok(picture) => picture.draw(buf, look),
-                    Err(why) => Lines::new(area, buf, *look).paragraph(why, Role::Text),
-                },
-                second,
-            ),
-            None => View::panels(first, second),
+        let Some(plot) = plot else {
+            return self.with_next_step(View::panels(first, second));
         };
-        self.with_next_step(view)
+        let draw = move |area, buf: &mut _, look: &_| match plot(history, area, *look) {
+            Ok(picture) => picture.draw(buf, look),
+            Err(why) => Lines::new(area, buf, *look).paragraph(why, Role::Text),
+        };
+        self.with_next_step(View::picture(title, draw, second))
     }
 
     fn point(&mut self, mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {

@@ -2,13 +2,12 @@
 
 use ratatui::layout::Rect;
 
-use super::ProgressAction;
+use super::{Plotted, ProgressAction};
 use crate::messages::History;
 use crate::progress::words::{degrees, percent};
 use crate::progress::{ObservationCounts, Tally, ends_deg};
 use crate::quiz::RIGHT_DEG;
 use crate::widgets::panel::Panel;
-use crate::widgets::picture::Picture;
 use crate::widgets::plot::errors_picture;
 use crate::widgets::{Look, Role};
 
@@ -16,7 +15,7 @@ use crate::widgets::{Look, Role};
 const SHOWN: usize = 100;
 
 /// Plots the error of each answer and a running mean, or returns the reason why there is no plot.
-pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture, &'static str> {
+pub(super) fn plot(history: &History, area: Rect, look: Look) -> Plotted {
     let picture = errors_picture(&history.attempts, SHOWN, area, look);
     let picture = picture.map(|(picture, _)| picture);
     picture.ok_or("None of your answers so far was an angle.")
@@ -43,23 +42,20 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
         panel.paragraph(words, Role::Text);
     }
     panel.gap();
-    panel.paragraph(
-        "o: right, x: not yet; the line is the mean of five.",
-        Role::Dim,
-    );
+    let text = "o: right, x: not yet; the line is the mean of five.";
+    panel.paragraph(text, Role::Dim);
 }
 
 /// A comment on the mean errors of the first and the last answers.
 fn compared(first: f64, last: f64) -> &'static str {
-    if last <= RIGHT_DEG {
-        "That is as accurate as the eye can judge. Well aimed."
-    } else if last < 0.8 * first {
-        "You are closer than before: your practice shows."
-    } else if last > 1.25 * first {
-        "Your recent errors were larger. That is normal with new kinds of collision; the line will \
-         come down again."
-    } else {
-        "Steady. You learn most from the questions you miss: read their explanations."
+    match last {
+        ..=RIGHT_DEG => "That is as accurate as the eye can judge. Well aimed.",
+        _ if last < 0.8 * first => "You are closer than before: your practice shows.",
+        _ if last > 1.25 * first => {
+            "Your recent errors were larger. That is normal with new kinds of collision; the line \
+             will come down again."
+        }
+        _ => "Steady. You learn most from the questions you miss: read their explanations.",
     }
 }
 

@@ -2,13 +2,12 @@
 
 use ratatui::layout::Rect;
 
-use super::ProgressAction;
+use super::{Plotted, ProgressAction};
 use crate::messages::History;
 use crate::progress::words::percent;
 use crate::progress::{Calibrated, calibration, calibration_over_time, calibration_words};
 use crate::quiz::Confidence;
 use crate::widgets::panel::Panel;
-use crate::widgets::picture::Picture;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
@@ -28,10 +27,8 @@ pub(super) fn table(history: &History, panel: &mut Panel<ProgressAction>) {
             true => Role::Warn,
             false => Role::Good,
         };
-        panel.gauge(
-            (right.unwrap_or(0.0), percent(right), role),
-            (Calibrated::honest(confidence), "honest"),
-        );
+        let share = (right.unwrap_or(0.0), percent(right), role);
+        panel.gauge(share, (Calibrated::honest(confidence), "honest"));
         panel.gap();
     }
 }
@@ -40,24 +37,19 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let calibration = calibration(&history.attempts);
     panel.paragraph(calibration_words(&calibration), Role::Text);
     panel.gap();
-    let missed = { history.attempts.iter() }.filter(|it| it.is_surely_wrong());
-    let missed = missed.count();
+    let answers = history.attempts.iter();
+    let missed = answers.filter(|it| it.is_surely_wrong()).count();
     if missed > 0 {
         panel.fact("sure, but wrong", missed.to_string());
-        panel.paragraph(
-            "Each of these is a discovery: something you did not know that you did not know.",
-            Role::Text,
-        );
+        let text =
+            "Each of these is a discovery: something you did not know that you did not know.";
+        panel.paragraph(text, Role::Text);
     }
 }
 
 /// For each confidence, the share of right answers among the last few; or the reason why there
 /// is no plot.
-pub(super) fn plot_over_time(
-    history: &History,
-    area: Rect,
-    look: Look,
-) -> Result<Picture, &'static str> {
+pub(super) fn plot_over_time(history: &History, area: Rect, look: Look) -> Plotted {
     let picture = sureness_picture(&history.attempts, SHOWN, REACH, area, look);
     picture.ok_or("A line appears here after three answers with the same confidence.")
 }

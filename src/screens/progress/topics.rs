@@ -65,9 +65,8 @@ fn topics_of_the_quiz(history: &History) -> Vec<TopicStanding> {
 /// The chapters that the player has opened, with their state in Learn.
 fn chapters(book: &Book, panel: &mut Panel<ProgressAction>) {
     let chapters = book.library().chapters.iter();
-    let opened: Vec<_> = chapters
-        .filter_map(|chapter| Some((chapter, book.mark(&chapter.id)?)))
-        .collect();
+    let opened = chapters.filter_map(|chapter| Some((chapter, book.mark(&chapter.id)?)));
+    let opened: Vec<_> = opened.collect();
     if opened.is_empty() {
         return;
     }
@@ -82,21 +81,16 @@ fn chapters(book: &Book, panel: &mut Panel<ProgressAction>) {
 
 /// Writes the number of solid topics, the topics that are due now, and the one due next.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
-    let solid = topics_of_the_quiz(history)
-        .iter()
-        .filter(|topic| topic.mastery() == Mastery::Solid)
-        .count();
+    let topics = topics_of_the_quiz(history).into_iter();
+    let solid = topics.filter(|it| it.mastery() == Mastery::Solid).count();
     if solid > 0 {
         panel.coloured_fact("solid", solid.to_string(), Role::Good);
         panel.gap();
     }
     let Some(today) = history.calendar.today() else {
-        panel.paragraph(
-            "What you know comes back after a while; what you missed comes back soon. The dates \
-             will appear here.",
-            Role::Text,
-        );
-        return;
+        let text = "What you know comes back after a while; what you missed comes back soon. The \
+                    dates will appear here.";
+        return panel.paragraph(text, Role::Text);
     };
     let due = Due::of(&history.attempts, &history.calendar);
     if due.now.is_empty() {
@@ -110,21 +104,17 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
         panel.heading(when);
         listed(vec![topic.name()], panel);
     }
-    let chapters: Vec<String> = reviews(&history.attempts, &history.calendar)
-        .into_iter()
-        .filter(|review| review.family == LESSON && review.is_due(today))
-        .map(|review| review.topic)
-        .collect();
+    let mut reviews = reviews(&history.attempts, &history.calendar);
+    reviews.retain(|review| review.family == LESSON && review.is_due(today));
+    let chapters: Vec<String> = reviews.into_iter().map(|it| it.topic).collect();
     if !chapters.is_empty() {
         panel.gap();
         panel.heading("chapters to look at again");
         listed(chapters, panel);
     }
     panel.gap();
-    panel.paragraph(
-        "Coming back after a rest feels harder, but it helps you remember.",
-        Role::Dim,
-    );
+    let text = "Coming back after a rest feels harder, but it helps you remember.";
+    panel.paragraph(text, Role::Dim);
 }
 
 /// Lists the first few of these names, and how many more there are.

@@ -16,7 +16,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::ahead::Ahead;
-use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View, leads};
+use super::{Confirmation, Context, Next, Route, Screen, View, leads};
 use crate::lessons::Book;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::{Collision, Frame};
@@ -34,7 +34,7 @@ use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, P
 const SETTLING: Duration = Duration::from_millis(500);
 
 /// Returns to choosing a round.
-const CHOOSE: Next = Next::Replace(Route::Quiz { code: None });
+const CHOOSE: Next = Next::Replace(Route::Quiz(None));
 
 /// Actions in a round of the quiz.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
@@ -135,13 +135,8 @@ struct AnsweredQuestion {
 impl Quiz {
     /// The round with this code, at its first question.
     pub(crate) fn new(code: Code) -> Self {
-        Self::of(Round::of(code))
-    }
-
-    /// A round, at its first question.
-    pub(crate) fn of(round: Round) -> Self {
         let mut quiz = Self {
-            round,
+            round: Round::of(code),
             answers: Vec::new(),
             attempts: Vec::new(),
             phase: QuizPhase::Summary(ListView::default()),
@@ -186,14 +181,13 @@ impl Quiz {
 
     /// Asks the next question, or shows the summary after the last.
     fn ask(&mut self) {
-        let phase = match self.round.questions().get(self.answers.len()) {
+        self.phase = match self.round.questions().get(self.answers.len()) {
             Some(question) => QuizPhase::Asked(Box::new(OpenQuestion {
                 question: question.clone(),
                 asking: Asking::new(AnswerInput::new(&question.form)),
             })),
             None => QuizPhase::Summary(ListView::default()),
         };
-        self.phase = phase;
     }
 
     /// Whether every question has been answered.
@@ -250,22 +244,11 @@ impl Quiz {
         let QuizPhase::See(open) = &self.phase else {
             return;
         };
-        let SeenQuestion {
-            question, answer, ..
-        } = &**open;
-        let place = ObservationPlace::Quiz;
-        let observed = seen
-            .zip(answer.said.rays())
-            .zip(question.form.truth().rays());
-        let observed = observed.map(|((seen, said), truth)| Observation {
-            time_s: None,
-            player: cx.settings.player.clone(),
-            place,
-            said,
-            truth,
-            seen,
-        });
-        observed.iter().for_each(|it| cx.observe(it.clone()));
+        let (question, answer) = (&open.question, &open.answer);
+        let known = answer.said.rays().zip(question.form.truth().rays());
+        let all = seen.zip(known);
+        let rays = all.map(|(seen, (said, truth))| [said, truth, seen]);
+        let observed = rays.map(|rays| cx.observe(ObservationPlace::Quiz, rays));
         let mut watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
         watched.observed = observed;
         self.phase = QuizPhase::Watch(Box::new(watched));
@@ -293,22 +276,23 @@ impl Quiz {
         if seed == code.seed {
             seed = cx.next_seed();
         }
-        *self = Self::of(Round::new(code.course.clone(), seed));
+        let course = code.course.clone();
+        *self = Self::new(Code { course, seed });
         Next::Stay
     }
 
     /// The misconception that was found, if the round looks for one.
     fn found(&self) -> Option<Misconception> {
         let follows = self.round.course().follows_answers();
-        let named = follows.then(|| self.summary().most_held())?;
-        named.map(|(misconception, _)| misconception)
+        follows.then(|| self.summary().most_held()).flatten()
     }
 
     /// Asks further questions to check whether the player still has the misconception that was found.
     fn check(&mut self) {
         if let Some(misconception) = self.found() {
             let course = Course::new(CourseKind::Check(misconception));
-            *self = Self::of(Round::new(course, self.round.code().seed));
+            let seed = self.round.code().seed;
+            *self = Self::new(Code { course, seed });
         }
     }
 
@@ -346,8 +330,8 @@ impl Quiz {
     fn passage(&self, book: &Book) -> Option<Passage> {
         match &self.phase {
             QuizPhase::Asked(_) | QuizPhase::See(_) => None,
-            QuizPhase::Watch(watched) if !watched.reveal.is_explaining() => watched.passage(),
-            QuizPhase::Watch(_) => None,
+            QuizPhase::Watch(watched) if watched.reveal.is_explaining() => None,
+            QuizPhase::Watch(watched) => explain(&watched.question, &watched.answer).passage,
             QuizPhase::Summary(_) => self.summary().passage().filter(|page| {
                 let ahead = self.ahead.as_ref();
                 !ahead.is_some_and(|ahead| ahead.is_page(*page, book))
@@ -356,10 +340,13 @@ impl Quiz {
     }
 
     /// Closes an answered question: goes to the next one, or back to the list from which it was
-    /// `opened`.
-    fn put_away(&mut self, opened: Option<usize>, layers: Option<Overlays>) {
-        self.layers = layers.unwrap_or(self.layers);
-        match opened {
+    /// opened.
+    fn put_away(&mut self) {
+        let QuizPhase::Watch(watched) = &self.phase else {
+            return;
+        };
+        self.layers = watched.reveal.layers().unwrap_or(self.layers);
+        match watched.opened {
             Some(at) => self.phase = QuizPhase::Summary(ListView::at(at)),
             None => self.ask(),
         }
@@ -375,8 +362,7 @@ impl Quiz {
         }
         match &self.phase {
             QuizPhase::Watch(watched) if watched.opened.is_some() => {
-                let (opened, layers) = (watched.opened, watched.reveal.layers());
-                self.put_away(opened, layers);
+                self.put_away();
                 Next::Stay
             }
             QuizPhase::Summary(_) => CHOOSE,
@@ -432,11 +418,6 @@ impl AnsweredQuestion {
             observed: None,
         }
     }
-
-    /// The page to read after the answer, if it was wrong.
-    fn passage(&self) -> Option<Passage> {
-        explain(&self.question, &self.answer).passage
-    }
 }
 
 /// The collision to observe, if the answer predicts both rays and it is time to ask what the player
@@ -452,19 +433,11 @@ fn sighting(question: &Question, answer: &Answer, cx: &mut Context) -> Option<Si
     asks.then(|| Sighting::new(*collision, *shown, cx.settings.pace()))
 }
 
-/// Scrolls the text by this many rows.
-const fn scroll(rows: i16) -> Next {
-    Next::Shared(SharedAction::Scroll(rows))
-}
-
 impl Screen for Quiz {
     type Action = QuizAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "quiz".into()
-    }
+    const TITLE: &'static str = "quiz";
 
     fn route(&self, _cx: &Context) -> Route {
         Route::OpenRound {
@@ -585,10 +558,7 @@ impl Screen for Quiz {
             }
             (QuizAction::GoOn, QuizPhase::Watch(watched)) => match watched.remedy.take() {
                 Some(remedy) => watched.reveal.show(remedy),
-                None => {
-                    let (opened, layers) = (watched.opened, watched.reveal.layers());
-                    self.put_away(opened, layers);
-                }
+                None => self.put_away(),
             },
             (QuizAction::LookBack(action), QuizPhase::Summary(list)) => {
                 let count = self.answers.len();
@@ -598,9 +568,9 @@ impl Screen for Quiz {
                 let is_at_end = list.chosen(count) == before;
                 match (outcome, action) {
                     (Outcome::Done(at), _) => self.open(at, cx),
-                    (_, ListAction::Choose(by)) if is_at_end => return scroll(by as i16),
+                    (_, ListAction::Choose(by)) if is_at_end => return Next::scroll(by as i16),
                     (_, ListAction::Page(by) | ListAction::End(by)) if is_at_end => {
-                        return scroll(PAGE_ROWS * by as i16);
+                        return Next::scroll(PAGE_ROWS * by as i16);
                     }
                     _ => {}
                 }
@@ -611,12 +581,12 @@ impl Screen for Quiz {
                 let ahead = self.ahead.as_ref();
                 return match ahead.map_or(Next::Stay, |ahead| ahead.follow(cx)) {
                     // Another round replaces this one.
-                    Next::Open(round @ Route::Quiz { .. }) => Next::Replace(round),
+                    Next::Open(round @ Route::Quiz(_)) => Next::Replace(round),
                     other => other,
                 };
             }
             (QuizAction::Check, _) => self.check(),
-            (QuizAction::Scroll(rows), _) => return scroll(rows),
+            (QuizAction::Scroll(rows), _) => return Next::scroll(rows),
             (QuizAction::Leave, _) => return self.leave(),
             _ => return Next::Ignored,
         }
@@ -625,11 +595,8 @@ impl Screen for Quiz {
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match (input, &mut self.ahead) {
-            (Input::Kept(answer), Some(ahead)) => ahead.take(answer, cx),
-            _ => return Next::Ignored,
-        }
-        Next::Stay
+        let ahead = self.ahead.as_mut();
+        ahead.map_or(Next::Ignored, |ahead| ahead.input(input, cx))
     }
 
     fn resumed(&mut self, cx: &mut Context) {
@@ -654,10 +621,12 @@ impl Screen for Quiz {
         match &mut self.phase {
             QuizPhase::Asked(asked) if on_picture && mouse.is_held() => {
                 let OpenQuestion { question, asking } = &mut **asked;
-                let pointed = asking
-                    .input_mut()
-                    .is_some_and(|input| input.point(question, picture, mouse.place(), pressed));
-                Next::after(pointed)
+                let input = asking.input_mut();
+                Next::after(
+                    input.is_some_and(|input| {
+                        input.point(question, picture, mouse.place(), pressed)
+                    }),
+                )
             }
             QuizPhase::See(open) if on_picture && mouse.is_held() => {
                 open.sighting.point(picture, mouse.place(), pressed);
@@ -679,7 +648,7 @@ impl Screen for Quiz {
                 return self.act(QuizAction::LookBack(ListAction::Choose(by.into())), cx);
             }
             QuizPhase::Watch(watched) => watched.reveal.act(WatchAction::Step(-by)),
-            QuizPhase::Asked(_) | QuizPhase::See(_) => return scroll(by.into()),
+            QuizPhase::Asked(_) | QuizPhase::See(_) => return Next::scroll(by.into()),
         }
         Next::Stay
     }

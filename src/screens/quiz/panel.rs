@@ -3,7 +3,7 @@
 
 use super::{AnsweredQuestion, OpenQuestion, QuizAction};
 use crate::lessons::Book;
-use crate::quiz::{Form, Grade, Response, explain};
+use crate::quiz::{Confidence, Form, Grade, Response, explain};
 use crate::screens::leads;
 use crate::widgets::hit::write_observation;
 use crate::widgets::panel::Panel;
@@ -39,14 +39,11 @@ pub(super) fn confidence(
 ) {
     panel.part(QuizAction::Ask, |panel| {
         let heads = ["points if", "wrong", "right"];
-        asked.asking.write_confidence(
-            &heads,
-            |confidence| {
-                let points = [0.0, 1.0].map(|credit| confidence.points(credit));
-                points.map(|points| format!("{points:.0}")).into()
-            },
-            panel,
-        );
+        let points = |confidence: Confidence| {
+            [0.0, 1.0].map(|credit| format!("{:.0}", confidence.points(credit)))
+        };
+        let asking = &asked.asking;
+        asking.write_confidence(&heads, |confidence| points(confidence).into(), panel);
     });
     panel.gap();
     panel.line("You said", Role::Dim);

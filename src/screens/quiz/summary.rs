@@ -4,7 +4,7 @@ use super::{Quiz, QuizAction};
 use crate::lessons::Book;
 use crate::numbers;
 use crate::progress::{Attempt, Summary};
-use crate::quiz::{Answer, Code, CourseKind, Form, Grade, Origin, Question, explain};
+use crate::quiz::{Code, CourseKind, Form, Grade, Origin, explain};
 use crate::screens::leads;
 use crate::widgets::Role;
 use crate::widgets::input::ListAction;
@@ -12,6 +12,8 @@ use crate::widgets::panel::{Panel, TableColumn, TableRow};
 
 /// The largest width of the summary with its frame, in columns.
 pub(super) const WIDEST: u16 = 108;
+/// The smallest width of a panel with both the topic and what the answer showed.
+const WIDE: u16 = 104;
 
 /// The summary: the score, one row per question with a mark at question `at`, how well
 /// confidence matched the answers, and what to try next.
@@ -63,29 +65,21 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
 /// The command that gives a friend the same round; `None` for a round that depends on the player or
 /// on a teacher's files.
 fn for_a_friend(code: &Code) -> Option<(&'static str, String)> {
-    match code.course.kind {
+    let (text, option) = match code.course.kind {
         CourseKind::Met(_) | CourseKind::Review(_) | CourseKind::Own(_) | CourseKind::Set(_) => {
-            None
+            return None;
         }
-        CourseKind::Hits => Some((
-            "The same ten for a friend",
-            format!("carrom quiz --seed {code}"),
-        )),
-        _ => Some((
-            "The same round for a friend",
-            format!("carrom quiz --code {code}"),
-        )),
-    }
+        CourseKind::Hits => ("The same ten for a friend", "--seed"),
+        _ => ("The same round for a friend", "--code"),
+    };
+    Some((text, format!("carrom quiz {option} {code}")))
 }
 
 fn score(summary: &Summary) -> String {
     let mut text = summary.score();
     if let Some(error) = summary.mean_error() {
-        text += &format!(
-            ", mean error {} of {} angles",
-            numbers::degrees(error),
-            summary.angles()
-        );
+        let (error, angles) = (numbers::degrees(error), summary.angles());
+        text += &format!(", mean error {error} of {angles} angles");
     }
     text
 }
@@ -97,8 +91,7 @@ fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
         CourseKind::Check(misconception) => closing.push(summary.checked(misconception)),
         _ => {
             closing.extend(summary.held_words());
-            let held = summary.most_held();
-            closing.extend(held.map(|(misconception, _)| misconception.advice().into()));
+            closing.extend(summary.most_held().map(|it| it.advice().into()));
         }
     }
     closing
@@ -112,53 +105,44 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
     // Many answers are unclear without their topic; but in a round that looks for a
     // misconception, the topic matters less than what the answer showed.
     let shows_topic = !all_rays && !quiz.round.course().follows_answers();
-    let column = |head: &str, width, flush_right, room| TableColumn {
-        head: head.into(),
-        width,
-        flush_right,
-        room,
-        drawn: false,
-    };
-    const ALWAYS: u16 = 0;
-    const WIDE: u16 = 104;
-    let if_wide = |always| if always { ALWAYS } else { WIDE };
+    let if_wide = |always| if always { 0 } else { WIDE };
     let [said, truth] = match all_rays {
         true => ["you S    C", "true S    C"],
         false => ["you said", "truth"],
     };
     let columns = vec![
-        column("", 3, true, ALWAYS),
-        column(said, 10, true, ALWAYS),
-        column(truth, 11, true, ALWAYS),
-        column("pts", 5, true, ALWAYS),
-        column("sure?", 10, false, 72),
-        column("about", 28, false, if_wide(shows_topic)),
-        column("it was", 0, false, if_wide(!shows_topic)),
+        TableColumn::numbers("", 3),
+        TableColumn::numbers(said, 10),
+        TableColumn::numbers(truth, 11),
+        TableColumn::numbers("pts", 5),
+        TableColumn::words("sure?", 10).from(72),
+        TableColumn::words("about", 28).from(if_wide(shows_topic)),
+        TableColumn::words("it was", 0).from(if_wide(!shows_topic)),
     ];
-    let row =
-        |(number, (attempt, (question, answer))): (usize, (&Attempt, (&Question, &Answer)))| {
-            let missed = was_far_off(attempt);
-            TableRow {
-                cells: vec![
-                    format!("{}{}", number + 1, if missed { "!" } else { " " }),
-                    question.form.brief(&answer.said),
-                    question.form.brief(&question.form.truth()),
-                    numbers::points(attempt.earned()),
-                    answer.confidence.name().into(),
-                    question.topic.name(),
-                    explain(question, answer).title.into(),
-                ],
-                role: match missed {
-                    true => Role::Warn,
-                    false if attempt.right => Role::Good,
-                    false => Role::Text,
-                },
-                chosen: number == at,
-                action: Some(QuizAction::LookBack(ListAction::Point(number))),
-            }
-        };
     let lines = summary.attempts.iter().zip(answered()).enumerate();
-    panel.table(columns, lines.map(row).collect(), None);
+    let rows = lines.map(|(number, (attempt, (question, answer)))| {
+        let missed = was_far_off(attempt);
+        let role = match missed {
+            true => Role::Warn,
+            false if attempt.right => Role::Good,
+            false => Role::Text,
+        };
+        let cells = vec![
+            format!("{}{}", number + 1, if missed { "!" } else { " " }),
+            question.form.brief(&answer.said),
+            question.form.brief(&question.form.truth()),
+            numbers::points(attempt.earned()),
+            answer.confidence.name().into(),
+            question.topic.name(),
+            explain(question, answer).title.into(),
+        ];
+        TableRow {
+            chosen: number == at,
+            action: Some(QuizAction::LookBack(ListAction::Point(number))),
+            ..TableRow::of(cells, role)
+        }
+    });
+    panel.table(columns, rows.collect(), None);
     if summary.attempts.iter().any(was_far_off) {
         panel.line("! sure, but wrong", Role::Dim);
     }

@@ -32,18 +32,12 @@ fn of_asked<'s>(quiz: &Quiz, asked: &'s OpenQuestion) -> View<'s, QuizAction> {
         false => panel::asked(asked, &mut text),
         true => panel::confidence(asked, quiz.feedback_at_end(), &mut text),
     }
-    beside_picture(
-        question.family.name().into(),
-        question,
-        text,
-        |area, buf, look| {
-            draw_question(area, buf, look, question, Some(asked.asking.input()));
-        },
-    )
-    .dragging(match sure {
-        false => asked.asking.input().drag(question),
-        true => None,
-    })
+    let input = asked.asking.input();
+    let draw = move |area, buf: &mut _, look: &_| {
+        draw_question(area, buf, look, question, Some(input));
+    };
+    let view = beside_picture(question.family.name().into(), question, text, draw);
+    view.dragging(input.drag(question).filter(|_| !sure))
 }
 
 fn of_seen<'s>(quiz: &Quiz, open: &'s SeenQuestion) -> View<'s, QuizAction> {
@@ -71,15 +65,11 @@ fn of_watched<'s>(
         false => panel::feedback(watched, &cx.book, &mut text),
     }
     let question = &watched.question;
-    beside_picture(
-        title(watched),
-        question,
-        text,
-        |area, buf, look| match watched.reveal.watch() {
-            Some(watch) => watch.picture(area).draw(buf, look),
-            None => draw_question(area, buf, look, question, None),
-        },
-    )
+    let draw = move |area, buf: &mut _, look: &_| match watched.reveal.watch() {
+        Some(watch) => watch.picture(area).draw(buf, look),
+        None => draw_question(area, buf, look, question, None),
+    };
+    beside_picture(title(watched), question, text, draw)
 }
 
 /// Text beside the question's picture; without a picture, the text alone, under the title that the

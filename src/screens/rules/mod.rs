@@ -3,7 +3,7 @@
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::view::WIDEST;
-use super::{Context, Next, Route, Screen, SharedAction, View};
+use super::{Context, Next, Route, Screen, View};
 use crate::game::{RuleLine, Rules};
 use crate::messages::Key;
 use crate::widgets::input::KeyTable;
@@ -32,13 +32,10 @@ impl Screen for RulesScreen {
     type Action = RulesAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "rules".into()
-    }
+    const TITLE: &'static str = "rules";
 
     fn route(&self, _cx: &Context) -> Route {
-        Route::Rules { rules: self.rules }
+        Route::Rules(self.rules)
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<RulesAction> {
@@ -57,7 +54,7 @@ impl Screen for RulesScreen {
     fn act(&mut self, action: RulesAction, _cx: &mut Context) -> Next {
         match action {
             RulesAction::Show(rules) => self.rules = rules,
-            RulesAction::Scroll(rows) => return Next::Shared(SharedAction::Scroll(rows)),
+            RulesAction::Scroll(rows) => return Next::scroll(rows),
             RulesAction::Leave => return Next::Back,
         }
         Next::Stay

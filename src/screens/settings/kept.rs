@@ -42,21 +42,20 @@ impl KeptSettings {
 
     /// The given settings, overridden by the saved ones. A screen without colours stays without
     /// them.
-    pub fn over(&self, settings: Settings) -> Settings {
+    pub fn over(&self, mut settings: Settings) -> Settings {
         let depth = settings.depth;
-        let mut over = settings;
         for setting in &SETTINGS {
             if let Some(at) = self.chosen.get(setting.id) {
-                (setting.choose)(&mut over, *at);
+                (setting.choose)(&mut settings, *at);
             }
         }
         if depth == Depth::None {
-            over.depth = depth;
+            settings.depth = depth;
         }
         if let Some(player) = &self.player {
-            over.player.clone_from(player);
+            settings.player.clone_from(player);
         }
-        over
+        settings
     }
 
     /// The text of the file.

@@ -120,11 +120,8 @@ impl SettingsScreen {
             Some(it) => format!(" There is already a player called {}.", it.name),
             None => String::new(),
         };
-        Next::Confirm(Confirmation::new(
-            format!("Begin a new record for {name}?{like}"),
-            "begin",
-            "go back",
-        ))
+        let text = format!("Begin a new record for {name}?{like}");
+        Next::Confirm(Confirmation::new(text, "begin", "go back"))
     }
 }
 
@@ -132,14 +129,8 @@ impl Screen for SettingsScreen {
     type Action = SettingsAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "settings".into()
-    }
-
-    fn route(&self, _cx: &Context) -> Route {
-        Route::Settings
-    }
+    const TITLE: &'static str = "settings";
+    const ROUTE: Route = Route::Settings;
 
     fn keys(&self, cx: &Context) -> KeyTable<SettingsAction> {
         use SettingsAction::{Back, Enter, Players, Set, Take};
@@ -217,63 +208,59 @@ impl Screen for SettingsScreen {
         Next::Stay
     }
 
+    /// The settings, and a description of the chosen one.
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, SettingsAction> {
-        view(self, cx)
-    }
-}
-
-/// The settings, and a description of the chosen one.
-fn view<'s>(screen: &SettingsScreen, cx: &Context) -> View<'s, SettingsAction> {
-    let mut form = Panel::new("settings");
-    form.part(SettingsAction::Set, |panel| {
-        screen.form.write(&cx.settings, panel);
-    });
-    if let Some(list) = &screen.choosing {
-        form.gap();
-        form.heading("Players");
-        let chosen = list.chosen(screen.players.len() + 1);
-        let days = screen.players.iter().map(|it| {
-            let last = it.last.map(long_day).unwrap_or_default();
-            (it.name.as_str(), last)
+        let mut form = Panel::new("settings");
+        form.part(SettingsAction::Set, |panel| {
+            self.form.write(&cx.settings, panel);
         });
-        let lines = days.chain([("someone new", String::new())]);
-        for (at, (name, last)) in lines.enumerate() {
-            let action = SettingsAction::Players(ListAction::Point(at));
-            form.row(
-                (name.to_owned(), Role::Text),
-                (last, Role::Dim),
-                at == chosen,
-                action,
-            );
+        if let Some(list) = &self.choosing {
+            form.gap();
+            form.heading("Players");
+            let chosen = list.chosen(self.players.len() + 1);
+            let days = self.players.iter().map(|it| {
+                let last = it.last.map(long_day).unwrap_or_default();
+                (it.name.as_str(), last)
+            });
+            let lines = days.chain([("someone new", String::new())]);
+            for (at, (name, last)) in lines.enumerate() {
+                let action = SettingsAction::Players(ListAction::Point(at));
+                form.row(
+                    (name.to_owned(), Role::Text),
+                    (last, Role::Dim),
+                    at == chosen,
+                    action,
+                );
+            }
         }
-    }
-    if let Some(typed) = &screen.typed {
-        form.gap();
-        form.text_field("name", typed.around_cursor(), true, None);
-    }
-    let mut about = Panel::new("this setting");
-    screen.form.write_about(&cx.settings, &mut about);
-    about.gap();
-    let choose = SettingsAction::Players(ListAction::Open);
-    match (&screen.typed, screen.is_at_player(cx)) {
-        (Some(_), _) => about.prompt("use it", SettingsAction::Take),
-        (None, true) if screen.choosing.is_some() => about.prompt("choose", choose),
-        (None, true) => about.prompt("players", SettingsAction::Enter),
-        (None, false) => about.prompt("next value", SettingsAction::Enter),
-    }
-    about.gap();
-    about.heading("Where your data is kept");
-    match &cx.folder {
-        Some(folder) => about.paragraph(folder, Role::Text),
-        None => about.paragraph("Nowhere: it is lost when carrom ends.", Role::Text),
-    }
-    about.paragraph(
-        "Answers, bookmarks, games and these settings are kept there and nowhere else.",
-        Role::Dim,
-    );
-    about.worth(1, |about| {
+        if let Some(typed) = &self.typed {
+            form.gap();
+            form.text_field("name", typed.around_cursor(), true, None);
+        }
+        let mut about = Panel::new("this setting");
+        self.form.write_about(&cx.settings, &mut about);
         about.gap();
-        about.paragraph("The help explains how to change keys.", Role::Dim);
-    });
-    View::panels(form, about)
+        let choose = SettingsAction::Players(ListAction::Open);
+        match (&self.typed, self.is_at_player(cx)) {
+            (Some(_), _) => about.prompt("use it", SettingsAction::Take),
+            (None, true) if self.choosing.is_some() => about.prompt("choose", choose),
+            (None, true) => about.prompt("players", SettingsAction::Enter),
+            (None, false) => about.prompt("next value", SettingsAction::Enter),
+        }
+        about.gap();
+        about.heading("Where your data is kept");
+        match &cx.folder {
+            Some(folder) => about.paragraph(folder, Role::Text),
+            None => about.paragraph("Nowhere: it is lost when carrom ends.", Role::Text),
+        }
+        about.paragraph(
+            "Answers, bookmarks, games and these settings are kept there and nowhere else.",
+            Role::Dim,
+        );
+        about.worth(1, |about| {
+            about.gap();
+            about.paragraph("The help explains how to change keys.", Role::Dim);
+        });
+        View::panels(form, about)
+    }
 }

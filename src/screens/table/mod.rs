@@ -111,18 +111,15 @@ impl Screen for Table {
     type Action = TableAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "table".into()
-    }
+    const TITLE: &'static str = "table";
 
     fn route(&self, _cx: &Context) -> Route {
         let code = match &self.page {
-            TablePage::Board(page) => return Route::Board { code: page.code },
+            TablePage::Board(page) => return Route::Board(page.code),
             TablePage::Playing(playing) => playing.game.game().setup().board_code(),
             TablePage::NewGame(_) | TablePage::Saved(_) => None,
         };
-        code.map_or(Route::Table, |code| Route::Board { code: Some(code) })
+        code.map_or(Route::Table, |code| Route::Board(Some(code)))
     }
 
     fn status(&self, _cx: &Context) -> String {
@@ -174,10 +171,10 @@ impl Screen for Table {
                     let saved = SavedGames::ask(page.options.clone(), cx);
                     self.page = TablePage::Saved(Box::new(saved));
                 }
-                NewGameAction::Board => return Next::Open(Route::Board { code: None }),
+                NewGameAction::Board => return Next::Open(Route::Board(None)),
                 NewGameAction::Rules => {
                     let rules = page.options.setup.rules;
-                    return Next::Open(Route::Rules { rules });
+                    return Next::Open(Route::Rules(rules));
                 }
                 NewGameAction::Back => return Next::Back,
             },
@@ -188,7 +185,7 @@ impl Screen for Table {
                 }
                 (BoardAction::Rules, _) => {
                     let rules = Rules::Solo;
-                    return Next::Open(Route::Rules { rules });
+                    return Next::Open(Route::Rules(rules));
                 }
                 (BoardAction::Back, _) => return Next::Back,
                 (action, _) => page.act(action),

@@ -224,14 +224,8 @@ impl Screen for Teacher {
     type Action = TeacherAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "teacher".into()
-    }
-
-    fn route(&self, _cx: &Context) -> Route {
-        Route::Teacher
-    }
+    const TITLE: &'static str = "teacher";
+    const ROUTE: Route = Route::Teacher;
 
     fn keys(&self, _cx: &Context) -> KeyTable<TeacherAction> {
         use TeacherAction::{Back, Change, List};

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use strum::{EnumString, VariantNames};
 
-use super::signs::{greek, superscript};
+use super::signs::superscript;
+use crate::numbers::greek;
 
 /// The glyphs that a screen may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]

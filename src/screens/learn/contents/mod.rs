@@ -100,21 +100,15 @@ fn open(book: &Book) -> Next {
         ContentsLine::Glossary => return Next::Open(Route::Glossary),
         ContentsLine::Problem(_) => None,
     };
-    number.map_or(Next::Stay, |number| Next::Open(Route::Chapter { number }))
+    number.map_or(Next::Stay, |number| Next::Open(Route::Chapter(number)))
 }
 
 impl Screen for Contents {
     type Action = ContentsAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "learn".into()
-    }
-
-    fn route(&self, _cx: &Context) -> Route {
-        Route::Learn
-    }
+    const TITLE: &'static str = "learn";
+    const ROUTE: Route = Route::Learn;
 
     fn status(&self, cx: &Context) -> String {
         if !cx.book.is_known() {
@@ -157,14 +151,11 @@ impl Screen for Contents {
                 (format!("chapter {number}"), "this chapter")
             }
         };
-        Next::Confirm(Confirmation::new(
-            format!(
-                "Forget {title}? Your place and your answers in {of} will be forgotten, so that \
-                 you can start over. Your progress still counts every answer you have given."
-            ),
-            "forget it",
-            "keep it",
-        ))
+        let text = format!(
+            "Forget {title}? Your place and your answers in {of} will be forgotten, so that you \
+             can start over. Your progress still counts every answer you have given."
+        );
+        Next::Confirm(Confirmation::new(text, "forget it", "keep it"))
     }
 
     fn confirmed(&mut self, action: ContentsAction, cx: &mut Context) -> Next {
@@ -179,14 +170,14 @@ impl Screen for Contents {
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let Input::Kept(answer) = input else {
-            return Next::Ignored;
-        };
-        self.ahead.take(answer, cx);
-        if !self.moved && matches!(answer.done, StoreReply::Marks(_) | StoreReply::Recalled(_)) {
+        let next = self.ahead.input(input, cx);
+        if let Input::Kept(answer) = input
+            && matches!(answer.done, StoreReply::Marks(_) | StoreReply::Recalled(_))
+            && !self.moved
+        {
             cx.book.at = self.next_chapter(&cx.book).unwrap_or(0);
         }
-        Next::Stay
+        next
     }
 
     fn resumed(&mut self, cx: &mut Context) {

@@ -7,16 +7,15 @@
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 use glam::dvec2;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
+use super::FigureArea;
 use crate::lessons::FigureKind;
 use crate::numbers::significant;
 use crate::physics::Collision;
 use crate::physics::units::g_from_kg;
+use crate::widgets::Role;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Lines, Look, Role, areas};
 
 /// The force during a contact.
 pub(super) struct ContactForce {
@@ -68,29 +67,19 @@ impl ContactForce {
         ]
     }
 
-    /// The plot, without numbers while the outcome is `hidden`.
-    pub(super) fn lay_out(
-        &self,
-        hidden: bool,
-        area: Rect,
-        buf: &mut Buffer,
-        look: &Look,
-    ) -> Picture {
-        let [area, below] = areas::upper(area, area.height.saturating_sub(2));
+    /// The plot, without numbers while the outcome is hidden.
+    pub(super) fn lay_out(&self, figure: FigureArea) -> Picture {
+        let (hidden, look) = (figure.hidden, *figure.look);
+        let (area, mut lines) = figure.split(2);
         let (shortest, longest) = FigureKind::CONTACT_MS;
-        let most = 1.05
-            * Self {
-                time_ms: shortest,
-                ..*self
-            }
-            .greatest();
+        let shortest = Self {
+            time_ms: shortest,
+            ..*self
+        };
+        let most = 1.05 * shortest.greatest();
         let time = Axis::linear("time (ms)", 0.0, longest).every(0.3);
-        let mut plot = Plot::new(
-            area,
-            *look,
-            time,
-            Axis::linear("force (N)", 0.0, most.max(1.0)),
-        );
+        let force = Axis::linear("force (N)", 0.0, most.max(1.0));
+        let mut plot = Plot::new(area, look, time, force);
         let columns = u32::from(plot.paper().width.max(2)) - 1;
         let at = |columns_in: f64| longest * columns_in / f64::from(columns);
         for column in 1..columns {
@@ -101,29 +90,20 @@ impl ContactForce {
                 plot.bar(from, to, force, Role::Trail);
             }
         }
-        plot.function(
-            |ms| (ms <= self.time_ms).then(|| self.at(ms)),
-            Pen::new(Role::CoinOut),
-        );
+        let force = |ms| (ms <= self.time_ms).then(|| self.at(ms));
+        plot.function(force, Pen::new(Role::CoinOut));
         if !hidden {
             let average = self.average();
             let corners = [(0.0, average), (self.time_ms, average), (self.time_ms, 0.0)];
-            plot.curve(
-                corners.map(|(ms, force)| dvec2(ms, force)),
-                Pen::new(Role::Aim).dotted(),
-            );
+            let corners = corners.map(|(ms, force)| dvec2(ms, force));
+            plot.curve(corners, Pen::new(Role::Aim).dotted());
             let end = dvec2(self.time_ms, average);
             let sides = [LabelSide::Right, LabelSide::AboveRight, LabelSide::Above];
-            plot.label(
-                &format!("F = {} N", significant(average)),
-                end,
-                &sides,
-                Role::Text,
-            );
-            let mut lines = Lines::new(below, buf, *look);
-            self.words()
-                .iter()
-                .for_each(|line| lines.line(line, Role::Text));
+            let text = format!("F = {} N", significant(average));
+            plot.label(&text, end, &sides, Role::Text);
+            for line in self.words() {
+                lines.line(&line, Role::Text);
+            }
         }
         plot.picture()
     }

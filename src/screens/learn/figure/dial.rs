@@ -10,51 +10,47 @@ pub(super) struct FigureDial {
     /// The dial's name in the line of keys.
     pub(super) name: &'static str,
     value: f64,
-    ends: (f64, f64),
-    step: f64,
+    /// The smallest and the largest value, and the step.
+    range: (f64, f64, f64),
 }
 
 impl FigureDial {
     /// The dial of a kind of figure, if it has one.
     pub(super) fn of(kind: FigureKind, collision: &Collision) -> Option<Self> {
-        let (name, value, ends, step) = match kind {
-            FigureKind::Force { time_ms } => ("time", time_ms, FigureKind::CONTACT_MS, 0.1),
-            FigureKind::Film { mut filming } => {
-                let (least, most, step) = filming.sets.range();
-                let name = film::name(filming.sets);
-                (name, *filming.of(filming.sets), (least, most), step)
+        let (name, value, range) = match kind {
+            FigureKind::Force { time_ms } => {
+                let (shortest, longest) = FigureKind::CONTACT_MS;
+                ("time", time_ms, (shortest, longest, 0.1))
             }
-            FigureKind::Parts => ("e", collision.restitution, (0.0, 1.0), 0.05),
-            FigureKind::Coalesce | FigureKind::Explosion { .. } => (
-                "angle",
-                momenta::angle_deg(kind, collision),
-                (0.0, 180.0),
-                5.0,
-            ),
+            FigureKind::Film { mut filming } => {
+                let sets = filming.sets;
+                (film::name(sets), *filming.of(sets), sets.range())
+            }
+            FigureKind::Parts => ("e", collision.restitution, (0.0, 1.0, 0.05)),
+            FigureKind::Coalesce | FigureKind::Explosion { .. } => {
+                let angle_deg = momenta::angle_deg(kind, collision);
+                ("angle", angle_deg, (0.0, 180.0, 5.0))
+            }
             _ => return None,
         };
-        Some(Self {
-            name,
-            value,
-            ends,
-            step,
-        })
+        Some(Self { name, value, range })
     }
 
     /// The value after some steps.
     pub(super) fn stepped(&self, by: i8) -> f64 {
-        self.value + f64::from(by) * self.step
+        let (_, _, step) = self.range;
+        self.value + f64::from(by) * step
     }
 
     /// The value at the fraction `share` of the range.
     pub(super) fn at(&self, share: f64) -> f64 {
-        let (least, most) = self.ends;
+        let (least, most, _) = self.range;
         least + share * (most - least)
     }
 
     /// The step of the dial nearest to this value.
     pub(super) fn nearest(&self, value: f64) -> f64 {
-        let (least, most) = self.ends;
-        tidy((value / self.step).round() * self.step).clamp(least, most)
+        let (least, most, step) = self.range;
+        tidy((value / step).round() * step).clamp(least, most)
     }
 }

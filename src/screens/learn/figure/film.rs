@@ -5,16 +5,15 @@ use std::sync::Arc;
 use glam::{DVec2, dvec2};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
+use super::FigureArea;
 use crate::lessons::{FilmSetting, Filming};
 use crate::measure::{Camera, Given, Measurement, Model, SlowingDown, State};
 use crate::numbers::short;
 use crate::physics::Collision;
 use crate::physics::units::{m_from_mm, rad_from_deg};
 use crate::widgets::picture::{Picture, View};
-use crate::widgets::{Lines, Look, Role, areas, measured_picture, points_picture};
+use crate::widgets::{Lines, Role, measured_picture, points_picture};
 
 /// The length of the striker's path before the contact, in metres; the film has as many frames
 /// after the contact as before it.
@@ -86,21 +85,15 @@ impl FilmFigure {
     /// How the collision was filmed. While the outcome is `hidden`, so is the error of the scale,
     /// because it is the answer to a question.
     fn film(&self, hidden: bool) -> String {
-        let Filming {
-            rate,
-            noise_mm,
-            scale_percent,
-            tilt_deg,
-            ..
-        } = self.filming;
-        let [rate, noise, tilt] = [rate, noise_mm, tilt_deg].map(|it| short(it, 1));
+        let it = &self.filming;
+        let [rate, noise, tilt] = [it.rate, it.noise_mm, it.tilt_deg].map(|of| short(of, 1));
         let mut text = format!("{rate} frames/s, noise {noise} mm");
-        let has_scale = scale_percent.abs() > 0.0 || self.filming.sets == FilmSetting::Scale;
+        let has_scale = it.scale_percent.abs() > 0.0 || it.sets == FilmSetting::Scale;
         if has_scale && !hidden {
-            let sign = if scale_percent > 0.0 { "+" } else { "" };
-            text += &format!(", scale {sign}{} %", short(scale_percent, 1));
+            let sign = if it.scale_percent > 0.0 { "+" } else { "" };
+            text += &format!(", scale {sign}{} %", short(it.scale_percent, 1));
         }
-        if tilt_deg > 0.0 || self.filming.sets == FilmSetting::Tilt {
+        if it.tilt_deg > 0.0 || it.sets == FilmSetting::Tilt {
             text += &format!(", tilt {tilt}°");
         }
         text
@@ -111,34 +104,26 @@ impl FilmFigure {
             Ok(measurement) => measurement,
             Err(reason) => return vec![reason.clone()],
         };
-        let sentences = measurement.sentences();
-        let mut lines: Vec<_> = sentences.into_iter().take(1).collect();
+        let first = measurement.sentences().into_iter().take(1);
         let [e, u1] = ["restitution", "u1"].map(|id| measurement.printed(id));
-        lines.push(format!("e = {e}, u₁ = {u1}"));
-        lines
+        first.chain([format!("e = {e}, u₁ = {u1}")]).collect()
     }
 
     fn write(&self, hidden: bool, lines: &mut Lines) {
         lines.paragraph(&self.film(hidden), Role::Dim);
         if !hidden {
-            let results = self.results();
-            results
-                .iter()
-                .for_each(|line| lines.paragraph(line, Role::Text));
+            for line in self.results() {
+                lines.paragraph(&line, Role::Text);
+            }
         }
     }
 
     /// The points, the fitted and the predicted paths and the results; the points alone while the
-    /// outcome is `hidden`.
-    pub(super) fn lay_out(
-        &self,
-        hidden: bool,
-        area: Rect,
-        buf: &mut Buffer,
-        look: &Look,
-    ) -> Picture {
-        let [area, below] = areas::upper(area, area.height.saturating_sub(ROWS));
-        self.write(hidden, &mut Lines::new(below, buf, *look));
+    /// outcome is hidden.
+    pub(super) fn lay_out(&self, figure: FigureArea) -> Picture {
+        let hidden = figure.hidden;
+        let (area, mut lines) = figure.split(ROWS);
+        self.write(hidden, &mut lines);
         match &self.measured {
             Ok(measurement) if hidden => points_picture(area, measurement),
             Ok(measurement) => measured_picture(area, measurement),
@@ -161,11 +146,8 @@ pub(super) fn in_words(collision: &Collision, filming: Filming, revealed: bool) 
             let mut filming = filming;
             *filming.of(filming.sets) = value;
             let film = FilmFigure::new(collision, filming);
-            lines.push(format!(
-                "{}: {}.",
-                film.film(false),
-                film.results().join(" ")
-            ));
+            let results = film.results().join(" ");
+            lines.push(format!("{}: {results}.", film.film(false)));
         }
     }
     lines
@@ -173,9 +155,12 @@ pub(super) fn in_words(collision: &Collision, filming: Filming, revealed: bool) 
 
 #[cfg(test)]
 mod tests {
+    use ratatui::buffer::Buffer;
+    use ratatui::layout::Rect;
+
     use super::*;
     use crate::physics::CollisionSpec;
-    use crate::widgets::Charset;
+    use crate::widgets::{Charset, Look};
 
     fn angle_e_u1(filming: Filming) -> [(f64, f64); 3] {
         let shot = CollisionSpec {

@@ -1,12 +1,12 @@
 //! One collision in the laboratory frame and in the centre-of-mass frame, at the same moment.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::FigureArea;
 use crate::physics::{Bond, Collision, Frame};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, Role, areas};
+use crate::widgets::{Lines, Role, areas};
 
 /// The two frames: laboratory, centre of mass.
 pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
@@ -32,12 +32,8 @@ fn halves(area: Rect) -> [Rect; 2] {
 }
 
 /// Both pictures, each with its name above it.
-pub(super) fn lay_out(
-    watches: &[Watch],
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Vec<Picture> {
+pub(super) fn lay_out(watches: &[Watch], figure: FigureArea) -> Vec<Picture> {
+    let (area, buf, look) = (figure.area, figure.buf, figure.look);
     let names = ["the board", "centre of mass"];
     let words = watches.first().map(|board| revealed(board.collision()));
     let words = names.into_iter().zip(words.into_iter().flatten());

@@ -32,7 +32,7 @@ use crate::widgets::hit::{
 use crate::widgets::input::{FormAction, KeyTable};
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Look, RayInput, curves, svg};
+use crate::widgets::{Lines, Look, RayInput, areas, curves, svg};
 
 use contact::ContactForce;
 use dial::FigureDial;
@@ -62,6 +62,23 @@ pub(crate) enum FigureAction {
     Watch(WatchAction),
     /// use the foil
     Foil(FoilFigureAction),
+}
+
+/// The area of a figure: a picture, and lines of text below it.
+struct FigureArea<'a> {
+    area: Rect,
+    buf: &'a mut Buffer,
+    look: &'a Look,
+    /// Whether the outcome is still hidden.
+    hidden: bool,
+}
+
+impl<'a> FigureArea<'a> {
+    /// The area of the picture, and the text in the last `rows` rows.
+    fn split(self, rows: u16) -> (Rect, Lines<'a>) {
+        let [picture, below] = areas::upper(self.area, self.area.height.saturating_sub(rows));
+        (picture, Lines::new(below, self.buf, *self.look))
+    }
 }
 
 /// A figure with its current state.
@@ -113,33 +130,30 @@ impl LiveFigure {
 
     /// Resets the state to the beginning of the collision.
     fn set_up(&mut self, said: Option<Rays>, pace: HitPace) {
+        use FigureState::{Film, Foil, Hits, Plain, Worked};
         let watch = || match said {
             Some(_) => Watch::new(self.collision, said, pace),
             None => Watch::revealed(self.collision),
         };
-        let hit = |watch| FigureState::Hits(vec![watch]);
+        let hit = |watch| Hits(vec![watch]);
         self.state = match self.figure.kind {
             FigureKind::Split { lines } if said.is_none() => {
                 hit(watch().with_layers(split_layers(lines)))
             }
             FigureKind::Lab | FigureKind::Split { .. } => hit(watch()),
-            FigureKind::Frames => FigureState::Hits(frames::watches(&self.collision).into()),
-            FigureKind::Worked { blank } => {
-                FigureState::Worked(WorkedFigure::given(blank, self.hidden))
-            }
-            FigureKind::Film { filming } => {
-                FigureState::Film(FilmFigure::new(&self.collision, filming))
-            }
-            FigureKind::Solve => FigureState::Worked(WorkedFigure::of_own()),
+            FigureKind::Frames => Hits(frames::watches(&self.collision).into()),
+            FigureKind::Worked { blank } => Worked(WorkedFigure::given(blank, self.hidden)),
+            FigureKind::Film { filming } => Film(FilmFigure::new(&self.collision, filming)),
+            FigureKind::Solve => Worked(WorkedFigure::of_own()),
             FigureKind::Foil {
                 levelled, rings, ..
             } if !self.hidden => {
                 let page = self.foil_page().unwrap_or_default();
                 let watched = pace != HitPace::Still;
                 let figure = FoilFigure::new(page, levelled, watched).counted_in(rings);
-                FigureState::Foil(Box::new(figure))
+                Foil(Box::new(figure))
             }
-            _ => FigureState::Plain,
+            _ => Plain,
         };
     }
 
@@ -234,11 +248,8 @@ impl LiveFigure {
     /// Whether the figure has a setting for α.
     fn has_alpha(&self) -> bool {
         use FigureKind::{Angles, Curves, Energy, Frames, Triangle};
-        let drawn_against_it = matches!(
-            self.figure.kind,
-            Curves | Angles | Energy | Triangle { .. } | Frames
-        );
-        drawn_against_it && !self.hidden
+        let kind = self.figure.kind;
+        !self.hidden && matches!(kind, Curves | Angles | Energy | Triangle { .. } | Frames)
     }
 
     /// The setting other than α that the student controls in this figure, if there is one.
@@ -246,11 +257,12 @@ impl LiveFigure {
         FigureDial::of(self.figure.kind, &self.collision).filter(|_| !self.hidden)
     }
 
-    fn set_dial(&mut self, value: f64) {
+    /// Sets the dial, if there is one, to the step nearest to a value; returns whether there is one.
+    fn set_dial(&mut self, value: impl Fn(&FigureDial) -> f64) -> bool {
         let Some(dial) = self.dial() else {
-            return;
+            return false;
         };
-        let value = dial.nearest(value);
+        let value = dial.nearest(value(&dial));
         let collision = &mut self.collision;
         match &mut self.figure.kind {
             FigureKind::Force { time_ms } => *time_ms = value,
@@ -262,6 +274,7 @@ impl LiveFigure {
             FigureKind::Explosion { third_g: None } => momenta::turn_pieces(collision, value),
             _ => momenta::turn_second(collision, value),
         }
+        true
     }
 
     /// Whether the lab can show the collision in full size; it has no explosions.
@@ -274,10 +287,10 @@ impl LiveFigure {
             return "before the hit".into();
         }
         match self.figure.kind {
-            FigureKind::Lab | FigureKind::Split { .. } => match self.watch() {
-                Some(watch) => watch.title("the hit"),
-                None => "the hit".into(),
-            },
+            FigureKind::Lab | FigureKind::Split { .. } => {
+                let watch = self.watch();
+                watch.map_or("the hit".into(), |watch| watch.title("the hit"))
+            }
             FigureKind::Triangle { .. } => triangle::title(&self.collision).into(),
             FigureKind::Frames => "one hit, two frames".into(),
             FigureKind::Curves => "speeds afterwards".into(),
@@ -308,26 +321,16 @@ impl LiveFigure {
 
     /// The keys that control the figure.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
-        use FigureAction::{Alpha, AlphaEnd, DialEnd, Foil};
+        use FigureAction::{Alpha, AlphaEnd, Dial, DialEnd, Foil};
         let keys = KeyTable::new("figure");
-        let dial = |dial: FigureDial| {
+        let setting = |by: fn(i8) -> FigureAction, ends: [FigureAction; 2], name| {
             (keys.clone())
-                .by(
-                    [Key::Left, Key::Right],
-                    FigureAction::Dial,
-                    [-1, 1],
-                    dial.name,
-                )
-                .or([
-                    ('<', FigureAction::Dial(-LEAP)),
-                    ('>', FigureAction::Dial(LEAP)),
-                ])
-                .by([Key::Home, Key::End], DialEnd, [0, 1], "")
+                .by([Key::Left, Key::Right], by, [-1, 1], name)
+                .or([('<', by(-LEAP)), ('>', by(LEAP))])
+                .each([Key::Home, Key::End].into_iter().zip(ends), "")
         };
-        let alpha = (keys.clone())
-            .by([Key::Left, Key::Right], Alpha, [-1, 1], "α")
-            .or([('<', Alpha(-LEAP)), ('>', Alpha(LEAP))])
-            .by([Key::Home, Key::End], AlphaEnd, [0, 90], "");
+        let alpha = || setting(Alpha, [AlphaEnd(0), AlphaEnd(90)], "α");
+        let dial = |dial: FigureDial| setting(Dial, [DialEnd(0), DialEnd(1)], dial.name);
         let watched = |watch: &Watch| {
             use WatchAction::{Again, Frame, Scrub, ToggleLayer};
             let spare = |action| matches!(action, Frame | Scrub(_) | ToggleLayer(_));
@@ -342,12 +345,12 @@ impl LiveFigure {
                 // If two collisions are shown, the frame of each is fixed.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
-                    alpha.with(watched, FigureAction::Watch)
+                    alpha().with(watched, FigureAction::Watch)
                 }
             },
             FigureState::Worked(worked) => worked.keys(&self.collision),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
-            FigureState::Plain if self.has_alpha() => alpha,
+            FigureState::Plain if self.has_alpha() => alpha(),
             FigureState::Plain | FigureState::Film(_) => self.dial().map_or(keys.clone(), dial),
         }
     }
@@ -359,12 +362,10 @@ impl LiveFigure {
             }
             (FigureAction::AlphaEnd(alpha_deg), _) => self.set_alpha(alpha_deg.into()),
             (FigureAction::Dial(by), _) => {
-                let dial = self.dial();
-                dial.iter().for_each(|it| self.set_dial(it.stepped(by)));
+                self.set_dial(|dial| dial.stepped(by));
             }
             (FigureAction::DialEnd(end), _) => {
-                let dial = self.dial();
-                dial.iter().for_each(|it| self.set_dial(it.at(end.into())));
+                self.set_dial(|dial| dial.at(end.into()));
             }
             (action, FigureState::Worked(worked)) => worked.act(action, &mut self.collision),
             (FigureAction::Watch(action), FigureState::Hits(hits)) => {
@@ -421,10 +422,8 @@ impl LiveFigure {
             }
             // The dial runs from the left edge of the picture to the right one.
             FigureState::Plain | FigureState::Film(_) if held => {
-                let dial = self.dial();
                 let share = f64::from(cell.0 - area.x) / f64::from(area.width.max(2) - 1);
-                dial.iter().for_each(|it| self.set_dial(it.at(share)));
-                return dial.is_some();
+                return self.set_dial(|dial| dial.at(share));
             }
             FigureState::Hits(_) => match mouse.kind {
                 MouseKind::ScrollUp => Some(Key::Char('.')),
@@ -481,6 +480,7 @@ impl LiveFigure {
         look: &Look,
         rays: Option<&RayInput>,
     ) -> Vec<Picture> {
+        let collision = &self.collision;
         if self.hidden && self.covers_outcome() {
             let given = Markings {
                 offset: self.figure.shot.is_by_offset(),
@@ -488,48 +488,36 @@ impl LiveFigure {
                 figures: true,
             };
             let faces = Face::STRIKER_AND_COIN;
-            return vec![setup_picture(area, faces, &self.collision, given, rays)];
+            return vec![setup_picture(area, faces, collision, given, rays)];
         }
+        let figure = FigureArea {
+            area,
+            buf,
+            look,
+            hidden: self.hidden,
+        };
         match (&self.state, self.figure.kind) {
-            (FigureState::Hits(hits), FigureKind::Frames) => frames::lay_out(hits, area, buf, look),
+            (FigureState::Hits(hits), FigureKind::Frames) => frames::lay_out(hits, figure),
             (FigureState::Hits(hits), _) => hits.iter().map(|watch| watch.picture(area)).collect(),
             (_, FigureKind::Triangle { step }) => {
-                vec![triangle::lay_out(&self.collision, step, area, buf, look)]
+                vec![triangle::lay_out(collision, step, figure)]
             }
             (FigureState::Foil(plot), _) => vec![plot.picture(area, look)],
-            (FigureState::Film(film), _) => vec![film.lay_out(self.hidden, area, buf, look)],
+            (FigureState::Film(film), _) => vec![film.lay_out(figure)],
             (_, FigureKind::Foil { .. }) => vec![foil::picture(area)],
             (_, FigureKind::Shots { space, beyond_deg }) => {
-                let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
-                vec![shots::lay_out(space, beyond, area, buf, look)]
+                vec![shots::lay_out(space, beyond_deg, figure)]
             }
             (_, FigureKind::Force { time_ms }) => {
-                let force = ContactForce::new(&self.collision, time_ms);
-                vec![force.lay_out(self.hidden, area, buf, look)]
+                vec![ContactForce::new(collision, time_ms).lay_out(figure)]
             }
-            (_, FigureKind::Coalesce | FigureKind::Explosion { .. }) => {
-                let (kind, hidden) = (self.figure.kind, self.hidden);
-                vec![momenta::lay_out(
-                    kind,
-                    &self.collision,
-                    hidden,
-                    area,
-                    buf,
-                    look,
-                )]
+            (_, kind @ (FigureKind::Coalesce | FigureKind::Explosion { .. })) => {
+                vec![momenta::lay_out(kind, collision, figure)]
             }
-            (_, FigureKind::Parts) => {
-                vec![parts::lay_out(
-                    &self.collision,
-                    self.hidden,
-                    area,
-                    buf,
-                    look,
-                )]
-            }
+            (_, FigureKind::Parts) => vec![parts::lay_out(collision, figure)],
             // A worked solution is text.
             (FigureState::Worked(_), _) => vec![],
-            (_, kind) => curves::curves_and_hit(kind, &self.collision, area, look).into(),
+            (_, kind) => curves::curves_and_hit(kind, collision, area, look).into(),
         }
     }
 }

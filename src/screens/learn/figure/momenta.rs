@@ -2,16 +2,16 @@
 //! collision of that kind in reverse. The sum of the momenta is the same before and after.
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::FigureArea;
 use crate::lessons::FigureKind;
 use crate::numbers::{degrees, significant, with_unit};
 use crate::physics::Collision;
 use crate::physics::impact::{kinetic_energy, reduced_mass};
 use crate::physics::units::{deg_from_rad, g_from_kg, kg_from_g, rad_from_deg};
+use crate::widgets::Role;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
-use crate::widgets::{Lines, Look, Role, areas};
 
 /// An arrow that is shorter than this fraction of the longest one has no label.
 const SHORTEST: f64 = 0.05;
@@ -63,55 +63,37 @@ fn of_both(collision: &Collision) -> [DVec2; 2] {
     [m1 * u1, m2 * u2]
 }
 
-/// A momentum with its name.
-struct Arrow {
-    from: DVec2,
-    to: DVec2,
-    name: &'static str,
-    role: Role,
-    /// Whether the arrow is hidden until the page's question is answered.
-    is_asked: bool,
-}
+/// A momentum: the ends of its arrow, its name and its style.
+type Arrow = (DVec2, DVec2, &'static str, Role);
 
-/// The arrows. For a body at rest that breaks into two pieces, both arrows begin at the same point,
-/// because tip to tail one would cover the other.
+/// The arrows; the last one is hidden until the page's question is answered. For a body at rest that
+/// breaks into two pieces, both arrows begin at the same point, because tip to tail one would cover
+/// the other.
 fn arrows(kind: FigureKind, collision: &Collision) -> Vec<Arrow> {
     let [p1, p2] = of_both(collision);
-    let arrow = |from, to, name, role, is_asked| Arrow {
-        from,
-        to,
-        name,
-        role,
-        is_asked,
-    };
     let (first, second, sum) = (Role::StrikerOut, Role::CoinOut, Role::Incoming);
     let end = p1 + p2;
     match kind {
         FigureKind::Explosion { third_g: Some(_) } => vec![
-            arrow(DVec2::ZERO, p1, "p₁", first, false),
-            arrow(p1, end, "p₂", second, false),
-            arrow(end, DVec2::ZERO, "p₃", sum, true),
+            (DVec2::ZERO, p1, "p₁", first),
+            (p1, end, "p₂", second),
+            (end, DVec2::ZERO, "p₃", sum),
         ],
         FigureKind::Explosion { .. } if end.length() < 1e-9 * p1.length() => vec![
-            arrow(DVec2::ZERO, p1, "p₁", first, false),
-            arrow(DVec2::ZERO, p2, "p₂", second, true),
+            (DVec2::ZERO, p1, "p₁", first),
+            (DVec2::ZERO, p2, "p₂", second),
         ],
         FigureKind::Explosion { .. } => vec![
-            arrow(DVec2::ZERO, end, "before", sum, false),
-            arrow(DVec2::ZERO, p1, "p₁", first, false),
-            arrow(p1, end, "p₂", second, true),
+            (DVec2::ZERO, end, "before", sum),
+            (DVec2::ZERO, p1, "p₁", first),
+            (p1, end, "p₂", second),
         ],
         _ => vec![
-            arrow(DVec2::ZERO, p1, "p₁", first, false),
-            arrow(p1, end, "p₂", second, false),
-            arrow(DVec2::ZERO, end, "together", sum, true),
+            (DVec2::ZERO, p1, "p₁", first),
+            (p1, end, "p₂", second),
+            (DVec2::ZERO, end, "together", sum),
         ],
     }
-}
-
-/// Whether this is an explosion into only two pieces.
-fn third_is_absent(kind: FigureKind) -> bool {
-    kind == FigureKind::Explosion { third_g: None }
 }
 
 /// A view that contains the arrows at every angle, so that the scale does not change.
@@ -119,16 +101,16 @@ fn view(kind: FigureKind, collision: &Collision, area: Rect) -> View {
     let [p1, p2] = of_both(collision);
     let sum = p1 + p2;
     // The point where the arrows meet, or the tip of the second one, moves on a circle.
-    let (centre, radius) = match kind {
+    let (centre, radius, lowest) = match kind {
         FigureKind::Explosion { third_g: None } => {
             let [m1, m2] = [collision.striker.mass, collision.target.mass];
             let centre = m1 / (m1 + m2) * sum;
-            (centre, (p1 - centre).length())
+            let radius = (p1 - centre).length();
+            let is_at_rest = sum.length() < 1e-9 * p1.length();
+            (centre, radius, if is_at_rest { -radius } else { 0.0 })
         }
-        _ => (p1, p2.length()),
+        _ => (p1, p2.length(), 0.0),
     };
-    let is_at_rest = third_is_absent(kind) && sum.length() < 1e-9 * p1.length();
-    let lowest = if is_at_rest { -radius } else { 0.0 };
     let low = DVec2::new((centre.x - radius).min(0.0), lowest);
     let high = DVec2::new((centre.x + radius).max(sum.x), radius);
     let edge = 0.12 * (high - low).max_element();
@@ -136,41 +118,34 @@ fn view(kind: FigureKind, collision: &Collision, area: Rect) -> View {
 }
 
 /// The arrows with their magnitudes, and below them three lines of text, or only the first line
-/// while the result is `hidden`.
-pub(super) fn lay_out(
-    kind: FigureKind,
-    collision: &Collision,
-    hidden: bool,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Picture {
-    let [area, below] = areas::upper(area, area.height.saturating_sub(3));
+/// while the result is hidden.
+pub(super) fn lay_out(kind: FigureKind, collision: &Collision, figure: FigureArea) -> Picture {
+    let hidden = figure.hidden;
+    let (area, mut lines) = figure.split(3);
     let mut picture = Picture::new(view(kind, collision, area));
-    let all = arrows(kind, collision);
-    let shown = || all.iter().filter(|it| !(hidden && it.is_asked));
-    let count = shown().count().max(1) as f64;
-    let middle = shown().map(|it| (it.from + it.to) / 2.0).sum::<DVec2>() / count;
-    let size = shown()
-        .map(|it| (it.to - it.from).length())
-        .fold(0.0, f64::max);
-    for it in shown() {
-        picture.arrow(it.from, it.to, Pen::new(it.role).bold());
+    let mut shown = arrows(kind, collision);
+    if hidden {
+        shown.pop();
     }
-    for it in shown() {
-        let length = (it.to - it.from).length();
+    let centre = |from: DVec2, to: DVec2| (from + to) / 2.0;
+    let centres = shown.iter().map(|(from, to, ..)| centre(*from, *to));
+    let middle = centres.sum::<DVec2>() / shown.len().max(1) as f64;
+    let lengths = shown.iter().map(|(from, to, ..)| from.distance(*to));
+    let size = lengths.fold(0.0, f64::max);
+    for &(from, to, _, role) in &shown {
+        picture.arrow(from, to, Pen::new(role).bold());
+    }
+    for (from, to, name, role) in shown {
+        let length = from.distance(to);
         if length >= SHORTEST * size {
-            let centre = (it.from + it.to) / 2.0;
+            let centre = centre(from, to);
             let out = (centre - middle).normalize_or(DVec2::Y);
-            let text = format!("{} = {}", it.name, significant(length));
-            picture.label(&text, centre, &LabelSide::towards(out), it.role);
+            let text = format!("{name} = {}", significant(length));
+            picture.label(&text, centre, &LabelSide::towards(out), role);
         }
     }
-    let mut lines = Lines::new(below, buf, *look);
-    for line in words(kind, collision)
-        .iter()
-        .take(if hidden { 1 } else { 3 })
-    {
+    let shown = if hidden { 1 } else { 3 };
+    for line in &words(kind, collision)[..shown] {
         lines.line(line, Role::Text);
     }
     picture
@@ -264,7 +239,7 @@ mod tests {
                 },
                 &collision,
             );
-            let sum: DVec2 = three.iter().map(|it| it.to - it.from).sum();
+            let sum: DVec2 = three.iter().map(|(from, to, ..)| *to - *from).sum();
             assert!(sum.length() < 1e-9);
         }
     }

@@ -1,15 +1,16 @@
 //! The kinetic energy of two discs in two parts, before and after: that of the motion of their
 //! centre of mass, which no collision changes, and that of their relative motion.
 
-use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use std::iter::zip;
 
+use glam::{DVec2, dvec2};
+
+use super::FigureArea;
 use crate::numbers::{short, significant};
 use crate::physics::impact::kinetic_energy;
 use crate::physics::{Bond, Collision};
+use crate::widgets::Role;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
-use crate::widgets::{Lines, Look, Role, areas};
 
 /// The left and right edges of each bar, in a picture 10 units wide.
 const BARS: [(f64, f64); 2] = [(0.8, 4.4), (5.6, 9.2)];
@@ -37,39 +38,29 @@ impl EnergyParts {
     /// The two parts in words, and the energy that is lost in the collision.
     fn words(&self, collision: &Collision) -> [String; 3] {
         let [before, after] = self.relative.map(significant);
+        let of_centre = significant(self.of_centre);
         let lost = significant(self.relative[0] - self.relative[1]);
         let contact = match collision.bond {
             Bond::Stick => "together".to_owned(),
             Bond::Slip => format!("e = {}", short(collision.restitution, 2)),
         };
         [
-            format!(
-                "½MV² = {} mJ, before and after",
-                significant(self.of_centre)
-            ),
+            format!("½MV² = {of_centre} mJ, before and after"),
             format!("relative: {before} mJ, then {after} mJ"),
             format!("{contact}: {lost} mJ lost"),
         ]
     }
 }
 
-/// The bars, with the lost energy as an outline; only the first bar while the outcome is `hidden`.
-pub(super) fn lay_out(
-    collision: &Collision,
-    hidden: bool,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Picture {
+/// The bars, with the lost energy as an outline; only the first bar while the outcome is hidden.
+pub(super) fn lay_out(collision: &Collision, figure: FigureArea) -> Picture {
     let parts = EnergyParts::new(collision);
-    let [area, below] = areas::upper(area, area.height.saturating_sub(3));
+    let hidden = figure.hidden;
+    let (area, mut lines) = figure.split(3);
     let all = (parts.of_centre + parts.relative[0]).max(1e-9);
     let view = View::stretch(area, dvec2(0.0, -0.12 * all), dvec2(10.0, 1.05 * all));
     let mut picture = Picture::new(view);
-    let bars = BARS
-        .into_iter()
-        .zip(["before", "after"])
-        .zip(parts.relative);
+    let bars = zip(BARS, ["before", "after"]).zip(parts.relative);
     for (((left, right), name), relative) in bars.take(if hidden { 1 } else { 2 }) {
         let middle = 0.5 * (left + right);
         let mut part = |from: f64, size: f64, text: &str, role: Role| {
@@ -87,22 +78,20 @@ pub(super) fn lay_out(
         part(parts.of_centre, relative, "relative", Role::CoinOut);
         let top = parts.of_centre + relative;
         if all - top > 2.0 * view.per_row() {
-            picture.rectangle(
-                dvec2(left, top),
-                dvec2(right, all),
-                Pen::new(Role::Warn).dotted(),
-            );
+            let [low, high] = [dvec2(left, top), dvec2(right, all)];
+            picture.rectangle(low, high, Pen::new(Role::Warn).dotted());
             let centre = dvec2(middle, 0.5 * (top + all));
             picture.label("lost", centre, &[LabelSide::Over], Role::Warn);
         }
         picture.text(DVec2::new(middle, -0.06 * all), name, Role::Dim);
     }
-    let mut lines = Lines::new(below, buf, *look);
     let words = match hidden {
         true => vec![format!("before: {} mJ in all", significant(all))],
-        false => parts.words(collision).to_vec(),
+        false => parts.words(collision).into(),
     };
-    words.iter().for_each(|line| lines.line(line, Role::Text));
+    for line in words {
+        lines.line(&line, Role::Text);
+    }
     picture
 }
 

@@ -3,11 +3,12 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::FigureArea;
+use crate::physics::units::rad_from_deg;
+use crate::widgets::Role;
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
-use crate::widgets::{Lines, Look, Role, areas};
 
 const ON_BOARD: u32 = 8;
 
@@ -18,43 +19,32 @@ const ON_BOARD_EXTENT: DVec2 = dvec2(1.8, 1.6);
 const IN_SPACE_EXTENT: DVec2 = dvec2(1.3, 1.1);
 
 pub(super) fn title(space: bool) -> &'static str {
-    if space {
-        "the target, face on"
-    } else {
-        "shots without aiming"
+    match space {
+        true => "the target, face on",
+        false => "shots without aiming",
     }
 }
 
-/// Evenly spread shots. With an angle `beyond`, in radians, the shots deflected by more than this
-/// angle are highlighted, and their number is given below.
-pub(super) fn lay_out(
-    space: bool,
-    beyond: Option<f64>,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Picture {
-    let [area, words] = areas::upper(area, area.height.saturating_sub(1));
+/// Evenly spread shots. Unless the outcome is hidden, the shots deflected by more than an angle are
+/// highlighted, and their number is given below.
+pub(super) fn lay_out(space: bool, beyond_deg: f64, figure: FigureArea) -> Picture {
     // A deflection of more than θ₁ = 90° − α requires an offset below sin α = cos θ₁.
-    let near = beyond.map(f64::cos);
-    let text = match (beyond, near) {
-        (Some(beyond), Some(near)) => {
+    let near = (!figure.hidden).then(|| rad_from_deg(beyond_deg).cos());
+    let (area, mut lines) = figure.split(1);
+    let text = match near {
+        Some(near) => {
             let offsets = if space { in_space() } else { on_board() };
             let counted = offsets.iter().filter(|at| at.length() < near).count();
-            let angle = beyond.to_degrees();
-            format!(
-                "{counted} of {} deflected by over {angle:.0}°.",
-                offsets.len()
-            )
+            let all = offsets.len();
+            format!(" {counted} of {all} deflected by over {beyond_deg:.0}°.")
         }
-        _ if space => "Evenly spread over the round target.".into(),
-        _ => "Evenly spread, from side to side.".into(),
+        None if space => " Evenly spread over the round target.".into(),
+        None => " Evenly spread, from side to side.".into(),
     };
-    Lines::new(words, buf, *look).line(&format!(" {text}"), Role::Text);
-    if space {
-        face(near, area)
-    } else {
-        ways(near, area)
+    lines.line(&text, Role::Text);
+    match space {
+        true => face(near, area),
+        false => ways(near, area),
     }
 }
 
@@ -132,7 +122,6 @@ mod tests {
     use super::*;
     use crate::physics::CollisionSpec;
     use crate::physics::beam::Beam;
-    use crate::physics::units::rad_from_deg;
 
     /// The deflection agrees with the engine.
     #[test]

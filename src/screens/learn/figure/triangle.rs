@@ -4,15 +4,14 @@
 //! (m₂/m₁) v₂.
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::LiveFigure;
+use super::{FigureArea, LiveFigure};
 use crate::lessons::FigureKind;
 use crate::numbers::fixed;
 use crate::physics::Collision;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
-use crate::widgets::{Lines, Look, Role, areas, text};
+use crate::widgets::{Role, areas, text};
 
 /// The corners: where the arrows begin, where v₁ ends, where u ends.
 fn corners(collision: &Collision) -> [DVec2; 3] {
@@ -27,17 +26,14 @@ fn equal_masses(collision: &Collision) -> bool {
 }
 
 pub(super) fn title(collision: &Collision) -> &'static str {
-    if equal_masses(collision) {
-        "the triangle of velocities"
-    } else {
-        "the triangle of momenta"
+    match equal_masses(collision) {
+        true => "the triangle of velocities",
+        false => "the triangle of momenta",
     }
 }
 
-/// The areas for the picture and for its text.
-fn rooms(area: Rect) -> [Rect; 2] {
-    areas::upper(area, area.height.saturating_sub(2))
-}
+/// The number of lines of text below the picture.
+const LINES: u16 = 2;
 
 /// The view of the triangle; in the second step it has room for the squares on the sides.
 fn view(collision: &Collision, step: u8, area: Rect) -> View {
@@ -54,31 +50,23 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
     let FigureKind::Triangle { step } = shown.figure.kind else {
         return None;
     };
-    let [picture, _] = rooms(area);
+    let [picture, _] = areas::upper(area, area.height.saturating_sub(LINES));
     let at = view(collision, step, picture).world_at(column, row);
     // v₂ runs from that point to the tip of u, at an angle α below u.
     let left = collision.u1 - at;
-    picture
-        .contains((column, row).into())
-        .then(|| at.y.atan2(left.x).to_degrees())
+    let is_inside = picture.contains((column, row).into());
+    is_inside.then(|| at.y.atan2(left.x).to_degrees())
 }
 
 /// The triangle up to a step of the proof, with the text of the step below it.
-pub(super) fn lay_out(
-    collision: &Collision,
-    step: u8,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Picture {
+pub(super) fn lay_out(collision: &Collision, step: u8, figure: FigureArea) -> Picture {
     use LabelSide::{Above, Below, Over};
-    let [area, below] = rooms(area);
+    let (area, mut lines) = figure.split(LINES);
     let mut picture = Picture::new(view(collision, step, area));
     let [tail, joint, tip] = corners(collision);
-    let last = if equal_masses(collision) {
-        "v₂"
-    } else {
-        "(m₂/m₁) v₂"
+    let last = match equal_masses(collision) {
+        true => "v₂",
+        false => "(m₂/m₁) v₂",
     };
     let sides = [
         (tail, tip, "u", Role::Incoming),
@@ -123,7 +111,6 @@ pub(super) fn lay_out(
         picture.label(&text, centre + share * length * outwards, sides, role);
     }
     let alpha = collision.alpha().map_or(0.0, f64::to_degrees);
-    let mut lines = Lines::new(below, buf, *look);
     lines.line(&format!("α = {alpha:.0}°"), Role::Dim);
     lines.line(&words(collision, step, [a, b]), Role::Text);
     picture
@@ -133,10 +120,9 @@ pub(super) fn lay_out(
 fn outwards(from: DVec2, to: DVec2, middle: DVec2) -> DVec2 {
     let across = (to - from).perp().normalize_or_zero();
     let away = (from + to) / 2.0 - middle;
-    if across.dot(away) >= 0.0 {
-        across
-    } else {
-        -across
+    match across.dot(away) >= 0.0 {
+        true => across,
+        false => -across,
     }
 }
 
@@ -154,21 +140,16 @@ fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> String {
     match step {
         1 => "The triangle closes: u = v₁ + v₂.".into(),
         2 => format!("{uu:.2} = {aa:.2} + {bb:.2}{}", spare(both)),
-        _ => {
-            let both = fixed(both, 2);
-            format!("2 v₁·v₂ = {uu:.2} − {aa:.2} − {bb:.2} = {both}")
-        }
+        _ => format!("2 v₁·v₂ = {uu:.2} − {aa:.2} − {bb:.2} = {}", fixed(both, 2)),
     }
 }
 
 /// The difference between the square of u and the sum of the squares of the other two sides, as a
 /// signed term; empty if it rounds to zero.
 fn spare(both: f64) -> String {
-    if both.abs() < 0.005 {
-        String::new()
-    } else if both > 0.0 {
-        format!(" + {both:.2}")
-    } else {
-        format!(" − {:.2}", -both)
+    match both {
+        both if both.abs() < 0.005 => String::new(),
+        both if both > 0.0 => format!(" + {both:.2}"),
+        both => format!(" − {:.2}", -both),
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::contact::ContactForce;
 use super::parts::EnergyParts;
 use super::{film, momenta};
-use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
+use crate::lessons::{ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
 use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
 use crate::physics::impact::kinetic_energy;
@@ -14,51 +14,51 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// Describes the figure of a page in sentences. The outcome is left out until the page's question
-/// is `answered`, and even afterwards if a later page asks for it.
+/// Describes the figure of a page in sentences. The outcome is left out unless it is `revealed`, and
+/// even then if one of the `later` pages asks for it.
 pub(in crate::screens::learn) fn describe(
-    chapter: &Chapter,
-    at: usize,
-    answered: bool,
+    figure: &Figure,
+    later: &[ChapterPage],
+    revealed: bool,
 ) -> Vec<String> {
-    let page = chapter.pages.get(at);
-    let Some((page, figure)) = page.and_then(|page| Some((page, page.figure.as_ref()?))) else {
-        return Vec::new();
+    let shot = match revealed {
+        true => &figure.after,
+        false => &figure.shot,
     };
-    let revealed = answered || page.checkpoint.is_none();
-    let figure = &Figure {
-        shot: if revealed { figure.after } else { figure.shot },
-        ..*figure
-    };
-    let later = chapter.pages.get(at + 1..).unwrap_or_default();
-    let collision = figure.shot.collision();
-    match figure.kind {
-        FigureKind::Foil { .. } => vec![
-            "The figure sends many particles towards a repulsive centre and counts how many \
-             leave in each direction. carrom foil shows this on a screen."
-                .into(),
-        ],
-        FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, revealed),
-        FigureKind::Force { time_ms } => force(&collision, time_ms, revealed),
-        FigureKind::Coalesce | FigureKind::Explosion { .. } => {
-            momenta_in_words(figure.kind, &collision, revealed)
+    let collision = shot.collision();
+    let (given, outcome) = match figure.kind {
+        FigureKind::Foil { .. } => {
+            let text = "The figure sends many particles towards a repulsive centre and counts how \
+                        many leave in each direction. carrom foil shows this on a screen.";
+            return vec![text.into()];
         }
-        FigureKind::Film { filming } => film::in_words(&collision, filming, revealed),
-        FigureKind::Parts => parts_in_words(&collision, revealed),
+        FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg),
+        FigureKind::Force { time_ms } => force(&collision, time_ms),
+        kind @ (FigureKind::Coalesce | FigureKind::Explosion { .. }) => {
+            momenta_in_words(kind, &collision)
+        }
+        FigureKind::Film { filming } => return film::in_words(&collision, filming, revealed),
+        FigureKind::Parts => parts_in_words(&collision),
         // These figures are text already.
-        FigureKind::Worked { .. } | FigureKind::Solve => Vec::new(),
+        FigureKind::Worked { .. } | FigureKind::Solve => return Vec::new(),
         kind => {
-            let mut lines = vec![format!("Figure: {}", set_up(&figure.shot, &collision))];
+            let mut lines = vec![format!("Figure: {}", set_up(shot, &collision))];
             if revealed {
                 lines.push(weighed(&collision));
-                lines.extend(outcome(kind, &collision, is_asked(later, &figure.shot)));
+                lines.extend(outcome(kind, &collision, is_asked(later, shot)));
             } else {
                 lines.extend(plotted(kind, &collision));
             }
-            lines
+            return lines;
         }
-    }
+    };
+    let outcome = outcome.into_iter().filter(|_| revealed);
+    let given = format!("Figure: {given}");
+    [given].into_iter().chain(outcome).collect()
 }
+
+/// What a figure shows from the beginning, and the sentences about the outcome.
+type GivenAndOutcome = (String, Vec<String>);
 
 /// Whether one of these pages asks for the outcome of this shot.
 fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
@@ -123,95 +123,78 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
 }
 
 /// Unaimed shots at a disc at rest; all discs are equal.
-fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
-    let (beam, over) = if space {
-        (Beam::Space, "a round target of radius r₁ + r₂")
-    } else {
-        (Beam::Board, "a line, from 0 to r₁ + r₂ on either side")
+fn shots(space: bool, beyond_deg: f64) -> GivenAndOutcome {
+    let (beam, over) = match space {
+        true => (Beam::Space, "a round target of radius r₁ + r₂"),
+        false => (Beam::Board, "a line, from 0 to r₁ + r₂ on either side"),
     };
-    let mut lines = vec![format!("Figure: shots evenly spread over {over}.")];
-    if revealed {
-        let share = beam.share_within(rad_from_deg(beyond_deg).cos());
-        lines.push(format!(
-            "{} % of them are deflected by more than {beyond_deg}°.",
-            significant(100.0 * share)
-        ));
-    }
-    lines
+    let share = beam.share_within(rad_from_deg(beyond_deg).cos());
+    let percent = significant(100.0 * share);
+    let counted = format!("{percent} % of them are deflected by more than {beyond_deg}°.");
+    (format!("shots evenly spread over {over}."), vec![counted])
 }
 
 /// The force during a contact as a function of time, and the average forces of shorter and longer
 /// contacts.
-fn force(collision: &Collision, time_ms: f64, revealed: bool) -> Vec<String> {
+fn force(collision: &Collision, time_ms: f64) -> GivenAndOutcome {
     let time = |ms: f64| with_unit(&significant(ms), "ms");
-    let mut lines = vec![format!(
-        "Figure: the force of a contact plotted against time, a hump that lasts {}.",
-        time(time_ms)
+    let lasts = time(time_ms);
+    let given = format!("the force of a contact plotted against time, a hump that lasts {lasts}.");
+    let impulse = significant(g_from_kg(collision.outcome().impulse));
+    let mut outcome = vec![format!(
+        "The area under the curve is the impulse, {impulse} g m/s, however long the contact lasts."
     )];
-    if revealed {
-        let impulse = significant(g_from_kg(collision.outcome().impulse));
-        lines.push(format!(
-            "The area under the curve is the impulse, {impulse} g m/s, however long the contact lasts."
-        ));
-        lines.extend([0.3, 0.6, 0.9, 1.2, 1.5].map(|ms| {
-            let force = ContactForce::new(collision, ms);
-            let [average, greatest] = [force.average(), force.greatest()].map(significant);
-            format!(
-                "In a contact of {} the average force is {average} N, the greatest {greatest} N.",
-                time(ms)
-            )
-        }));
-    }
-    lines
+    outcome.extend([0.3, 0.6, 0.9, 1.2, 1.5].map(|ms| {
+        let force = ContactForce::new(collision, ms);
+        let [average, greatest] = [force.average(), force.greatest()].map(significant);
+        let time = time(ms);
+        format!(
+            "In a contact of {time} the average force is {average} N, the greatest {greatest} N."
+        )
+    }));
+    (given, outcome)
 }
 
 /// The given momenta and, for discs that coalesce, the final speed at several angles between the
 /// two momenta.
-fn momenta_in_words(kind: FigureKind, collision: &Collision, revealed: bool) -> Vec<String> {
+fn momenta_in_words(kind: FigureKind, collision: &Collision) -> GivenAndOutcome {
     let [given, result, energy] = momenta::words(kind, collision);
     let about = match kind {
         FigureKind::Explosion { .. } => "the momenta of the pieces of a body that explodes",
         _ => "the momenta of two discs before they coalesce, and their sum",
     };
-    let mut lines = vec![format!("Figure: {about}, as arrows tip to tail. {given}.")];
-    if revealed {
-        lines.push(format!("{result}; {energy}."));
-    }
-    if revealed && kind == FigureKind::Coalesce {
-        lines.extend([0, 45, 90, 135, 180].map(|angle| {
+    let mut outcome = vec![format!("{result}; {energy}.")];
+    if kind == FigureKind::Coalesce {
+        outcome.extend([0, 45, 90, 135, 180].map(|angle| {
             let mut turned = *collision;
             momenta::turn_second(&mut turned, angle.into());
             let v = speed(turned.centre_of_mass_velocity());
             format!("If they move at {angle}° to each other, they move on together at {v}.")
         }));
     }
-    lines
+    (format!("{about}, as arrows tip to tail. {given}."), outcome)
 }
 
 /// The two parts of the energy, and what is left of the second at several values of e.
-fn parts_in_words(collision: &Collision, revealed: bool) -> Vec<String> {
+fn parts_in_words(collision: &Collision) -> GivenAndOutcome {
     let all = significant(1e3 * collision.outcome().energy_before);
-    let energies = |parts: &EnergyParts| {
-        [parts.of_centre, parts.relative[0], parts.relative[1]].map(significant)
-    };
-    let mut lines = vec![format!(
-        "Figure: the kinetic energy of two discs before the collision, {all} mJ, as a bar in two parts: \
+    let given = format!(
+        "the kinetic energy of two discs before the collision, {all} mJ, as a bar in two parts: \
          that of the motion of the centre of mass, and that of the relative motion."
-    )];
-    if revealed {
-        lines.extend([1.0, 0.75, 0.5, 0.25, 0.0].map(|restitution| {
-            let [kept, before, after] = energies(&EnergyParts::new(&Collision {
-                restitution,
-                ..*collision
-            }));
-            let e = significant(restitution);
-            format!(
-                "At e = {e}, {after} mJ of the {before} mJ of the relative motion remain, and all \
-                 {kept} mJ of the motion of the centre of mass."
-            )
-        }));
-    }
-    lines
+    );
+    let outcome = [1.0, 0.75, 0.5, 0.25, 0.0].map(|restitution| {
+        let parts = EnergyParts::new(&Collision {
+            restitution,
+            ..*collision
+        });
+        let [before, after] = parts.relative.map(significant);
+        let [e, kept] = [restitution, parts.of_centre].map(significant);
+        format!(
+            "At e = {e}, {after} mJ of the {before} mJ of the relative motion remain, and all \
+             {kept} mJ of the motion of the centre of mass."
+        )
+    });
+    (given, outcome.into())
 }
 
 /// The set-up, as the picture before the collision shows it.
@@ -231,10 +214,8 @@ fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
         true => format!("one that moves at {}", speed(collision.u2)),
         false => "one at rest".to_owned(),
     };
-    format!(
-        "a disc moves at {} towards {target}, {place}.",
-        speed(collision.u1)
-    )
+    let u1 = speed(collision.u1);
+    format!("a disc moves at {u1} towards {target}, {place}.")
 }
 
 /// The properties that no picture shows: the masses, and the kind of contact.
@@ -301,17 +282,17 @@ fn split(collision: &Collision, lines: bool) -> Vec<String> {
         return Vec::new();
     };
     let [along, across] = [n, t].map(|axis| significant(u1.dot(axis).abs()));
-    match lines {
-        true => vec![
-            "Two lines run through the point where the rims touch: n through both centres, and t \
-             along the rims, at right angles to n."
-                .into(),
-        ],
-        false => vec![format!(
+    vec![match lines {
+        true => {
+            "Two lines run through the point where the rims touch: n through both centres, and \
+                 t along the rims, at right angles to n."
+                .into()
+        }
+        false => format!(
             "The striker's velocity has components of {along} m/s along the line of impact and \
              {across} m/s perpendicular to it."
-        )],
-    }
+        ),
+    }]
 }
 
 fn triangle(collision: &Collision) -> Vec<String> {
@@ -351,10 +332,8 @@ fn in_the_centre(collision: &Collision) -> Vec<String> {
         "{came} leave at {v1} and {v2} m/s in opposite directions."
     ));
     if let Some(turn) = outcome.theta1.filter(|_| outcome.v1.length() > 1e-9) {
-        lines.push(format!(
-            "Both are deflected by Θ = {}.",
-            degrees(turn.abs())
-        ));
+        let turn = degrees(turn.abs());
+        lines.push(format!("Both are deflected by Θ = {turn}."));
     }
     lines
 }

@@ -160,10 +160,9 @@ impl WorkedFigure {
             panel.gap();
         }
         for line in step.lines {
-            panel.working(if is_blank {
-                without_result(&line)
-            } else {
-                line
+            panel.working(match is_blank {
+                true => without_result(&line),
+                false => line,
             });
         }
     }
@@ -178,9 +177,7 @@ fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
     let value = equality().find(|at| is_value(&line[at + 1..]));
     // In a line such as `θ₁: undefined`, the result follows a colon.
-    let revealed = line
-        .find(": ")
-        .filter(|at| value.is_none_or(|value| *at < value));
+    let revealed = line.find(": ").filter(|at| value.is_none_or(|it| *at < it));
     match (revealed, value) {
         (Some(at), _) | (None, Some(at)) => format!("{} {GAP}", &line[..=at]),
         (None, None) if line.contains('=') => line.into(),

@@ -14,7 +14,7 @@ use super::record;
 use crate::lessons::{Bookmark, Chapter, Forget};
 use crate::messages::{Input, Key, Mouse, StoreReply};
 use crate::quiz::Response;
-use crate::screens::{Confirmation, Context, Next, Route, Screen, SharedAction, View};
+use crate::screens::{Confirmation, Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, RayAction};
 use crate::widgets::panel::Panel;
 use crate::widgets::{
@@ -130,8 +130,7 @@ impl Reading {
     }
 
     fn open_where_left(&mut self, cx: &mut Context) {
-        let mark = cx.book.mark(&self.chapter.id);
-        let left = mark.map_or(0, |mark| mark.page(&self.chapter));
+        let left = cx.book.left_at(&self.chapter);
         self.open(self.visited.unwrap_or(left), cx);
     }
 
@@ -185,14 +184,9 @@ impl Reading {
         };
         let form = question.form(figure);
         let (player, first) = (&cx.settings.player, question.first);
-        let tried = (&answer, first.is_some());
-        cx.record(record::attempt(
-            player,
-            &self.chapter,
-            self.at,
-            (&form, figure),
-            tried,
-        ));
+        let (asked, tried) = ((&form, figure), (&answer, first.is_some()));
+        let attempt = record::attempt(player, &self.chapter, self.at, asked, tried);
+        cx.record(attempt);
         if first.is_none() && question.checkpoint.offers_second_try(&form, &answer) {
             return question.ask_again(answer, &form);
         }
@@ -215,13 +209,6 @@ impl Reading {
             open.reveal(answer, cx.settings.pace());
             self.mark(mark, cx);
         }
-    }
-
-    fn begin_anew(&mut self, cx: &mut Context) {
-        cx.forget(Forget::Chapter(self.chapter.id.clone()));
-        self.alpha_deg = None;
-        self.open(0, cx);
-        self.notice = Some("The chapter starts again.");
     }
 
     /// Records the impact angle that the student has set.
@@ -296,7 +283,7 @@ impl Reading {
                 self.notice = Some(SAY_FIRST);
                 Next::Stay
             }
-            Some(page) => Next::Open(Route::FoilAt { page }),
+            Some(page) => Next::Open(Route::Foil(page)),
         }
     }
 
@@ -334,13 +321,12 @@ impl Screen for Reading {
     }
 
     fn route(&self, _cx: &Context) -> Route {
-        let number = self.number;
         match self.visited {
             Some(visited) => Route::Page {
-                number,
+                chapter: self.number,
                 page: self.open.as_ref().map_or(visited, |_| self.at),
             },
-            None => Route::Chapter { number },
+            None => Route::Chapter(self.number),
         }
     }
 
@@ -437,17 +423,12 @@ impl Screen for Reading {
             }
             ReadingAction::Next => return self.on(cx),
             ReadingAction::Back => return self.back(cx),
-            ReadingAction::Page(by) => {
-                return Next::Shared(SharedAction::Scroll(PAGE_ROWS * by));
-            }
+            ReadingAction::Page(by) => return Next::scroll(PAGE_ROWS * by),
             ReadingAction::ShowIt => self.show_it(cx),
             ReadingAction::AskAgain => self.ask_again(cx),
             ReadingAction::Forget => {
-                return Next::Confirm(Confirmation::new(
-                    "Forget your answers in this chapter, and start it again?",
-                    "start it again",
-                    "keep them",
-                ));
+                let text = "Forget your answers in this chapter, and start it again?";
+                return Next::Confirm(Confirmation::new(text, "start it again", "keep them"));
             }
             ReadingAction::FullSize => return self.full_size(),
             ReadingAction::Export => self.export(cx),
@@ -460,16 +441,19 @@ impl Screen for Reading {
     }
 
     fn confirmed(&mut self, _forget: ReadingAction, cx: &mut Context) -> Next {
-        self.begin_anew(cx);
+        cx.forget(Forget::Chapter(self.chapter.id.clone()));
+        self.alpha_deg = None;
+        self.open(0, cx);
+        self.notice = Some("The chapter starts again.");
         Next::Stay
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_)) => {
-                if self.open.is_none() {
-                    self.open_where_left(cx);
-                }
+            Input::Kept(answer)
+                if self.open.is_none() && matches!(answer.done, StoreReply::Marks(_)) =>
+            {
+                self.open_where_left(cx);
                 Next::Ignored
             }
             Input::Exported(exported) if self.open.is_some() => {
@@ -490,27 +474,26 @@ impl Screen for Reading {
         let Some(figure) = &open.figure else {
             return View::alone(SplitLayout::text_alone, panel);
         };
-        if figure.is_text() {
+        let rays = open.rays();
+        let view = if figure.is_text() {
             let mut shown = Panel::new(figure.title());
             shown.part(ReadingAction::Figure, |shown| figure.write(shown));
-            let view = View::panels(shown, panel).square();
-            return View {
-                focus: Some(open.on_figure),
-                ..view
+            View::panels(shown, panel)
+        } else {
+            let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
+            let draw = move |area: Rect, buf: &mut Buffer, look: &Look| {
+                let later = self.chapter.pages.get(self.at + 1..).unwrap_or_default();
+                let describe = |it| words::describe(it, later, !open.is_asking());
+                let described = open.page.figure.as_ref();
+                sheet::next_picture_shows(|| described.map_or(vec![], describe));
+                figure.draw(area, buf, look, rays);
             };
-        }
-        let rays = open.rays();
-        let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
-        let draw = move |area: Rect, buf: &mut Buffer, look: &Look| {
-            let is_revealed = !open.is_asking();
-            sheet::next_picture_shows(|| words::describe(&self.chapter, self.at, is_revealed));
-            figure.draw(area, buf, look, rays);
+            View::picture(title, draw, panel)
         };
-        let drag = rays.map(|_| RayInput::DRAG);
-        let view = View::picture(title, draw, panel).square().dragging(drag);
         View {
             focus: Some(open.on_figure),
-            ..view
+            drag: rays.map(|_| RayInput::DRAG),
+            ..view.square()
         }
     }
 

@@ -6,7 +6,7 @@ use crate::quiz::{Form, Response};
 use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose::Prose;
 use crate::widgets::hit::{HitPace, Watch};
-use crate::widgets::{AnswerInput, Charset, RayInput};
+use crate::widgets::{AnswerInput, RayInput};
 
 #[derive(Debug, Clone)]
 pub(super) struct OpenPage {
@@ -37,11 +37,7 @@ pub(super) enum CheckpointStage {
 
 /// A checkpoint as a question of the quiz.
 fn form_of(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Form {
-    let prose = Prose {
-        figure: None,
-        charset: Charset::default(),
-    };
-    checkpoint.form(figure, |text| prose.plain(text))
+    checkpoint.form(figure, |text| Prose::default().plain(text))
 }
 
 impl PageQuestion {

@@ -149,10 +149,9 @@ fn revealed(
             }
         }
         (Response::Choice(chosen), CheckpointKind::Choice(choices), _) => {
-            let (mark, role) = if right {
-                ("✓", Role::Good)
-            } else {
-                ("✗", Role::Warn)
+            let (mark, role) = match right {
+                true => ("✓", Role::Good),
+                false => ("✗", Role::Warn),
             };
             if let Some(choice) = choices.get(*chosen) {
                 panel.flow(mark, prose.runs(&choice.text, role));

@@ -49,14 +49,8 @@ impl Screen for Levels {
     type Action = LevelsAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "levels".into()
-    }
-
-    fn route(&self, _cx: &Context) -> Route {
-        Route::Levels
-    }
+    const TITLE: &'static str = "levels";
+    const ROUTE: Route = Route::Levels;
 
     fn status(&self, cx: &Context) -> String {
         let shelf = &cx.shelf;
@@ -80,16 +74,14 @@ impl Screen for Levels {
                 list.choose(cx.shelf.next().unwrap_or(cx.shelf.at));
                 Outcome::Used
             }
-            LevelsAction::Board => return Next::Open(Route::Board { code: None }),
+            LevelsAction::Board => return Next::Open(Route::Board(None)),
             LevelsAction::Back => return Next::Back,
         };
         cx.shelf.at = list.chosen(choices(&cx.shelf));
         self.moved = true;
         match outcome {
             // The lines after the levels are problems, which cannot be opened.
-            Outcome::Done(number) if number < cx.shelf.count() => {
-                Next::Open(Route::Level { number })
-            }
+            Outcome::Done(number) if number < cx.shelf.count() => Next::Open(Route::Level(number)),
             _ => Next::Stay,
         }
     }

@@ -171,7 +171,7 @@ impl LevelPlay {
     fn next_level(&self, cx: &Context) -> Next {
         let number = self.number + 1;
         if number < cx.shelf.count() {
-            Next::Replace(Route::Level { number })
+            Next::Replace(Route::Level(number))
         } else {
             Next::Back
         }
@@ -188,9 +188,7 @@ impl Screen for LevelPlay {
     }
 
     fn route(&self, _cx: &Context) -> Route {
-        Route::Level {
-            number: self.number,
-        }
+        Route::Level(self.number)
     }
 
     fn status(&self, cx: &Context) -> String {

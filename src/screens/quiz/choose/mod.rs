@@ -8,10 +8,9 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key};
-use crate::path::PathSoFar;
 use crate::progress::Due;
 use crate::quiz::concepts::Library;
-use crate::quiz::{ChaptersRead, Code, Course, CourseKind, Family, Topic};
+use crate::quiz::{ChaptersRead, Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
 use crate::screens::{Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
@@ -40,8 +39,6 @@ pub(crate) struct Choosing {
     rounds: ListView,
     /// The topics, as in [`CourseKind::topics`].
     topics: ListView,
-    /// The teacher's own questions.
-    own: Arc<Library>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -90,6 +87,14 @@ static CHOICES: [(char, RoundChoice); 10] = [
     ('o', RoundChoice::Own),
 ];
 
+/// The kinds of round to choose from, with a teacher's questions only if a folder was given.
+fn choices(cx: &Context) -> &'static [(char, RoundChoice)] {
+    match cx.own.concepts.is_empty() && cx.own.problems.is_empty() {
+        true => &CHOICES[..CHOICES.len() - 1],
+        false => &CHOICES,
+    }
+}
+
 impl Choosing {
     /// Requests the player's record.
     pub(crate) fn ask(cx: &mut Context) -> Self {
@@ -99,21 +104,12 @@ impl Choosing {
             page: ChoosingPage::Rounds,
             rounds: ListView::default(),
             topics: ListView::default(),
-            own: Arc::clone(&cx.own),
-        }
-    }
-
-    /// The kinds of round to choose from, with a teacher's questions only if a folder was given.
-    fn choices(&self) -> &'static [(char, RoundChoice)] {
-        match self.own.concepts.is_empty() && self.own.problems.is_empty() {
-            true => &CHOICES[..CHOICES.len() - 1],
-            false => &CHOICES,
         }
     }
 
     /// The chosen kind of round.
-    fn choice(&self) -> &'static RoundChoice {
-        let choices = self.choices();
+    fn choice(&self, cx: &Context) -> &'static RoundChoice {
+        let choices = choices(cx);
         &choices[self.rounds.chosen(choices.len())].1
     }
 
@@ -127,57 +123,36 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// The topics that the player has read about or answered before.
-    fn topics_met(&self, cx: &Context) -> Vec<Topic> {
-        let nothing = History::default();
-        let history = self.history.history().unwrap_or(&nothing);
-        let so_far = PathSoFar {
-            attempts: &history.attempts,
-            calendar: &history.calendar,
-            book: &cx.book,
-            shelf: &cx.shelf,
-        };
-        so_far.topics_met()
-    }
-
-    /// The kind of round that a choice begins; `None` if there is nothing to ask, or if the player
-    /// has to make another choice first.
-    fn kind(&self, choice: &RoundChoice, cx: &Context) -> Option<CourseKind> {
-        match choice {
-            RoundChoice::Always(CourseKind::Quick | CourseKind::Even) => {
-                Some(CourseKind::Met(self.topics_met(cx)))
+    /// The course that a choice begins; `None` if there is nothing to ask, or if the player has to
+    /// make another choice first.
+    fn course(&self, choice: &RoundChoice, cx: &Context) -> Option<Course> {
+        Some(Course::new(match choice {
+            RoundChoice::Always(kind @ (CourseKind::Quick | CourseKind::Even)) => {
+                let nothing = History::default();
+                let history = self.history.history().unwrap_or(&nothing);
+                let met = CourseKind::Met(cx.so_far(history).topics_met());
+                return Some(Course::of(met, kind.length()));
             }
-            RoundChoice::Always(kind) => Some(kind.clone()),
-            RoundChoice::Review => self.due().course(),
-            RoundChoice::Read => chapters_read(&cx.book).map(CourseKind::Read),
-            RoundChoice::Own => {
-                let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
-                own.map(CourseKind::Own)
-            }
-            RoundChoice::Topic | RoundChoice::Code => None,
-        }
+            RoundChoice::Always(kind) => kind.clone(),
+            RoundChoice::Review => self.due().course()?,
+            RoundChoice::Read => CourseKind::Read(chapters_read(&cx.book)?),
+            RoundChoice::Own if cx.own.concepts.is_empty() => return None,
+            RoundChoice::Own => CourseKind::Own(Arc::clone(&cx.own)),
+            RoundChoice::Topic | RoundChoice::Code => return None,
+        }))
     }
 
     /// Opens the chosen line.
     fn enter(&mut self, cx: &mut Context) -> Next {
-        let kind = match (&self.page, self.choice()) {
-            (ChoosingPage::Topics, _) => self.family().map(CourseKind::Topic),
-            (_, choice) => self.kind(choice, cx),
+        let choice = self.choice(cx);
+        let course = match (&self.page, self.family()) {
+            (ChoosingPage::Topics, family) => family.map(|it| Course::new(CourseKind::Topic(it))),
+            _ => self.course(choice, cx),
         };
-        if let Some(kind) = kind {
-            let course = match (self.choice(), &kind) {
-                (RoundChoice::Always(named), CourseKind::Met(_)) => {
-                    Course::of(kind, named.length())
-                }
-                _ => Course::new(kind),
-            };
-            let code = Code {
-                course,
-                seed: cx.next_seed(),
-            };
-            return begin(code);
+        if let Some(course) = course {
+            return Next::Replace(Route::Quiz(Some(cx.next_code(course))));
         }
-        match self.choice() {
+        match choice {
             RoundChoice::Topic => self.page = ChoosingPage::Topics,
             RoundChoice::Code => {
                 self.page = ChoosingPage::Code {
@@ -191,20 +166,15 @@ impl Choosing {
     }
 
     /// Plays the round of the typed code, if it is valid.
-    fn enter_code(&mut self) -> Next {
+    fn enter_code(&mut self, cx: &Context) -> Next {
         if let ChoosingPage::Code { typed, refused } = &mut self.page {
-            if let Some(code) = code(typed.text(), &self.own) {
-                return begin(code);
+            if let Some(code) = code(typed.text(), &cx.own) {
+                return Next::Replace(Route::Quiz(Some(code)));
             }
             *refused = !typed.text().is_empty();
         }
         Next::Stay
     }
-}
-
-/// Opens the first question of a round.
-fn begin(code: Code) -> Next {
-    Next::Replace(Route::Quiz { code: Some(code) })
 }
 
 /// The finished chapters, if there are questions about any of them.
@@ -222,14 +192,8 @@ impl Screen for Choosing {
     type Action = ChoosingAction;
 
     const HELP: &'static str = include_str!("help.txt");
-
-    fn title(&self) -> String {
-        "quiz".into()
-    }
-
-    fn route(&self, _cx: &Context) -> Route {
-        Route::Quiz { code: None }
-    }
+    const TITLE: &'static str = "quiz";
+    const ROUTE: Route = Route::Quiz(None);
 
     fn status(&self, _cx: &Context) -> String {
         match self.due().now.len() {
@@ -238,14 +202,15 @@ impl Screen for Choosing {
         }
     }
 
-    fn keys(&self, _cx: &Context) -> KeyTable<ChoosingAction> {
+    fn keys(&self, cx: &Context) -> KeyTable<ChoosingAction> {
         use ChoosingAction::{Back, Begin, BeginByLetter, Enter, List};
         let keys = KeyTable::new("rounds");
         let list = ListView::keys("begin");
         match self.page {
             ChoosingPage::Rounds => {
-                let numbers = ('1'..='9').zip((0..self.choices().len()).map(Begin));
-                let letters = self.choices().iter().map(|(letter, _)| *letter);
+                let choices = choices(cx);
+                let numbers = ('1'..='9').zip((0..choices.len()).map(Begin));
+                let letters = choices.iter().map(|(letter, _)| *letter);
                 let letters = letters.zip((0..).map(BeginByLetter));
                 keys.with(list, List)
                     .each(numbers, "at once")
@@ -275,7 +240,7 @@ impl Screen for Choosing {
         match action {
             ChoosingAction::List(action) => {
                 let outcome = match self.page {
-                    ChoosingPage::Rounds => self.rounds.act(action, self.choices().len()),
+                    ChoosingPage::Rounds => self.rounds.act(action, choices(cx).len()),
                     _ => self.topics.act(action, CourseKind::topics().count()),
                 };
                 Next::of(outcome, |_| self.enter(cx))
@@ -284,7 +249,7 @@ impl Screen for Choosing {
                 self.rounds.choose(at);
                 self.enter(cx)
             }
-            ChoosingAction::Enter => self.enter_code(),
+            ChoosingAction::Enter => self.enter_code(cx),
             ChoosingAction::Back if self.page == ChoosingPage::Rounds => Next::Back,
             ChoosingAction::Back => {
                 self.page = ChoosingPage::Rounds;

@@ -1,9 +1,13 @@
 //! The view for choosing a round.
 
-use super::{Choosing, ChoosingAction, ChoosingPage, RoundChoice, chapters_read, code as code_of};
-use crate::lessons::Book;
+use std::sync::Arc;
+
+use super::{
+    Choosing, ChoosingAction, ChoosingPage, RoundChoice, chapters_read, choices, code as code_of,
+};
 use crate::numbers::counted;
 use crate::progress::{Mastery, TopicStanding};
+use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::{Context, View};
 use crate::widgets::Role;
@@ -22,23 +26,17 @@ pub(super) fn view<'s>(choosing: &Choosing, cx: &Context) -> View<'s, ChoosingAc
     let (list, about) = match &choosing.page {
         ChoosingPage::Rounds => (rounds(choosing, cx), about_round(choosing, cx)),
         ChoosingPage::Topics => (topics(choosing), about_topic(choosing)),
-        ChoosingPage::Code { typed, refused } => (code(choosing, typed, *refused), about_codes()),
+        ChoosingPage::Code { typed, refused } => (code(&cx.own, typed, *refused), about_codes()),
     };
     View::panels(list, about)
 }
 
-struct ChoiceWords {
-    name: &'static str,
-    beside: String,
-    about: &'static str,
-}
-
-fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords {
-    let of = |name, beside, about| ChoiceWords {
-        name,
-        beside,
-        about,
-    };
+/// The name of a choice, a short text beside it, and its description, which may be empty.
+fn words(
+    choosing: &Choosing,
+    choice: &RoundChoice,
+    cx: &Context,
+) -> (&'static str, String, &'static str) {
     match choice {
         RoundChoice::Always(kind) => {
             let questions = format!("{} questions", kind.length());
@@ -64,54 +62,56 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
                     "Fifteen questions of all kinds. There is no feedback until the end; then you can open each one with its picture and its explanation.",
                 ),
             };
-            of(kind.name(), beside, about)
+            (kind.name(), beside, about)
         }
-        RoundChoice::Topic => of(
+        RoundChoice::Topic => (
             "one topic",
             format!("{} to choose from", CourseKind::topics().count()),
             "Six questions on one topic, getting harder: good when you have just read about that topic. Then return to mixed rounds.",
         ),
-        RoundChoice::Read => of(
+        RoundChoice::Read => (
             "what you have read",
-            match chapters_read(book) {
+            match chapters_read(&cx.book) {
                 None => "nothing read yet".into(),
-                Some(_) => counted(book.read_through().count(), "chapter"),
+                Some(_) => counted(cx.book.read_through().count(), "chapter"),
             },
             "Ten questions about the chapters that you have finished, in any order.",
         ),
-        RoundChoice::Code => of(
+        RoundChoice::Code => (
             "a round by its code",
             String::new(),
             "With a code from a friend or a teacher, you get exactly the same questions.",
         ),
         RoundChoice::Own => {
-            let own = &choosing.own;
+            let own = &cx.own;
             let beside = match own.problems.len() {
                 0 => format!("of {}", own.concepts.len()),
                 left => format!("of {}, {left} left out", own.concepts.len()),
             };
-            of("your own questions", beside, "")
+            ("your own questions", beside, "")
         }
         RoundChoice::Review => {
             let beside = match choosing.due().now.len() {
                 0 => "nothing due".into(),
                 due => format!("{due} due"),
             };
-            of("review what is due", beside, "")
+            ("review what is due", beside, "")
         }
     }
 }
 
 /// Whether a choice can be opened.
 fn is_open(choosing: &Choosing, choice: &RoundChoice, cx: &Context) -> bool {
-    matches!(choice, RoundChoice::Topic | RoundChoice::Code) || choosing.kind(choice, cx).is_some()
+    matches!(choice, RoundChoice::Topic | RoundChoice::Code)
+        || choosing.course(choice, cx).is_some()
 }
 
 fn rounds(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
     let mut panel = Panel::new("choose a round");
-    let chosen = choosing.rounds.chosen(choosing.choices().len());
-    for (i, (_, choice)) in choosing.choices().iter().enumerate() {
-        let ChoiceWords { name, beside, .. } = words(choosing, choice, &cx.book);
+    let choices = choices(cx);
+    let chosen = choosing.rounds.chosen(choices.len());
+    for (i, (_, choice)) in choices.iter().enumerate() {
+        let (name, beside, _) = words(choosing, choice, cx);
         let role = match is_open(choosing, choice, cx) {
             true => Role::Text,
             false => Role::Dim,
@@ -131,8 +131,8 @@ fn rounds(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
 fn about_round(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
     let book = &cx.book;
     let mut panel = Panel::new("this round");
-    let choice = choosing.choice();
-    let about = words(choosing, choice, book).about;
+    let choice = choosing.choice(cx);
+    let (_, _, about) = words(choosing, choice, cx);
     if !about.is_empty() {
         panel.paragraph(about, Role::Text);
     }
@@ -147,7 +147,7 @@ fn about_round(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
                 panel.paragraph("First finish a chapter in Learn.", Role::Text);
             }
         }
-        RoundChoice::Own => about_own(choosing, &mut panel),
+        RoundChoice::Own => about_own(&cx.own, &mut panel),
         RoundChoice::Review => about_review(choosing, &mut panel),
         _ => {}
     }
@@ -163,8 +163,7 @@ fn about_round(choosing: &Choosing, cx: &Context) -> Panel<ChoosingAction> {
     panel
 }
 
-fn about_own(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
-    let own = &choosing.own;
+fn about_own(own: &Arc<Library>, panel: &mut Panel<ChoosingAction>) {
     let text = match own.concepts.len() {
         0 => "There are no questions to ask.".into(),
         all => {
@@ -251,14 +250,11 @@ fn about_topic(choosing: &Choosing) -> Panel<ChoosingAction> {
     let text = match known(choosing, family) {
         None => "You have not met this topic yet.".into(),
         Some(TopicStanding { all, lately, .. }) => {
-            let text = format!("{} answered, {} right.", all.attempts, all.right);
-            match all.attempts > lately.attempts {
-                true => format!(
-                    "{text} Of the last {}, {} right.",
-                    lately.attempts, lately.right
-                ),
-                false => text,
+            let mut text = format!("{} answered, {} right.", all.attempts, all.right);
+            if all.attempts > lately.attempts {
+                text += &format!(" Of the last {}, {} right.", lately.attempts, lately.right);
             }
+            text
         }
     };
     panel.paragraph(text, Role::Text);
@@ -269,11 +265,11 @@ fn about_topic(choosing: &Choosing) -> Panel<ChoosingAction> {
     panel
 }
 
-fn code(choosing: &Choosing, typed: &TextField, refused: bool) -> Panel<ChoosingAction> {
+fn code(own: &Arc<Library>, typed: &TextField, refused: bool) -> Panel<ChoosingAction> {
     let mut panel = Panel::new("a round by its code");
     panel.text_field("code", typed.around_cursor(), true, None);
     panel.gap();
-    match code_of(typed.text(), &choosing.own) {
+    match code_of(typed.text(), own) {
         Some(Code { course, seed }) => {
             let Course { kind, count } = &course;
             let name = match &kind {
@@ -301,10 +297,9 @@ fn code(choosing: &Choosing, typed: &TextField, refused: bool) -> Panel<Choosing
 
 fn about_codes() -> Panel<ChoosingAction> {
     let mut panel = Panel::new("codes");
-    panel.paragraph(
-        "A code consists of the kind of round, the number of questions if it is not the usual one, and a number that fixes the questions:",
-        Role::Text,
-    );
+    let text = "A code consists of the kind of round, the number of questions if it is not the \
+                usual one, and a number that fixes the questions:";
+    panel.paragraph(text, Role::Text);
     panel.gap();
     for (code, means) in [
         ("even-7", "ten, mixed"),

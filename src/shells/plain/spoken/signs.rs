@@ -1,7 +1,8 @@
 //! Symbols as words.
 
 use super::functions;
-use crate::widgets::signs::{greek, superscript};
+use crate::numbers::greek;
+use crate::widgets::signs::superscript;
 
 /// Replaces symbols with words, with spaces around them.
 pub(super) fn spell(text: &str) -> String {
