@@ -124,7 +124,7 @@ fn texts(blocks: &Value) -> Vec<String> {
     }
 }
 
-/// The letters and digits of a text; nothing else is compared, because the page capitalises and
+/// The letters and digits of a text; nothing else is compared, because the page capitalizes and
 /// spaces its elements differently.
 fn letters(text: &str) -> String {
     let letters = text.chars().filter(|letter| letter.is_alphanumeric());

@@ -77,12 +77,12 @@ fn host(folder: &Path, port: Option<u16>) -> Pty {
     pty
 }
 
-/// What a device reports: how long something took.
+/// What a device reports: how long something took, or since when it has shown a step.
 #[derive(Debug)]
 enum Report {
     Joined(Duration),
     Acknowledged(Duration),
-    /// The device has shown this step of this question since this time.
+    /// The number of a question, a step of it, and the time since when the device has shown it.
     Shows(u64, String, Instant),
 }
 

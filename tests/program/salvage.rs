@@ -1,5 +1,5 @@
-//! Databases damaged in hundreds of ways: every row that SQLite can still find by its key is in the
-//! new file, and the damaged file is kept. `cargo test --test program salvage -- --nocapture`
+//! Databases damaged in ten ways: every row that SQLite can still find by its key is in the new
+//! file, and the damaged file is kept. `cargo test --test program salvage -- --nocapture`
 //! prints the numbers; `--include-ignored` adds a run with a thousand databases.
 
 use std::collections::BTreeMap;

@@ -1,5 +1,5 @@
 //! Rounds of the quiz over thousands of seeds: the true answer is right, every misconception is
-//! recognised by its answer, and every text is readable.
+//! recognized by its answer, and every text is readable.
 
 use std::sync::LazyLock;
 
@@ -104,7 +104,7 @@ fn the_right_answer_earns_full_credit_and_is_never_diagnosed() {
 }
 
 #[test]
-fn each_misconception_is_recognised_by_its_answer() {
+fn each_misconception_is_recognized_by_its_answer() {
     let mut met = [0; ALL.len()];
     for question in questions() {
         for belief in &question.beliefs {

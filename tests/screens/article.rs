@@ -293,7 +293,7 @@ fn page(id: &str, title: &str) -> &'static ChapterPage {
     wanted.next().unwrap_or_else(|| panic!("{id}: {title}"))
 }
 
-/// The part of a chapter's file that is a page.
+/// The source of one page in the chapter's file.
 fn source(id: &str, title: &str) -> String {
     let file = LESSONS.get_file(&chapter(id).file).unwrap();
     let text = file.contents_utf8().unwrap();

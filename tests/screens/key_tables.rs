@@ -232,7 +232,7 @@ fn escape_always_goes_back_or_asks_for_confirmation() {
     }
 }
 
-/// The cell beside the mark of a list that is on the first screen but not on the second.
+/// The cell beside the mark of a list: the mark is in `with`, but not in `without`.
 fn mark(with: &Buffer, without: &Buffer) -> (u16, u16) {
     let marks = |at: &(u16, u16)| with[*at].symbol() == ">" && without[*at].symbol() != ">";
     let cells = with.area.positions().map(|at| (at.x, at.y));

@@ -70,7 +70,7 @@ const input = (() => {
     key(name);
   }
 
-  // Input of a phone's keyboard without a field. The keyboard deletes only existing text, and may
+  // Input from a phone's keyboard without a field. The keyboard deletes only existing text, and may
   // change a word until it is complete.
   function typed({ type, isComposing }) {
     const now = typing.value;

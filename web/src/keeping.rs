@@ -454,7 +454,7 @@ mod tests {
             let refused = browser.keep(Some("full"));
             assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
         }
-        // The next carrom saves another round, although the ticket is the same.
+        // The next carrom saves another round beside the first, although the ticket is the same.
         browser.ask(3, save_class(), None);
         assert_eq!(browser.won(), ["one", "two"]);
         let rounds = browser.files.keys().filter(|it| it.starts_with("classes/"));
