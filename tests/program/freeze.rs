@@ -1,6 +1,6 @@
-//! Cases in which the keys were once blocked for a minute: the player must always be able to quit.
-//! How long quitting takes is printed, not asserted: `cargo test --test program freeze --
-//! --nocapture`.
+//! Cases in which the keys were once blocked for a minute. The player must always be able to quit.
+//! The tests print how long quitting takes and assert nothing about it: `cargo test --test program
+//! freeze -- --nocapture`.
 
 use std::fmt::Write;
 use std::process::{Command, Stdio};

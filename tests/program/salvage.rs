@@ -255,8 +255,8 @@ fn campaign(
     figures
 }
 
-/// The notice about a repaired database gives the number of lost answers, unless more may be lost.
-/// After flipped bits, an id may be wrong, and so may the number of lost answers.
+/// The notice about a repaired database gives the number of lost answers, unless it warns that more
+/// may be lost. After flipped bits, an id may be wrong, and then that number may be wrong, too.
 fn assert_counted(notice: &str, mended: &Path) {
     let there: i64 = reader(mended)
         .query_row("SELECT count(*) FROM attempt", [], |row| row.get(0))

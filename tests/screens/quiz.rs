@@ -93,7 +93,7 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// An answer far from every right answer and every misconception.
+/// An answer far from every right answer and from the answer of every misconception.
 const WILD: Rays = Rays::new(-1.3, -1.3);
 
 #[test]
