@@ -77,12 +77,12 @@ fn host(folder: &Path, port: Option<u16>) -> Pty {
     pty
 }
 
-/// What a device reports: how long something took, or since when it has shown a step.
+/// What a device reports: how long something took, or which step it shows.
 #[derive(Debug)]
 enum Report {
     Joined(Duration),
     Acknowledged(Duration),
-    /// The number of a question, a step of it, and the time since when the device has shown it.
+    /// The number of the question, the step, and the time at which the device first showed it.
     Shows(u64, String, Instant),
 }
 
