@@ -221,7 +221,7 @@ fn a_chapter_that_has_changed_still_opens() {
         // The chapter can be read to the end, and is then done.
         game.press(&"b".repeat(5));
         for key in ["1", "<Enter>", "n"].repeat(5) {
-            // In the contents, that key takes the next step, which leads out of the chapters.
+            // In the list of chapters, `n` takes the next step, which leads out of the chapters.
             if key != "n" || !game.screen().contains("carrom : learn") {
                 game.press(key);
             }

@@ -169,7 +169,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
         game.screen()
     );
     game.press("<Enter>100<Enter>-100<Enter>");
-    // The discussion, the second vote, the shot, the scores.
+    // Continue through the discussion and the second vote to the shot, then to the scores.
     game.press("<Enter><Enter><Enter>");
     if !game.screen().contains("after talking") {
         game.press("<End>");
