@@ -108,7 +108,7 @@ const OF_MISCONCEPTIONS: &str = "
     all of the energy can be lost only, some motion has to remain | all-energy-lost
     halfway between the two paths | halfway-direction
     conserve energy in both steps | energy-through-impact
-    momenta in pairs | momentum-from-explosion
+    equal and opposite pairs | momentum-from-explosion
     relative velocity is the same in every frame | loss-by-frame
     never between the two | reduced-as-mean
     at right angles to n | friction-only-slows

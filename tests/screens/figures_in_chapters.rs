@@ -431,11 +431,11 @@ fn claims() -> Vec<Claim> {
         "The sum falls from 16 to [10]",
         slow * slow + fast * fast,
     );
-    claim(14, "so [80] g moves on at", 20.0 + 60.0);
+    claim(14, "so the joined pucks ([80] g) move on at", 20.0 + 60.0);
     claim(14, "the speed falls to a [quarter].", 20.0 / 80.0);
     claim(
         14,
-        "a 16th of the square of the speed, a [quarter] of the energy",
+        "a 16th of the square of the speed leave a [quarter] of the energy",
         80.0 / 20.0 / 16.0,
     );
     claim(14, "a [16]th of the square", (80.0_f64 / 20.0).powi(2));
