@@ -529,8 +529,16 @@ fn claims() -> Vec<Claim> {
     claim(16, "μ = [7.5] g, and", 15.0 * 15.0 / 30.0);
     claim(16, "7.5 × 2.00 / 3 = [5.0] g m/s", 7.5 * 2.0 / 3.0);
     // 1 + mr²/I: I = ½mr² for a disc, and 2/5 mr² for a sphere. The text has the reciprocals.
-    claim(16, "the factor is 2/7, not 1/[3]", 1.0 + 2.0);
-    claim(16, "the factor is 2/[7], not 1/3", 2.0 * (1.0 + 2.5));
+    claim(
+        16,
+        "the factor 1/[3] in the formulas becomes 2/7",
+        1.0 + 2.0,
+    );
+    claim(
+        16,
+        "the factor 1/3 in the formulas becomes 2/[7]",
+        2.0 * (1.0 + 2.5),
+    );
     claim(16, "= 6 × 0.05 = [0.3], so", 6.0 * 0.05);
     let thrown = rough(0.05, 30.0).outcome();
     let throw = 30.0 - degrees(thrown.theta2);
