@@ -591,7 +591,7 @@ fn claims() -> Vec<Claim> {
     claim(17, "√(9 + [16])", 16.0);
     claim(17, "= 5, so the uncertainty is [5] %", f64::hypot(3.0, 4.0));
     claim(17, "less than [7] %", 3.0 + 4.0);
-    claim(17, "it is ±[0.04]", 0.05 * 0.8);
+    claim(17, "the uncertainty is ±[0.04]", 0.05 * 0.8);
     claim(17, "Film at [60] frames", 60.0);
     claims
 }
