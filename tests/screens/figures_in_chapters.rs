@@ -174,7 +174,7 @@ fn claims() -> Vec<Claim> {
     );
     claim(
         4,
-        "The first coin keeps [half] of its speed.",
+        "The first coin keeps [half] its speed.",
         equal(30.0).v1.length(),
     );
     let both = degrees(equal(20.0).theta1) + degrees(equal(20.0).theta2);
@@ -224,18 +224,18 @@ fn claims() -> Vec<Claim> {
     let ball = equal(30.0);
     claim(
         6,
-        "an equal ball at α = [30]° ends up at 34°, not 60°.",
+        "an equal ball at α = [30]° is deflected by 34°, not 60°.",
         degrees(ball.theta2),
     );
     let rolling = 5.0 / 7.0 * ball.v1 + 2.0 / 7.0 * DVec2::new(1.0, 0.0);
     claim(
         6,
-        "an equal ball at α = 30° ends up at [34]°, not 60°.",
+        "an equal ball at α = 30° is deflected by [34]°, not 60°.",
         deg_from_rad(rolling.to_angle()),
     );
     claim(
         6,
-        "an equal ball at α = 30° ends up at 34°, not [60]°.",
+        "an equal ball at α = 30° is deflected by 34°, not [60]°.",
         degrees(ball.theta1),
     );
 
