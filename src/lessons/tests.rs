@@ -86,7 +86,7 @@ const OF_MISCONCEPTIONS: &str = "
     m_1 - m_2, m_1 + m_2, m_1/m_2, m_1 / m_2, e m_2, three times the mass, less than the smaller mass | upside-down
     rebounds, heavier, heavy striker | heavy-rebounds
     small angles are common | counts-reversed
-    b/(r_1 + r_2), half of d, half of the force | direct-for-inverse
+    b/(r_1 + r_2), half of d, half the force | direct-for-inverse
     greatest angle | beyond-largest
     along t, coefficient of restitution, common motion, e m_2 | loss-on-everything
     relative velocities, 1 - e^2 | e-as-energy

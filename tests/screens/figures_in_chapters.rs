@@ -397,7 +397,7 @@ fn claims() -> Vec<Claim> {
     // The curve is half of a sine: its average is 2/π of its height.
     let greatest = average(1.2e-3) * std::f64::consts::FRAC_PI_2;
     claim(13, "greatest force is [78.5] N.", greatest);
-    claim(13, "[half] of the time", 0.6 / 1.2);
+    claim(13, "[half] the time", 0.6 / 1.2);
     claim(
         13,
         "means [twice] the force",
