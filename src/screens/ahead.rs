@@ -16,7 +16,7 @@ pub(super) struct Ahead {
     /// The player whose record this is.
     player: String,
     pub(super) history: Recall,
-    /// The request for the updated record; until it arrives, the earlier record is shown.
+    /// The request for the updated record. Until the reply arrives, the earlier record is shown.
     again: Option<Recall>,
     found: Option<(NextStep, PathDone)>,
 }

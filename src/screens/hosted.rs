@@ -102,7 +102,7 @@ pub trait AnyScreen {
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
-/// The smallest number of rows with which an inset draws the two discs of a collision as circles.
+/// The smallest number of rows in which the two discs of a collision in an inset look like circles.
 const INSET_ROWS: u16 = 5;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
@@ -120,8 +120,8 @@ struct Scrolled {
     /// The panel's title and subject.
     of: (String, usize),
     rows: u16,
-    /// The row of the item that was chosen when the player scrolled: once another item is chosen,
-    /// the panel follows it.
+    /// The row of the item that was chosen when the player scrolled. Once another item is chosen,
+    /// the panel scrolls to that item.
     chosen: Option<u16>,
     /// Whether the position is remembered while the panel is not shown.
     stays: bool,
@@ -237,7 +237,7 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// Scrolls the panel at a cell, or otherwise the last one that is longer than its area.
+    /// Scrolls the panel at a cell or, without a cell, the last panel that is longer than its area.
     fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &mut Context) -> Next {
         let view = self.screen.view(cx);
         let scrolled = self.with_panels(&view, cx, |view, _| {

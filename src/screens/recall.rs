@@ -34,7 +34,7 @@ impl Recall {
         }
     }
 
-    /// A message that says that the record is being loaded, or why it cannot be loaded.
+    /// The message while the record is not available: it is being loaded, or why it cannot be.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
             Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),

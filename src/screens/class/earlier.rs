@@ -83,7 +83,7 @@ impl EarlierRounds {
             panel.paragraph(text::clipped(&round.teams().join(", "), NAMES), Role::Dim);
             panel.gap();
             let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
-            panel.prompt("resume it where it was left", take_up);
+            panel.prompt("resume it where it stopped", take_up);
         });
         View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
     }

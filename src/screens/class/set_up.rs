@@ -210,7 +210,7 @@ impl SetUp {
             .when(self.can_preview())
     }
 
-    /// Whether the key previews the questions: in rows that contain text it types a letter instead.
+    /// Whether the preview key works here: in a row with a text field it types a letter instead.
     pub(super) fn can_preview(&self) -> bool {
         use SetUpRow::{Add, Class, Kind, Team};
         !matches!(self.at(), Team(_) | Add | Class | Kind(RoundKind::Code))

@@ -140,8 +140,8 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     words.collect::<Vec<_>>().join(", ") + more
 }
 
-/// If the votes for a disc have more different directions than this, only the most frequent one is
-/// labelled.
+/// The largest number of directions, in the votes for a disc, that are all labelled. If there are
+/// more, only the most frequent one is labelled.
 const MANY_WAYS: usize = 8;
 
 /// Draws all rays, from the position where the two discs will collide.

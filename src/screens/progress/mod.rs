@@ -60,7 +60,7 @@ enum ProgressPage {
 impl ProgressPage {
     const ALL: &[Self] = Self::VARIANTS;
 
-    /// The page this many steps after this one; the first page follows the last.
+    /// The page `steps` pages after this one; the first page follows the last.
     fn beside(self, steps: isize) -> Self {
         let count = Self::ALL.len() as isize;
         let at = (self as isize + steps).rem_euclid(count);

@@ -366,7 +366,7 @@ impl Quiz {
     }
 
     /// Leaves the round: at once if nothing has been answered, otherwise after a confirmation.
-    /// An exam then still shows the results.
+    /// A round with feedback at the end then shows its results first.
     fn leave(&mut self) -> Next {
         if let QuizPhase::Asked(asked) = &mut self.phase
             && asked.asking.back()
@@ -452,7 +452,7 @@ fn sighting(question: &Question, answer: &Answer, cx: &mut Context) -> Option<Si
     asks.then(|| Sighting::new(*collision, *shown, cx.settings.pace()))
 }
 
-/// Scrolls the text by this many rows.
+/// Scrolls the text by `rows` rows; negative is up.
 const fn scroll(rows: i16) -> Next {
     Next::Shared(SharedAction::Scroll(rows))
 }

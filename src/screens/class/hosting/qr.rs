@@ -28,8 +28,8 @@ impl Qr {
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
         has_cells.then(|| Self {
             side: code.width(),
-            // Terminals let users redefine the first sixteen colours, so fixed ones are used if
-            // there are more.
+            // Terminals let users redefine the first sixteen colours, so later ones are used if
+            // the terminal has more.
             colours: match look.theme.depth {
                 Depth::None | Depth::Ansi16 => [Color::White, Color::Black],
                 Depth::Indexed256 | Depth::True => [Color::Indexed(231), Color::Indexed(16)],

@@ -264,7 +264,7 @@ impl LiveFigure {
         }
     }
 
-    /// Whether the lab can show the collision in full size; it has no explosions.
+    /// Whether the lab can show the collision full-size; the lab has no explosions.
     pub(super) fn is_for_the_lab(&self) -> bool {
         !matches!(self.figure.kind, FigureKind::Explosion { .. })
     }
