@@ -146,7 +146,7 @@ pub struct GuardedCode {
     all: Bucket,
 }
 
-/// The reply to a code.
+/// The verdict on a typed code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CodeVerdict {
     /// The code is right.

@@ -36,7 +36,7 @@ impl Participant {
         self.device.connection.is_some()
     }
 
-    /// Whether a hand-in from them is stored.
+    /// Whether a hand-in of this participant is stored.
     pub fn has_handed_in(&self) -> bool {
         self.device.has_handed_in
     }
@@ -46,7 +46,7 @@ impl Participant {
         self.ballots.get(question).copied().unwrap_or_default()
     }
 
-    /// Whether they have never voted or handed anything in.
+    /// Whether this participant has never voted or handed anything in.
     pub(super) fn is_idle(&self) -> bool {
         !self.device.has_handed_in && self.ballots.iter().all(|it| it.counts().is_none())
     }

@@ -8,8 +8,8 @@ const SIGNS: &str = "Angles are in degrees. The striker moves along +x. The impa
                      from the striker's velocity relative to the target to the line of centres, \
                      positive if the target is on the right.";
 
-/// The sign conventions of the answers. clap prints this text instead of [`SIGNS`], so this text
-/// repeats [`SIGNS`].
+/// The sign conventions of the answers. With `--help`, clap prints this text instead of [`SIGNS`],
+/// so this text repeats [`SIGNS`].
 const SIGNS_OF_ANSWERS: &str = "Angles are in degrees. The striker moves along +x. The impact angle is the angle from the \
      striker's velocity relative to the target to the line of centres, positive if the target is on \
      the right.\n\n\
