@@ -321,8 +321,8 @@ impl<S: Screen> Hosted<S> {
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 panel.action(at)
             });
-            // The wheel moves the mark of a list, and the list scrolls with it; a list may be shown
-            // beside pages.
+            // Over a list, the wheel moves the mark, and the list scrolls with the mark. The same
+            // applies over pages, because a list may be beside them.
             let is_followed = |it: &Shown| {
                 let placed = &it.placed;
                 let is_list = placed.is_list || placed.pages().is_some();

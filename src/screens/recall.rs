@@ -34,7 +34,7 @@ impl Recall {
         }
     }
 
-    /// The message while the record is not available: it is being loaded, or why it cannot be.
+    /// The message shown while the record is being loaded, or if it cannot be loaded.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
             Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),

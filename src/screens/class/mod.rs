@@ -139,7 +139,7 @@ impl Class {
         }
     }
 
-    /// Resumes an interrupted round, or starts another: at once if its code is known.
+    /// Resumes an interrupted round, or starts another, at once if its code is known.
     fn after_unfinished(&mut self, end: Option<UnfinishedEnd>, cx: &mut Context) {
         let ClassScene::Unfinished(unfinished) = &self.scene else {
             return;

@@ -466,7 +466,7 @@ impl ClassPlay {
             ),
             ClassStep::SecondVote => Heading::new(
                 &[&turnout(Vote::Second)],
-                "You may change your vote. All others keep theirs.",
+                "You may change your vote. Otherwise your first vote counts.",
             ),
             ClassStep::Predict => Heading::new(
                 &["Predict in silence", "In silence"],

@@ -143,7 +143,7 @@ impl SetUp {
         kinds
     }
 
-    /// The course of a kind of round; a code contains its own.
+    /// The course of a kind of round; `None` for a round by its code, which contains the course.
     pub(super) fn course(&self, kind: RoundKind) -> Option<CourseKind> {
         Some(match kind {
             RoundKind::Mixed => CourseKind::Even,
@@ -182,7 +182,7 @@ impl SetUp {
         }
     }
 
-    /// The keys of the marked row; letters are typed into it.
+    /// The keys of the marked row. If the row has a text field, letters are typed into the field.
     pub(super) fn keys(&self) -> KeyTable<SetUpAction> {
         use SetUpAction::{List, Preview, Remove, Topic};
         let at = self.at();

@@ -36,7 +36,7 @@ impl Stage {
         self.session.round().questions().get(self.number())
     }
 
-    /// The number of the question, counted from 0.
+    /// The number of the current question, counted from 0.
     pub(super) fn number(&self) -> usize {
         self.session.round().place().question
     }

@@ -89,7 +89,7 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
     let unit = match &question.form {
         Form::Choice { .. } => return draw_question(area, buf, look, question, None),
         Form::Rays { .. } => {
-            // The rays do not cover the question's own labels.
+            // The rays are drawn first, so they do not cover the question's own labels.
             if let Some(collision) = question.picture.collision() {
                 draw_fan(collision, votes, area, buf, look);
             }

@@ -45,7 +45,8 @@ const SCALES: (f64, f64) = (0.001, 1_000.0);
 const OF_BOTH: &str = "Unless both masses are set, equal masses are assumed.";
 const OF_RADII: &str = "If both radii are set, the line of impact is found from the centres.";
 
-/// Begins with a number even if no value is set, so that a browser page shows a number field.
+/// A value as shown. It begins with a number even if it is not set, so that a browser page shows a
+/// number field.
 fn shown(value: f64, unit: &str) -> String {
     let note = if value > 0.0 { "" } else { " (not set)" };
     format!("{}{unit}{note}", short(value, 4))

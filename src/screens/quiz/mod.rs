@@ -283,7 +283,8 @@ impl Quiz {
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Plays another round of the same kind. After a review, other topics are due.
+    /// Plays another round of the same kind. After a review, other topics are due, so the player
+    /// chooses a round.
     fn again(&mut self, cx: &mut Context) -> Next {
         let code = self.round.code();
         if let CourseKind::Review(_) = code.course.kind {

@@ -31,7 +31,7 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     });
 }
 
-/// The confidence levels with the points that each earns, and the answer to be rated.
+/// The confidence levels with their points, and the answer to which they apply.
 pub(super) fn confidence(
     asked: &OpenQuestion,
     feedback_at_end: bool,

@@ -18,11 +18,12 @@ const HINT: &str = "Has nobody joined? Devices must be on the same network as th
                     phone and let everyone join it, or vote with hands or cards instead.";
 /// The height of an address in large letters, in rows.
 const LETTERS: u16 = 4;
-/// The smallest number of rows in which the address beside a QR code has large letters.
+/// The smallest height of the panel, in rows, at which the address and the code in it have large
+/// letters.
 const LARGE_FROM: u16 = 13;
 /// The scales of a QR code, the largest first.
 const SCALES: [usize; 3] = [3, 2, 1];
-/// The smallest number of columns beside a QR code: enough for the address in letters of one cell.
+/// The smallest number of columns beside a QR code: enough for the address in plain letters.
 const LEAST_WORDS: u16 = 24;
 /// The notice that names and votes are not private.
 const OPENLY: &str = "Everyone on this network can see names and votes. Nicknames are fine.";

@@ -41,7 +41,7 @@ impl FigureDial {
         })
     }
 
-    /// The value after some steps.
+    /// The value after `by` steps.
     pub(super) fn stepped(&self, by: i8) -> f64 {
         self.value + f64::from(by) * self.step
     }
@@ -52,7 +52,7 @@ impl FigureDial {
         least + share * (most - least)
     }
 
-    /// The step of the dial nearest to this value.
+    /// The multiple of the dial's step that is nearest to `value`, within the range.
     pub(super) fn nearest(&self, value: f64) -> f64 {
         let (least, most) = self.ends;
         tidy((value / self.step).round() * self.step).clamp(least, most)

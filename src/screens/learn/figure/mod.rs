@@ -226,7 +226,8 @@ impl LiveFigure {
         }
     }
 
-    /// Whether the student sets α, which is then the same in all such figures of a chapter.
+    /// Whether the student sets α here. All figures of a chapter in which the student sets α have
+    /// the same value.
     pub(super) fn is_own(&self) -> bool {
         self.figure.own
     }

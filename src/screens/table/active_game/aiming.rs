@@ -144,7 +144,7 @@ impl ActiveGame {
             .in_brief("+ -", |it| it == Strength(1) && !typing)
             .in_brief("[ ]", |it| matches!(it, Place(_)))
             .in_brief("arrows, 68.2", |it| {
-                // In a practice game the line has no room for the example.
+                // In a practice game the bottom line has no room for this example.
                 matches!(it, Turn(_)) && !typing && !practice
             });
         let shared = KeyTable::new("table")

@@ -56,7 +56,7 @@ pub(super) enum Grip {
         to: DVec2,
         /// The aim to restore if the pull is cancelled.
         before: Aim,
-        /// Whether it is pulled far enough to be struck on release.
+        /// Whether the striker is pulled far enough to be struck on release.
         drawn: bool,
     },
 }
@@ -153,7 +153,7 @@ impl ActiveGame {
     }
 
     /// Pulls the striker back to this point. A pull along the aim keeps the aim; a pull far to the
-    /// side turns it.
+    /// side turns the aim.
     fn draw_back(&mut self, to: DVec2, before: Aim) {
         let seat = self.seat();
         self.aim = before;
