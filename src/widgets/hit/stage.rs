@@ -88,8 +88,8 @@ impl HitLayout {
         self.collision.side()
     }
 
-    /// Whether the other disc, at these positions, is straight ahead of a disc that moves in the
-    /// given direction.
+    /// Whether the other disc is straight ahead of the disc `body`, which moves in the given
+    /// direction, when the discs are at `places`.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
         let other = places[1 - body] - places[body];
         let direction = direction.normalize_or_zero();
@@ -101,7 +101,7 @@ impl HitLayout {
         self.is_towards(self.centres, body, -v)
     }
 
-    /// The direction of a ray at an angle in radians, with the sign convention of physics.
+    /// The direction of a ray at an angle in radians, with the sign convention of [`turn`].
     fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
         DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
     }
@@ -178,8 +178,8 @@ pub(super) fn time_in_sight(collision: &Collision) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// The sign convention for a ray's angle: scattering angles are positive anticlockwise, recoil
-/// angles clockwise.
+/// The sense in which a ray's angle is positive: 1 (anticlockwise) for scattering angles, −1
+/// (clockwise) for recoil angles.
 fn turn(ray: Ray) -> f64 {
     match ray {
         Ray::Striker => 1.0,

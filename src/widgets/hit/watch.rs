@@ -14,7 +14,7 @@ use crate::quiz::{AimTask, Rays};
 use crate::widgets::panels::{impact_angle, masses, offset, rim_facts, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
-/// The fraction of the shot's duration by which the keys `<` and `>` move.
+/// The fraction of the shot's duration by which the keys `<` and `>` move the playback.
 const SCRUB: f64 = 1.0 / 16.0;
 
 /// A collision being watched.
@@ -32,7 +32,7 @@ pub(crate) struct Watch {
     pub(super) faces: [Face; 2],
     /// The steps of the explanation at the contact.
     steps: &'static [ExplanationStep],
-    /// The layer that the last key switched on or off.
+    /// The layer that the last key press switched on or off, if it did.
     switched: Option<Overlay>,
 }
 

@@ -640,8 +640,9 @@ const MOST_ROWS: usize = 3;
 /// The minimum number of rows for the text that scrolls between fixed blocks.
 const LEAST: u16 = 6;
 
-/// The indentation, in columns, of formulas and of continuation lines of working.
+/// The indentation of formulas, in columns.
 const FORMULA: u16 = 2;
+/// The indentation of continuation lines of working, in columns.
 const WORKING: u16 = 4;
 /// The maximum width of a gauge, in columns.
 const LONGEST_GAUGE: u16 = 52;

@@ -206,7 +206,7 @@ pub(crate) struct TableColumn {
     pub width: u16,
     /// Whether the cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
-    /// The minimum width of a panel that shows the column, in cells.
+    /// The minimum width, in terminal cells, of a panel that shows the column.
     pub room: u16,
     /// Whether the cells are graphics that repeat the information in other cells.
     pub drawn: bool,
@@ -232,7 +232,7 @@ impl TableColumn {
         }
     }
 
-    /// This column, but shown only in panels that are at least `room` cells wide.
+    /// This column, but shown only in panels that are at least `room` terminal cells wide.
     pub(crate) fn from(self, room: u16) -> Self {
         Self { room, ..self }
     }

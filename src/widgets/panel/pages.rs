@@ -18,13 +18,13 @@ use crate::widgets::big::{BigPages, BigParagraph, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
-/// The number of rows between two paragraphs: the usual one, and the one that is used to save
+/// The number of rows between two paragraphs: the usual number, and the number that is used to save
 /// pages.
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and on the right of the text.
 const APART: u16 = 1;
-/// How much smaller a picture may be on a page that has to show everything, in tenths of its full
-/// size; the sizes are tried in this order.
+/// The amounts, in tenths of the full size, by which a picture may be reduced on a page that has to
+/// show everything, in the order in which they are tried.
 const SMALLER: [u16; 2] = [0, 2];
 /// The minimum width of text beside a picture, in columns.
 const LEAST: u16 = 24;
@@ -177,8 +177,8 @@ impl<'p> PlacedPages<'p> {
     }
 
     /// Whether these pages, which have a heading in large letters above them, are as good as
-    /// `other`, the layout without a heading: a single page, letters of the same size, and a
-    /// picture that is not much smaller.
+    /// `other`, the layout without a heading: they are a single page, with letters of the same size
+    /// and a picture that is not much smaller.
     pub(crate) fn are_as_good_as(&self, other: &Self, look: &Look) -> bool {
         let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
             return false;

@@ -11,7 +11,7 @@ pub(crate) struct Tick {
     pub text: String,
 }
 
-/// More ticks than fit on any screen.
+/// The maximum number of ticks, which is more than fit on any screen.
 const MOST: usize = 100;
 
 /// The smallest step for which numbers are written with a power of ten.
@@ -90,8 +90,8 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// The text for a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1, always the form
-/// 10⁻¹.
+/// The text for a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1, always an exponent,
+/// as in 10⁻¹.
 fn power_of_ten(exponent: i32) -> String {
     if (0..=3).contains(&exponent) {
         return format!("{}", 10_i32.pow(exponent.unsigned_abs()));

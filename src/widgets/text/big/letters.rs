@@ -106,7 +106,7 @@ fn small_letter(letter: char) -> Option<[u8; RAISED]> {
 mod tests {
     use super::*;
 
-    /// Large letters used to show "θ₁" like "e1", and to spell "uₙ" out as "u_n".
+    /// In earlier versions, large letters showed "θ₁" as "e1" and "uₙ" as "u_n".
     #[test]
     fn symbols_of_physics_have_letters_of_their_own() {
         for symbol in ["θ₁", "uₙ", "v₂ₜ", "√2", "1.14⁴", "Θ", "10⁻²⁷"] {

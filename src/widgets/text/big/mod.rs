@@ -26,12 +26,13 @@ use strokes::LetterRows;
 
 /// The number of pixels between two letters.
 const GAP: usize = 1;
+/// The width of a space between two words, in pixels.
 const BLANK: usize = 4;
 /// The height of a letter, in pixels.
 const HEIGHT: usize = 8;
 /// The height of a capital, in pixels.
 const CAPITAL: usize = 7;
-/// The height of a small letter such as x, in pixels.
+/// The height of a lower-case letter such as x, in pixels.
 const SMALL_LETTER: usize = 5;
 
 /// The number of rows in a line of letters of the ordinary sizes.
