@@ -8,7 +8,7 @@ use crate::quiz::question::Question;
 pub struct QuestionSet {
     /// The title of the set.
     pub title: String,
-    /// The questions, each different.
+    /// The questions, no two of which are the same.
     pub questions: Vec<ChosenQuestion>,
     /// The number at the end of the set's code. It follows from the choice and the order of the
     /// questions, so that a round can tell whether its set is still the same.

@@ -219,8 +219,8 @@ mod tests {
         assert_eq!(named(&clues), [copied]);
     }
 
-    /// For this reason, the probability that a misconception is ever named for somebody who guesses
-    /// is at most one divided by the odds (Ville's inequality).
+    /// Because this expected value is 1, the probability that a misconception is ever named for
+    /// somebody who guesses is at most one divided by the odds (Ville's inequality).
     #[test]
     fn the_expected_ratio_of_a_guess_is_one() {
         for by_chance in [0.01, 0.08, 0.2, 1.0 / 3.0, 0.5] {

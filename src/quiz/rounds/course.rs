@@ -57,7 +57,7 @@ pub enum CourseKind {
     Topic(Family),
     /// Questions about the topics that these chapters teach.
     Read(ChaptersRead),
-    /// Questions about these topics, which the player has read about or answered before.
+    /// Questions about these topics, which the player has read about or answered questions about.
     Met(Vec<Topic>),
     /// One question about each of these topics, which are due for review, with those that have been
     /// due longest first. If there are many topics, only the first ones are included.

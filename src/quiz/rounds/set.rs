@@ -63,7 +63,7 @@ impl QuestionSet {
         Self {
             title,
             questions,
-            // Short enough to type.
+            // The number has to be short enough to type.
             seed: hash & u64::from(u32::MAX),
         }
     }
