@@ -36,8 +36,8 @@ pub(crate) struct Impact {
 }
 
 impl Contact {
-    /// Speed of approach along the line of impact, u₁ₙ − u₂ₙ, in m/s; positive
-    /// while they approach.
+    /// Speed of approach along the line of impact, u₁ₙ − u₂ₙ, in m/s; positive while the bodies
+    /// approach each other.
     pub(crate) fn approach_speed(&self) -> f64 {
         (self.u1 - self.u2).dot(self.normal)
     }

@@ -78,8 +78,8 @@ impl From<&Collision> for RestingTarget {
 }
 
 impl RestingTarget {
-    /// k = (1+e) m₂ / (m₁+m₂): the fraction of its normal velocity that the striker loses. Between
-    /// 0 and 2.
+    /// k = (1+e) m₂ / (m₁+m₂), from 0 to 2: the fraction of its normal velocity that the striker
+    /// loses.
     pub fn k(&self) -> f64 {
         (1.0 + self.restitution) * (self.m2 / (self.m1 + self.m2))
     }
