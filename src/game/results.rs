@@ -26,7 +26,7 @@ pub(crate) struct Results {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub(crate) struct ClearedBoard {
     pub(crate) code: BoardCode,
-    /// The fewest strokes in which the player cleared it.
+    /// The fewest strokes in which the player cleared the board.
     pub(crate) strokes: usize,
 }
 
@@ -41,13 +41,14 @@ pub(crate) struct ResultsRow {
     /// The boards that were won and lost.
     #[serde(rename = "boards_won_and_lost")]
     pub(crate) boards: [usize; 2],
-    /// The games that were won and lost; in friendly games each board is one.
+    /// The games that were won and lost; in friendly games each board counts as a game.
     #[serde(rename = "games_won_and_lost")]
     pub(crate) games: [usize; 2],
 }
 
 impl Results {
-    /// The results of the player with this name. The saved games are given with the latest first.
+    /// The results of the player with this name. The saved games must be in order, the latest
+    /// first.
     pub(crate) fn of<'a>(
         player: &str,
         games: impl IntoIterator<Item = &'a (SavedGame, Game)>,

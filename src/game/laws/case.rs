@@ -149,7 +149,7 @@ impl Verdict {
         Self::new(law.into(), text, TurnFate::Ends { won, points })
     }
 
-    /// The verdict with this many of the player's coins put back at once.
+    /// The verdict with `own_back` of the player's coins put back at once.
     pub(super) fn own_back(self, own_back: u8) -> Self {
         Self { own_back, ..self }
     }

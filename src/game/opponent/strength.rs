@@ -155,7 +155,7 @@ impl Strength {
 impl Skill {
     pub(super) fn most_rehearsals(&self) -> usize {
         let first_look = self.aims * self.speeds.len() + self.knocks;
-        // One more for the exact stroke, which the comment afterwards describes.
+        // One more shot is the exact stroke, which the opponent's comment describes.
         first_look + (self.finalists + self.refinements) * self.slips + 1
     }
 }
