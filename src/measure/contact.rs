@@ -54,7 +54,7 @@ fn together(tracks: &[Track; 2]) -> Vec<(Point, Point)> {
 /// are nearest to each other (which finds the collision even if the bodies slow down a lot).
 ///
 /// # Errors
-/// If a body has too few points on one side of every possible contact.
+/// Returns an error if a body has too few points on one side of every possible contact.
 pub(super) fn guesses(tracks: &[Track; 2]) -> Result<Vec<State>, Fault> {
     for track in tracks {
         let count = track.points.len();

@@ -184,9 +184,9 @@ impl Model {
 pub(super) struct Normal {
     matrix: [Matrix; CHANNELS],
     gradient: [Vector; CHANNELS],
-    /// The sum of the squared residuals.
+    /// The sum of the squared residuals in each channel.
     pub(super) squares: [f64; CHANNELS],
-    /// The number of points.
+    /// The number of points in each channel.
     pub(super) count: [f64; CHANNELS],
 }
 
