@@ -14,7 +14,7 @@ pub const BIN_WIDTH: f64 = PI / BINS as f64;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CountedFor {
     /// A steradian of solid angle: the count on a small screen that is moved around the target, as
-    /// Geiger and Marsden did.
+    /// in the experiment of Geiger and Marsden.
     #[default]
     Steradian,
     /// A whole ring of 5° around the beam, larger at 90° than near the ends.
@@ -22,7 +22,7 @@ pub enum CountedFor {
 }
 
 impl CountedFor {
-    /// The other one of the two units.
+    /// The other unit.
     #[must_use]
     pub fn other(self) -> Self {
         match self {

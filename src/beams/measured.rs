@@ -46,7 +46,7 @@ pub struct CountsFault {
 /// The counts of 1913, from the largest angle to the smallest.
 ///
 /// # Errors
-/// Fails only if the built-in table is damaged.
+/// Returns an error only if the built-in table is damaged.
 pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
     read(TABLE)
 }
@@ -56,7 +56,7 @@ pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
 /// 180, each smaller than the previous one; counts are from 0.1 to 10¹².
 ///
 /// # Errors
-/// The first line with an error.
+/// Returns the first error in the table.
 pub fn read(table: &str) -> Result<Vec<Angle>, CountsFault> {
     let mut lines = table
         .lines()

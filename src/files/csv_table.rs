@@ -13,7 +13,7 @@ use super::is_invisible;
 /// unchanged.
 ///
 /// # Errors
-/// The reason if a row cannot be written, which does not happen in practice.
+/// Returns the reason if a row cannot be written, which does not happen in practice.
 pub fn csv_table<'h>(
     heads: impl IntoIterator<Item = &'h str>,
     rows: &[Vec<String>],

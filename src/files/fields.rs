@@ -38,7 +38,7 @@ impl Source<'_> {
     /// the document in messages, such as "a saved game"; `known` lists its fields.
     ///
     /// # Errors
-    /// All errors; for a file in a newer format, only that error.
+    /// Returns all errors; for a file in a newer format, returns only that error.
     pub(crate) fn document<T>(
         self,
         what: &str,

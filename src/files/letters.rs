@@ -105,7 +105,7 @@ pub fn tidy_name(name: &str) -> String {
     tidy
 }
 
-/// Like [`tidy_name`], but with at most this many letters. A letter may consist of several
+/// Like [`tidy_name`], but with at most `letters` letters. A letter may consist of several
 /// characters.
 pub(crate) fn short_name(name: &str, letters: usize) -> String {
     const BYTES: usize = 8;

@@ -13,16 +13,16 @@ pub(crate) const LARGEST: usize = 1 << 20;
 /// file.
 ///
 /// # Errors
-/// If the file cannot be read.
+/// Returns an error if the file cannot be read.
 pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     let bytes = File::open(path).and_then(|file| take(file, most));
     bytes.map_err(|error| unreadable(&path.display().to_string(), &error))
 }
 
-/// The bytes of standard input, with the same limit.
+/// The bytes of standard input, limited in the same way as by [`read`].
 ///
 /// # Errors
-/// If standard input cannot be read.
+/// Returns an error if standard input cannot be read.
 pub(crate) fn read_stdin(name: &str, most: usize) -> Result<Vec<u8>, FileError> {
     take(io::stdin(), most).map_err(|error| unreadable(name, &error))
 }

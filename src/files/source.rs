@@ -45,7 +45,7 @@ impl<'a> Source<'a> {
     /// The text of a file with this name and these bytes.
     ///
     /// # Errors
-    /// If there are more than `most` bytes, or they are not UTF-8.
+    /// Returns an error if there are more than `most` bytes, or if they are not UTF-8.
     pub(crate) fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
         if bytes.len() > most {
             let message = format!("expected a file of at most {}, found more", size(most));
@@ -136,7 +136,7 @@ impl<'a> Source<'a> {
     /// The result, unless the text has errors.
     ///
     /// # Errors
-    /// All errors that were found.
+    /// Returns all errors that were found.
     pub(crate) fn finish<T>(self, made: Option<T>) -> Result<T, FileErrors> {
         let mut errors = self.errors.into_inner();
         let broken: Vec<_> = errors

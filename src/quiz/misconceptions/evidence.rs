@@ -91,7 +91,7 @@ fn weight_not_shown(by_chance: f64) -> f64 {
 /// The evidence of several answers for or against one misconception.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Evidence {
-    /// The misconception.
+    /// The misconception for or against which the answers are evidence.
     pub misconception: Misconception,
     /// The log-likelihood ratio: if it is above 0, the answers are more likely for somebody who
     /// holds the misconception; if it is below 0, they are more likely for somebody who guesses.

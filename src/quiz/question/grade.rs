@@ -51,9 +51,9 @@ impl RayGrade {
 /// How good the prediction of both rays is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaysGrade {
-    /// The striker's ray.
+    /// The grade of the striker's ray.
     pub striker: RayGrade,
-    /// The target's ray.
+    /// The grade of the target's ray.
     pub target: RayGrade,
 }
 

@@ -28,7 +28,7 @@ const RAY: f64 = 2.9;
 pub(crate) struct HitLayout {
     /// The mapping from the world to the screen.
     pub view: View,
-    /// The collision.
+    /// The collision that is drawn.
     pub collision: Collision,
     /// The centres at contact, or at the closest approach.
     pub(crate) centres: [DVec2; 2],

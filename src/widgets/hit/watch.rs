@@ -158,7 +158,7 @@ impl Watch {
         &self.collision
     }
 
-    /// Its outcome.
+    /// The outcome of the collision.
     pub(crate) fn outcome(&self) -> &CollisionOutcome {
         &self.outcome
     }
@@ -167,12 +167,12 @@ impl Watch {
         &self.clock
     }
 
-    /// The layers.
+    /// The layers that are switched on.
     pub(crate) fn layers(&self) -> Overlays {
         self.layers
     }
 
-    /// The reference frame.
+    /// The frame in which the collision is shown.
     pub(crate) fn frame(&self) -> Frame {
         self.frame
     }

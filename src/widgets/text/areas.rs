@@ -6,7 +6,7 @@ use serde::Deserialize;
 /// The area that a screen may fill, and the sizes of its pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Room {
-    /// The cells.
+    /// The cells that the screen may fill.
     pub area: Rect,
     /// The sizes of pictures if they do not follow from the area, as on a web page, which lays out
     /// the recorded contents in its own way.
