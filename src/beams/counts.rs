@@ -17,7 +17,7 @@ pub enum CountedFor {
     /// in the experiment of Geiger and Marsden.
     #[default]
     Steradian,
-    /// A whole ring of 5° around the beam, larger at 90° than near the ends.
+    /// A whole ring of 5° around the beam; a ring is larger at 90° than near 0° or 180°.
     Ring,
 }
 

@@ -12,6 +12,7 @@ const HEADER: &str = "angle_deg,silver_count,gold_count";
 
 /// The range of an angle, in degrees.
 const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
+/// The range of a count.
 const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
 
 /// Counts at one angle. Counts are relative: only those for the same metal can be compared with

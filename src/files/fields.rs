@@ -75,7 +75,8 @@ impl Source<'_> {
         fields.known = known.into();
         let expected = format!("{what} with `format = {format}`");
         if !fields.has("format") && !fields.is_misspelt("format") {
-            // A file without a format is of another kind, with other fields.
+            // A file without a format is a different kind of file, so its other fields are not
+            // checked.
             return fields.refuse("format", format!("expected {expected}, found nothing"));
         }
         let fields = fields.only(known);

@@ -94,7 +94,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The error that `message` describes, at a line.
+    /// The error that `message` describes, at the given line.
     pub(crate) fn error_on(&self, line: usize, message: impl Into<String>) -> FileError {
         FileError::on_line(self.name, line, message)
     }
@@ -107,7 +107,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Notes an error at a line; always returns `None`, for the caller to return.
+    /// Notes an error at the given line; always returns `None`, for the caller to return.
     pub(crate) fn refuse<T>(&self, line: usize, message: impl Into<String>) -> Option<T> {
         let error = self.error_on(line, message);
         self.errors.borrow_mut().push((Rank::Value, error));

@@ -51,7 +51,7 @@ pub struct BaseLines<'a> {
 pub enum Stand {
     /// The striker is in the middle, to the millimetre.
     Middle,
-    /// The striker is on this base circle: "left" or "upper".
+    /// The striker is on a base circle, such as the "left" or the "upper" one.
     Circle(&'static str),
     /// The striker is beside the middle: the distance in millimetres, and the direction, such as
     /// "left" or "above".

@@ -18,7 +18,7 @@ pub(super) struct Meaning<'a> {
 /// first private-use character of Unicode, which no text contains.
 const STAND_IN: u32 = 0xe000;
 
-/// Reads a paragraph that begins at a line.
+/// Reads a paragraph that begins at the given line of the file.
 pub(super) fn read(
     source: &Source,
     line: usize,

@@ -126,7 +126,8 @@ fn refusal(tracks: &[Track; 2], nearest: Option<f64>) -> Fault {
 /// are skipped.
 const SOUGHT: usize = 20_000;
 
-/// Sums over the first points of a track, from which any straight line follows at once.
+/// Running sums over the points of a track, from which the straight line through the points before
+/// or after any time follows at once.
 struct Sums {
     times: Vec<f64>,
     origin: (f64, DVec2),

@@ -66,7 +66,7 @@ impl Estimate {
         )
     }
 
-    /// Whether the value is clearly not zero.
+    /// Whether the value is clearly different from zero.
     pub(super) fn is_clear(&self) -> bool {
         self.value.abs() > CLEAR * self.uncertainty()
     }

@@ -7,8 +7,8 @@
 //!    repeated on the next day at the earliest;
 //! 2. a chapter that has been begun;
 //! 3. *Find out*, while almost nothing is known about the player;
-//! 4. a chapter for a missed topic: the first that is neither done nor known, up to the one that
-//!    teaches the topic; if most answers are right, only the one that teaches it;
+//! 4. a chapter for a missed topic: the first chapter that is neither done nor known, up to the
+//!    chapter that teaches the topic; if most answers are right, only the chapter that teaches it;
 //! 5. a review of the topics that are due, once a day;
 //! 6. the next chapter that is neither done nor known; if most answers are right, questions about
 //!    it instead, because the player may know it already;

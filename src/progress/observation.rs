@@ -63,7 +63,7 @@ impl Observation {
         is_close(&self.said, &self.truth)
     }
 
-    /// Whether the prediction was so far off that the observation could have followed it.
+    /// Whether the prediction was so far off that an observation that follows it can be recognized.
     fn can_follow(&self) -> bool {
         self.said.gap(&self.truth) >= rad_from_deg(APART_DEG)
     }

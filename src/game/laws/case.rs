@@ -10,13 +10,13 @@ pub(super) const QUEEN_POINTS: u8 = 3;
 /// From this score on, the queen is worth no points (27).
 pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 
-/// The queen just before a stroke.
+/// The state of the queen just before a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenBefore {
     OnBoard,
-    /// Pocketed by the player's last stroke, and to be covered by this one.
+    /// She was pocketed by the player's previous stroke, so this stroke must cover her.
     ToCover,
-    /// Pocketed and covered by this colour.
+    /// She has been pocketed and covered by this colour.
     Covered(Colour),
 }
 

@@ -222,7 +222,7 @@ impl Search<'_> {
     }
 }
 
-/// The unblocked aims of one course with the largest tolerance.
+/// The aims for one course that are not blocked and have the largest tolerances.
 fn clearest<'a>(
     mut aims: Vec<Unchecked<ProposedStroke>>,
     sight: &'a Sight,

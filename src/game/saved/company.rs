@@ -16,7 +16,7 @@ pub enum Player {
     Computer,
 }
 
-/// Aids that are drawn while aiming; each can be turned on or off.
+/// Aids that are drawn while a player is aiming; each can be turned on or off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Aids {
@@ -52,7 +52,7 @@ pub struct Company {
     pub hand: PlayerHand,
     /// Whether the players predict the first impact before each stroke.
     pub call: bool,
-    /// Aids while aiming.
+    /// The aids that are drawn while a player is aiming.
     pub aids: Aids,
 }
 

@@ -25,8 +25,8 @@ pub(super) struct Touch {
     pub(super) wanted: f64,
 }
 
-/// The impulses of simultaneous contacts, one for each contact, in N s; `None` if it takes too much
-/// work to find them.
+/// The impulses of simultaneous contacts, one for each contact, in N s; `None` if finding them
+/// requires too much work.
 pub(super) fn simultaneous(
     touches: &[Touch],
     bodies: &[Body],

@@ -12,7 +12,7 @@ use crate::numbers::millimetres;
 pub enum Form {
     /// The answer consists of two rays, which the player turns or types.
     Rays {
-        /// Where the two discs really go.
+        /// Where the two discs actually go.
         truth: Rays,
         /// The side on which the target lies: 1 for the right, −1 for the left.
         side: f64,

@@ -39,7 +39,7 @@ pub enum CourseKind {
     /// detected.
     Even,
     /// A round that finds out what a student believes: each question depends on the answers so far.
-    /// The round begins with equal masses.
+    /// The round begins with a question about equal masses.
     FindOut,
     /// A round that finds out what a student believes, but can begin with any question; for
     /// existing codes.
