@@ -65,7 +65,7 @@ impl Counts {
         self.bins.iter().skip(first).sum()
     }
 
-    /// The counts that a law predicts for this number of `particles`, bin by bin.
+    /// The counts that a law predicts for `particles` particles, bin by bin.
     pub fn expected(law: &ScatteringLaw, particles: u64) -> [f64; BINS] {
         std::array::from_fn(|bin| {
             let beyond = |edge: usize| law.share_beyond(edge as f64 * BIN_WIDTH);

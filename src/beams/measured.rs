@@ -116,8 +116,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series of one metal, whose count at an angle is returned by `of`; `None` if there are no
-    /// angles.
+    /// The series of one metal; `of` returns its count at an angle. `None` if there are no angles.
     pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
         let points: Vec<_> = angles
             .iter()
@@ -130,7 +129,7 @@ impl Series {
         })
     }
 
-    /// The relative deviation of a count from the law, positive above it.
+    /// The relative deviation of a count from the law, positive if the count is above the law.
     pub(crate) fn excess(&self, (_, law, count): (f64, f64, f64)) -> f64 {
         count / (law * self.scale) - 1.0
     }

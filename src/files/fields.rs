@@ -522,7 +522,8 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// All items, or `None` if any is `None`. All are collected first, so that every item is read.
+/// All items, or `None` if any is `None`. The caller has collected them, so every item has been
+/// read, even after a fault.
 pub(crate) fn all<T>(items: Vec<Option<T>>) -> Option<Vec<T>> {
     items.into_iter().collect()
 }

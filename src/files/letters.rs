@@ -76,7 +76,7 @@ pub(crate) fn is_blank_name(name: &str) -> bool {
 }
 
 /// A person's name as it is shown and stored: its letters, with one space between words and at most
-/// a few accents per letter. Empty if no letter is visible.
+/// a few accents per letter. The result is empty if no letter is visible.
 pub fn tidy_name(name: &str) -> String {
     let mut tidy = String::new();
     let mut upon = 0;

@@ -179,7 +179,7 @@ impl Model {
     }
 }
 
-/// The normal equations of each channel with weight 1, at a state.
+/// The normal equations of each channel with weight 1, at one state.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Normal {
     matrix: [Matrix; CHANNELS],

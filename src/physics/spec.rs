@@ -118,7 +118,7 @@ impl CollisionSpec {
     /// more is enough.
     pub(crate) const WIDEST: f64 = 1.25;
 
-    /// The fields of lessons, concept questions and the lab.
+    /// The fields that lessons, concept questions and the lab use, with their ranges.
     pub(crate) const RANGES: [FieldRange; 13] = [
         FieldRange::new("m1_g", "a mass in g", 0.1, 1000.0),
         FieldRange::new("m2_g", "a mass in g", 0.1, 1000.0),

@@ -1,4 +1,4 @@
-//! Paths of particles past a nucleus, in units of the picture.
+//! Pictures of particles' paths past a nucleus.
 
 use std::f64::consts::PI;
 

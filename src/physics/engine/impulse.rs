@@ -7,8 +7,8 @@
 //! (1−e) J w.
 //!
 //! For linear complementarity problems, see R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear
-//! Complementarity Problem* (1992); for simultaneous impacts, see F. Pfeiffer and C. Glocker,
-//! *Multibody Dynamics with Unilateral Contacts* (1996), impacts without friction.
+//! Complementarity Problem* (1992); for simultaneous impacts without friction, see F. Pfeiffer and
+//! C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996).
 
 use glam::DVec2;
 

@@ -3,7 +3,7 @@
 use super::Concept;
 use crate::quiz::question::Question;
 
-/// Questions that a teacher has put together, in this order.
+/// Questions that a teacher has put together, in the order in which they are asked.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct QuestionSet {
     /// The title of the set.

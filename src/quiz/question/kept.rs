@@ -24,8 +24,8 @@ impl Form {
         })
     }
 
-    /// Whether some form could accept a stored answer, which must be of a known kind and in range
-    /// as for [`Form::accepts`].
+    /// Whether any form could accept a stored answer, which must be of a known kind and in range as
+    /// for [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;

@@ -121,8 +121,8 @@ impl Measure {
         }
     }
 
-    /// The largest error with which a number counts as `truth`. If the ratio counts, this is the
-    /// upward error, which is larger than the downward one.
+    /// The largest error with which a number counts as `truth`. If numbers are compared by their
+    /// ratio, this is the upward error, which is larger than the downward one.
     pub(crate) fn tolerance(&self, truth: f64) -> f64 {
         let largest = match self {
             Self::Angle => RIGHT_DEG,

@@ -91,7 +91,7 @@ impl CourseKind {
         self.entry().1
     }
 
-    /// The number of questions in a round of this kind, unless another is chosen.
+    /// The number of questions in a round of this kind, unless another number is chosen.
     pub fn length(&self) -> usize {
         self.entry().2
     }
@@ -165,9 +165,9 @@ impl Course {
         Self { kind, count }
     }
 
-    /// Creates a course of `count` questions, clamped to the range from 1 to [`Course::MOST`]; ten
-    /// hits are always ten, a review has one question per topic, and a set has all of its
-    /// questions.
+    /// Creates a course of `count` questions, clamped to the range from 1 to [`Course::MOST`]; a
+    /// round of ten hits always has ten, a review has one question per topic, and a set has all of
+    /// its questions.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
             CourseKind::Hits | CourseKind::Review(_) | CourseKind::Set(_) => kind.length(),

@@ -70,7 +70,7 @@ impl QuestionSet {
 }
 
 impl Library {
-    /// Adds the set in this file. The questions in words that it names by id may be in this
+    /// Adds the set in this file. The questions in words that it names by id may come from this
     /// library.
     ///
     /// # Errors

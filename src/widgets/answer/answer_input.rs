@@ -151,9 +151,9 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Handles the mouse button being pressed (`pressed`) or held down at a cell of the question's
-    /// picture: turns a ray, or drags the coin sideways. Returns whether the picture can be used
-    /// for the answer.
+    /// Handles the mouse button at a cell of the question's picture, where it has just been pressed
+    /// (`pressed`) or is held down: turns a ray, or moves the coin sideways. Returns whether the
+    /// picture can be used for the answer.
     pub(crate) fn point(
         &mut self,
         question: &Question,

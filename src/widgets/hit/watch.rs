@@ -79,8 +79,8 @@ impl Face {
 }
 
 impl Watch {
-    /// The collision from its start, or with reduced motion from its contact, with the player's
-    /// prediction.
+    /// Creates the playback of a collision, with the player's prediction. It begins at the start of
+    /// the collision or, with reduced motion, at the contact.
     pub(crate) fn new(collision: Collision, said: Option<Rays>, pace: HitPace) -> Self {
         let (contact, end) = times(&collision);
         let outcome = collision.outcome();

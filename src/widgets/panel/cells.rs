@@ -124,7 +124,7 @@ impl<A: Copy> Panel<A> {
     }
 
     /// Lays the panel out on pages in large letters beside a picture, on a screen whose body has
-    /// `body_rows` rows; `None` if some letter has no large form.
+    /// `body_rows` rows; `None` if any letter has no large form.
     pub(crate) fn paged(
         &self,
         beside: Beside,

@@ -95,7 +95,7 @@ struct VotePageLayout {
 
 impl<'p> PlacedPages<'p> {
     /// Lays a panel out beside a picture, on a screen whose body has `body_rows` rows; `None` if
-    /// some letter has no large form.
+    /// any letter has no large form.
     pub(crate) fn new<A>(
         panel: &'p Panel<A>,
         beside: Beside,

@@ -9,7 +9,7 @@ use crate::widgets::text::signs::superscript;
 /// The height of an index or an exponent, in pixels.
 const RAISED: usize = 5;
 
-/// The columns of pixels in a word; `None` if there is no letter for some character.
+/// The columns of pixels in a word; `None` if any character has no letter.
 pub(super) fn pixels_of(word: &str) -> Option<Vec<u8>> {
     let letters: Option<Vec<_>> = word.chars().map(letter_columns).collect();
     Some(letters?.join(&[0; GAP][..]))

@@ -108,7 +108,7 @@ impl Big {
     }
 
     /// Sets text in lines of `columns` columns, broken between words but not between a number and
-    /// its unit; `None` if a word is too long for a line, or some letter has no large form.
+    /// its unit; `None` if a word is too long for a line, or any letter has no large form.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
         Self::begin(text, 0, size, (columns, u16::MAX), false)
             .filter(|big| big.words() == text.len())

@@ -66,7 +66,7 @@ pub(super) fn beside(words: &[&LetterRows]) -> LetterRows {
     })
 }
 
-/// The letters of an ASCII word, as close together as possible without touching; `None` if some
+/// The letters of an ASCII word, as close together as possible without touching; `None` if any
 /// letter has no strokes.
 pub(super) fn joined(word: &str) -> Option<LetterRows> {
     let mut joined = LetterRows::default();
