@@ -210,8 +210,8 @@ impl AnswerInput {
         }
     }
 
-    /// The action of the next prompt: entering the typed number, switching to the other ray, or
-    /// submitting the answer.
+    /// The action of the prompt that leads on: entering the typed number, switching to the other
+    /// ray, or submitting the answer.
     fn go_on(&self) -> AnswerAction {
         match self {
             Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
@@ -220,7 +220,8 @@ impl AnswerInput {
         }
     }
 
-    /// The label and the action of the next prompt; `last` is the label for submitting the answer.
+    /// The label and the action of the prompt that leads on; `last` is the label for submitting the
+    /// answer.
     pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning == Ray::Striker => {
@@ -231,7 +232,7 @@ impl AnswerInput {
         (words, self.go_on())
     }
 
-    /// Writes the next prompt.
+    /// Writes the prompt that leads on.
     pub(crate) fn write_prompt(&self, form: &Form, last: &str, panel: &mut Panel<AnswerAction>) {
         panel.prompts([self.next(form, last)]);
     }

@@ -88,8 +88,8 @@ impl HitLayout {
         self.collision.side()
     }
 
-    /// Whether the other disc is straight ahead of the disc `body`, which moves in the given
-    /// direction, when the discs are at `places`.
+    /// Whether the other disc, at these positions, is straight ahead of a disc that moves in the
+    /// given direction.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
         let other = places[1 - body] - places[body];
         let direction = direction.normalize_or_zero();
@@ -101,7 +101,7 @@ impl HitLayout {
         self.is_towards(self.centres, body, -v)
     }
 
-    /// The direction of a ray at an angle in radians, with the sign convention of [`turn`].
+    /// The direction of a ray at an angle in radians, with the sign convention of physics.
     fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
         DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
     }

@@ -167,12 +167,12 @@ impl Watch {
         &self.clock
     }
 
-    /// The layers that are switched on.
+    /// The layers.
     pub(crate) fn layers(&self) -> Overlays {
         self.layers
     }
 
-    /// The frame in which the collision is shown.
+    /// The reference frame.
     pub(crate) fn frame(&self) -> Frame {
         self.frame
     }
