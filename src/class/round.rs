@@ -46,7 +46,7 @@ impl Participant {
         self.ballots.get(question).copied().unwrap_or_default()
     }
 
-    /// Whether this participant has never voted or handed anything in.
+    /// Whether this participant has no vote and has never handed anything in.
     pub(super) fn is_idle(&self) -> bool {
         !self.device.has_handed_in && self.ballots.iter().all(|it| it.counts().is_none())
     }

@@ -177,7 +177,7 @@ impl<'a> BaseLines<'a> {
     }
 
     /// Legal positions from left to right: `steps` positions spread evenly between the base
-    /// circles, and the two that cover a base circle, without those that coins block.
+    /// circles, and the two that cover a base circle, except any that are blocked by coins.
     pub(crate) fn candidates(&self, steps: u16) -> Vec<DVec2> {
         let end = self.end_of_the_lines();
         let spread = (0..steps).map(|i| {

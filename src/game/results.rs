@@ -9,7 +9,8 @@ use super::{
 use crate::game::score::Score;
 
 /// The results of one player against the computer. A game counts only if this player is the only
-/// person in it and the computer plays on the other side; practice does not count.
+/// person in it and the computer plays on the other side; practice does not count. Boards cleared
+/// alone are counted separately.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(crate) struct Results {
     /// One row for each combination of rules, strength of the computer and steadiness of the

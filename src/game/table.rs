@@ -318,8 +318,8 @@ impl Game {
     }
 
     /// The player who breaks this board: the break passes from seat to seat with each board (22),
-    /// and each game begins one seat further on (22a). An extra board follows this order instead of
-    /// a toss (29b).
+    /// and each game begins one seat further on (22a). This order, not a
+    /// toss (29b), also decides who breaks an extra board.
     fn breaker(&self) -> Seat {
         let score = self.score_before();
         let turns = match self.setup.rules {

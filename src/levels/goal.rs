@@ -173,8 +173,8 @@ impl Goal {
             let (measure, range) = measure.zip(range)?;
             Some(Self::FirstHit { measure, range })
         };
-        // `zip` reads all fields before a missing value ends the function, so all errors are
-        // reported.
+        // With `zip`, all fields are read before a missing value ends the function, so all errors
+        // are reported.
         Some(match kind {
             "pocket" => Self::Pocket {
                 discs: read_discs(&fields, "discs", count, count)?,

@@ -498,7 +498,7 @@ fn a_hand_in_is_on_the_disk_before_it_is_confirmed() {
         let mode = fs::metadata(&files[0]).unwrap().permissions().mode();
         assert_eq!(mode & 0o777, 0o600, "only the teacher can read it");
     }
-    // The same hand-in sent again creates no second file. One with more answers creates another
+    // Sending the same hand-in again creates no second file. One with more answers creates another
     // file, and the first file stays unchanged.
     ada.hand_in(&half.value().unwrap()).unwrap();
     assert_eq!(handed_in(&folder).len(), 1);

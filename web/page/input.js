@@ -113,7 +113,7 @@ const input = (() => {
     // A keyboard that composes a word handles its own keys, except an Enter that it passes on.
     if (event.keyCode === 229 || (event.isComposing && event.key !== "Enter")) return;
     const letter = [...event.key].length === 1 && event.key !== " " ? event.key : null;
-    // In a field, keys belong to the field, except those that move on or away.
+    // While the player types in a field, the field handles every key except those that leave it.
     if (event.target.closest?.("#screen") && isTyped(event.target)) {
       if (!["Enter", "ArrowUp", "ArrowDown"].includes(event.key)) return;
       event.preventDefault();

@@ -3,7 +3,8 @@
 //! Every request is carried out in memory at once. Its answer is passed on only when the browser
 //! has saved the files: the page asks which files have changed, writes them to the browser's
 //! database in one transaction, and reports the result. If another tab has changed files in the
-//! meantime, the page first passes these in, and all unsaved changes are made again on top of them.
+//! meantime, the page first passes those files to the store, and all unsaved changes are then made
+//! again on top of them.
 //!
 //! Changes that the browser could not save stay here until it can save them. If the page opens
 //! another carrom, they are passed to that one.

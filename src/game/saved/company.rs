@@ -96,7 +96,7 @@ impl SeatNames {
     }
 }
 
-/// One value for each seat, in fields with the names of the seats, as in a file.
+/// One value for each seat, in fields named after the seats, as they are saved in a file.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct BySeat<T> {

@@ -93,7 +93,7 @@ impl Concept {
         }
     }
 
-    /// Whether an error was found in this question.
+    /// Whether the error is in this question.
     pub(crate) fn is_at(&self, fault: &FileError) -> bool {
         fault.file == self.file && fault.line == Some(self.line)
     }

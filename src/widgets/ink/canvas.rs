@@ -373,7 +373,7 @@ impl Canvas {
         });
     }
 
-    /// The number of columns and of rows of the canvas.
+    /// The numbers of columns and rows of the canvas.
     pub(super) fn size(&self) -> (i32, i32) {
         let area = self.view.area();
         (i32::from(area.width), i32::from(area.height))

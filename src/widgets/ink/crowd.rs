@@ -23,8 +23,8 @@ const BLOCK_ROWS: f64 = 1.05;
 const RING: f64 = 1.25;
 
 impl Canvas {
-    /// Draws discs at one scale: all as circles if the smallest is large enough, all as
-    /// [blocks](Self::block) if it is smaller, and all as [tokens](token) if it is smaller still.
+    /// Draws discs at one scale: all as [tokens](token) if the smallest is too small, otherwise as
+    /// circles, with [blocks](Self::block) for those that would not look round.
     ///
     /// A round disc is at its true position, with its letter in the cell that contains its centre.
     /// Tokens and outlines never share cells: if two would overlap, the one farther from the middle

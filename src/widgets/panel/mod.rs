@@ -320,7 +320,7 @@ impl<A> Panel<A> {
         self.below = Some(self.blocks.len());
     }
 
-    /// Writes part of the panel, whose actions are converted to the panel's actions.
+    /// Writes a part that has actions of its own, and converts them to the panel's actions.
     pub(crate) fn part<B>(&mut self, wrap: impl Fn(B) -> A, write: impl FnOnce(&mut Panel<B>)) {
         let mut part = Panel::new("");
         write(&mut part);

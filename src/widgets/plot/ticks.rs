@@ -17,8 +17,8 @@ const MOST: usize = 100;
 /// The smallest step for which numbers are written with a power of ten.
 const LARGE: f64 = 1e5;
 
-/// At most `most` ticks, at the multiples of `step`, or of `step` doubled as often as necessary;
-/// without a step, at the multiples of 1, 2 or 5 times a power of ten.
+/// Ticks at the multiples of `step`, or of the smallest multiple of `step` that divides the range
+/// into at most `most` parts; without a step, at the multiples of 1, 2 or 5 times a power of ten.
 pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let wanted = (to - from) / most;
