@@ -255,7 +255,7 @@ fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
     for place in [Route::Learn, Route::Chapter { number: 1 }] {
         let mut app = App::new(place, settings("Ada"), 1);
         let asked = app.update(&Input::Resize(80, 24));
-        // The contents also request what the next step depends on.
+        // The contents page also requests the data that the next step depends on.
         let Some(Effect::Keep(request)) = asked.first() else {
             panic!("{asked:?}");
         };

@@ -320,7 +320,7 @@ fn every_number_of_the_article_is_shown_on_its_page() {
     }
 }
 
-/// A number counts as computed if the chapter is refused with a different number.
+/// A number counts as computed if the chapter is refused once the number has been changed.
 #[test]
 fn every_number_of_the_article_is_computed() {
     let figures = FIGURES.iter().flat_map(|(id, title, figures)| {

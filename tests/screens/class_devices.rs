@@ -843,11 +843,11 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
         assert_eq!(crowd.come(1).1, []);
     }
     crowd.vote(250);
-    // The device does not get one of its own seats.
+    // A new connection from the device does not get one of the device's own seats.
     crowd.now_s += 2;
     let (connection, sent_away) = crowd.come(1);
     assert_eq!(sent_away, [(connection, Refusal::Full)]);
-    // It loses seats until it holds half of all seats.
+    // The device loses seats to newcomers until it holds half of all seats.
     for newcomer in 0..105 {
         let displaced = 249 - ConnectionId::from(newcomer);
         assert_eq!(crowd.come(2000 + newcomer).1, [(displaced, Refusal::Full)]);

@@ -394,7 +394,7 @@ fn claims() -> Vec<Claim> {
     claim(13, "by [0.0012] s, or", 1.2 / 1000.0);
     claim(13, "or [50] N: the weight", average(1.2e-3));
     claim(13, "of about [5] kg.", average(1.2e-3) / 9.80665);
-    // The curve is half of a sine: its average is 2/π of its height.
+    // The curve is half a period of a sine: its average is 2/π of its height.
     let greatest = average(1.2e-3) * std::f64::consts::FRAC_PI_2;
     claim(13, "greatest force is [78.5] N.", greatest);
     claim(13, "[half] the time", 0.6 / 1.2);

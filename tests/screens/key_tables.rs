@@ -131,7 +131,7 @@ fn each_key_of_each_table_does_something() {
             }
             for key in row.all_keys() {
                 // The mark of a list cannot move up from its first line, but it can after another
-                // key of the moment, most likely one of the same row.
+                // of the moment's keys, most likely one in the same row.
                 let does = |before| changes(moment.game(), (80, 24), before, key);
                 let mut others = row.all_keys().chain(table.keys());
                 if !does(None) && !others.any(|before| does(Some(before))) {

@@ -1,4 +1,4 @@
-//! The chapters on the screen: every chapter read by keys, its answers, bookmark and figures.
+//! The chapters on the screen: each is read with the keys, with its answers, bookmark and figures.
 
 use carrom::app::App;
 use carrom::cli;

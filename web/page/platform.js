@@ -3,7 +3,8 @@
 const platform = (() => {
   // The path of the added file that contains the code of the round.
   const ROUND = "scorm/round";
-  // Windows around this one are searched for the platform's functions, which SCORM calls its API.
+  // The largest number of windows around this one that are searched for the platform's functions,
+  // which SCORM calls the API.
   const MOST_WINDOWS = 30;
   let api = null, place = "", code = "", reported = "", answered = 0, begun = 0, since = 0, isForReview = false, isDone = false;
 

@@ -593,8 +593,8 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
     lines.unrecorded(|lines| lines.line("", Role::Text));
 }
 
-/// Writes names side by side, as closely together as possible. If there are too many rows, the
-/// first rows are left out.
+/// Writes names side by side, as closely together as possible. If there are too many rows, only
+/// some of them are shown, including the row of the selected name or, if there is none, the last.
 fn write_grid(
     cells: &[[String; 2]],
     chosen: Option<usize>,

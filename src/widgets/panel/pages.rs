@@ -333,9 +333,10 @@ struct PageSetting<'l> {
 }
 
 /// Sets a question with its choices so that the first page shows all choices, in letters that are
-/// just large enough if necessary: with the picture if possible, otherwise with the question or
-/// only its last sentence. Further pages show whatever does not fit on the first. Other text is set
-/// on one page with its picture. `None` if that is not possible.
+/// just large enough if necessary: with the picture if possible, otherwise without it and, if
+/// there is too little room, with only the last sentence of the question or none of it. Further
+/// pages then show the question and the picture. Other text is set on one page with its picture.
+/// `None` if that is not possible.
 fn on_one_page<'p>(
     texts: &[PagedParagraph<'p>],
     setting: PageSetting,
@@ -534,8 +535,8 @@ fn bar_below(paragraphs: &[PagedParagraph]) -> u16 {
     last.is_some_and(|it| it.text.share.is_some()).into()
 }
 
-/// The first layout with the fewest pages, where a page that ends early counts twice. The search
-/// stops at the first layout with a single page.
+/// The first layout with the fewest pages, where a layout in which any page ends early counts as
+/// one page longer. The search stops at the first layout with a single page.
 fn fewest_pages(all: impl Iterator<Item = SetPages>) -> Option<SetPages> {
     let cost = |it: &SetPages| it.pages() + usize::from(it.pages.ends_early);
     let mut best: Option<SetPages> = None;
