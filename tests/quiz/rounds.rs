@@ -219,7 +219,7 @@ fn a_round_has_ten_different_questions() {
             left += usize::from(side(question) < 0.0);
         }
     }
-    // In nine out of ten questions, the target is on the left or on the right. Half of these targets
+    // In nine out of ten questions, the target is on the left or the right. Half of these targets
     // should be on the left; the range is five standard deviations in each direction.
     assert!((8_660..9_340).contains(&left), "{left}");
 }

@@ -134,7 +134,7 @@ const input = (() => {
     key(name || letter);
   }
 
-  // Mouse movements over a picture are reported, and a finger can drag there. Where nothing is
+  // Presses and drags on a picture, with the mouse or a finger, are reported. Where nothing is
   // dragged up or down, a finger may also scroll, so it acts only when it has moved sideways or is
   // lifted.
   let hand = null;

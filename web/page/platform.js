@@ -85,7 +85,7 @@ const platform = (() => {
 
   // Reports the answers given since the last report. Once all questions of a round have been
   // answered, playing the round again changes nothing. Before that, a round that is played again
-  // changes nothing until it contains more answers than before.
+  // changes nothing until it contains at least as many answers as before.
   function show(address) {
     if (!api || isForReview || isDone) return;
     const [where, said = ""] = address.split("&said=");

@@ -238,8 +238,8 @@ impl PageStorage {
             // This includes changes that could not be saved before: now they are saved.
             return safe.map(|it| it.answer).collect();
         };
-        // Nothing was being saved: the browser saves nothing at all, or there was an error before
-        // the save began.
+        // With 0, nothing was being saved: the browser saves nothing at all, or there was an error
+        // before the save began.
         let tried = match under_way {
             0 => self.pending.len(),
             under_way => under_way,

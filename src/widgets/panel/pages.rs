@@ -23,8 +23,8 @@ use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text}
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and on the right of the text.
 const APART: u16 = 1;
-/// The amounts, in tenths of the full size, by which a picture may be reduced on a page that has to
-/// show everything, in the order in which they are tried.
+/// The amounts, in tenths of the full size, by which a picture on a page that has to show
+/// everything may be smaller than elsewhere, in the order in which they are tried.
 const SMALLER: [u16; 2] = [0, 2];
 /// The minimum width of text beside a picture, in columns.
 const LEAST: u16 = 24;
