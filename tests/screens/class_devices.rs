@@ -23,7 +23,7 @@ use crate::folder::Folder;
 
 const TAPE: &str = include_str!("../classes/devices.tape");
 
-/// The screens and the tables are identical each time, byte by byte.
+/// The screens and the tables are identical each time, byte for byte.
 #[test]
 fn a_tape_plays_a_class_with_the_same_result_every_time() {
     let (run, steps) = TAPE.split_at(TAPE.find("Expect").unwrap());

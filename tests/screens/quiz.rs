@@ -313,7 +313,7 @@ fn negative_points_are_shown_with_their_sign() {
     let mut game = plain(7);
     let round = Round::hits(7);
     let questions = round.questions();
-    // Both rays point straight back, so neither is nearly right.
+    // Both rays point almost straight back, so neither is nearly right.
     answer(&mut game, &questions[0], &Rays::new(-3.0, -3.0), "2");
     let screen = game.screen();
     assert!(screen.contains("-2.0 of 10 points"), "{screen}");

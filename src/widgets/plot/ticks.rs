@@ -51,8 +51,8 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
         .collect()
 }
 
-/// At most `most` ticks at the powers of ten between two exponents; if there are fewer than two of
-/// these, also at 2 and 5 times each power.
+/// Ticks between two exponents: at most `most` ticks at powers of ten or, if fewer than two powers
+/// are in the range, ticks at 1, 2 and 5 times each power.
 pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let (first, last) = ((from - 1e-9).ceil(), (to + 1e-9).floor());

@@ -61,7 +61,7 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
 
 /// The area of a picture, and the area of a panel on its right that is `panel_columns` columns
 /// wide. In a portrait area, such as on a phone, the panel is below the picture, which is just high
-/// enough to be square.
+/// enough to be square, but takes at most three fifths of the rows.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;
     if let Some(sizes) = room.pictures {
