@@ -297,7 +297,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
             assert_eq!(screen.contains("Trying"), !is_in, "{screen}");
             let mut tapped = 0;
             for (letter, _) in choices(&screen) {
-                // The previous choice may have scrolled this one.
+                // The tap on the previous choice may have scrolled the screen.
                 let screen = class.game(ada).screen();
                 let drawn = choices(&screen).into_iter().find(|(it, _)| *it == letter);
                 let Some((_, at)) = drawn else { continue };

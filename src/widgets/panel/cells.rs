@@ -660,11 +660,11 @@ const BETWEEN_TABS: u16 = 2;
 /// The width of the letter and the name in a line of a menu, in columns.
 const ENTRY: usize = 15;
 
-/// The minimum width, in columns, of a panel in which a table has gaps between its columns.
+/// The minimum width, in columns, of a panel in which a table has gaps before its numbers.
 const WIDE_TABLE: u16 = 72;
 
-/// Writes a table: its headings, then one line per row. If there is room, there are gaps before
-/// numbers, and between numbers and the text after them. A table that `leaves` some rows free shows
+/// Writes a table: its headings, then one line per row. There are gaps between numbers and the text
+/// after them and, if there is room, before numbers. A table that `leaves` some rows free shows
 /// only the part around its selected row.
 fn write_table(
     columns: &[TableColumn],
