@@ -25,7 +25,7 @@ use crate::keys::said;
 #[cfg(unix)]
 use crate::pty::{Pty, carrom as carrom_in_terminal};
 
-/// All answers that are stored in a folder.
+/// The answers that are stored in a folder, of one player or of all.
 fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
     let request = StoreCall {
         ticket: 0,
