@@ -22,8 +22,8 @@ fn main() {
         pictures.map(str::len).collect()
     }
 
-    // The name, the screen, the keys that start a motion there as a terminal sends them, the same
-    // keys by their names, and how many seconds are recorded; 0 stands for scrolling down a list.
+    // Each scene has a name, a screen, the keys that start a motion there (as a terminal sends
+    // them, then by their names) and the number of seconds recorded; 0 means scrolling down a list.
     let scenes = [
         ("break", "table", "\r ", "<Enter><Space>", 3.0),
         ("lab", "lab", "\r60\r30\r", "<Enter>60<Enter>30<Enter>", 2.0),

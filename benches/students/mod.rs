@@ -12,7 +12,8 @@ use carrom::quiz::{
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// The standard deviation of an angle, in degrees, and the relative one of any other number.
+/// The standard deviation of an angle, in degrees, and the relative standard deviation of any other
+/// number.
 const NOISE: (f64, f64) = (2.0, 0.02);
 
 /// What a student believes.

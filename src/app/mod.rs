@@ -98,7 +98,7 @@ pub struct App {
     unsaved: usize,
     /// The time since the last retry, and whether a retry is in progress.
     retry: Retry,
-    /// Whether the player has been told that earlier answers could not be loaded, or that settings
+    /// Whether a notice has reported that earlier answers could not be loaded, or that settings
     /// cannot be saved: one notice is enough.
     reported_store: bool,
     has_quit: bool,

@@ -14,15 +14,15 @@ pub const BIN_WIDTH: f64 = PI / BINS as f64;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CountedFor {
     /// A steradian of solid angle: the count on a small screen that is moved around the target, as
-    /// Geiger and Marsden did.
+    /// in the experiment of Geiger and Marsden.
     #[default]
     Steradian,
-    /// A whole ring of 5° around the beam, larger at 90° than near the ends.
+    /// A whole ring of 5° around the beam; a ring is larger at 90° than near 0° or 180°.
     Ring,
 }
 
 impl CountedFor {
-    /// The other one of the two units.
+    /// The other unit.
     #[must_use]
     pub fn other(self) -> Self {
         match self {
@@ -65,7 +65,7 @@ impl Counts {
         self.bins.iter().skip(first).sum()
     }
 
-    /// The counts that a law predicts for this number of `particles`, bin by bin.
+    /// The counts that a law predicts for `particles` particles, bin by bin.
     pub fn expected(law: &ScatteringLaw, particles: u64) -> [f64; BINS] {
         std::array::from_fn(|bin| {
             let beyond = |edge: usize| law.share_beyond(edge as f64 * BIN_WIDTH);

@@ -12,6 +12,7 @@ const HEADER: &str = "angle_deg,silver_count,gold_count";
 
 /// The range of an angle, in degrees.
 const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
+/// The range of a count.
 const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
 
 /// Counts at one angle. Counts are relative: only those for the same metal can be compared with
@@ -46,7 +47,7 @@ pub struct CountsFault {
 /// The counts of 1913, from the largest angle to the smallest.
 ///
 /// # Errors
-/// Fails only if the built-in table is damaged.
+/// Returns an error only if the built-in table is damaged.
 pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
     read(TABLE)
 }
@@ -56,7 +57,7 @@ pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
 /// 180, each smaller than the previous one; counts are from 0.1 to 10¹².
 ///
 /// # Errors
-/// The first line with an error.
+/// Returns the first error in the table.
 pub fn read(table: &str) -> Result<Vec<Angle>, CountsFault> {
     let mut lines = table
         .lines()
@@ -115,8 +116,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series of one metal, whose count at an angle is returned by `of`; `None` if there are no
-    /// angles.
+    /// The series of one metal; `of` returns its count at an angle. `None` if there are no angles.
     pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
         let points: Vec<_> = angles
             .iter()
@@ -129,7 +129,7 @@ impl Series {
         })
     }
 
-    /// The relative deviation of a count from the law, positive above it.
+    /// The relative deviation of a count from the law, positive if the count is above the law.
     pub(crate) fn excess(&self, (_, law, count): (f64, f64, f64)) -> f64 {
         count / (law * self.scale) - 1.0
     }

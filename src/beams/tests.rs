@@ -105,7 +105,7 @@ fn chance_beyond_agrees_with_published_tables() {
     }
 }
 
-/// 10⁷ particles in 36 bins against the closed forms.
+/// Compares 10⁷ particles in 36 bins with the closed forms.
 #[test]
 fn ten_million_particles_agree_with_the_closed_forms() {
     let gold = Rutherford::radium_c_on_gold();

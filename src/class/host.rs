@@ -38,11 +38,11 @@ pub enum HostNews {
         name: String,
         /// Their seat token, if they joined before.
         seat: Option<SeatToken>,
-        /// Their new seat token, if they are new.
+        /// The seat token that they get if they are new.
         fresh: SeatToken,
         /// The address of the device.
         address: IpAddr,
-        /// The time since a fixed moment.
+        /// The time of the request, counted from a fixed moment.
         at: Duration,
     },
     /// A pupil who has joined has sent this message.

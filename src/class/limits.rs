@@ -91,7 +91,7 @@ pub(super) struct Addresses {
     allowance: Allowance,
     /// The allowances of the addresses that have used part of theirs.
     known: BTreeMap<IpAddr, Bucket>,
-    /// Once `known` has this many addresses, those with a full allowance are forgotten.
+    /// The number of addresses in `known` at which those with a full allowance are forgotten.
     most: usize,
 }
 
@@ -135,7 +135,7 @@ pub struct GuardedCode {
     all: Bucket,
 }
 
-/// The reply to a code.
+/// The verdict on a typed code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CodeVerdict {
     /// The code is right.
@@ -199,8 +199,8 @@ mod tests {
         Ipv4Addr::new(192, 168, 43, host).into()
     }
 
-    /// The number of codes checked in a lesson in which each of these addresses sends as many as it
-    /// can. The limit is per address, so parallel or new connections do not help.
+    /// The number of codes checked in a lesson in which devices at this number of addresses send as
+    /// many as they can. The limit is per address, so parallel or new connections do not help.
     fn looked_at(addresses: u8) -> u32 {
         let mut code = GuardedCode::new(JoinCode::of(63_999_999));
         let mut looked_at = 0;

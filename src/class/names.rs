@@ -72,7 +72,7 @@ pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
 
-/// Whether two names are those of the same class: `carrom gather --class` ignores case, too.
+/// Whether two names are those of the same class. Case is ignored, as by `carrom gather --class`.
 pub(crate) fn is_same_class(one: &str, other: &str) -> bool {
     folded(&tidy(one)) == folded(&tidy(other))
 }

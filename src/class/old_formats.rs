@@ -152,7 +152,7 @@ fn take_vote(
     round.take_from_file(Ok(change), true)
 }
 
-/// The change, with a name that has a visible letter.
+/// The change; a name without a visible letter is replaced by a free one.
 fn with_kept_name(round: &ClassRound, mut change: ClassChange) -> ClassChange {
     if let ClassChange::Join { name, .. } | ClassChange::Rename { name, .. } = &mut change {
         *name = kept_name(name, &round.teams());
@@ -160,8 +160,8 @@ fn with_kept_name(round: &ClassRound, mut change: ClassChange) -> ClassChange {
     change
 }
 
-/// Reads the text of a change, such as "vote 3 first 17 rays 60 still", which counts from 1; `None`
-/// if the text is not a change.
+/// Reads the text of a change, such as "vote 3 first 17 rays 60 still", in which questions and
+/// people are counted from 1; `None` if the text is not a change.
 fn change(text: &str) -> Option<ClassChange> {
     let from_one = |text: &str| text.parse::<usize>().ok()?.checked_sub(1);
     let (what, rest) = text.split_once(' ')?;

@@ -37,7 +37,7 @@ impl Participant {
         self.device.connection.is_some()
     }
 
-    /// Whether a hand-in from them is stored.
+    /// Whether a hand-in of this participant is stored.
     pub fn has_handed_in(&self) -> bool {
         self.device.has_handed_in
     }
@@ -47,7 +47,7 @@ impl Participant {
         self.ballots.get(question).copied().unwrap_or_default()
     }
 
-    /// Whether they have never voted or handed anything in.
+    /// Whether this participant has no vote and has never handed anything in.
     pub(super) fn is_idle(&self) -> bool {
         !self.device.has_handed_in && self.ballots.iter().all(|it| it.counts().is_none())
     }

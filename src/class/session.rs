@@ -342,7 +342,7 @@ impl Session {
         self.save();
     }
 
-    /// The participant of a connection.
+    /// The index of the participant who has this connection.
     fn person(&self, connection: ConnectionId) -> Option<usize> {
         let mut all = self.round.participants().iter();
         all.position(|it| it.device.connection == Some(connection))

@@ -139,7 +139,7 @@ impl ReplayReport {
         }
     }
 
-    /// The report as text, for a game with this many strokes.
+    /// The report as text, for a game of `strokes` strokes.
     fn text(&self, strokes: usize) -> String {
         let mut text = String::new();
         let name = |seat| match self.names.as_ref().map_or("", |names| names.of(seat)) {

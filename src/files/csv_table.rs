@@ -13,7 +13,7 @@ use super::is_invisible;
 /// unchanged.
 ///
 /// # Errors
-/// The reason if a row cannot be written, which does not happen in practice.
+/// Returns the reason if a row cannot be written, which does not happen in practice.
 pub fn csv_table<'h>(
     heads: impl IntoIterator<Item = &'h str>,
     rows: &[Vec<String>],
@@ -61,16 +61,16 @@ fn breaks_line(letter: char) -> bool {
     matches!(letter, '\n' | '\r' | '\t')
 }
 
-/// Whether a spreadsheet reads this as a plain number: "-6.1", "1e-5". Rust's parser alone would
-/// also accept "+1" and "-inf".
+/// Whether a spreadsheet reads the text as a plain number: "-6.1", "1e-5". Rust's parser alone
+/// would also accept "+1" and "-inf".
 fn is_number(text: &str) -> bool {
     let is_digit =
         |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | 'e' | 'E' | '-');
     text.chars().all(is_digit) && text.parse::<f64>().is_ok()
 }
 
-/// Whether a spreadsheet may read a cell that begins with this as a formula. Spreadsheets in East
-/// Asian languages also accept the wide forms.
+/// Whether a spreadsheet may read a cell that begins with this character as a formula. Spreadsheets
+/// in East Asian languages also accept the wide forms of these characters.
 fn is_formula_sign(letter: char) -> bool {
     matches!(
         letter,

@@ -21,7 +21,7 @@ impl UnplacedFile {
     /// system has file permissions, only this user can ever read it; otherwise the umask decides.
     ///
     /// # Errors
-    /// If the file cannot be written completely; it is then removed.
+    /// Returns an error if the file cannot be written completely; it is then removed.
     #[cfg_attr(not(unix), allow(unused_variables, reason = "only Unix has modes"))]
     pub(crate) fn write(
         folder: &Path,
@@ -46,7 +46,8 @@ impl UnplacedFile {
     /// permissions.
     ///
     /// # Errors
-    /// If that fails, for example because a folder has that name.
+    /// Returns an error if the file cannot be moved, for example because there is a folder at
+    /// `path`.
     pub(crate) fn replace(self, path: &Path) -> io::Result<()> {
         if let Ok(old) = fs::metadata(path) {
             fs::set_permissions(&self.0, old.permissions())?;
@@ -55,11 +56,11 @@ impl UnplacedFile {
         Ok(())
     }
 
-    /// Renames the file to an unused name; returns `false` if anything has that name, even a broken
-    /// link.
+    /// Renames the file to `path` if nothing has that name; returns `false` if anything has it,
+    /// even a broken link.
     ///
     /// # Errors
-    /// If that cannot be done.
+    /// Returns an error if the file cannot be renamed.
     pub(crate) fn place(&self, path: &Path) -> io::Result<bool> {
         // A hard link fails if the name exists; a rename would replace it.
         match fs::hard_link(&self.0, path) {
@@ -81,7 +82,7 @@ pub(super) fn is_there(path: &Path) -> bool {
 /// Syncs the entries of a folder to the disk.
 ///
 /// # Errors
-/// If that cannot be done.
+/// Returns an error if the entries cannot be synced.
 pub(crate) fn fsync_dir(folder: &Path) -> io::Result<()> {
     // Only Unix can open a folder; elsewhere the rename has to be enough.
     #[cfg(unix)]

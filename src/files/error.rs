@@ -28,7 +28,8 @@ pub struct FileError {
     pub file: String,
     /// The line, from 1; `None` if the file could not be read at all.
     pub line: Option<usize>,
-    /// The field with the path of its tables; `None` if no field is at fault.
+    /// The field, preceded by the tables that contain it, as in `disc.mass_g`; `None` if no field
+    /// is at fault.
     pub field: Option<String>,
     /// What was expected and what was found.
     pub message: String,

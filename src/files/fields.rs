@@ -38,7 +38,7 @@ impl Source<'_> {
     /// the document in messages, such as "a saved game"; `known` lists its fields.
     ///
     /// # Errors
-    /// All errors; for a file in a newer format, only that error.
+    /// Returns all errors; for a file in a newer format, returns only that error.
     pub(crate) fn document<T>(
         self,
         what: &str,
@@ -75,7 +75,8 @@ impl Source<'_> {
         fields.known = known.into();
         let expected = format!("{what} with `format = {format}`");
         if !fields.has("format") && !fields.is_misspelt("format") {
-            // A file without a format is of another kind, with other fields.
+            // A file without a format is a different kind of file, so its other fields are not
+            // checked.
             return fields.refuse("format", format!("expected {expected}, found nothing"));
         }
         let fields = fields.only(known);
@@ -521,7 +522,8 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// All items, or `None` if any is `None`. All are collected first, so that every item is read.
+/// All items, or `None` if any is `None`. The caller has collected them, so every item has been
+/// read, even after a fault.
 pub(crate) fn all<T>(items: Vec<Option<T>>) -> Option<Vec<T>> {
     items.into_iter().collect()
 }

@@ -12,7 +12,7 @@ use super::is_invisible;
 /// invisible and control characters are written as escapes, which any JSON parser decodes.
 ///
 /// # Errors
-/// If the object cannot be written.
+/// Returns an error if the object cannot be written.
 pub(crate) fn write_json(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
     let mut serializer = Serializer::with_formatter(out, SafeFormatter);
     Ok(object.serialize(&mut serializer)?)

@@ -74,7 +74,7 @@ pub(crate) fn is_blank_name(name: &str) -> bool {
 }
 
 /// A person's name as it is shown and stored: its letters, with one space between words and at most
-/// a few accents per letter. Empty if no letter is visible.
+/// a few accents per letter. The result is empty if no letter is visible.
 pub fn tidy_name(name: &str) -> String {
     let mut tidy = String::new();
     let mut upon = 0;
@@ -101,7 +101,7 @@ pub fn tidy_name(name: &str) -> String {
     tidy
 }
 
-/// Like [`tidy_name`], but with at most this many letters. A letter may consist of several
+/// Like [`tidy_name`], but with at most `letters` letters. A letter may consist of several
 /// characters.
 pub(crate) fn short_name(name: &str, letters: usize) -> String {
     const BYTES: usize = 8;

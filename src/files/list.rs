@@ -24,7 +24,8 @@ pub struct List {
 /// of which there may be at most `most`.
 ///
 /// # Errors
-/// If the folder cannot be read, or contains more of these files.
+/// Returns an error if the folder cannot be read, or if it contains more than `most` of these
+/// files.
 pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError> {
     let fault = |message| FileError::of_file(&folder.display().to_string(), message);
     let paths = fs::read_dir(folder).and_then(|entries| {

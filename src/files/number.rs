@@ -51,7 +51,8 @@ impl Range {
         number.max(self.from).min(self.to)
     }
 
-    /// The number at the fraction `share` of the range, from 0 to 1.
+    /// The number that lies the fraction `share`, from 0 to 1, of the way from the lower bound to
+    /// the upper.
     pub(crate) fn at(&self, share: f64) -> f64 {
         self.from + share * (self.to - self.from)
     }

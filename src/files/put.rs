@@ -37,7 +37,7 @@ pub enum Unwritten {
 /// the previous files. Pipes and devices are written to directly; links are followed.
 ///
 /// # Errors
-/// The first file that exists and must be kept, or that cannot be written.
+/// Returns an error about the first file that exists and must be kept, or that cannot be written.
 pub fn put<T: AsRef<[u8]>>(
     documents: &[(PathBuf, T)],
     existing: Existing,

@@ -16,7 +16,7 @@ pub(crate) const STDIN: &str = "standard input";
 /// file.
 ///
 /// # Errors
-/// If the file cannot be read.
+/// Returns an error if the file cannot be read.
 pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     let bytes = File::open(path).and_then(|file| take(file, most));
     bytes.map_err(|error| unreadable(&path.display().to_string(), &error))
@@ -25,7 +25,7 @@ pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
 /// Like [`read`], but `-` is [`STDIN`].
 ///
 /// # Errors
-/// If the file cannot be read.
+/// Returns an error if the file cannot be read.
 pub(crate) fn read_given(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     match path.as_os_str() == "-" {
         true => take(io::stdin(), most).map_err(|error| unreadable(STDIN, &error)),

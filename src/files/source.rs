@@ -45,7 +45,7 @@ impl<'a> Source<'a> {
     /// The text of a file with this name and these bytes.
     ///
     /// # Errors
-    /// If there are more than `most` bytes, or they are not UTF-8.
+    /// Returns an error if there are more than `most` bytes, or if they are not UTF-8.
     pub(crate) fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
         if bytes.len() > most {
             let message = format!("expected a file of at most {}, found more", size(most));
@@ -87,7 +87,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The error that `message` describes, at a line.
+    /// The error that `message` describes, at the given line.
     pub(crate) fn error_on(&self, line: usize, message: impl Into<String>) -> FileError {
         FileError::on_line(self.name, line, message)
     }
@@ -100,7 +100,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Notes an error at a line; always returns `None`, for the caller to return.
+    /// Notes an error at the given line; always returns `None`, for the caller to return.
     pub(crate) fn refuse<T>(&self, line: usize, message: impl Into<String>) -> Option<T> {
         let error = self.error_on(line, message);
         self.errors.borrow_mut().push((Rank::Value, error));
@@ -129,7 +129,7 @@ impl<'a> Source<'a> {
     /// The result, unless the text has errors.
     ///
     /// # Errors
-    /// All errors that were found.
+    /// Returns all errors that were found.
     pub(crate) fn finish<T>(self, made: Option<T>) -> Result<T, FileErrors> {
         let mut errors = self.errors.into_inner();
         let broken = errors.iter().filter(|(rank, _)| *rank == Rank::Syntax);

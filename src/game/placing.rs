@@ -51,9 +51,10 @@ pub struct BaseLines<'a> {
 pub enum Stand {
     /// The striker is in the middle, to the millimetre.
     Middle,
-    /// The striker is on this base circle: "left" or "upper".
+    /// The striker is on a base circle, such as the "left" or the "upper" one.
     Circle(&'static str),
-    /// The striker is this many millimetres "left" of the middle, "above" it, and so on.
+    /// The striker is beside the middle: the distance in millimetres, and the direction, such as
+    /// "left" or "above".
     Beside(f64, &'static str),
 }
 
@@ -132,7 +133,7 @@ impl<'a> BaseLines<'a> {
     /// Whether the striker may be placed at `at`.
     ///
     /// # Errors
-    /// The first rule that the position breaks.
+    /// Returns the first rule that the position breaks.
     pub(crate) fn check(&self, at: DVec2) -> Result<(), Misplaced> {
         let here = self.seat.turn_back(at);
         let middle = self.middle();
@@ -147,7 +148,7 @@ impl<'a> BaseLines<'a> {
         let off_middle = (here.y - middle).abs();
         let touches_both = off_middle <= striker - BASE_LINE_GAP / 2.0 + SLACK;
         let between = touches_both && here.x.abs() < Self::base_circle_along();
-        // Written so that a position of NaN is refused too.
+        // The condition is written so that a position of NaN is refused too.
         if !(covers || between) {
             return Err(Misplaced::OffTheBaseLines);
         }
@@ -176,7 +177,7 @@ impl<'a> BaseLines<'a> {
     }
 
     /// Legal positions from left to right: `steps` positions spread evenly between the base
-    /// circles, and the two that cover a base circle, without those that coins block.
+    /// circles, and the two that cover a base circle, except any that are blocked by coins.
     pub(crate) fn candidates(&self, steps: u16) -> Vec<DVec2> {
         let end = self.end_of_the_lines();
         let spread = (0..steps).map(|i| {
@@ -214,7 +215,7 @@ impl<'a> BaseLines<'a> {
 /// Whether the striker may be placed at `at` if it need not be on the base lines.
 ///
 /// # Errors
-/// The first rule that the position breaks.
+/// Returns the first rule that the position breaks.
 pub(crate) fn check_anywhere(set: PieceSet, coins: &[Coin], at: DVec2) -> Result<(), Misplaced> {
     let board = Board::default();
     let room = board.side / 2.0 - set.striker_radius();

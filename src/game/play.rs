@@ -17,7 +17,7 @@ use super::stroke::Stroke;
 pub struct BoardInPlay {
     /// The coins on the board; the striker is never among them.
     pub coins: Vec<Coin>,
-    /// Whose turn it is; after the end of the board, who struck last.
+    /// The seat whose turn it is; after the end of the board, the seat that struck last.
     pub seat: Seat,
     /// Strokes made at the unbroken pack in this turn; `None` after the break.
     pub(super) break_tries: Option<u8>,

@@ -115,7 +115,7 @@ impl Record {
     /// Plays the whole record and returns the resulting game.
     ///
     /// # Errors
-    /// The first fault in the record.
+    /// Returns the first fault in the record.
     pub fn replay(&self) -> Result<Game, RecordError> {
         self.play_through(|_, _, _, _| {})
     }
@@ -124,7 +124,7 @@ impl Record {
     /// was a stroke, and the referee's rulings.
     ///
     /// # Errors
-    /// The first fault in the record.
+    /// Returns the first fault in the record.
     pub fn play_through(
         &self,
         mut each: impl FnMut(Game, &Move, Option<Shot>, Vec<Ruling>),
@@ -146,7 +146,7 @@ impl Move {
     /// Makes the move and returns the shot, if it was a stroke, and the referee's rulings.
     ///
     /// # Errors
-    /// The reason why the move cannot be made; the game is then unchanged.
+    /// Returns the reason if the move cannot be made; the game is then unchanged.
     pub fn make(&self, game: &mut Game) -> Result<(Option<Shot>, Vec<Ruling>), MoveError> {
         match self {
             Self::Strike(strike) => {
@@ -183,7 +183,8 @@ impl Strike {
     /// The shot of this stroke on the current board.
     ///
     /// # Errors
-    /// If the striker must not be placed there or the engine cannot play the stroke.
+    /// Returns an error if the striker must not be placed there or the engine cannot play the
+    /// stroke.
     pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
         game.check_place(self.place)?;
         let (discs, motions) = game.discs(Motion::new(self.place, self.velocity));

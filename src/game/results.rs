@@ -9,7 +9,8 @@ use super::{
 use crate::game::score::Score;
 
 /// The results of one player against the computer. A game counts only if this player is the only
-/// person in it and the computer plays on the other side; practice does not count.
+/// person in it and the computer plays on the other side; practice does not count. Boards cleared
+/// alone are counted separately.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(crate) struct Results {
     /// One row for each combination of rules, strength of the computer and steadiness of the
@@ -26,7 +27,7 @@ pub(crate) struct Results {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub(crate) struct ClearedBoard {
     pub(crate) code: BoardCode,
-    /// The fewest strokes in which the player cleared it.
+    /// The fewest strokes in which the player cleared the board.
     pub(crate) strokes: usize,
 }
 
@@ -35,19 +36,20 @@ pub(crate) struct ClearedBoard {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct ResultsRow {
     pub(crate) rules: Rules,
-    /// The strength of the computer, or of the stronger one of two.
+    /// The strength of the computer, or of the stronger of two computer players.
     pub(crate) strength: Strength,
     pub(crate) hand: PlayerHand,
     /// The boards that were won and lost.
     #[serde(rename = "boards_won_and_lost")]
     pub(crate) boards: [usize; 2],
-    /// The games that were won and lost; in friendly games each board is one.
+    /// The games that were won and lost; in friendly games each board counts as a game.
     #[serde(rename = "games_won_and_lost")]
     pub(crate) games: [usize; 2],
 }
 
 impl Results {
-    /// The results of the player with this name. The saved games are given with the latest first.
+    /// The results of the player with this name. The saved games must be in order, the latest
+    /// first.
     pub(crate) fn of<'a>(
         player: &str,
         games: impl IntoIterator<Item = &'a (SavedGame, Game)>,

@@ -6,11 +6,11 @@ use super::laws::{BoardWon, Rules};
 use super::seat::{ByTeam, Team};
 use super::table::GameSetup;
 
-/// Points that win a game (29a).
+/// The number of points that win a game (29a).
 pub(super) const GAME_POINTS: u8 = 25;
-/// Boards after which the leader wins a game (29a).
+/// The number of boards after which the leader wins a game (29a).
 pub(super) const GAME_BOARDS: u8 = 8;
-/// Games that win a match: the best of three (30).
+/// The number of games that win a match: the best of three (30).
 pub(super) const MATCH_GAMES: u8 = 2;
 
 /// How long a game at the table lasts.

@@ -41,7 +41,7 @@ impl BoardCode {
     /// The code of a day.
     ///
     /// # Errors
-    /// If the day is before 2000.
+    /// Returns an error if the day is before 2000.
     pub fn of_day(day: Date) -> Result<Self, NotABoard> {
         let [year, month, day] = [i64::from(day.year()), day.month().into(), day.day().into()];
         Self::from_number((year * 100 + month) * 100 + day)
@@ -51,7 +51,7 @@ impl BoardCode {
     /// 20261126.
     ///
     /// # Errors
-    /// If there is no such code.
+    /// Returns an error if there is no such code.
     pub fn from_number(number: i64) -> Result<Self, NotABoard> {
         let code = Self(u32::try_from(number).map_err(|_| NotABoard)?);
         match code.0 {
@@ -64,7 +64,7 @@ impl BoardCode {
     /// Reads a typed code.
     ///
     /// # Errors
-    /// If the text is not a code.
+    /// Returns an error if the text is not a code.
     pub fn parse(text: &str) -> Result<Self, NotABoard> {
         let text = text.trim();
         match text.parse::<Date>() {
@@ -99,7 +99,7 @@ impl BoardCode {
         format!("carrom, {}, {strokes}{par}", self.title())
     }
 
-    /// The seed in the setup of its games.
+    /// The seed in the setup of every game on this board.
     pub const fn seed(self) -> u64 {
         self.0 as u64
     }

@@ -45,7 +45,7 @@ impl BaseLines<'_> {
     /// position is legal.
     pub(crate) fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
         let (here, sense) = (self.along(from), metres.signum());
-        // A distance between two steps is rounded to the nearer one.
+        // A distance that is not a whole number of steps is rounded to the nearest step.
         let least = here + metres - sense * PLACE_STEP / 2.0;
         let ahead: Vec<f64> = Self::steps()
             .filter(|along| (along - here) * sense > SLACK)
@@ -82,8 +82,8 @@ mod tests {
         }
     }
 
-    /// From 182.55 mm to 214.35 mm from the middle the striker would cut a base circle, except
-    /// exactly on it.
+    /// From 182.55 mm to 214.35 mm from the middle the striker would cut a base circle, unless it
+    /// is exactly on the circle.
     #[test]
     fn a_step_skips_illegal_positions() {
         for seat in Seat::ALL {

@@ -45,9 +45,9 @@ pub enum StrokeError {
     /// The shot was not played with the discs of this board.
     #[error("the shot has {found} discs, but this board has {expected}")]
     OtherDiscs {
-        /// The coins on the board and the striker.
+        /// The number of coins on the board, plus one for the striker.
         expected: usize,
-        /// The discs of the shot.
+        /// The number of discs in the shot.
         found: usize,
     },
     /// The board or the match has ended.
@@ -60,7 +60,7 @@ impl Stroke {
     /// `coins[i]`, as in [`Game::discs`](super::Game::discs).
     ///
     /// # Errors
-    /// `StrokeError::OtherDiscs` if the shot has more or fewer discs.
+    /// Returns `StrokeError::OtherDiscs` if the shot has more or fewer discs.
     pub fn from_shot(coins: &[Coin], shot: &Shot) -> Result<Self, StrokeError> {
         if shot.discs().len() != coins.len() + 1 {
             return Err(StrokeError::OtherDiscs {
@@ -94,7 +94,7 @@ impl Stroke {
     /// Whether this stroke could have been played on `before`.
     ///
     /// # Errors
-    /// The first contradiction.
+    /// Returns the first contradiction that is found.
     pub fn check(&self, before: &[Coin]) -> Result<(), StrokeError> {
         if self.fallen(Piece::Striker) > 1 || count(&self.left, Piece::Striker) > 0 {
             return Err(StrokeError::Striker);

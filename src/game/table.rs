@@ -185,7 +185,7 @@ impl Game {
     /// a practice game, at any free position.
     ///
     /// # Errors
-    /// The reason, if the striker must not be placed there.
+    /// Returns the reason if the striker must not be placed there.
     pub(crate) fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
             Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),
@@ -208,7 +208,8 @@ impl Game {
     /// rulings, the decisive one first.
     ///
     /// # Errors
-    /// If the board has ended or the stroke is impossible on it; the game is then unchanged.
+    /// Returns an error if the board has ended or the stroke is impossible on it; the game is then
+    /// unchanged.
     pub fn apply(&mut self, stroke: &Stroke) -> Result<Vec<Ruling>, StrokeError> {
         if self.play.won.is_some() {
             return Err(StrokeError::Ended);
@@ -223,7 +224,7 @@ impl Game {
     /// Passes the turn because coins block every legal position of the striker.
     ///
     /// # Errors
-    /// If the board has ended.
+    /// Returns an error if the board has ended.
     pub fn no_place(&mut self) -> Result<Vec<Ruling>, StrokeError> {
         if self.play.won.is_some() {
             return Err(StrokeError::Ended);
@@ -236,7 +237,7 @@ impl Game {
     /// Sets up the pack for the next board, and for the next game when one has been won.
     ///
     /// # Errors
-    /// If this board has not ended, or the match has.
+    /// Returns an error if this board has not ended, or if the match has.
     pub fn next_board(&mut self) -> Result<(), GameError> {
         let Some(won) = self.play.won else {
             return Err(GameError::StillPlaying);
@@ -254,8 +255,8 @@ impl Game {
     /// Places `coins` on the board as given, in a practice game.
     ///
     /// # Errors
-    /// If this is not a practice game, or the coins cannot be at these positions; the game is then
-    /// unchanged.
+    /// Returns an error if this is not a practice game, or if the coins cannot be at these
+    /// positions; the game is then unchanged.
     pub(crate) fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
         if self.setup.rules != Rules::Practice {
             return Err(GameError::NotInPractice);
@@ -317,8 +318,8 @@ impl Game {
     }
 
     /// The player who breaks this board: the break passes from seat to seat with each board (22),
-    /// and each game begins one seat further on (22a). An extra board follows this order instead of
-    /// a toss (29b).
+    /// and each game begins one seat further on (22a). This order, not a
+    /// toss (29b), also decides who breaks an extra board.
     fn breaker(&self) -> Seat {
         let score = self.score_before();
         let turns = match self.setup.rules {

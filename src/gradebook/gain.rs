@@ -32,9 +32,9 @@ pub enum NoGain {
 impl NormalizedGain {
     /// The gain from the scores of matched pupils before and after, 0 to 1.
     ///
-    /// The gain is 1 − R, where R is the mean of (1 − score) after divided by the mean of (1 −
-    /// score) before, over the same pupils. The interval of R is that of E. C. Fieller (1954),
-    /// which does not require a large class.
+    /// The gain is 1 − R, where R is the mean of (1 − score) after the unit, divided by the mean
+    /// before it, over the same pupils. The interval of R is that of E. C. Fieller (1954), which
+    /// does not require a large class.
     ///
     /// # Errors
     /// The reason why nothing can be said about the class.
@@ -90,7 +90,7 @@ mod tests {
         })
     }
 
-    /// The true gain of all pupils.
+    /// The true gain, calculated from many random pupils.
     fn truth(learnt: f64) -> f64 {
         let mut dice = Pcg64::seed_from_u64(1);
         let mut missing = [0.0, 0.0];
@@ -134,7 +134,8 @@ mod tests {
         }
     }
 
-    /// The full check; `cargo test --lib gain -- --ignored --nocapture` prints the coverage.
+    /// The check with more cases and classes; `cargo test --lib gain -- --ignored --nocapture`
+    /// prints the coverage.
     #[test]
     #[ignore = "takes half a minute"]
     fn the_interval_covers_the_true_gain_in_95_percent_of_5000_classes() {

@@ -23,8 +23,8 @@ pub struct ItemStatistics {
     pub commonest: Option<(Misconception, usize)>,
 }
 
-/// The results of the questions of all rounds, except those of chapters, the table and levels, and
-/// of rounds whose questions depend on the answers and so differ from pupil to pupil.
+/// The results of each question in the pupils' rounds. Chapters, the table and levels are left out,
+/// and so are rounds whose questions depend on the answers, because they differ between pupils.
 pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     let mut answers: BTreeMap<(&str, u32), Vec<(&Attempt, f64)>> = BTreeMap::new();
     for pupil in &results.pupils {

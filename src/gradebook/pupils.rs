@@ -20,7 +20,7 @@ pub struct Pupil {
     pub class: String,
     /// All answers, in chronological order.
     pub attempts: Vec<Attempt>,
-    /// The name without the number that distinguishes two pupils.
+    /// The name without the number that distinguishes pupils of the same name.
     own_name: String,
 }
 

@@ -109,8 +109,8 @@ pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
     table(&columns, &beliefs(results))
 }
 
-/// One row per pupil who answered every question before and after a unit; `None` if nobody has begun
-/// such forms.
+/// One row per pupil who answered every question of the forms before and after a unit; `None` if
+/// nobody has begun a form.
 ///
 /// # Errors
 /// The reason if a row cannot be written, which does not happen in practice.

@@ -205,7 +205,7 @@ mod tests {
         assert_eq!(mark.words(&chapter), "read 3 of 3, right 0 of 1");
     }
 
-    /// A modified database may contain such an answer.
+    /// A modified database may contain an answer that does not fit its question.
     #[test]
     fn an_answer_that_does_not_fit_its_question_is_ignored() {
         let chapter = chapter(CHAPTER);

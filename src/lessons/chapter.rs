@@ -14,7 +14,7 @@ pub struct Chapter {
     pub number: u32,
     /// The name of the chapter on the command line and in stored progress.
     pub id: String,
-    /// The title, with at most 32 characters.
+    /// The title, which has at most 32 characters.
     pub title: String,
     /// A one-line description.
     pub about: String,

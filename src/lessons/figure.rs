@@ -81,7 +81,7 @@ pub enum FigureKind {
 pub struct Filming {
     /// Frames per second.
     pub rate: f64,
-    /// The standard deviation of a point, in millimetres.
+    /// The standard deviation of a marked point's position, in millimetres.
     pub noise_mm: f64,
     /// By how many per cent all lengths are too large.
     pub scale_percent: f64,

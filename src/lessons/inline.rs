@@ -25,7 +25,7 @@ impl PageSource<'_> {
 /// first private-use character of Unicode, which no text contains.
 const STAND_IN: u32 = 0xe000;
 
-/// Reads a paragraph that begins at a line.
+/// Reads a paragraph that begins at the given line of the file.
 pub(super) fn read(line: usize, text: &str, page: &PageSource) -> Option<Vec<Inline>> {
     let source = page.source;
     let mut kept: Vec<Option<Inline>> = Vec::new();

@@ -38,8 +38,8 @@ fn chapters() -> BTreeMap<String, String> {
     files.map(chapter).collect()
 }
 
-/// Reads a table with lines of the form `words | ids`: a page for an id must contain at least one
-/// of these words.
+/// Reads a table with lines of the form `words | ids`: a page for one of the ids must contain at
+/// least one of the words.
 fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>> {
     let mut all = BTreeMap::new();
     for line in table.lines().map(str::trim).filter(|line| !line.is_empty()) {
@@ -86,7 +86,7 @@ const OF_MISCONCEPTIONS: &str = "
     m_1 - m_2, m_1 + m_2, m_1/m_2, m_1 / m_2, e m_2, three times the mass, less than the smaller mass | upside-down
     rebounds, heavier, heavy striker | heavy-rebounds
     small angles are common | counts-reversed
-    b/(r_1 + r_2), half of d, half of the force | direct-for-inverse
+    b/(r_1 + r_2), half of d, half the force | direct-for-inverse
     greatest angle | beyond-largest
     along t, coefficient of restitution, common motion, e m_2 | loss-on-everything
     relative velocities, 1 - e^2 | e-as-energy
@@ -108,7 +108,7 @@ const OF_MISCONCEPTIONS: &str = "
     all of the energy can be lost only, some motion has to remain | all-energy-lost
     halfway between the two paths | halfway-direction
     conserve energy in both steps | energy-through-impact
-    momenta in pairs | momentum-from-explosion
+    equal and opposite pairs | momentum-from-explosion
     relative velocity is the same in every frame | loss-by-frame
     never between the two | reduced-as-mean
     at right angles to n | friction-only-slows
@@ -119,8 +119,8 @@ const OF_MISCONCEPTIONS: &str = "
     keeps its shape | scale-turns-angles
 ";
 
-/// A page about the subject of the questions on a topic must contain one of these phrases, in the
-/// same format.
+/// A page about the subject of a topic's questions must contain at least one of the topic's
+/// phrases. The format is that of [`OF_MISCONCEPTIONS`].
 const OF_TOPICS: &str = "
     angle, deflect, direction, leaves, rebound | equal-masses equal-masses-by-offset equal-masses-lossy
     angle, deflect, direction, leaves, rebound | heavier-striker heavier-striker-by-offset from-the-picture
@@ -181,9 +181,9 @@ fn cases() -> BTreeMap<Case, Figures> {
     cases
 }
 
-/// The chapters that are only about equal masses without loss, and those that are only about
-/// unequal masses.
+/// The chapters that are only about equal masses without loss.
 const OF_EQUAL_MASSES: [&str; 2] = ["the-right-angle", "speeds-and-angles"];
+/// The chapters that are only about unequal masses.
 const OF_UNEQUAL_MASSES: [&str; 2] = ["marbles", "weighing-by-angle"];
 
 /// The pages in these chapters that apply to all masses.

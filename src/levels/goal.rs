@@ -15,17 +15,17 @@ use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 pub enum Goal {
     /// These discs are pocketed, in this order.
     Pocket {
-        /// The discs.
+        /// The numbers of the discs.
         discs: Vec<usize>,
     },
     /// A disc is not pocketed.
     Keep {
-        /// The disc.
+        /// The number of the disc.
         disc: usize,
     },
     /// A disc is not hit.
     Untouched {
-        /// The disc.
+        /// The number of the disc.
         disc: usize,
         /// The disc that must not hit this disc; `None` means that no disc may.
         by: Option<usize>,
@@ -41,21 +41,21 @@ pub enum Goal {
     },
     /// A disc comes to rest with its centre inside a circle.
     Rest {
-        /// The disc.
+        /// The number of the disc.
         disc: usize,
-        /// The circle.
+        /// The circle in which the disc must come to rest.
         circle: GoalCircle,
     },
     /// The centre of a disc passes through a circle.
     Pass {
-        /// The disc.
+        /// The number of the disc.
         disc: usize,
-        /// The circle.
+        /// The circle through which the centre must pass.
         circle: GoalCircle,
     },
     /// A disc hits cushions before it hits another disc for the first time.
     Bank {
-        /// The disc.
+        /// The number of the disc.
         disc: usize,
         /// The disc that is hit after the cushions.
         target: usize,
@@ -64,14 +64,14 @@ pub enum Goal {
     },
     /// A disc hits cushions, either before or after other collisions.
     Cushions {
-        /// The disc.
+        /// The number of the disc.
         disc: usize,
         /// The minimum number of hits.
         least: usize,
     },
     /// A quantity of the first collision is within a range.
     FirstHit {
-        /// The quantity.
+        /// The quantity that is judged.
         measure: HitMeasure,
         /// The range, in the unit of the quantity.
         range: Range,
@@ -173,8 +173,8 @@ impl Goal {
             let (measure, range) = measure.zip(range)?;
             Some(Self::FirstHit { measure, range })
         };
-        // `zip` reads all fields before a missing value ends the function, so all errors are
-        // reported.
+        // With `zip`, all fields are read before a missing value ends the function, so all errors
+        // are reported.
         Some(match kind {
             "pocket" => Self::Pocket {
                 discs: read_discs(&fields, "discs", count, count)?,

@@ -186,7 +186,7 @@ pub(super) fn point(mm: [f64; 2]) -> DVec2 {
     DVec2::from(mm.map(m_from_mm))
 }
 
-/// Reads the shot in a scene with this many discs.
+/// Reads the shot in a scene with `count` discs.
 fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
     let fields = fields.table("shot", &["disc", "direction_deg", "speed"])?;
     let disc = read_disc(&fields, "disc", count);
@@ -199,7 +199,8 @@ fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
     })
 }
 
-/// Reads the number of one of `count` discs. If there are no discs, that has already been reported.
+/// Reads the number of one of `count` discs. If `count` is 0, returns `None` without an error,
+/// because the missing discs have already been reported.
 pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usize> {
     let last = count.checked_sub(1)?;
     fields.whole(name, &disc_number(last), 0..=last)

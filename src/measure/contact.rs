@@ -55,7 +55,7 @@ fn together(tracks: &[Track; 2]) -> Vec<(Point, Point)> {
 /// are nearest to each other (which finds the collision even if the bodies slow down a lot).
 ///
 /// # Errors
-/// If a body has too few points on one side of every possible contact.
+/// Returns an error if a body has too few points on one side of every possible contact.
 pub(super) fn guesses(tracks: &[Track; 2]) -> Result<Vec<State>, Fault> {
     for track in tracks {
         let count = track.points.len();
@@ -127,7 +127,8 @@ fn refusal(tracks: &[Track; 2], nearest: Option<f64>) -> Fault {
 /// are skipped.
 const SOUGHT: usize = 20_000;
 
-/// Sums over the first points of a track, from which any straight line follows at once.
+/// Running sums over the points of a track, from which the straight line through the points before
+/// or after any time follows at once.
 struct Sums {
     times: Vec<f64>,
     origin: (f64, DVec2),

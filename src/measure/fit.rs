@@ -60,7 +60,8 @@ impl Estimate {
         (self.value - from).abs() / self.uncertainty().max(f64::MIN_POSITIVE)
     }
 
-    /// If `truth` is the true value, the probability of an estimate at least this far from it.
+    /// The probability of an estimate at least as far from `truth` as this one if `truth` is the
+    /// true value.
     pub fn chance(&self, truth: f64) -> f64 {
         beyond_t(
             (self.value - truth).abs() / self.deviation.max(f64::MIN_POSITIVE),
@@ -68,7 +69,7 @@ impl Estimate {
         )
     }
 
-    /// Whether the value is clearly not zero.
+    /// Whether the value is clearly different from zero.
     pub(super) fn is_clear(&self) -> bool {
         self.value.abs() > CLEAR * self.uncertainty()
     }
@@ -103,7 +104,7 @@ pub struct TracksFit {
     pub(crate) model: Model,
     /// The standard deviation of the noise in x and y of each body, in metres.
     pub noise: [f64; CHANNELS],
-    /// The test, if one was made.
+    /// The test for slowing down, if one was made.
     pub test: Option<SlowingTest>,
     /// The distance between the centres at contact, if the radii are known.
     pub apart: Option<Apart>,
@@ -127,7 +128,7 @@ impl TracksFit {
     /// Fits two tracks. `radii` is the sum of the radii, if it is known.
     ///
     /// # Errors
-    /// If the tracks contain no measurable collision.
+    /// Returns an error if the tracks contain no measurable collision.
     pub(super) fn new(
         tracks: &[Track; 2],
         radii: Option<f64>,

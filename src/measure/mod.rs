@@ -119,7 +119,7 @@ impl Measurement {
     /// Analyses two tracks.
     ///
     /// # Errors
-    /// If they contain no measurable collision.
+    /// Returns an error if the tracks contain no measurable collision.
     pub fn new(mut tracks: [Track; 2], given: Given) -> Result<Self, Fault> {
         for point in tracks.iter_mut().flat_map(|track| &mut track.points) {
             point.at *= given.scale;
@@ -138,7 +138,7 @@ impl Measurement {
     /// The same tracks, analysed with other given values.
     ///
     /// # Errors
-    /// If they contain no measurable collision.
+    /// Returns an error if the tracks contain no measurable collision.
     pub(crate) fn again(&self, given: Given) -> Result<Self, Fault> {
         let mut tracks = self.tracks.clone();
         for point in tracks.iter_mut().flat_map(|track| &mut track.points) {

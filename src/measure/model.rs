@@ -179,14 +179,14 @@ impl Model {
     }
 }
 
-/// The normal equations of each channel with weight 1, at a state.
+/// The normal equations of each channel with weight 1, at one state.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Normal {
     matrix: [Matrix; CHANNELS],
     gradient: [Vector; CHANNELS],
-    /// The sum of the squared residuals.
+    /// The sum of the squared residuals in each channel.
     pub(super) squares: [f64; CHANNELS],
-    /// The number of points.
+    /// The number of points in each channel.
     pub(super) count: [f64; CHANNELS],
 }
 

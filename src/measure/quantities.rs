@@ -95,7 +95,8 @@ impl Unit {
 pub enum LineFrom {
     /// From the centres at contact.
     Centres,
-    /// From the change of the relative velocity, which is parallel to it if the rims are smooth.
+    /// From the change of the relative velocity, which is parallel to the line of impact if the
+    /// rims are smooth.
     Impulse,
 }
 

@@ -37,7 +37,7 @@ pub struct Reading {
 /// Reads the two tracks in one file, or one track in each of two: each file by its name and bytes.
 ///
 /// # Errors
-/// What was expected and found, with line and column.
+/// Returns messages that say what was expected and found, with line and column.
 pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], FileErrors> {
     let mut tracks = Vec::new();
     let mut last = "";

@@ -1,16 +1,17 @@
 //! Student's t and Fisher's F, for intervals and tests with few points.
 
-/// The probability that |t| with `dof` degrees of freedom is at least this large.
+/// The probability that the magnitude of Student's t with `dof` degrees of freedom is at least `t`.
 pub(super) fn beyond_t(t: f64, dof: f64) -> f64 {
     regularized_beta(dof / (dof + t * t), 0.5 * dof, 0.5)
 }
 
-/// The probability that F with `k` and `dof` degrees of freedom is at least this large.
+/// The probability that Fisher's F with `k` and `dof` degrees of freedom is at least `f`.
 pub(super) fn beyond_f(f: f64, k: f64, dof: f64) -> f64 {
     regularized_beta(dof / (dof + k * f.max(0.0)), 0.5 * dof, 0.5 * k)
 }
 
-/// The value that |t| exceeds with this probability.
+/// The value that the magnitude of Student's t with `dof` degrees of freedom exceeds with this
+/// probability.
 pub(crate) fn t_beyond(probability: f64, dof: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     while beyond_t(high, dof) > probability && high < 1e9 {

@@ -90,7 +90,7 @@ enum Agreement {
 }
 
 impl Agreement {
-    /// The verdict on a difference of this many standard deviations.
+    /// The verdict on a difference of `number` standard deviations.
     fn of_sigmas(number: f64) -> Self {
         let printed = (10.0 * number).round() / 10.0;
         match LIMITS.map(|limit| printed > limit) {
@@ -443,7 +443,7 @@ impl Measurement {
             Ok(ratio) => ratio,
             Err(reason) => return format!("Friction of the rims: {reason}."),
         };
-        // One-sided, 95 %.
+        // The bound is one-sided, at the 95 % level.
         let reach = ratio.deviation * t_beyond(0.1, ratio.freedom);
         let size = ratio.value.abs();
         let found = printed(&ratio, Unit::Number);

@@ -7,8 +7,8 @@
 //!    repeated on the next day at the earliest;
 //! 2. a chapter that has been begun;
 //! 3. *Find out*, while almost nothing is known about the player;
-//! 4. a chapter for a missed topic: the first that is neither done nor known, up to the one that
-//!    teaches the topic; if most answers are right, only the one that teaches it;
+//! 4. a chapter for a missed topic: the first chapter that is neither done nor known, up to the
+//!    chapter that teaches the topic; if most answers are right, only the chapter that teaches it;
 //! 5. a review of the topics that are due, once a day;
 //! 6. the next chapter that is neither done nor known; if most answers are right, questions about
 //!    it instead, because the player may know it already;
@@ -220,9 +220,9 @@ impl<'a> PathSoFar<'a> {
         asked
     }
 
-    /// Whether a chapter is neither done nor known. It is known if the last answers on its topics
-    /// show it, where topics that were never asked about do not matter; a chapter without topics is
-    /// known if the chapter before it is.
+    /// Whether a chapter is neither done nor known. A chapter is known if the last answers on its
+    /// topics show that the player knows them; topics that were never asked about do not matter. A
+    /// chapter without topics is known if the chapter before it is.
     fn is_open(&self, at: usize, topics: &TopicsAsked) -> bool {
         !self.book.is_done(&self.chapters()[at]) && !self.is_known(at, topics)
     }

@@ -12,7 +12,7 @@ pub const G: f64 = 9.80665;
 /// of the pocket's centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Board {
-    /// Inner side of the frame in metres; infinite for an open sheet.
+    /// Length of the frame's inner side in metres; infinite for an open sheet.
     pub side: f64,
     /// Diameter of a pocket in metres; 0 for none.
     pub pocket_diameter: f64,

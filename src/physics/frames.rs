@@ -30,8 +30,9 @@ impl Frame {
         }
     }
 
-    /// The collision in this frame; its [`outcome`](Collision::outcome) is the laboratory's with
-    /// this frame's velocity subtracted, and its angles are those in this frame.
+    /// The collision in this frame. In its [`outcome`](Collision::outcome), the velocities are
+    /// those of the laboratory frame minus the velocity of this frame, and the angles are those in
+    /// this frame.
     #[must_use]
     pub fn view(self, collision: &Collision) -> Collision {
         let frame = self.velocity(collision);
@@ -57,8 +58,8 @@ impl Collision {
 /// Scattering angle Θ in radians of both discs in the centre-of-mass frame, in
 /// (−π, π], positive anticlockwise, for smooth discs with this coefficient of restitution.
 ///
-/// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α.
-/// `None` if both stop (head-on at e = 0).
+/// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α. `None` if both discs
+/// stop (head-on at e = 0).
 pub(crate) fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
     let (sin, cos) = alpha.sin_cos();
     let along = sin * sin - restitution * cos * cos;

@@ -1,4 +1,4 @@
-//! The path of a charge past a fixed one that repels it.
+//! The path of a charge past a fixed charge that repels it.
 
 use std::f64::consts::PI;
 

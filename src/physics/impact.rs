@@ -36,8 +36,8 @@ pub(crate) struct Impact {
 }
 
 impl Contact {
-    /// Speed of approach along the line of impact, u₁ₙ − u₂ₙ, in m/s; positive
-    /// while they approach.
+    /// Speed of approach along the line of impact, u₁ₙ − u₂ₙ, in m/s; positive while the bodies
+    /// approach each other.
     pub(crate) fn approach_speed(&self) -> f64 {
         (self.u1 - self.u2).dot(self.normal)
     }
@@ -107,7 +107,7 @@ mod tests {
         }
     }
 
-    /// The component formulas of the textbook, one by one.
+    /// Checks the textbook's formulas for the components, one by one.
     #[test]
     fn components_follow_the_textbook() {
         for e in [0.0, 0.4, 1.0] {

@@ -78,8 +78,8 @@ impl From<&Collision> for RestingTarget {
 }
 
 impl RestingTarget {
-    /// k = (1+e) m₂ / (m₁+m₂): the fraction of its normal velocity that the striker loses. Between
-    /// 0 and 2.
+    /// k = (1+e) m₂ / (m₁+m₂), from 0 to 2: the fraction of its normal velocity that the striker
+    /// loses.
     pub fn k(&self) -> f64 {
         (1.0 + self.restitution) * (self.m2 / (self.m1 + self.m2))
     }
@@ -95,7 +95,7 @@ impl RestingTarget {
         }
     }
 
-    /// (1+e) m₁ / (m₁+m₂), v₂ / u at α = 0.
+    /// (1+e) m₁ / (m₁+m₂), which is v₂ / u at α = 0.
     fn normal_passed(&self) -> f64 {
         (1.0 + self.restitution) * (self.m1 / (self.m1 + self.m2))
     }
@@ -141,7 +141,7 @@ impl RestingTarget {
     }
 
     /// The shares of energy after a collision at impact angle `alpha`. At e = 1 the target's share
-    /// is 4m₁m₂/(m₁+m₂)² cos²α; between equal masses sin²α : cos²α.
+    /// is 4m₁m₂/(m₁+m₂)² cos²α; equal masses share the energy in the ratio sin²α : cos²α.
     pub fn energy_shares(&self, alpha: f64) -> EnergyShares {
         let cos = sin_cos(alpha).1;
         EnergyShares {
@@ -151,12 +151,12 @@ impl RestingTarget {
         }
     }
 
-    /// m₂v₂² / m₁u² at α = 0.
+    /// m₂v₂² / m₁u² at α = 0, the target's share of the energy.
     fn head_on_energy_passed(&self) -> f64 {
         self.k() * self.normal_passed()
     }
 
-    /// (1−e²) μ / m₁, lost at α = 0.
+    /// (1−e²) μ / m₁, the share of the energy that is lost at α = 0.
     fn head_on_energy_lost(&self) -> f64 {
         let inelastic = (1.0 - self.restitution) * (1.0 + self.restitution);
         inelastic * reduced_mass(self.m2, self.m1) / self.m1

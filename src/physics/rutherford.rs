@@ -1,7 +1,7 @@
 //! Rutherford scattering: the glancing collision of two charges that repel.
 //!
 //! The target is treated as fixed, which is a good approximation for a gold nucleus struck by an
-//! α-particle. E. Rutherford, Phil. Mag. 21 (1911) 669.
+//! α-particle. See E. Rutherford, Phil. Mag. 21 (1911) 669.
 
 use std::f64::consts::PI;
 

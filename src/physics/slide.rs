@@ -9,7 +9,7 @@ use super::Motion;
 
 /// Time in seconds until a disc of this speed (m/s) stops: v / a.
 ///
-/// 0 for a disc at rest; infinite for a moving disc without friction.
+/// The time is 0 for a disc at rest, and infinite for a moving disc without friction.
 pub(crate) fn stopping_time(speed: f64, deceleration: f64) -> f64 {
     if speed <= 0.0 {
         0.0
@@ -20,7 +20,7 @@ pub(crate) fn stopping_time(speed: f64, deceleration: f64) -> f64 {
 
 /// Distance in metres that a disc of this speed (m/s) covers before it stops: v² / 2a.
 ///
-/// 0 for a disc at rest; infinite for a moving disc without friction.
+/// The distance is 0 for a disc at rest, and infinite for a moving disc without friction.
 pub(crate) fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     if speed <= 0.0 {
         0.0

@@ -80,7 +80,7 @@ impl FieldRange {
     /// The value, if it is in range.
     ///
     /// # Errors
-    /// What was expected, and what was `found`.
+    /// Returns a message that says what was expected and quotes what was `found`.
     pub(crate) fn check(&self, value: f64, found: impl Display) -> Result<f64, String> {
         if (self.least..=self.most).contains(&value) {
             return Ok(value);
@@ -118,7 +118,7 @@ impl CollisionSpec {
     /// more is enough.
     pub(crate) const WIDEST: f64 = 1.25;
 
-    /// The fields of lessons, concept questions and the lab.
+    /// The fields that lessons, concept questions and the lab use, with their ranges.
     pub(crate) const RANGES: [FieldRange; 13] = [
         FieldRange::new("m1_g", "a mass in g", 0.1, 1000.0),
         FieldRange::new("m2_g", "a mass in g", 0.1, 1000.0),
@@ -149,7 +149,8 @@ impl CollisionSpec {
     /// Sets a field of [`RANGES`](Self::RANGES), or `stick`, from its text.
     ///
     /// # Errors
-    /// What was expected, if there is no such field or the value is not valid for it.
+    /// Returns a message that says what was expected if there is no such field or the value is not
+    /// valid for it.
     pub(crate) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         if field == "stick" {
             self.bond = match written {
@@ -189,7 +190,7 @@ impl CollisionSpec {
     /// Checks the names of fields that are written together.
     ///
     /// # Errors
-    /// What was expected.
+    /// Returns a message that says what was expected if two of the fields exclude each other.
     pub(crate) fn check_fields<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<(), String> {
         let points = |name: &&str| ["alpha_deg", "offset_mm"].contains(name);
         match names.into_iter().filter(points).count() {
@@ -204,7 +205,7 @@ impl CollisionSpec {
     /// Checks conditions on several fields together.
     ///
     /// # Errors
-    /// What was expected.
+    /// Returns a message that says what was expected if a condition is not met.
     pub(crate) fn check(&self) -> Result<(), String> {
         let most = Self::WIDEST * self.contact_distance_mm();
         match self.point {

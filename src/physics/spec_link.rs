@@ -24,8 +24,9 @@ const SHORT: [(&str, &str); 14] = [
 ];
 
 impl CollisionSpec {
-    /// The fields that differ from the worked shot; empty if none does. Each number is written with
-    /// all its digits, so that [`from_link`](Self::from_link) gives exactly the same collision.
+    /// The fields whose values differ from those of the worked shot; empty if there are none. Each
+    /// number is written with all its digits, so that [`from_link`](Self::from_link) gives exactly
+    /// the same collision.
     pub fn to_link(self) -> String {
         let usual = Self::default();
         let mut parts = Vec::new();
@@ -59,7 +60,7 @@ impl CollisionSpec {
     /// Reads the text that [`to_link`](Self::to_link) gives.
     ///
     /// # Errors
-    /// What was expected instead.
+    /// Returns a message that says what was expected instead.
     pub fn from_link(text: &str) -> Result<Self, String> {
         let mut spec = Self::default();
         let mut named = Vec::new();

@@ -241,7 +241,7 @@ fn lesson_answer_is_possible(answer: &Figures) -> bool {
     }
 }
 
-/// The topic of a family, as shown.
+/// The name of a topic in the given family, as shown.
 pub(super) fn topic_name(family: &str, topic: &str) -> String {
     match family {
         LESSON => topic.to_owned(),

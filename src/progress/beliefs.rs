@@ -12,7 +12,7 @@ const SETTLED: usize = 2;
 /// than the first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
-    /// The misconception.
+    /// The misconception that the answers show.
     pub misconception: Misconception,
     /// The evidence in the first half.
     pub before: Evidence,

@@ -39,7 +39,7 @@ const COLUMNS: [(&str, ColumnValue); 14] = [
 /// extracted from the JSON in other columns, but users should not have to do that.
 const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
 
-/// The values of [`IN_WORDS`].
+/// The values of the columns with the headings [`IN_WORDS`].
 fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
     let words = |said: &Figures| {
         let each = tidied(said).into_iter().map(|(name, value)| match value {

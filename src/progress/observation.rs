@@ -63,7 +63,7 @@ impl Observation {
         is_close(&self.said, &self.truth)
     }
 
-    /// Whether the prediction was so far off that the observation could have followed it.
+    /// Whether the prediction was so far off that an observation that follows it can be recognized.
     fn can_follow(&self) -> bool {
         self.said.gap(&self.truth) >= rad_from_deg(APART_DEG)
     }
@@ -297,7 +297,7 @@ mod tests {
 
     /// The rates are quoted in `docs/judging.md`.
     #[test]
-    fn a_student_who_sees_what_they_expect_is_recognised_and_others_are_not() {
+    fn a_student_who_sees_what_they_expect_is_recognized_and_others_are_not() {
         let exact = named(2000, 0.0, 5.0);
         let rough = named(2000, 0.0, 10.0);
         let usual = named(2000, 0.2, 5.0);

@@ -5,9 +5,9 @@
 //! shows whether the player has understood the idea rather than just one kind of question. A review
 //! has one question about each topic that is due.
 //!
-//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. The topic is due that many
-//! days after the day on which it reached its step. Days are those of the player's calendar: a
-//! topic answered last evening is due this morning.
+//! Each topic climbs a ladder whose steps are intervals: 1, 2, 4, 8, 16 and 32 days. The topic is
+//! due when the interval of its step has passed since the day on which it reached the step. Days
+//! are those of the player's calendar: a topic answered last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: the topic leaves the ladder and is due at once.
 //! - Right while off the ladder: the topic goes to the first step.

@@ -8,7 +8,8 @@ use crate::quiz::Grade;
 /// The minimum number of angles for which a mean error is given.
 pub(crate) const ENOUGH_ANGLES: usize = 3;
 
-/// The counts for a set of answers: those of one player, of a class to one question, or of a round.
+/// The counts for a set of answers: those of one player, those of a class to one question, or those
+/// in one round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tally {
     /// The number of answers.

@@ -12,9 +12,9 @@ pub(crate) const LATELY: usize = 5;
 pub struct TopicStanding {
     /// The name of the topic: "equal masses, by offset".
     pub name: String,
-    /// All attempts at the topic.
+    /// The counts for all attempts at the topic.
     pub all: Tally,
-    /// The last [`LATELY`] attempts.
+    /// The counts for the last [`LATELY`] attempts.
     pub(crate) lately: Tally,
 }
 

@@ -199,8 +199,8 @@ impl Context {
         self.reported = Some(words);
     }
 
-    /// Notifies the player where an export was saved, or why exporting it failed; `what` is the
-    /// name of the export.
+    /// Shows a notice that says where an export was saved, or why it could not be written; `what`
+    /// is the name of the export.
     pub fn notify_of_export(&mut self, what: &str, exported: &Result<String, String>) {
         self.notify(match exported {
             Ok(place) => format!("The {what} is in {place}"),

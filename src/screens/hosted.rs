@@ -105,7 +105,7 @@ pub trait AnyScreen {
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
-/// The smallest number of rows with which an inset draws the two discs of a collision as circles.
+/// The smallest number of rows in which the two discs of a collision in an inset look like circles.
 const INSET_ROWS: u16 = 5;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
@@ -123,8 +123,8 @@ struct Scrolled {
     /// The panel's title and subject.
     of: (String, usize),
     rows: u16,
-    /// The row of the item that was chosen when the player scrolled: once another item is chosen,
-    /// the panel follows it.
+    /// The row of the item that was chosen when the player scrolled. Once another item is chosen,
+    /// the panel scrolls to that item.
     chosen: Option<u16>,
     /// Whether the position is remembered while the panel is not shown.
     stays: bool,
@@ -215,7 +215,7 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// Scrolls the panel at a cell, or otherwise the last one that is longer than its area.
+    /// Scrolls the panel at a cell or, without a cell, the last panel that is longer than its area.
     fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &mut Context) -> Next {
         let view = self.screen.view(cx);
         let scrolled = self.with_panels(&view, cx, |view, _| {
@@ -296,8 +296,8 @@ impl<S: Screen> Hosted<S> {
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 it.panel.action(at)
             });
-            // The wheel moves the mark of a list, and the list scrolls with it; a list may be shown
-            // beside pages.
+            // Over a list, the wheel moves the mark, and the list scrolls with the mark. The same
+            // applies over pages, because a list may be beside them.
             let is_followed = |it: &PlacedPanel<S::Action>| {
                 let placed = &it.placed;
                 let is_list = placed.is_list || placed.pages().is_some();

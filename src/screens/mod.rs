@@ -114,7 +114,7 @@ pub trait Screen {
         Next::Ignored
     }
 
-    /// Handles an attempt to scroll the text by this many rows beyond its end.
+    /// Handles an attempt to scroll the text `_by` rows beyond one of its ends; negative is up.
     fn scrolled_out(&mut self, _by: i16, _cx: &mut Context) -> Next {
         Next::Ignored
     }

@@ -33,7 +33,7 @@ impl Recall {
         }
     }
 
-    /// A message that says that the record is being loaded, or why it cannot be loaded.
+    /// The message shown while the record is being loaded, or if it cannot be loaded.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match &self.record {
             None => Some(("Loading …".into(), Role::Dim)),

@@ -26,7 +26,7 @@ pub enum Route {
         /// Whether its outcome is hidden until the player has predicted it.
         hidden: bool,
     },
-    /// The contents of the lessons.
+    /// The table of contents of the chapters.
     Learn,
     /// The glossary.
     Glossary,

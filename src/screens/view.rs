@@ -22,7 +22,7 @@ pub struct View<'s, A> {
     pub(super) first: Part<'s, A>,
     /// The panel beside it.
     pub(super) second: Panel<A>,
-    /// A small picture below the second part, made of cells, if that part leaves enough of them.
+    /// A small picture, made of cells, below the second part if that part leaves enough cells.
     pub(super) inset: Option<(&'static str, DrawPicture<'s>)>,
     /// A panel that is always visible below both, as high as its text.
     pub(super) foot: Option<Panel<A>>,

@@ -46,7 +46,7 @@ impl PupilDevice {
 pub enum Who {
     /// The teacher.
     Host,
-    /// A pupil, by the index in the order in which the pupils were added.
+    /// A pupil, by index; pupils are numbered in the order in which they were added.
     Pupil(usize),
 }
 

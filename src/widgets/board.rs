@@ -31,11 +31,11 @@ const OUTER_CIRCLE: f64 = 0.085;
 /// The radius of the centre circle, in metres.
 const CENTRE_CIRCLE: f64 = 0.0159;
 
-/// The largest part of `area` in which a board is square, assuming that a cell is twice as high as
-/// it is wide. The part is left-aligned and vertically centred.
+/// The largest part of `area` that looks square if a cell is twice as high as it is wide. The part
+/// is left-aligned and vertically centred.
 pub(crate) fn square(area: Rect) -> Rect {
-    // One column less than twice the rows, because the board's edges run through the middles
-    // of the outermost cells.
+    // The width is one column less than twice the number of rows, because the board's edges run
+    // through the middles of the outermost cells.
     let height = area.height.min(area.width.div_ceil(2));
     Rect {
         x: area.x,
@@ -125,7 +125,7 @@ fn arrow(picture: &mut Picture, pocket: DVec2, radius: f64, scale: f64) {
     }
 }
 
-/// Draws one pair of base lines, rotated by this many quarter turns from the bottom.
+/// Draws the base lines of one side; `quarter` is the number of quarter turns from the bottom side.
 fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
     let axis = DVec2::from_angle(quarter * std::f64::consts::FRAC_PI_2);
     let place = |across: f64, from_frame: f64| {

@@ -7,7 +7,7 @@ use super::Role;
 use super::picture::{DrawLayer, LabelSide, Pen, Picture, View, around};
 use crate::measure::{Leg, LineFrom, Measurement, line};
 
-/// The maximum number of points of a leg that are drawn.
+/// At most twice this number of points of each track are drawn, because a track has two legs.
 const MOST_POINTS: usize = 150;
 /// The width of the margin, as a fraction of the diagonal of what is drawn.
 const MARGIN: f64 = 0.06;

@@ -1,4 +1,4 @@
-//! Paths of particles past a nucleus, in units of the picture.
+//! Pictures of particles' paths past a nucleus.
 
 use std::f64::consts::PI;
 
@@ -34,7 +34,7 @@ pub(crate) fn draw_way(
 
 /// The last visible piece of a path, with the given length, as two points on the path.
 fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(DVec2, DVec2)> {
-    // Long straight pieces are divided into small steps.
+    // Each straight piece is divided into small steps, because it may be long.
     let steps = points.windows(2).flat_map(|pair| {
         let (from, to) = (pair[0], pair[1]);
         (0..=200).map(move |i| from.lerp(to, f64::from(i) / 200.0))

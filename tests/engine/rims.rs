@@ -103,7 +103,7 @@ proptest! {
         prop_assert!(left <= before * (1.0 + 1e-12));
     }
 
-    /// Every field agrees to the last bit, whatever the spins are.
+    /// Velocities, energy lost and impulse agree to the last bit, whatever the spins are.
     #[test]
     fn without_friction_nothing_differs_from_smooth_rims(c in rough()) {
         let smooth = Collision { rims: Rims::default(), ..c }.outcome();
@@ -352,7 +352,7 @@ impl StiffContact<'_> {
     /// Integrates in steps of `time` until `signal` is no longer positive, handling the end of the
     /// slip on the way. The time of each event is found by bisection.
     fn run(&mut self, mut state: State, time: f64, signal: fn(&Self, &State) -> f64) -> State {
-        // A step may end at an event, so a phase may need more than its quarter period.
+        // A step may end at an event, so a phase may need more steps than a quarter period has.
         for _ in 0..100_000 {
             let next = self.step(&state, time);
             let slips = |it: &Self, state: &State| {
@@ -431,8 +431,8 @@ fn uniform(seed: &mut u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// A random contact: masses up to 1:100, radii up to 1:4, both moving and spinning, e = 0 or from
-/// 0.05 to 1, μᵣ from 0 to 1.5, impact angles up to 89°.
+/// A random contact: masses up to 1:100, radii up to 1:4, the target moving or at rest, each disc
+/// with or without spin, e = 0 or from 0.05 to 1, μᵣ from 0 to 1.5, impact angles up to 89°.
 fn random_contact(seed: &mut u64) -> Collision {
     let mut from = |low: f64, high: f64| low + (high - low) * uniform(seed);
     let striker = disc(10_f64.powf(from(0.0, 2.0)), from(10.0, 40.0));
@@ -484,7 +484,7 @@ fn listed(errors: &[f64]) -> String {
     errors.join(", ")
 }
 
-/// Prints how the difference decreases with the duration of the contact and with the step.
+/// Prints and checks how the difference decreases as the contact and the steps get shorter.
 fn check_convergence(contacts: usize) {
     let by_time = [1e-5, 1e-6, 1e-7].map(|shift| worst_difference(contacts, 16.0, shift));
     let listed_times = listed(&by_time);

@@ -14,8 +14,8 @@ pub(crate) struct Chromium {
     session: String,
 }
 
-/// Starts chromedriver on a free port. It exits if another program takes the port before it has
-/// opened it for both IPv4 and IPv6, so this may need several attempts.
+/// Starts chromedriver on a free port. chromedriver opens the port for IPv4 and for IPv6, and exits
+/// if another program takes the port in between, so several attempts may be needed.
 fn start_driver() -> (Child, u16) {
     for _ in 0..5 {
         let driver = Command::new("chromedriver")

@@ -171,7 +171,7 @@ fn times_told(chromium: &mut Chromium) -> usize {
         wait(200);
     }
     if times == 0 {
-        // On a busy machine the message can come after the last key, which cannot close it then.
+        // On a busy machine the message can come after the last key, which then cannot close it.
         wait_until_shown(chromium, UNSAVED);
         times = 1;
     }

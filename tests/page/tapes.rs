@@ -16,7 +16,7 @@ use crate::chromium::Chromium;
 use crate::firefox::Firefox;
 
 /// Runs the commands one after the other. For each screen painted it returns the letters of its
-/// cells, its blocks, and the text of the elements that the page makes of these blocks.
+/// cells, its blocks, and the text of the elements that the page makes from these blocks.
 const PLAY: &str = "
     const screens = [];
     const shown = ['title', 'status', 'screen', 'layer'].map((id) => document.getElementById(id));
@@ -124,7 +124,7 @@ fn texts(blocks: &Value) -> Vec<String> {
     }
 }
 
-/// The letters and digits of a text; nothing else is compared, because the page capitalises and
+/// The letters and digits of a text; nothing else is compared, because the page capitalizes and
 /// spaces its elements differently.
 fn letters(text: &str) -> String {
     let letters = text.chars().filter(|letter| letter.is_alphanumeric());

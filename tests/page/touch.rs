@@ -415,7 +415,7 @@ fn a_level_is_played_by_touch_alone() {
     phone.choose("Dead stop");
     phone.until("Predict both paths", Phone::go_on);
     assert!(phone.shows("45.0"));
-    // Aims slightly beside the coin's centre, so that the hit is not head-on.
+    // Aims slightly to one side of the coin's centre, so that the hit is not head-on.
     phone.drag([0.5, 0.6], [0.65, 0.395]);
     assert!(!phone.shows("45.0"), "the finger aims");
     phone.press("predict both paths");

@@ -8,8 +8,8 @@ use std::process::{Command, Output};
 use carrom::files::FileError;
 use proptest::prelude::*;
 
-/// A folder of invalid files: `NAME.expected` is the message for `NAME.ENDING`, or for the folder
-/// `NAME`.
+/// A folder of invalid files: `NAME.expected` contains the expected message for `NAME.ENDING`, or
+/// for the folder `NAME`.
 pub(crate) struct BadFiles {
     /// The folder's path below `tests`.
     pub(crate) folder: &'static str,

@@ -1,7 +1,7 @@
 //! Files that are not chapters. Each causes only its own message, with file and line, and exit
 //! status 2; the other chapters still open.
 //!
-//! `tests/bad-lessons/NAME.expected` is the message for `NAME.md`.
+//! `tests/bad-lessons/NAME.expected` contains the expected message for `NAME.md`.
 
 use carrom::cli;
 use carrom::files::FileLibrary;

@@ -1,7 +1,7 @@
 //! Files that are not levels. Each causes only one message, with file, line, field and what was
 //! expected, and exit status 2.
 //!
-//! `tests/bad-levels/NAME.expected` is the message for `NAME.toml`, or for the
+//! `tests/bad-levels/NAME.expected` contains the expected message for `NAME.toml`, or for the
 //! folder `NAME`.
 
 use carrom::files::FileLibrary;

@@ -1,4 +1,4 @@
-//! The position in each chapter is saved for each player, even if the chapter changes.
+//! carrom saves each player's position in each chapter, and keeps it even if the chapter changes.
 
 use std::fs;
 use std::path::Path;
@@ -64,7 +64,7 @@ fn a_chapter_reopens_where_it_was_left() {
     shows(&mut game, "page 3 of 5");
     game.press("bb");
     shows(&mut game, "+ Along the line");
-    // After "ask again", the question is still open the next time.
+    // After "ask again", the question is still open when the chapter is opened again.
     game.press("r");
     drop(game);
     let mut game = open(folder.path(), "Ada", Some(2));
@@ -221,7 +221,7 @@ fn a_chapter_that_has_changed_still_opens() {
         // The chapter can be read to the end, and is then done.
         game.press(&"b".repeat(5));
         for key in ["1", "<Enter>", "n"].repeat(5) {
-            // In the contents, that key takes the next step, which leads out of the chapters.
+            // In the list of chapters, `n` takes the next step, which leads out of the chapters.
             if key != "n" || !game.screen().contains("carrom : learn") {
                 game.press(key);
             }
@@ -255,7 +255,7 @@ fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
     for place in [Route::Learn, Route::Chapter(1)] {
         let mut app = App::new(place, settings("Ada"), 1);
         let asked = app.update(&Input::Resize(80, 24));
-        // The contents also request what the next step depends on.
+        // The contents page also requests the data that the next step depends on.
         let Some(Effect::Keep(request)) = asked.first() else {
             panic!("{asked:?}");
         };
@@ -426,7 +426,9 @@ fn the_real_game_in_a_terminal_reopens_where_it_was_left() {
     pty.press("\x1b");
     pty.wait_for("read 3 of 5");
     pty.press("Ry");
-    pty.wait_until("no page seen", |screen| !screen.contains("read 3 of 5"));
+    pty.wait_until("the pages to count as unread", |screen| {
+        !screen.contains("read 3 of 5")
+    });
     pty.press("\x03");
     assert_eq!(pty.wait(), 0);
     let pty = start(&["learn", "2"]);

@@ -43,7 +43,7 @@ fn kept(folder: &Path) -> ClassRound {
 const DOOR: &str = "BCDFGH";
 
 /// Stores a stopped round with this code and one pupil, who does not come back. A host offers to
-/// continue this round, so the code of the class is known.
+/// continue this round, so the tests know the code of the class.
 fn stop_a_round(folder: &Path, code: &str) {
     let mut round = ClassRound::with_devices(Code::parse(code).unwrap()).of_class("10b");
     round.open(DOOR.parse().unwrap(), None);
@@ -77,12 +77,12 @@ fn host(folder: &Path, port: Option<u16>) -> Pty {
     pty
 }
 
-/// What a device reports: how long something took.
+/// What a device reports: how long something took, or which step it shows.
 #[derive(Debug)]
 enum Report {
     Joined(Duration),
     Acknowledged(Duration),
-    /// The device has shown this step of this question since this time.
+    /// The number of the question, the step, and the time at which the device first showed it.
     Shows(u64, String, Instant),
 }
 
@@ -282,8 +282,9 @@ fn play(devices: u8, bad: bool) {
     let mut seen = Vec::new();
     let mut acknowledged = Vec::new();
     let start = Instant::now();
-    // After the waiting room, each question has six steps on devices. Each step has a text that its
-    // screen shows; the right answer has none, because it differs from question to question.
+    // After the waiting room, each question has six steps on devices, most of them with a text that
+    // their screens show. The last two have none, because they show the right answer, which differs
+    // from question to question.
     let steps = [
         ("describe", "Read it with the class"),
         ("first-vote", "Enter: next, "),

@@ -47,7 +47,7 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     all
 }
 
-/// The files whose name or content contains one of the names, in any case.
+/// The files whose name or content contains one of the names, in upper or lower case.
 fn with_names(folder: &Path) -> Vec<String> {
     let all = files(folder).into_iter();
     let found = all.filter(|(file, bytes)| {

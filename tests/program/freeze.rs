@@ -1,6 +1,6 @@
-//! Cases in which the keys were once blocked for a minute: the player must always be able to quit.
-//! How long quitting takes is printed, not asserted: `cargo test --test program freeze --
-//! --nocapture`.
+//! Cases in which the keys were once blocked for a minute. The player must always be able to quit.
+//! The tests print how long quitting takes and assert nothing about it: `cargo test --test program
+//! freeze -- --nocapture`.
 
 use std::fmt::Write;
 use std::process::{Command, Stdio};
@@ -53,7 +53,7 @@ fn ctrl_c(pty: &mut Pty) {
     pty.press("\x03");
 }
 
-/// The heavy level, ready to aim.
+/// carrom with the heavy level open, so that the player can aim.
 fn aiming(folder: &Folder) -> Pty {
     let levels = folder.path().to_str().unwrap();
     let mut pty = Pty::start(carrom(&["levels", "--levels", levels]));
@@ -132,7 +132,7 @@ fn a_signal_ends_carrom_during_a_burst_of_keys() {
 }
 
 /// A paste whose end was lost, or that was very large, once blocked all keys: Ctrl+C was read as
-/// part of it.
+/// part of the paste.
 #[test]
 fn ctrl_c_quits_during_an_endless_paste() {
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));

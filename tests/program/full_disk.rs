@@ -79,7 +79,7 @@ fn star(store: &mut Store, level: &str) -> Result<(), String> {
     }
 }
 
-/// The levels that Ada has won.
+/// The number of levels that Ada has won.
 fn stars(store: &mut Store) -> Result<usize, String> {
     match ask(store, StoreRequest::Stars("Ada".into())).done {
         StoreReply::Stars(stars) => stars.map(|it| it.len()),

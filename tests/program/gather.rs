@@ -144,7 +144,7 @@ fn the_gradebook_has_a_page_for_every_pupil() {
     assert!(!again.status.success() && String::from_utf8_lossy(&again.stderr).contains("--force"));
 }
 
-/// Of the class list, only pupils who have handed in nothing are listed.
+/// Of the pupils on the class list, only those who have handed in nothing are listed.
 #[test]
 fn pupils_on_the_class_list_without_a_hand_in_are_listed() {
     let folder = Folder::new("gather-list");
@@ -211,7 +211,7 @@ fn a_hand_in_is_read_back() {
     assert_eq!((read.name.as_str(), read.class.as_str()), ("Ada", "10b"));
     let rights: Vec<bool> = read.attempts.iter().map(|it| it.right).collect();
     assert_eq!(rights, [true, true, false]);
-    // Writing and reading it again changes nothing.
+    // Writing the hand-in and reading it again changes nothing.
     assert_eq!(HandIn::read(read.text().unwrap().as_bytes()), Ok(read));
     // A player without answers gets a message.
     let nobody = carrom(&["hand-in", "--player", "Nobody", "--data-dir", data]);

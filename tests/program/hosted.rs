@@ -214,9 +214,9 @@ fn nobody_gets_in_without_the_code() {
     assert_eq!(pupil.text("name"), "Ada");
 }
 
-/// One device guesses codes over many new connections at once; 1,277 codes a second were once
-/// checked. Meanwhile another device that mistypes the code can join, and so can a device behind
-/// the same router that had joined before.
+/// One device guesses codes over many new connections at once; the host once checked 1,277 codes a
+/// second. Meanwhile another device can mistype the code and still join, and a device behind the
+/// same router that had joined before can return.
 #[cfg(target_os = "linux")]
 #[test]
 fn guessing_codes_is_slow_over_any_number_of_connections() {
@@ -498,7 +498,7 @@ fn a_hand_in_is_on_the_disk_before_it_is_confirmed() {
         let mode = fs::metadata(&files[0]).unwrap().permissions().mode();
         assert_eq!(mode & 0o777, 0o600, "only the teacher can read it");
     }
-    // The same hand-in sent again creates no second file. One with more answers creates another
+    // Sending the same hand-in again creates no second file. One with more answers creates another
     // file, and the first file stays unchanged.
     ada.hand_in(&half.value().unwrap()).unwrap();
     assert_eq!(handed_in(&folder).len(), 1);

@@ -227,8 +227,8 @@ fn first_votes(folder: &Path) -> Vec<Option<u32>> {
         .collect()
 }
 
-/// If the program is killed while teams vote, it has saved every new or changed vote after which
-/// the screen showed the list of teams again.
+/// The program saves each new or changed vote before it shows the list of teams again. So if it is
+/// killed while teams vote, at most the vote that is being entered is lost.
 #[test]
 fn a_round_in_a_terminal_that_is_killed_during_votes_loses_no_vote() {
     const TEAMS: usize = 4;

@@ -25,7 +25,7 @@ use crate::keys::said;
 #[cfg(unix)]
 use crate::pty::{Pty, carrom as carrom_in_terminal};
 
-/// All answers that are stored in a folder.
+/// The answers that are stored in a folder, of one player or of all.
 fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
     let request = StoreCall {
         ticket: 0,
@@ -135,8 +135,8 @@ fn an_answer_is_saved_before_its_explanation_is_shown() {
     assert!((answer["theta1_deg"].as_f64().unwrap().abs() - 60.0).abs() < 1e-9);
 }
 
-/// Plays a round at this time with right answers, all given as sure or, if `guessing`, every other
-/// answer as a guess.
+/// Plays a round at this time with right answers only. The player is sure of each answer or, if
+/// `guessing`, says "guess" for every other one.
 fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
     let round = Round::of(code.clone());
     let place = Route::Quiz(Some(code));

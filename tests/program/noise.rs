@@ -328,8 +328,8 @@ fn anything(state: &Value, chance: &mut Pcg64) -> Message {
     Message::text(text)
 }
 
-/// Ten connections send random messages of all kinds during a whole round of ten questions: 10,000,
-/// or the number in `CARROM_MESSAGES`. The host keeps running, all votes of a pupil who votes
+/// Ten devices send random messages of all kinds during a whole round of ten questions: 10,000, or
+/// the number in `CARROM_MESSAGES`. The host keeps running, all votes of a pupil who votes
 /// normally are saved, and every vote on the disk is valid for its question.
 #[test]
 fn random_messages_from_ten_devices_neither_end_a_round_nor_leave_an_invalid_vote() {

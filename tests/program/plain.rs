@@ -309,7 +309,7 @@ fn a_solution_is_printed_from_arguments_or_after_questions() {
         asked.contains("Mass of the striker in grams? Proposed: 15."),
         "{asked}"
     );
-    // The quantities that were not asked for are reported as assumed.
+    // The quantities that are not among the arguments are reported as assumed.
     let (before, rest) = given.split_once(" Assumed: ").unwrap();
     let (assumed, after) = rest.split_once('\n').unwrap();
     assert_eq!(

@@ -161,7 +161,7 @@ fn read_html(html: &str) -> (Vec<String>, impl Fn(&str) -> String + use<>) {
     (elements, text)
 }
 
-/// The tags of a document in order, and its first text.
+/// The tags of a document in order, and its first piece of text.
 fn read_markdown(text: &str) -> (Vec<String>, String) {
     let (mut tags, mut first) = (Vec::new(), String::new());
     let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_MATH;

@@ -1,5 +1,5 @@
-//! Databases damaged in hundreds of ways: every row that SQLite can still find by its key is in the
-//! new file, and the damaged file is kept. `cargo test --test program salvage -- --nocapture`
+//! Databases damaged in ten ways: every row that SQLite can still find by its key is in the new
+//! file, and the damaged file is kept. `cargo test --test program salvage -- --nocapture`
 //! prints the numbers; `--include-ignored` adds a run with a thousand databases.
 
 use std::collections::BTreeMap;
@@ -261,8 +261,8 @@ fn campaign(
     figures
 }
 
-/// The notice about a repaired database gives the number of lost answers, unless more may be lost.
-/// After flipped bits, an id may be wrong, and so may the number of lost answers.
+/// The notice about a repaired database gives the number of lost answers, unless it warns that more
+/// may be lost. After flipped bits, an id may be wrong, and then that number may be wrong, too.
 fn assert_counted(notice: &str, mended: &Path) {
     let there: i64 = reader(mended)
         .query_row("SELECT count(*) FROM attempt", [], |row| row.get(0))

@@ -124,7 +124,7 @@ fn answers_given_while_the_database_is_locked_are_saved_afterwards() {
         pty.press("\r");
         answer(&mut pty, number);
     }
-    // This notice is shown once carrom has waited long enough.
+    // carrom shows this notice after it has waited for the lock for a while.
     pty.wait_for("not saved: 7");
     thread::sleep(HELD.saturating_sub(start.elapsed()));
     pty.wait_for("not saved: 7");

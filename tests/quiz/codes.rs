@@ -91,7 +91,7 @@ fn a_mixed_round_repeats_no_question_and_no_family_before_all_have_been_used() {
 }
 
 /// Machines may differ in the last bit of a sine. Whether a question is clear enough to be asked
-/// must not depend on it.
+/// must not depend on this bit.
 #[test]
 fn no_question_depends_on_the_last_bit() {
     for family in Family::ALL {

@@ -1,5 +1,5 @@
 //! Rounds of the quiz over thousands of seeds: the true answer is right, every misconception is
-//! recognised by its answer, and every text is readable.
+//! recognized by its answer, and every text is readable.
 
 use std::sync::LazyLock;
 
@@ -104,7 +104,7 @@ fn the_right_answer_earns_full_credit_and_is_never_diagnosed() {
 }
 
 #[test]
-fn each_misconception_is_recognised_by_its_answer() {
+fn each_misconception_is_recognized_by_its_answer() {
     let mut met = [0; ALL.len()];
     for question in questions() {
         for belief in &question.beliefs {
@@ -219,7 +219,7 @@ fn a_round_has_ten_different_questions() {
             left += usize::from(side(question) < 0.0);
         }
     }
-    // In nine questions of ten, the target is on the left or on the right. Half of these targets
+    // In nine out of ten questions, the target is on the left or the right. Half of these targets
     // should be on the left; the range is five standard deviations in each direction.
     assert!((8_660..9_340).contains(&left), "{left}");
 }

@@ -11,7 +11,7 @@ const SEEDS: u64 = 400;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Token {
-    /// A number and its number of decimals.
+    /// A number, and how many decimal places it has.
     Number(f64, i32),
     Function(char),
     Root(f64),
@@ -25,7 +25,7 @@ enum Token {
     End,
 }
 
-/// The tokens of a text with these values of θ₁ and θ₂, each with its position.
+/// The tokens of a text, each with its position; `readings` are the values of θ₁ and θ₂.
 fn tokens(text: &str, readings: [Option<f64>; 2]) -> Vec<(usize, Token)> {
     const FIXED: [(&str, Option<Token>); 31] = [
         ("g m/s", None),

@@ -293,7 +293,7 @@ fn page(id: &str, title: &str) -> &'static ChapterPage {
     wanted.next().unwrap_or_else(|| panic!("{id}: {title}"))
 }
 
-/// The part of a chapter's file that is a page.
+/// The source of one page in the chapter's file.
 fn source(id: &str, title: &str) -> String {
     let file = LESSONS.get_file(&chapter(id).file).unwrap();
     let text = file.contents_utf8().unwrap();
@@ -320,7 +320,7 @@ fn every_number_of_the_article_is_shown_on_its_page() {
     }
 }
 
-/// A number counts as computed if the chapter is refused with a different number.
+/// A number counts as computed if the chapter is refused once the number has been changed.
 #[test]
 fn every_number_of_the_article_is_computed() {
     let figures = FIGURES.iter().flat_map(|(id, title, figures)| {

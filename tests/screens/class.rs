@@ -169,7 +169,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
         game.screen()
     );
     game.press("<Enter>100<Enter>-100<Enter>");
-    // The discussion, the second vote, the shot, the scores.
+    // Continue through the discussion and the second vote to the shot, then to the scores.
     game.press("<Enter><Enter><Enter>");
     if !game.screen().contains("after talking") {
         game.press("<End>");
@@ -235,7 +235,7 @@ fn a_step_returns_to_the_page_where_it_was_left() {
     assert!(game.screen().contains("page 2 of"), "{}", game.screen());
 }
 
-/// A tap on the text of a choice is a vote for it, and on the recommended screen all choices are on
+/// A tap on the text of a choice is a vote for it, and at the recommended size all choices are on
 /// the first page.
 #[test]
 fn a_tap_on_a_choice_is_a_vote_for_it() {
@@ -631,10 +631,10 @@ fn a_long_code_is_never_shown_in_part() {
     assert!(first.ends_with(".."), "{first}");
 }
 
-/// A class of 32 votes with cards: the teacher only counts them and types the numbers. The tables
-/// contain the same numbers.
+/// A class of 32 pupils votes with cards: the teacher only counts them and types the numbers. The
+/// tables contain the same numbers.
 #[test]
-fn a_class_of_32_votes_with_cards_by_keys_alone() {
+fn a_class_of_32_pupils_votes_with_cards_by_keys_alone() {
     let folder = Folder::new("class-cards");
     let mut game = class(folder.path(), "mixed-1", &[]);
     game.press("<End><Up><Up><Enter>");

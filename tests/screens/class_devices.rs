@@ -23,7 +23,7 @@ use crate::folder::Folder;
 
 const TAPE: &str = include_str!("../classes/devices.tape");
 
-/// The screens and the tables are identical each time, byte by byte.
+/// The screens and the tables are identical each time, byte for byte.
 #[test]
 fn a_tape_plays_a_class_with_the_same_result_every_time() {
     let (run, steps) = TAPE.split_at(TAPE.find("Expect").unwrap());
@@ -297,7 +297,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
             assert_eq!(screen.contains("Trying"), !is_in, "{screen}");
             let mut tapped = 0;
             for (letter, _) in choices(&screen) {
-                // The previous choice may have scrolled this one.
+                // The tap on the previous choice may have scrolled the screen.
                 let screen = class.game(ada).screen();
                 let drawn = choices(&screen).into_iter().find(|(it, _)| *it == letter);
                 let Some((_, at)) = drawn else { continue };
@@ -843,11 +843,11 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
         assert_eq!(crowd.come(1).1, []);
     }
     crowd.vote(250);
-    // The device does not get one of its own seats.
+    // A new connection from the device does not get one of the device's own seats.
     crowd.now_s += 2;
     let (connection, sent_away) = crowd.come(1);
     assert_eq!(sent_away, [(connection, Refusal::Full)]);
-    // It loses seats until it holds half of all seats.
+    // The device loses seats to newcomers until it holds half of all seats.
     for newcomer in 0..105 {
         let displaced = 249 - ConnectionId::from(newcomer);
         assert_eq!(crowd.come(2000 + newcomer).1, [(displaced, Refusal::Full)]);

@@ -141,7 +141,7 @@ fn claims() -> Vec<Claim> {
     let share_of_target = |hit: CollisionOutcome| energy_share(&hit, 15.0, hit.v2.length());
     let sine = |deg: f64| rad_from_deg(deg).sin();
 
-    // 1 to 4: equal masses, and 10 g on 30 g.
+    // Chapters 1 to 4: equal masses, and 10 g on 30 g.
     claim(
         1,
         "but [half] of the energy would be missing",
@@ -174,13 +174,13 @@ fn claims() -> Vec<Claim> {
     );
     claim(
         4,
-        "The first coin keeps [half] of its speed.",
+        "The first coin keeps [half] its speed.",
         equal(30.0).v1.length(),
     );
     let both = degrees(equal(20.0).theta1) + degrees(equal(20.0).theta2);
     claim(4, "from 0° and [90]° to 90° and 0°", both);
 
-    // 5: 30 g on 10 g.
+    // Chapter 5: 30 g on 10 g.
     let uneven = after(30.0, 10.0, 2.0, 60.0, 1.0);
     let came = uneven.normal.unwrap().x * 2.0;
     let across = uneven.v1.dot(uneven.tangent.unwrap());
@@ -201,7 +201,7 @@ fn claims() -> Vec<Claim> {
         1.0 - share_of_target(equal(30.0)),
     );
 
-    // 6: 20 g on 40 g, and the other way round.
+    // Chapter 6: 20 g on 40 g, and the other way round.
     let marbles = after(20.0, 40.0, 3.0, 45.0, 1.0);
     let came = 3.0 * sine(45.0);
     claim(6, "or minus one [third]", -along(&marbles) / came);
@@ -224,22 +224,22 @@ fn claims() -> Vec<Claim> {
     let ball = equal(30.0);
     claim(
         6,
-        "an equal ball at α = [30]° ends up at 34°, not 60°.",
+        "an equal ball at α = [30]° is deflected by 34°, not 60°.",
         degrees(ball.theta2),
     );
     let rolling = 5.0 / 7.0 * ball.v1 + 2.0 / 7.0 * DVec2::new(1.0, 0.0);
     claim(
         6,
-        "an equal ball at α = 30° ends up at [34]°, not 60°.",
+        "an equal ball at α = 30° is deflected by [34]°, not 60°.",
         deg_from_rad(rolling.to_angle()),
     );
     claim(
         6,
-        "an equal ball at α = 30° ends up at 34°, not [60]°.",
+        "an equal ball at α = 30° is deflected by 34°, not [60]°.",
         degrees(ball.theta1),
     );
 
-    // 7 and 8
+    // Chapters 7 and 8.
     claim(
         7,
         "Yes: $90 deg - [20] deg$.",
@@ -262,7 +262,7 @@ fn claims() -> Vec<Claim> {
         2.0 * 15.0,
     );
 
-    // 9: weighing.
+    // Chapter 9: weighing.
     claim(9, "$sin 153.4 deg$ is [0.448]", sine(153.4));
     claim(9, "$sin 63.4 deg$ is [0.894]", sine(63.4));
     let unknown = after(15.0, 10.0, 4.0, 35.0, 1.0);
@@ -272,7 +272,7 @@ fn claims() -> Vec<Claim> {
     claim(9, "15 g divided by [1.50], or 10 g.", ratio);
     claim(9, "15 g divided by 1.50, or [10] g.", 15.0 / ratio);
 
-    // 10: shots without aiming.
+    // Chapter 10: shots without aiming.
     let on_board = Beam::Board.share_beyond(rad_from_deg(60.0));
     claim(10, "number answer=[50]", 100.0 * on_board);
     claim(10, "or [50] % of the hits", 100.0 * on_board);
@@ -357,7 +357,7 @@ fn claims() -> Vec<Claim> {
         3.7 * 0.8,
     );
 
-    // 11 and 12
+    // Chapters 11 and 12.
     claim(11, "[60] g m/s divided by 60 g", 20.0 * 3.0);
     claim(11, "60 g m/s divided by [60] g", 20.0 + 40.0);
     claim(11, "This is one [half], and", 10.0 / 20.0);
@@ -381,7 +381,7 @@ fn claims() -> Vec<Claim> {
         along(&soft) / came,
     );
 
-    // 13: the force of a contact.
+    // Chapter 13: the force of a contact.
     let impulse = after(15.0, 15.0, 4.0, 0.0, 1.0).impulse;
     let average = |seconds: f64| impulse / seconds;
     let in_grams = 1000.0 * impulse;
@@ -394,10 +394,10 @@ fn claims() -> Vec<Claim> {
     claim(13, "by [0.0012] s, or", 1.2 / 1000.0);
     claim(13, "or [50] N: the weight", average(1.2e-3));
     claim(13, "of about [5] kg.", average(1.2e-3) / 9.80665);
-    // The curve is half of a sine: its average is 2/π of its height.
+    // The curve is half a period of a sine: its average is 2/π of its height.
     let greatest = average(1.2e-3) * std::f64::consts::FRAC_PI_2;
     claim(13, "greatest force is [78.5] N.", greatest);
-    claim(13, "[half] of the time", 0.6 / 1.2);
+    claim(13, "[half] the time", 0.6 / 1.2);
     claim(
         13,
         "means [twice] the force",
@@ -418,7 +418,7 @@ fn claims() -> Vec<Claim> {
         1000.0 * friction,
     );
 
-    // 14: collisions that lose energy, and explosions.
+    // Chapter 14: collisions that lose energy, and explosions.
     let half = after(15.0, 15.0, 4.0, 0.0, 0.5);
     let [slow, fast] = [half.v1, half.v2].map(DVec2::length);
     claim(14, "= [2] m/s, and they approached at", fast - slow);
@@ -431,11 +431,11 @@ fn claims() -> Vec<Claim> {
         "The sum falls from 16 to [10]",
         slow * slow + fast * fast,
     );
-    claim(14, "so [80] g moves on at", 20.0 + 60.0);
+    claim(14, "so the joined pucks ([80] g) move on at", 20.0 + 60.0);
     claim(14, "the speed falls to a [quarter].", 20.0 / 80.0);
     claim(
         14,
-        "a 16th of the square of the speed, a [quarter] of the energy",
+        "a 16th of the square of the speed leave a [quarter] of the energy",
         80.0 / 20.0 / 16.0,
     );
     claim(14, "a [16]th of the square", (80.0_f64 / 20.0).powi(2));
@@ -493,7 +493,7 @@ fn claims() -> Vec<Claim> {
     claim(14, "(100 − [60] = 40 would be right", right);
     claim(14, "(100 − 60 = [40] would be right", sum - right);
 
-    // 15: the energy in two parts.
+    // Chapter 15: the energy in two parts.
     claim(15, "the total momentum, [50] + 40 g m/s", 20.0 * 2.5);
     claim(15, "the total momentum, 50 + [40] g m/s", 40.0 * 1.0);
     claim(15, "by [60] g. Then multiply half of 60 g", 20.0 + 40.0);
@@ -504,7 +504,7 @@ fn claims() -> Vec<Claim> {
     claim(15, "not a [quarter], because", 0.5 * 0.5);
     claim(15, "e² is a [quarter], so", 0.5 * 0.5);
 
-    // 16: rough rims.
+    // Chapter 16: rough rims.
     let rough = |friction: f64, alpha_deg: f64| {
         let disc = Disc::from_g_mm(15.0, 15.0);
         let hit = Collision::at_angle(disc, disc, DVec2::new(4.0, 0.0), 0.0);
@@ -528,9 +528,17 @@ fn claims() -> Vec<Claim> {
     claim(16, "The slip speed is 2.00 − [1.50]", 100.0 * 0.015);
     claim(16, "μ = [7.5] g, and", 15.0 * 15.0 / 30.0);
     claim(16, "7.5 × 2.00 / 3 = [5.0] g m/s", 7.5 * 2.0 / 3.0);
-    // 1 + mr²/I: I = ½mr² for a disc, and 2/5 mr² for a sphere, whose 7/2 is written 2/7.
-    claim(16, "the factor is 2/7, not 1/[3]", 1.0 + 2.0);
-    claim(16, "the factor is 2/[7], not 1/3", 2.0 * (1.0 + 2.5));
+    // 1 + mr²/I: I = ½mr² for a disc, and 2/5 mr² for a sphere. The text has the reciprocals.
+    claim(
+        16,
+        "the factor 1/[3] in the formulas becomes 2/7",
+        1.0 + 2.0,
+    );
+    claim(
+        16,
+        "the factor 1/3 in the formulas becomes 2/[7]",
+        2.0 * (1.0 + 2.5),
+    );
     claim(16, "= 6 × 0.05 = [0.3], so", 6.0 * 0.05);
     let thrown = rough(0.05, 30.0).outcome();
     let throw = 30.0 - degrees(thrown.theta2);
@@ -547,7 +555,7 @@ fn claims() -> Vec<Claim> {
     let apart = |alpha_deg: f64| alpha_deg - degrees(rough(0.05, alpha_deg).outcome().theta2);
     assert!(apart(edge - 1.0) < apart(edge) - 0.1 && (apart(60.0) - apart(edge)).abs() < 1e-9);
 
-    // 17: measuring a real collision.
+    // Chapter 17: measuring a real collision.
     let [one, two] = [0.682_689_492, 0.954_499_736];
     claim(17, "the true value in [68] % of all", 100.0 * one);
     claim(17, "\"[87]° ± 3°\"", 90.0 - 3.0);
@@ -583,7 +591,7 @@ fn claims() -> Vec<Claim> {
     claim(17, "√(9 + [16])", 16.0);
     claim(17, "= 5, so the uncertainty is [5] %", f64::hypot(3.0, 4.0));
     claim(17, "less than [7] %", 3.0 + 4.0);
-    claim(17, "it is ±[0.04]", 0.05 * 0.8);
+    claim(17, "the uncertainty is ±[0.04]", 0.05 * 0.8);
     claim(17, "Film at [60] frames", 60.0);
     claims
 }

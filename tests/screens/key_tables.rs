@@ -131,7 +131,7 @@ fn each_key_of_each_table_does_something() {
             }
             for key in row.all_keys() {
                 // The mark of a list cannot move up from its first line, but it can after another
-                // key of the moment, most likely one of the same row.
+                // of the moment's keys, most likely one in the same row.
                 let does = |before| changes(moment.game(), (80, 24), before, key);
                 let mut others = row.all_keys().chain(table.keys());
                 if !does(None) && !others.any(|before| does(Some(before))) {
@@ -232,7 +232,7 @@ fn escape_always_goes_back_or_asks_for_confirmation() {
     }
 }
 
-/// The cell beside the mark of a list that is on the first screen but not on the second.
+/// The cell beside the mark of a list: the mark is in `with`, but not in `without`.
 fn mark(with: &Buffer, without: &Buffer) -> (u16, u16) {
     let marks = |at: &(u16, u16)| with[*at].symbol() == ">" && without[*at].symbol() != ">";
     let cells = with.area.positions().map(|at| (at.x, at.y));

@@ -252,8 +252,8 @@ fn what_was_seen_can_be_skipped_and_switched_off() {
 const TO_FRICTION: &str =
     "<Home><Down><Down><Down><Down><Down><Down><Down><Down><Down><Down><Down><Down>";
 
-/// 15 g discs at 30° and 4 m/s: friction could give 10.4 g m/s and stops the slip with 5 g m/s, so
-/// both discs spin at 2 × 5 / (15 × 0.015) = 44.4 rad/s.
+/// 15 g discs at 30° and 4 m/s: the impulse of friction could be up to 10.4 g m/s, but 5 g m/s
+/// stops the slip, so both discs spin at 2 × 5 / (15 × 0.015) = 44.4 rad/s.
 #[test]
 fn rim_friction_adds_a_step_and_shows_both_spins_before_and_after() {
     let mut game = lab();

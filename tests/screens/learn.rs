@@ -1,4 +1,4 @@
-//! The chapters on the screen: every chapter read by keys, its answers, bookmark and figures.
+//! The chapters on the screen: each is read with the keys, with its answers, bookmark and figures.
 
 use carrom::app::App;
 use carrom::cli;
@@ -76,7 +76,7 @@ fn an_answer_is_saved_and_explained_at_once() {
     assert!(screen.contains("+ Along the line"), "{screen}");
     assert!(
         !screen.contains("v1 =") && !screen.contains("60.0"),
-        "later pages ask for it: {screen}"
+        "later pages ask for this answer: {screen}"
     );
     let attempt = game.attempts().remove(0);
     assert!(attempt.right && (attempt.credit - 1.0).abs() < 1e-12);
@@ -348,7 +348,7 @@ fn a_second_try_after_a_hint_earns_half_the_credit() {
     assert_eq!(game.attempts().len(), 4);
 }
 
-/// For a student who has predicted enough, the lab shows outcomes while they aim.
+/// For a student who has predicted often enough, the lab shows outcomes while they aim.
 #[test]
 fn the_lab_hides_the_outcome_while_a_question_of_the_page_is_open() {
     let (number, chapter) = chapter("the-right-angle");

@@ -117,7 +117,7 @@ fn masses_radii_and_scale_can_be_set_after_opening() {
     assert_shows(&mut game, &["The tracks contradict"]);
 }
 
-/// A number of grams that is typed but not confirmed counts when the settings are left.
+/// A mass that is typed but not confirmed is kept when the player leaves the settings.
 #[test]
 fn an_unconfirmed_number_is_kept_and_one_mass_alone_is_not_used() {
     let folder = Folder::new("measured");

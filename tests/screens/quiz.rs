@@ -91,7 +91,7 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// An answer far from every right answer and every misconception.
+/// An answer far from every right answer and from the answer of every misconception.
 const WILD: Rays = Rays::new(-1.3, -1.3);
 
 #[test]
@@ -311,7 +311,7 @@ fn negative_points_are_shown_with_their_sign() {
     let mut game = plain(7);
     let round = Round::hits(7);
     let questions = round.questions();
-    // Both rays point straight back, so neither is nearly right.
+    // Both rays point almost straight back, so neither is nearly right.
     answer(&mut game, &questions[0], &Rays::new(-3.0, -3.0), "2");
     let screen = game.screen();
     assert!(screen.contains("-2.0 of 10 points"), "{screen}");

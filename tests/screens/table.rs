@@ -138,7 +138,7 @@ fn fell(tried: &Tried, piece: Piece) -> usize {
     tried.fell.iter().filter(|p| **p == piece).count()
 }
 
-/// The next stroke of South or North: South first makes a due, then pockets coins, the queen, her
+/// The next stroke of South or North: South first incurs a due, then pockets coins, the queen, her
 /// cover, and the rest; North never pockets anything.
 fn next_stroke(game: &Game, chance: &mut Pcg64, due_made: bool) -> Tried {
     let play = game.play();

@@ -116,5 +116,5 @@ fn every_guide_is_written_as_a_page() {
     game.press("<Right><Enter>");
     assert!(written(&game, "carrom-class.html").contains("<h1>"));
     game.press("<Left><Left><Enter>");
-    assert_eq!(game.exports().len(), 3, "the choice goes around");
+    assert_eq!(game.exports().len(), 3, "the choice wraps around");
 }

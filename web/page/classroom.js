@@ -88,7 +88,7 @@ const classroom = (() => {
     addEventListener("pageshow", (event) => event.persisted && awake());
   }
 
-  // Whether a class's host has served this page, rather than a disk or a school's server.
+  // Whether this page comes from a class's host, rather than from a disk or a school's server.
   const isHere = () => "class" in document.documentElement.dataset;
 
   return { does, start, fragment };

@@ -70,7 +70,7 @@ const input = (() => {
     key(name);
   }
 
-  // Input of a phone's keyboard without a field. The keyboard deletes only existing text, and may
+  // Input from a phone's keyboard without a field. The keyboard deletes only existing text, and may
   // change a word until it is complete.
   function typed({ type, isComposing }) {
     const now = typing.value;
@@ -113,7 +113,7 @@ const input = (() => {
     // A keyboard that composes a word handles its own keys, except an Enter that it passes on.
     if (event.keyCode === 229 || (event.isComposing && event.key !== "Enter")) return;
     const letter = [...event.key].length === 1 && event.key !== " " ? event.key : null;
-    // In a field, keys belong to the field, except those that move on or away.
+    // While the player types in a field, the field handles every key except those that leave it.
     if (event.target.closest?.("#screen") && isTyped(event.target)) {
       if (!["Enter", "ArrowUp", "ArrowDown"].includes(event.key)) return;
       event.preventDefault();
@@ -134,7 +134,7 @@ const input = (() => {
     key(name || letter);
   }
 
-  // Mouse movements over a picture are reported, and a finger can drag there. Where nothing is
+  // Presses and drags on a picture, with the mouse or a finger, are reported. Where nothing is
   // dragged up or down, a finger may also scroll, so it acts only when it has moved sideways or is
   // lifted.
   let hand = null;

@@ -61,7 +61,7 @@ const keeper = (() => {
     return { files, bytes };
   }
 
-  // Returns the files once pending changes are saved.
+  // Returns the files once any save in progress has ended.
   async function files() {
     await opened;
     while (busy) await new Promise((later) => setTimeout(later, 10));

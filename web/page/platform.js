@@ -3,7 +3,8 @@
 const platform = (() => {
   // The path of the added file that contains the code of the round.
   const ROUND = "scorm/round";
-  // Windows around this one are searched for the platform's functions, which SCORM calls its API.
+  // The largest number of windows around this one that are searched for the platform's functions,
+  // which SCORM calls the API.
   const MOST_WINDOWS = 30;
   let api = null, place = "", code = "", reported = "", answered = 0, begun = 0, since = 0, isForReview = false, isDone = false;
 
@@ -84,7 +85,7 @@ const platform = (() => {
 
   // Reports the answers given since the last report. Once all questions of a round have been
   // answered, playing the round again changes nothing. Before that, a round that is played again
-  // changes nothing until it contains more answers than before.
+  // changes nothing until it contains at least as many answers as before.
   function show(address) {
     if (!api || isForReview || isDone) return;
     const [where, said = ""] = address.split("&said=");

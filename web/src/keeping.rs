@@ -3,7 +3,8 @@
 //! Every request is carried out in memory at once. Its answer is passed on only when the browser
 //! has saved the files: the page asks which files have changed, writes them to the browser's
 //! database in one transaction, and reports the result. If another tab has changed files in the
-//! meantime, the page first passes these in, and all unsaved changes are made again on top of them.
+//! meantime, the page first passes those files to the store, and all unsaved changes are then made
+//! again on top of them.
 //!
 //! Changes that the browser could not save stay here until it can save them. If the page opens
 //! another carrom, they are passed to that one.
@@ -232,8 +233,8 @@ impl PageStorage {
             // This includes changes that could not be saved before: now they are saved.
             return safe.map(|it| it.answer).collect();
         };
-        // Nothing was being saved: the browser saves nothing at all, or there was an error before
-        // the save began.
+        // With 0, nothing was being saved: the browser saves nothing at all, or there was an error
+        // before the save began.
         let tried = match under_way {
             0 => self.pending.len(),
             under_way => under_way,
@@ -441,7 +442,7 @@ mod tests {
             let refused = browser.keep(Some("full"));
             assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
         }
-        // The next carrom saves another round, although the ticket is the same.
+        // The next carrom saves another round beside the first, although the ticket is the same.
         browser.ask(3, save_class(), None);
         assert_eq!(browser.won(), ["one", "two"]);
         let rounds = browser.files.keys().filter(|it| it.starts_with("classes/"));

@@ -380,7 +380,7 @@ impl Shell {
         Some(keys)
     }
 
-    /// The current keys. A layer over a screen either has keys of its own or closes at any key.
+    /// The current keys. A layer over a screen either has keys of its own or is closed by any key.
     fn keys(&self) -> Vec<Keys> {
         let table = self.app.keys();
         let rows = table.rows().iter();

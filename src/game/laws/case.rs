@@ -10,13 +10,13 @@ pub(super) const QUEEN_POINTS: u8 = 3;
 /// From this score on, the queen is worth no points (27).
 pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 
-/// The queen just before a stroke.
+/// The state of the queen just before a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenBefore {
     OnBoard,
-    /// Pocketed by the player's last stroke, and to be covered by this one.
+    /// She was pocketed by the player's previous stroke, so this stroke must cover her.
     ToCover,
-    /// Pocketed and covered by this colour.
+    /// She has been pocketed and covered by this colour.
     Covered(Colour),
 }
 
@@ -149,7 +149,7 @@ impl Verdict {
         Self::new(law.into(), text, TurnFate::Ends { won, points })
     }
 
-    /// The verdict with this many of the player's coins put back at once.
+    /// The verdict with `own_back` of the player's coins put back at once.
     pub(super) fn own_back(self, own_back: u8) -> Self {
         Self { own_back, ..self }
     }

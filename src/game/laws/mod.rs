@@ -63,7 +63,8 @@ pub enum Rules {
     /// Point carrom: either colour counts for both sides, and the first side with more than half of
     /// the points wins.
     Points,
-    /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
+    /// There are no turns and no dues: the striker may be placed anywhere, and every stroke may be
+    /// repeated.
     Practice,
     /// A board for one player, from a code: six coins to clear in the fewest strokes.
     #[strum(serialize = "board of the day")]

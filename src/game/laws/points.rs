@@ -1,5 +1,5 @@
-//! Point carrom, as played by children and by odd numbers of players: either side may pocket any
-//! coin.
+//! Point carrom, as played by children and when the number of players is odd: either side may
+//! pocket any coin.
 //!
 //! - A black coin counts 1 point, a white one 2, and the queen 5 if she is covered: 32 points in
 //!   all. The first side with more than half of them, 17, wins the board.

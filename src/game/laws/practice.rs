@@ -1,5 +1,5 @@
-//! Practice: no turns, no dues, no cover. Fallen pieces stay down, and play continues until the
-//! board is empty.
+//! Practice, with no turns, no dues and no cover for the queen. Fallen pieces stay down, and play
+//! continues until the board is empty.
 
 use super::case::{Case, QueenBefore, QueenFate, Verdict};
 

@@ -78,7 +78,7 @@ impl Ruling {
 pub enum RulingEffect {
     /// A coin or the queen was put back at this position.
     PutBack(Coin),
-    /// This many coins are still owed, because none is in a pocket.
+    /// The colour still owes this number of coins, because none of its coins is in a pocket.
     StillOwed(Colour, u8),
     /// The queen is covered and belongs to this colour.
     QueenCovered(Colour),
@@ -92,7 +92,7 @@ pub enum RulingEffect {
     BoardWon(BoardWon),
     /// The game has ended.
     GameWon(Team),
-    /// The game is tied after its last board; one more decides.
+    /// The game is tied after its last board, so an extra board decides.
     ExtraBoard,
     /// The match has ended.
     MatchWon(Team),

@@ -39,7 +39,7 @@ mod tests {
 
     use crate::game::{BoardCode, Coin, Game, GameStage, Piece, Stroke, Team};
 
-    /// A board after a stroke that pockets this many coins, and the striker if `fouls`; also
+    /// A board after a stroke that pockets `fell` coins, and the striker if `fouls` is set; also
     /// returns what the referee says.
     fn after(fell: usize, fouls: bool) -> (Game, String) {
         let mut game = Game::new(BoardCode::from_number(4711).unwrap().setup());

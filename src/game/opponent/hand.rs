@@ -104,7 +104,8 @@ mod tests {
             let square = slips.iter().map(|s| part(s) * part(s)).sum::<f64>() / f64::from(count);
             (mean, (square - mean * mean).sqrt())
         };
-        // Four standard errors: for the mean, 4/√n standard deviations; for the spread, 4/√(2n).
+        // The limits are four standard errors: for the mean, 4/√n standard deviations; for the
+        // spread, 4/√(2n).
         for ((mean, spread), wanted) in [(of(|s| s.turn), 0.02), (of(|s| s.push), 0.1)] {
             assert!(mean.abs() < 0.029 * wanted, "{mean}");
             assert!((spread / wanted - 1.0).abs() < 0.02, "{spread}");

@@ -8,10 +8,10 @@ use super::wants::wants;
 use crate::game::Game;
 
 /// The directions in which a striker at `from` sends a coin straight into a pocket. There is one
-/// for each coin that the player whose turn it is wants to pocket; it leads to the nearest pocket
-/// for which both discs have a clear path.
+/// direction for each coin that the player whose turn it is wants to pocket; the coin goes to the
+/// nearest pocket for which both discs have a clear path.
 ///
-/// If there is none, these are the directions of full hits on those coins.
+/// If there are none, these are the directions of full hits on those coins.
 pub fn open_shots(game: &Game, from: DVec2) -> Vec<DVec2> {
     let sight = Sight::of(game);
     let coins = game.coins().iter().enumerate();

@@ -24,14 +24,14 @@ use crate::physics::Motion;
 
 /// The number of aims kept for one course: neighbouring positions give nearly the same shot.
 const AIMS_A_COURSE: usize = 4;
-/// The number of courses for which combinations are searched.
+/// The number of courses for which combinations are sought.
 const DRIVEN: usize = 12;
 /// Speeds of a break in m/s.
 const BREAK: Range<f64> = 2.8..FASTEST;
 /// Speeds of all other strokes that are not aimed at a pocket, in m/s.
 const KNOCK: Range<f64> = 0.6..3.0;
 
-/// A stroke, its expected value, and how often a piece fell.
+/// A stroke, its expected value, and how often it worked in the rehearsals.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Candidate {
     pub(super) motion: Motion,
@@ -222,7 +222,7 @@ impl Search<'_> {
     }
 }
 
-/// The unblocked aims of one course with the largest tolerance.
+/// The aims for one course that are not blocked and have the largest tolerances.
 fn clearest(
     mut aims: Vec<Unchecked<ProposedStroke>>,
     sight: &Sight,

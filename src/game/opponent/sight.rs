@@ -135,7 +135,7 @@ impl Way {
         })
     }
 
-    /// Metres to the cushion, and from there to the end.
+    /// The distances in metres to the cushion, and from there to the end.
     fn legs(&self) -> (f64, f64) {
         let turn = self.wall.map_or(self.from, |(at, _)| at);
         (self.from.distance(turn), turn.distance(self.to))

@@ -15,7 +15,7 @@ use crate::physics::{EventKind, Shot};
 /// How often a stroke worked when it was simulated with an unsteady hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Chance {
-    /// The rehearsals in which a wanted piece fell, and the striker did not.
+    /// The number of rehearsals in which a wanted piece fell, and the striker did not.
     pub fell: u8,
     /// The number of all rehearsals.
     pub of: u8,
@@ -78,7 +78,7 @@ pub struct Story {
     pub first_hit: Option<FirstContact>,
     /// The first wanted piece that fell, if any did.
     pub fall: Option<Fall>,
-    /// The number of wanted pieces that fell after this one.
+    /// The number of wanted pieces that fell after the first.
     pub also: u8,
 }
 

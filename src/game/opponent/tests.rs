@@ -234,7 +234,8 @@ fn plans_and_hints_use_the_restitution_of_the_game() {
             assert_eq!(story, super::Story::of(game, &shot));
         }
     }
-    // A coin gets (1 + e) m₁/(m₁ + m₂) of the speed, so the planned stroke must be harder.
+    // A coin gets (1 + e) m₁/(m₁ + m₂) of the speed, so with a loss the planned stroke must be
+    // harder.
     let passed_on = |game| Sight::of(game).passed_on(Piece::Striker);
     let ratio = passed_on(&lossy) / passed_on(&elastic);
     assert!((ratio - 1.4 / 2.0).abs() < 1e-12, "{ratio}");

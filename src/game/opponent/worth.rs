@@ -10,16 +10,16 @@ use super::wants::wants_from;
 use crate::game::laws::Rules;
 use crate::game::{BaseLines, Game, Seat, Team};
 
-/// A won board, without its points.
+/// The value of a won board, without its points.
 const BOARD: f64 = 20.0;
-/// The queen, covered.
+/// The value of the queen once she is covered.
 const QUEEN: f64 = 2.5;
-/// A point of point carrom: a coin counts 1.5 points on average.
+/// The value of a point in point carrom, in which a coin counts 1.5 points on average.
 const POINT: f64 = 1.0 / 1.5;
-/// A sure coin for the side that strikes next: it falls, and the turn continues.
+/// The value of a sure coin to the side that strikes next: the coin falls, and the turn continues.
 const TO_STRIKE: f64 = 1.6;
-/// A sure coin for the side that has to wait: the coin may still be there at that side's next
-/// stroke.
+/// The value of a sure coin to the side that has to wait: the coin may still be there at that
+/// side's next stroke.
 const TO_WAIT: f64 = 0.5;
 /// The number of striker positions from which the board is evaluated.
 const PLACES: u16 = 7;

@@ -17,7 +17,7 @@ pub enum Player {
     Computer,
 }
 
-/// Aids that are drawn while aiming; each can be turned on or off.
+/// Aids that are drawn while a player is aiming; each can be turned on or off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Aids {
@@ -53,7 +53,7 @@ pub struct Company {
     pub hand: PlayerHand,
     /// Whether the players predict the first impact before each stroke.
     pub call: bool,
-    /// Aids while aiming.
+    /// The aids that are drawn while a player is aiming.
     pub aids: Aids,
 }
 
@@ -97,7 +97,7 @@ impl SeatNames {
     }
 }
 
-/// A value for each seat by name, as in a file.
+/// One value for each seat, in fields named after the seats, as they are saved in a file.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct BySeat<T> {

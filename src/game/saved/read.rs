@@ -44,8 +44,8 @@ impl SavedGame {
     /// of the file in messages.
     ///
     /// # Errors
-    /// All errors: the file is not a saved game or is too new, a move is impossible, or the
-    /// fingerprint at its end does not match.
+    /// Returns all errors: the file is not a saved game or is too new, a move is impossible, or the
+    /// fingerprint at the end of the file does not match.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
         let source = Source::of_bytes(name, bytes, Self::LARGEST_FILE)?;
         source.document("a saved game", 1..=FORMAT, &FIELDS, from_fields)
@@ -119,7 +119,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
     Some((saved, game))
 }
 
-/// The agreement before the first break.
+/// The settings that were agreed before the first break.
 fn setup(fields: &Fields) -> Option<GameSetup> {
     let rules = fields.parsed("rules", "the rules");
     let hands = fields.parsed("hands", "the number of players");

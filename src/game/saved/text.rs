@@ -15,7 +15,7 @@ impl SavedGame {
     /// The text of the file.
     ///
     /// # Errors
-    /// If the file would be too large to be read again.
+    /// Returns an error if the file would be too large to be read again.
     pub fn text(&self) -> Result<String, TooLarge> {
         let company = &self.company;
         let mut text = HEAD.to_owned();

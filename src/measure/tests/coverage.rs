@@ -61,7 +61,8 @@ fn film(random: &mut Pcg64Mcg) -> Film {
     }
 }
 
-/// The coverage of every quantity over `count` measurements.
+/// The coverage of every quantity over `count` measurements, and the number of measurements that
+/// were refused.
 fn coverage(
     count: u64,
     seed: u64,
@@ -145,7 +146,7 @@ fn slowed(rates: &'static [f64]) -> impl Fn(&mut Pcg64Mcg) -> Film {
 #[test]
 fn intervals_contain_the_truth_as_often_as_they_say() {
     let (all, _) = coverage(300, 1, SlowingDown::Never, film);
-    // Three standard deviations of the count for 300 measurements.
+    // The limit is three standard deviations of the count for 300 measurements.
     assert_eq!(wrong(&all, 8.2), Vec::<&str>::new(), "{}", table(&all));
 }
 

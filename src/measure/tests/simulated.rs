@@ -25,8 +25,9 @@ pub(super) struct Film {
     pub(super) rate: f64,
     /// The numbers of frames before and after the contact.
     pub(super) frames: [usize; 2],
-    /// The noise of a point, in pixels, and the size of a pixel along x and y.
+    /// The standard deviation of the noise of a point, in pixels.
     pub(super) noise: f64,
+    /// The size of a pixel along x and along y.
     pub(super) pixel: DVec2,
 }
 

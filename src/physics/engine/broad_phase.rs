@@ -37,8 +37,8 @@ impl BroadPhase {
     pub(super) fn begin(&mut self, discs: usize) {
         self.boxes.clear();
         self.boxes.resize(discs.div_ceil(2), TwoBoxes::NOWHERE);
-        // There is room for two more, because the last two candidates are written even if they are
-        // ruled out.
+        // There is room for two more partners than discs, because the last two candidates are
+        // written even if they are ruled out.
         self.partners.resize(discs + 2, 0);
     }
 
@@ -92,7 +92,7 @@ impl BroadPhase {
         count
     }
 
-    /// A disc that was found by the latest scan, given its position in the result.
+    /// The disc at position `n` in the result of the latest scan.
     #[inline]
     pub(super) fn partner(&self, n: usize) -> usize {
         self.partners[n]
@@ -118,7 +118,7 @@ impl Candidates {
     /// Writes the discs that can meet the seeker and returns their number.
     ///
     /// Every disc is written; if it is ruled out, the next disc overwrites it. There is no branch,
-    /// because a processor could not predict the result.
+    /// because a processor could not predict which discs are ruled out.
     #[inline(always)]
     fn sift(mut self, disc: impl Fn(usize) -> usize, scan: &Scan, partners: &mut [usize]) -> usize {
         let (seeker, bodies) = (scan.seeker, scan.bodies);

@@ -7,8 +7,8 @@
 //! (1−e) J w.
 //!
 //! For linear complementarity problems, see R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear
-//! Complementarity Problem* (1992); for simultaneous impacts, see F. Pfeiffer and C. Glocker,
-//! *Multibody Dynamics with Unilateral Contacts* (1996), impacts without friction.
+//! Complementarity Problem* (1992); for simultaneous impacts without friction, see F. Pfeiffer and
+//! C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996).
 
 use glam::DVec2;
 
@@ -25,8 +25,8 @@ pub(super) struct Touch {
     pub(super) wanted: f64,
 }
 
-/// The impulses of simultaneous contacts, one for each contact, in N s; `None` if it takes too much
-/// work to find them.
+/// The impulses of simultaneous contacts, one for each contact, in N s; `None` if finding them
+/// requires too much work.
 pub(super) fn simultaneous(
     touches: &[Touch],
     bodies: &[Body],

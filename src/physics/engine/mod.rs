@@ -83,7 +83,7 @@ impl Limits {
 /// # Errors
 ///
 /// Returns an error if a number is unusable, if a disc is off the board or overlaps another disc,
-/// if the shot would never end, or if it takes too many events or too much work.
+/// if the shot would never end, or if it requires too many events or too much work.
 pub fn play(
     board: &Board,
     discs: &[Disc],

@@ -14,7 +14,7 @@ const DEPTH: u32 = 50;
 /// missed. A double root (a graze) does not count as a root.
 #[inline]
 pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
-    // These are the coefficients on the unit interval.
+    // These are the coefficients after rescaling the interval to length 1.
     let e2 = end * end;
     let c = [c[0], c[1] * end, c[2] * e2, c[3] * e2 * end, c[4] * e2 * e2];
     let b = [
@@ -108,16 +108,16 @@ mod tests {
 
     #[test]
     fn known_roots_are_found() {
-        // These are (x−1)(x−2)(x−3)(x−4), and the same polynomial on a shorter interval.
+        // The polynomial (x−1)(x−2)(x−3)(x−4) is searched on three intervals.
         let c = [24.0, -50.0, 35.0, -10.0, 1.0];
         assert!((first_root(c, 10.0).unwrap() - 1.0).abs() < 1e-14);
         assert!((first_root(c, 1.5).unwrap() - 1.0).abs() < 1e-14);
         assert_eq!(first_root(c, 0.9), None);
-        // These have two roots close together, or only a graze.
+        // These polynomials have two roots close together, or only a double root.
         let close = [1.0 - 1e-12, -2.0, 1.0, 0.0, 0.0];
         assert!((first_root(close, 3.0).unwrap() - (1.0 - 1e-6)).abs() < 1e-9);
         assert_eq!(first_root([1.0, -2.0, 1.0, 0.0, 0.0], 3.0), None);
-        // These have a lower degree, or a root very close to zero.
+        // These polynomials have a lower degree, or a root very close to zero.
         assert!((first_root([3.0, -2.0, 0.0, 0.0, 0.0], 2.0).unwrap() - 1.5).abs() < 1e-15);
         let near = first_root([1e-30, -1.0, 1.0, 1.0, 1.0], 0.5).unwrap();
         assert!((near / 1e-30 - 1.0).abs() < 1e-12);

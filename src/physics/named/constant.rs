@@ -93,7 +93,8 @@ impl Constant {
     /// Sets a field from its text.
     ///
     /// # Errors
-    /// What was expected.
+    /// Returns a message that says what was expected if there is no such field or its value is out
+    /// of range.
     pub(crate) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         let fields = &mut self.fields;
         let (slot, least, most) = match field {
@@ -141,7 +142,7 @@ mod tests {
         assert!((value("space_share", &[]) - 0.25).abs() < 1e-12);
         assert!((value("rutherford_d_fm", &[]) - 29.6).abs() < 0.05);
         assert!((value("rutherford_share", &[("angle_deg", "45")]) - 3.2e-7).abs() < 0.05e-7);
-        // 1/sin⁴ from 60° to 120°: (sin 60° / sin 30°)⁴ = 9.
+        // The count at 60° divided by that at 120°: (sin 60° / sin 30°)⁴ = 9.
         assert!((value("rutherford_ratio", &[]) - 9.0).abs() < 1e-9);
         // For scattering straight back, the closest approach is d itself.
         let back = value("rutherford_r_fm", &[("angle_deg", "180")]);

@@ -277,7 +277,7 @@ mod tests {
             ("energy1_share", "alpha_deg=45", 0.5),
             ("energy2_share", "alpha_deg=45", 0.5),
             ("half_energy_deg", "", 45.0),
-            // Head-on, 8/9 is transferred, and cos² 41.4° = 9/16.
+            // Head-on, 8/9 of the energy is transferred, and cos² 41.4° = 9/16.
             ("half_energy_deg", marbles, 0.75_f64.acos().to_degrees()),
             ("v1x", marbles, 1.0),
             ("v1y", marbles, 2.0),

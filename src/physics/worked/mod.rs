@@ -30,8 +30,8 @@ pub struct WorkedStep {
     pub lines: Vec<String>,
 }
 
-/// The whole solution: what is known, the working, a check and the result in words. The
-/// problem gives the impact angle or, `by_offset`, the offset and both radii.
+/// The whole solution: what is known, the working, a check and the result in words. The problem
+/// gives the impact angle or, if `by_offset` is set, the offset and both radii.
 pub(crate) fn steps(collision: &Collision, by_offset: bool) -> Vec<WorkedStep> {
     let outcome = collision.outcome();
     let mut steps = vec![knowns(collision, by_offset)];

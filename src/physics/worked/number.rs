@@ -34,7 +34,7 @@ pub(super) fn factors<const N: usize>(
     scale: f64,
     result: impl Fn([f64; N]) -> f64,
 ) -> [String; N] {
-    /// With more figures, the result would depend on rounding noise.
+    /// The maximum number of figures: with more, the result would depend on rounding noise.
     const MOST: u8 = 10;
     let printed = |values| beside(result(values), scale);
     let wanted = printed(values);

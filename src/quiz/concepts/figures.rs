@@ -4,15 +4,17 @@ use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;
 use crate::physics::named::{Constant, Quantity};
 
-/// The number of decimal places of a number that does not come from a hit, and of a percentage.
+/// The number of decimal places of a number that does not come from a hit.
 const DECIMALS: usize = 2;
+/// The number of decimal places of a percentage.
 const PERCENT_DECIMALS: usize = 1;
 
 /// `text` with every `{name field=value ...}` replaced by its figure. A `%` before the closing
 /// brace turns a fraction into a percentage.
 ///
 /// # Errors
-/// Returns what was expected, if a name or a field is unknown or a figure is undefined.
+/// Returns a message that says what was expected if a name or a field is unknown or a figure is
+/// undefined.
 pub(super) fn fill(text: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     let mut filled = String::with_capacity(text.len());
     let mut rest = text;

@@ -15,7 +15,7 @@ const LONGEST_SUBJECT: usize = 40;
 pub struct Library {
     /// The questions; no two have the same id, and none has the id of a built-in question.
     pub concepts: Vec<Concept>,
-    /// The errors in the files that were not added.
+    /// The errors in the files that were left out.
     pub problems: Vec<FileError>,
     /// The sets of questions that were opened.
     pub sets: Vec<Arc<QuestionSet>>,

@@ -1,10 +1,10 @@
 //! Concept questions: each question asks in words about one idea in glancing collisions, and its
-//! wrong choices are ideas that students are known to believe.
+//! wrong choices follow from misconceptions that students are known to have.
 //!
-//! The questions are data: the files of `assets/concepts/`, one for each subject, and a teacher's
-//! own in a [`Library`]. `docs/concepts.md` describes the format. No calculated figure is typed in
-//! these files: a text contains `{theta1_deg}`, and the figure is calculated from the question's
-//! own hit while the file is read.
+//! The questions are data: they are in the files of `assets/concepts/`, one for each subject; a
+//! teacher's own questions are in a [`Library`]. `docs/concepts.md` describes the format. Figures
+//! that can be calculated are not typed in these files: a text contains, for example,
+//! `{theta1_deg}`, and the figure is calculated from the question's own hit while the file is read.
 
 mod check;
 mod figures;
@@ -93,7 +93,7 @@ impl Concept {
         }
     }
 
-    /// Whether an error was found in this question.
+    /// Whether the error is in this question.
     pub(crate) fn is_at(&self, fault: &FileError) -> bool {
         fault.file == self.file && fault.line == Some(self.line)
     }

@@ -3,12 +3,12 @@
 use super::Concept;
 use crate::quiz::question::Question;
 
-/// Questions that a teacher has put together, in this order.
+/// Questions that a teacher has put together, in the order in which they are asked.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct QuestionSet {
     /// The title of the set.
     pub title: String,
-    /// The questions, each different.
+    /// The questions, no two of which are the same.
     pub questions: Vec<ChosenQuestion>,
     /// The number at the end of the set's code. It follows from the choice and the order of the
     /// questions, so that a round can tell whether its set is still the same.

@@ -179,7 +179,7 @@ fn right_choices_that_are_given_away_are_reported() {
     );
 }
 
-/// Checks figures in texts that no placeholder can provide.
+/// Checks the figures that are typed in texts because no placeholder can provide them.
 #[test]
 fn figures_typed_in_texts_are_correct() {
     // where-turned-most: "at about α = 34°".

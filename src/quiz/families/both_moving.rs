@@ -256,7 +256,7 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
         ))
 }
 
-/// The angle between the two paths in the laboratory frame.
+/// Asks for the angle between the two paths in the laboratory frame.
 fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     let sign = if pair.way_deg == 180 { -1.0 } else { 1.0 };
     let dot = sign * f64::from(pair.speed * pair.target_speed);

@@ -182,7 +182,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ))
 }
 
-/// A question that leads from Θ to an angle in the laboratory frame.
+/// A question that gives Θ and asks for an angle in the laboratory frame.
 fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
     let with_text = format!(
         "{}, and no energy is lost. In the centre-of-mass frame both discs are deflected by Θ = \

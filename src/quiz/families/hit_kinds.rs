@@ -48,8 +48,8 @@ pub(super) const KINDS: [&[HitKind]; 3] = {
 
 impl HitKind {
     /// All hits of this kind that give a clear question, in a fixed order, with the target on the
-    /// right and the striker moving to the right at 1 m/s. The list is cached, because finding
-    /// these hits takes a search through thousands.
+    /// right and the striker moving to the right at 1 m/s. The list is cached, because thousands of
+    /// hits have to be searched to find these.
     pub(super) fn candidates(self) -> &'static [Hit] {
         const COUNT: usize = HitKind::VARIANTS.len();
         static FOUND: [OnceLock<Vec<Hit>>; COUNT] = [const { OnceLock::new() }; COUNT];

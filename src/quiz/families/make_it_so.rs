@@ -24,7 +24,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         }
         Difficulty::Hard => (*dice.pick(&LIGHT)?, f64::from(5 * (6 + dice.below(21)))),
     };
-    // At 90° some wrong answers would be head-on or would be a graze.
+    // At 90° some wrong answers would be head-on hits or grazes.
     if (wanted_deg - 90.0).abs() < 1.0 {
         return None;
     }

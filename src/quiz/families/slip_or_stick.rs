@@ -8,7 +8,7 @@ use crate::physics::Bond;
 enum RimKind {
     /// The rims are smooth, and no energy is lost.
     Lossless,
-    /// The rims are smooth and do not rebound: e = 0.
+    /// The rims are smooth and the discs do not rebound: e = 0.
     Slip,
     /// The discs stick together where they touch.
     Stick,

@@ -99,7 +99,7 @@ fn of_kinds(kinds: [&[HitKind]; 3], difficulty: Difficulty, dice: &mut Dice) -> 
     Some(Question::from(&hit))
 }
 
-/// The wrong answers to which misconceptions lead for this hit.
+/// The wrong answers that misconceptions lead to for this hit.
 fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
     OF_RAYS
         .into_iter()

@@ -93,7 +93,8 @@ impl Misconception {
         ]
     }
 
-    /// The topics, or `topic/asked`, for which a different page is given.
+    /// The topics, and the names of cases such as `topic/asked`, for which `elsewhere` gives a
+    /// page.
     #[cfg(test)]
     pub(crate) fn settled_elsewhere(self) -> impl Iterator<Item = &'static str> {
         let elsewhere = self.description().elsewhere.iter();

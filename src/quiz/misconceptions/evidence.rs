@@ -91,7 +91,7 @@ fn weight_not_shown(by_chance: f64) -> f64 {
 /// The evidence of several answers for or against one misconception.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Evidence {
-    /// The misconception.
+    /// The misconception for or against which the answers are evidence.
     pub misconception: Misconception,
     /// The log-likelihood ratio: if it is above 0, the answers are more likely for somebody who
     /// holds the misconception; if it is below 0, they are more likely for somebody who guesses.
@@ -219,8 +219,8 @@ mod tests {
         assert_eq!(named(&clues), [copied]);
     }
 
-    /// For this reason, the probability that a misconception is ever named for somebody who guesses
-    /// is at most one divided by the odds (Ville's inequality).
+    /// Because this expected value is 1, the probability that a misconception is ever named for
+    /// somebody who guesses is at most one divided by the odds (Ville's inequality).
     #[test]
     fn the_expected_ratio_of_a_guess_is_one() {
         for by_chance in [0.01, 0.08, 0.2, 1.0 / 3.0, 0.5] {

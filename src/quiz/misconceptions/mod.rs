@@ -1,10 +1,10 @@
-//! What students may believe about collisions: where both discs will go, and the other
-//! misconceptions in the catalogue.
+//! Misconceptions about collisions: those about where both discs will go, and the others in the
+//! catalogue.
 //!
-//! A misconception about rays predicts them for any `Hit`; a family of questions that asks for
-//! something else defines the answers that misconceptions lead to. A question is asked only if it
-//! can distinguish the misconceptions: no two of their answers, and none of their answers and the
-//! right answer, may be so close that one answer could fit both.
+//! A misconception about rays predicts the rays of any `Hit`; a family of questions that asks for
+//! something else itself defines the answers that misconceptions lead to. A question is asked only
+//! if it can distinguish the misconceptions: no two of their answers, and none of their answers and
+//! the right answer, may be so close that one answer could fit both.
 
 mod catalogue;
 mod evidence;

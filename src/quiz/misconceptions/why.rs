@@ -1,4 +1,4 @@
-//! Explanations of where the two discs of a hit go.
+//! Explanations of where the two discs of any collision go.
 
 use glam::DVec2;
 
@@ -7,8 +7,8 @@ use crate::numbers::{degrees, fixed};
 use crate::physics::{Collision, Meeting, Rims};
 use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
 
-/// Explains where two smooth discs go, starting from the player's prediction if there is one.
-/// Returns a title, which may be empty, and a text.
+/// Explains where the two discs of a collision go, starting from the player's prediction if there
+/// is one. Returns a title, which may be empty, and a text.
 pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) {
     if collision.outcome().meeting != Meeting::Hit {
         let text = "The discs only graze each other: no force acts, and both move on as before.";

@@ -8,7 +8,7 @@ use strum::{EnumString, IntoStaticStr};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Confidence {
-    /// The player really has no idea.
+    /// The player has no idea.
     Guess,
     /// The answer is more likely right than wrong.
     ThinkSo,

@@ -83,7 +83,7 @@ mod tests {
         for _ in 0..60_000 {
             counts[dice.below(6) as usize] += 1;
         }
-        // The count may deviate from 10,000 by five standard deviations.
+        // Each count may deviate from 10,000 by up to five standard deviations.
         assert!(
             counts.iter().all(|n| (9_540..10_460).contains(n)),
             "{counts:?}"

@@ -12,7 +12,7 @@ use crate::numbers::millimetres;
 pub enum Form {
     /// The answer consists of two rays, which the player turns or types.
     Rays {
-        /// Where the two discs really go.
+        /// Where the two discs actually go.
         truth: Rays,
         /// The side on which the target lies: 1 for the right, −1 for the left.
         side: f64,
@@ -121,7 +121,7 @@ impl Form {
 
     /// The distance of an answer from `truth` or from the answer that a misconception leads to, in
     /// units of the tolerance: 0 means the same answer, and 1 is the largest distance that counts
-    /// as right. Infinite for answers of different kinds.
+    /// as right. The distance between answers of different kinds is infinite.
     pub fn distance(&self, said: &Response, truth: &Response) -> f64 {
         match (self, said, truth) {
             (Self::Number { quantity, .. }, Response::Number(said), Response::Number(truth)) => {
@@ -132,7 +132,7 @@ impl Form {
     }
 
     /// The largest error in either direction with which an answer still counts as `said`: in the
-    /// unit of a number, in degrees for a ray, in metres for an offset.
+    /// unit of its quantity for a number, in degrees for a ray, in metres for an offset.
     pub(crate) fn tolerance(&self, said: &Response) -> f64 {
         match (self, said) {
             (Self::Number { quantity, .. }, Response::Number(x)) => quantity.tolerance(*x),

@@ -16,8 +16,8 @@ const FULL_CREDIT: f64 = 0.5;
 const NO_CREDIT: f64 = 7.5;
 
 /// The credit, from 0 to 1, for an answer whose error is `distance` in units of the tolerance. The
-/// credit is 1 up to a half, then decreases as cos² to 0 at seven and a half, smoothly at both
-/// ends. An infinite error earns 0.
+/// credit is 1 up to a distance of 0.5, then decreases as cos² to 0 at a distance of 7.5, smoothly
+/// at both ends. An infinite distance earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
     let credit = (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2);
@@ -53,7 +53,7 @@ impl RayGrade {
 pub(crate) struct RaysGrade {
     /// The striker's ray.
     pub striker: RayGrade,
-    /// The target's ray.
+    /// The grade of the target's ray.
     pub target: RayGrade,
 }
 

@@ -12,7 +12,7 @@ pub enum Illustration {
     /// A collision that is about to happen. The collision is played after the question has been
     /// answered.
     Before {
-        /// The hit.
+        /// The collision that is shown.
         collision: Collision,
         /// The geometry that is marked.
         shown: Markings,
@@ -20,7 +20,7 @@ pub enum Illustration {
     /// A collision that has happened: the final paths, with their angles. The collision can be
     /// watched after the question has been answered.
     After {
-        /// The hit.
+        /// The collision that is shown.
         collision: Collision,
     },
     /// Two particles that pass a nucleus and are deflected by these angles, in radians.

@@ -102,15 +102,15 @@ impl Measure {
     /// The distance of `said` from `truth` in units of the tolerance.
     ///
     /// The tolerance of an angle, a share or e is a tenth of the true value, but at most 4°, 4
-    /// percentage points or 0.04, because a large value can be read or calculated more accurately,
-    /// and at least 1°, a fifth of a point or 0.01. For all other quantities the ratio of the two
-    /// numbers may differ from 1 by a twentieth in either direction; if a ratio is meaningless, the
-    /// distance is infinite.
+    /// percentage points or 0.04, because a large value can be read or calculated more accurately
+    /// than that, and at least 1°, a fifth of a point or 0.01. A number with its own tolerance uses
+    /// that. For all other quantities the ratio of the two numbers may differ from 1 by a twentieth
+    /// in either direction; if a ratio is meaningless, the distance is infinite.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }
 
-    /// The tolerance at this `truth`, as a fraction of the largest tolerance.
+    /// The tolerance for this `truth`, as a fraction of the largest tolerance.
     pub(in crate::quiz) fn width(&self, truth: f64) -> f64 {
         let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most) / most;
         match self {
@@ -121,8 +121,8 @@ impl Measure {
         }
     }
 
-    /// The largest error with which a number counts as `truth`. If the ratio counts, this is the
-    /// upward error, which is larger than the downward one.
+    /// The largest error with which a number counts as `truth`. If numbers are compared by their
+    /// ratio, this is the upward error, which is larger than the downward one.
     pub(crate) fn tolerance(&self, truth: f64) -> f64 {
         let largest = match self {
             Self::Angle => RIGHT_DEG,
@@ -157,8 +157,7 @@ impl Measure {
         }
     }
 
-    /// The largest permitted number that can be typed; the smallest is 0 or, for angles, the
-    /// negative of the largest.
+    /// The largest permitted number.
     pub const fn largest(&self) -> f64 {
         match self {
             Self::Angle => 180.0,
@@ -242,8 +241,8 @@ mod tests {
         }
     }
 
-    /// For this reason, an answer that fits the truth or a misconception fits no other answer,
-    /// provided that the answers are far enough apart.
+    /// Because the distance is never less, an answer that fits the truth or a misconception fits no
+    /// other answer, provided that the answers are far enough apart.
     #[test]
     fn the_distance_is_never_less_than_the_spacing() {
         for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {

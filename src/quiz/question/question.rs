@@ -44,7 +44,7 @@ pub struct Question {
 /// The answer that a misconception leads to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrongAnswer {
-    /// The misconception.
+    /// The misconception that leads to the answer.
     pub misconception: Misconception,
     /// The answer that the misconception leads to.
     pub said: Response,
@@ -71,7 +71,7 @@ impl WrongAnswer {
 /// The misconception that an answer fits best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Diagnosis {
-    /// The misconception.
+    /// The misconception that the answer fits.
     pub misconception: Misconception,
     /// How much of the player's answer fits this misconception.
     pub fit: Fit,

@@ -39,7 +39,7 @@ pub enum CourseKind {
     /// detected.
     Even,
     /// A round that finds out what a student believes: each question depends on the answers so far.
-    /// The round begins with equal masses.
+    /// The round begins with a question about equal masses.
     FindOut,
     /// A round that finds out what a student believes, but can begin with any question; for
     /// existing codes.
@@ -57,7 +57,7 @@ pub enum CourseKind {
     Topic(Family),
     /// Questions about the topics that these chapters teach.
     Read(ChaptersRead),
-    /// Questions about these topics, which the player has read about or answered before.
+    /// Questions about these topics, which the player has read about or answered questions about.
     Met(Vec<Topic>),
     /// One question about each of these topics, which are due for review, with those that have been
     /// due longest first. If there are many topics, only the first ones are included.
@@ -91,7 +91,7 @@ impl CourseKind {
         self.entry().1
     }
 
-    /// The number of questions in a round of this kind, unless another is chosen.
+    /// The number of questions in a round of this kind, unless another number is chosen.
     pub fn length(&self) -> usize {
         self.entry().2
     }
@@ -165,9 +165,9 @@ impl Course {
         Self { kind, count }
     }
 
-    /// Creates a course of `count` questions, clamped to the range from 1 to [`Course::MOST`]; ten
-    /// hits are always ten, a review has one question per topic, and a set has all of its
-    /// questions.
+    /// Creates a course of `count` questions, clamped to the range from 1 to [`Course::MOST`]; a
+    /// round of ten hits always has ten, a review has one question per topic, and a set has all of
+    /// its questions.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
             CourseKind::Hits | CourseKind::Review(_) | CourseKind::Set(_) => kind.length(),

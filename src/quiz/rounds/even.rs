@@ -14,13 +14,14 @@ const CANDIDATES: usize = 32;
 /// a round of twenty questions, in the units of [`shown`].
 const ENOUGH: [u32; 2] = [16, 3];
 
-/// How much more a missing test of a common misconception counts than a missing test of any other.
+/// How many times as much a missing test of a common misconception counts as a missing test of any
+/// other misconception.
 const PREFERRED: u32 = 8;
 
 /// The misconceptions that a question can show, and how strongly: roughly the base-3 logarithm of
-/// how many times more likely a fitting answer is from a student who holds the misconception than
-/// from one who guesses. Whole numbers are used, so that no choice depends on the last digit. If
-/// the tolerance is less than half of the largest one, even a student who holds the misconception
+/// how many times as likely a fitting answer is from a student who holds the misconception as from
+/// one who guesses. Whole numbers are used, so that no choice depends on the last digit. If the
+/// tolerance is less than half the largest tolerance, even a student who holds the misconception
 /// rarely calculates the answer accurately enough, so that misconception is left out.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {

@@ -11,8 +11,7 @@ use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Questi
 
 /// The probability, before the first answer, that the student holds none of the misconceptions.
 const NONE_BEFORE: f64 = 0.25;
-/// How many times more likely a common misconception is than an uncommon one, before the first
-/// answer.
+/// How many times as likely a common misconception is as an uncommon one, before the first answer.
 const COMMON: f64 = 5.0;
 /// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
@@ -39,7 +38,7 @@ pub(super) const CANDIDATES: [(Family, usize); 11] = [
     (Family::Concept, 6),
 ];
 
-/// The candidates for the first question, unless it is hard: collisions of equal masses.
+/// The candidates for the first question, none of which is hard: collisions of equal masses.
 pub(super) const FIRST_CANDIDATES: [(Family, usize); 3] = [
     (Family::FromAngle, 3),
     (Family::FromOffset, 3),
@@ -150,9 +149,7 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The most informative of the questions drawn with `dice` from these candidates, given the
-/// evidence of the answers so far; `in_codes` counts misconceptions as in the codes of rounds. No
-/// question in `asked` is asked again.
+/// The first question of a round: the most informative of several about collisions of equal masses.
 pub(super) fn ask(
     candidates: &[(Family, usize)],
     asked: &[Question],

@@ -27,7 +27,7 @@ pub struct Round {
 /// [`Family::ALL`].
 const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
-/// How many times a repeated question is drawn again before it is accepted.
+/// How many times a question that repeats an earlier one is drawn again before it is accepted.
 const REDRAWS: usize = 50;
 
 /// How many questions from all families are drawn in search of a question that can show a

@@ -63,14 +63,14 @@ impl QuestionSet {
         Self {
             title,
             questions,
-            // Short enough to type.
+            // The number has to be short enough to type.
             seed: hash & u64::from(u32::MAX),
         }
     }
 }
 
 impl Library {
-    /// Adds the set in this file. The questions in words that it names by id may be in this
+    /// Adds the set in this file. The questions in words that it names by id may come from this
     /// library.
     ///
     /// # Errors

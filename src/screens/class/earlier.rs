@@ -62,7 +62,7 @@ pub(super) fn view(rounds: &KeptFiles<ClassRound>) -> View<'_, ClassAction> {
         panel.paragraph(text::clipped(&round.teams().join(", "), NAMES), Role::Dim);
         panel.gap();
         let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
-        panel.prompt("resume it where it was left", take_up);
+        panel.prompt("resume it where it stopped", take_up);
     });
     View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
 }

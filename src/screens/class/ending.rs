@@ -43,7 +43,7 @@ impl EndPage {
         keys.by([Key::Left, Key::Right], EndAction::TurnPage, [-1, 1], "")
     }
 
-    /// The page that is `by` pages further on; the first or the last page if there is no such page.
+    /// The page `by` pages after this one; the first or the last page if there is no such page.
     pub(super) fn turned(self, by: isize) -> Self {
         let to = (self as usize).saturating_add_signed(by);
         Self::from_repr(to).unwrap_or(Self::Items)

@@ -166,7 +166,7 @@ impl Class {
         class
     }
 
-    /// Goes to the page that follows, if there is one.
+    /// Shows the page that follows, if one does.
     fn go(&mut self, next: Option<ClassScene>) {
         if let Some(scene) = next {
             self.scene = scene;

@@ -212,15 +212,15 @@ impl ClassPlay {
         }
     }
 
-    /// The index of the question `by` questions further on; the end of the round comes after the
-    /// last question. `None` if that question has not been reached yet.
+    /// The index of the question `by` questions after the current one; the end of the round comes
+    /// after the last question. `None` if that position has not been reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
         let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
         (to <= self.furthest).then_some(to)
     }
 
-    /// Goes to the question `by` questions further on, at the step where it was left.
+    /// Goes to the question `by` questions after the current one, at the step where it was left.
     fn leap(&mut self, by: isize, cx: &mut Context) {
         match self.leads_to(by).map(|to| (to, self.steps.get(to))) {
             Some((question, Some(step))) => self.go(question, *step, cx),
@@ -461,7 +461,7 @@ impl ClassPlay {
             ),
             ClassStep::SecondVote => Heading::new(
                 &[&turnout(Vote::Second)],
-                "You may change your vote. All others keep theirs.",
+                "You may change your vote. Otherwise your first vote counts.",
             ),
             ClassStep::Predict => Heading::new(
                 &["Predict in silence", "In silence"],

@@ -50,7 +50,8 @@ fn of_teams(round: &ClassRound, asked: usize) -> Vec<BoardRow> {
     standings.collect()
 }
 
-/// One row per question, with the share of right votes after the discussion, and the change.
+/// One row per question, with the share of right votes after the discussion, and the change from
+/// the share before it.
 fn of_questions(round: &ClassRound, asked: usize) -> Vec<BoardRow> {
     let items = items(round, asked).into_iter();
     let rows = items.map(|it| {

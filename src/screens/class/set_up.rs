@@ -135,7 +135,7 @@ impl SetUp {
         kinds
     }
 
-    /// The course of a kind of round; a code contains its own.
+    /// The course of a kind of round; `None` for a round by its code, which contains the course.
     pub(super) fn course(&self, kind: RoundKind) -> Option<CourseKind> {
         Some(match kind {
             RoundKind::Mixed => CourseKind::Even,
@@ -174,7 +174,7 @@ impl SetUp {
         }
     }
 
-    /// The keys of the marked row; letters are typed into it.
+    /// The keys of the marked row. If the row has a text field, letters are typed into the field.
     pub(super) fn keys(&self) -> KeyTable<SetUpAction> {
         use SetUpAction::{List, Preview, Remove, Topic};
         let at = self.at();
@@ -200,13 +200,13 @@ impl SetUp {
             .when(self.can_preview())
     }
 
-    /// Whether the marked row contains text.
+    /// Whether the row has a text field.
     fn has_text(&self) -> bool {
         use SetUpRow::{Class, Kind, Team};
         matches!(self.at(), Team(_) | Class | Kind(RoundKind::Code))
     }
 
-    /// Whether the key previews the questions: in rows that contain text it types a letter instead.
+    /// Whether the preview key works here: in a row with a text field it types a letter instead.
     pub(super) fn can_preview(&self) -> bool {
         !self.has_text() && self.at() != SetUpRow::Add
     }

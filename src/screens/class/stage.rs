@@ -36,7 +36,7 @@ impl Stage {
         self.session.round().questions().get(self.number())
     }
 
-    /// The number of the question, counted from 0.
+    /// The number of the current question, counted from 0.
     pub(super) fn number(&self) -> usize {
         self.session.round().place().question
     }
@@ -46,7 +46,7 @@ impl Stage {
     }
 
     /// A panel for the text of the current step. While the class votes and talks, the panel's first
-    /// page shows all choices; once a page has been turned, it stays turned.
+    /// page shows all choices. The panel stays at the page to which the teacher has turned.
     pub(super) fn words(&self) -> Panel<ClassAction> {
         let mut panel = Panel::new("");
         panel.open = true;

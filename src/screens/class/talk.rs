@@ -87,7 +87,7 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
     let unit = match &question.form {
         Form::Choice { .. } => return draw_question(area, buf, look, question, None),
         Form::Rays { .. } => {
-            // The rays do not cover the question's own labels.
+            // The rays are drawn first, so they do not cover the question's own labels.
             if let Some(collision) = question.picture.collision() {
                 draw_fan(collision, votes, area, buf, look);
             }
@@ -139,8 +139,8 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     words.collect::<Vec<_>>().join(", ") + more
 }
 
-/// If the votes for a disc have more different directions than this, only the most frequent one is
-/// labelled.
+/// The largest number of directions, in the votes for a disc, that are all labelled. If there are
+/// more, only the most frequent one is labelled.
 const MANY_WAYS: usize = 8;
 
 /// Draws all rays, from the position where the two discs will collide.

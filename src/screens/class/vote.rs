@@ -295,7 +295,7 @@ fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'stati
     }
 }
 
-/// The number of teams without a vote and, at the second vote, of those that have changed theirs.
+/// The number of teams without a vote and, at the second vote, the number of changed votes.
 fn note(round: &ClassRound, question: usize, vote: Vote) -> String {
     let missing = missing(round, question, Vote::Second);
     let voted = round.voted(question, vote);

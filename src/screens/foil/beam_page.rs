@@ -18,7 +18,7 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{AnswerAction, AnswerInput, Look, Role};
 
-/// The title of the picture: the target, and in space the unit of the counts.
+/// The title of the picture: the target and, in three dimensions, the unit of the counts.
 pub(super) fn title(foil: &FoilScreen) -> &'static str {
     use CountedFor::{Ring, Steradian};
     match (foil.fields.setup.obstacle, foil.fields.setup.counted_for()) {
@@ -212,7 +212,7 @@ fn about(setup: &FoilSetup) -> &'static str {
     }
 }
 
-/// Explains the share.
+/// Explains why this share of the particles is deflected by more than 90°.
 fn reason(law: &ScatteringLaw, share: f64) -> String {
     let nearness = law.nearness(PI / 2.0);
     match (law.target, law.beam) {

@@ -30,7 +30,7 @@ pub(crate) fn explain(said: f64, share: f64) -> String {
     if said > share {
         format!("You expected a share about {times} times as large.")
     } else {
-        format!("It is about {times} times what you expected.")
+        format!("The share is about {times} times what you expected.")
     }
 }
 

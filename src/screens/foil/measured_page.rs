@@ -179,8 +179,8 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     panel.paragraph(text, Role::Text);
 }
 
-/// The only count whose scale is known: from 1913, with gold of 2.1·10⁻⁵ cm, 45°, a screen of 1 mm²
-/// at 1 cm.
+/// The only count whose absolute scale is known: measured in 1913 at 45°, behind gold 2.1·10⁻⁵ cm
+/// thick, on a screen of 1 mm² at a distance of 1 cm.
 fn absolute_check() -> String {
     let (beam, nuclei) = (Rutherford::radium_c_on_gold(), GOLD_DENSITY * 2.1e-7);
     let share = beam.share_into(FRAC_PI_4, 1e-6 / 1e-4, nuclei);

@@ -187,7 +187,7 @@ impl FoilScreen {
     }
 
     /// Computes the particles for the next frame. Their number does not depend on the time that has
-    /// passed, so that a beam never delays the frame.
+    /// passed, so a beam never delays a frame.
     fn throw_on(&mut self) {
         if let BeamPhase::Thrown(run) = &mut self.beam {
             run.advance();
@@ -204,7 +204,7 @@ impl FoilScreen {
         cx.export(format!("carrom-foil-{page}.svg"), svg);
     }
 
-    /// Changes the particle's offset by `steps` of the form's steps.
+    /// Changes the particle's offset by `steps` times the step of the form.
     fn step_offset(&mut self, steps: i8) {
         self.edit(|_, fields| OFFSET.step(&mut fields.setup, steps.into()));
     }

@@ -2,11 +2,10 @@
 
 use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 
-/// The number of frames over which a beam runs, so that the counts grow visibly: about four
-/// seconds.
+/// The number of frames that a beam lasts: about four seconds, so that the counts grow visibly.
 const PICTURES: u64 = 240;
 
-/// The maximum number of particles computed per frame, which takes less than ten milliseconds.
+/// The maximum number of particles per frame; computing them takes less than ten milliseconds.
 const MOST: u64 = 2_000_000;
 
 /// A beam and its progress.
@@ -47,7 +46,7 @@ impl BeamRun {
         self.thrown() >= self.particles
     }
 
-    /// Whether there are particles to compute, and the beam is not stopped.
+    /// Whether there are particles left to compute and the beam has not been stopped.
     pub(super) fn is_running(&self) -> bool {
         !self.halted && !self.is_over()
     }

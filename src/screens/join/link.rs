@@ -24,7 +24,7 @@ pub(super) struct Link {
     state: LinkState,
     /// The number of failed attempts since the last message from the host.
     tries: u32,
-    /// Why the host has not let the pupil in yet, if it has said why.
+    /// Why the host has not let the pupil in yet, if the host has given a reason.
     pub(super) held_up: Option<Refusal>,
     /// The number of the last vote on this device.
     n: u64,

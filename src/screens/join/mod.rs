@@ -49,7 +49,7 @@ pub(crate) enum JoinAction {
 }
 
 impl JoinAction {
-    /// An action on the vote; a click on a choice gives the answer at once.
+    /// The action for entering an answer; a click on a choice gives the answer at once.
     const fn answer(action: AnswerAction) -> Self {
         Self::Ask(AskingAction::Answer(match action {
             AnswerAction::Choose(choice) => AnswerAction::Give(choice),

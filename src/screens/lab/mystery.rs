@@ -50,8 +50,8 @@ impl Mystery {
         CollisionField::RimFriction,
     ];
 
-    /// The keys that enter the mass while the collision is watched. The keys for a sign or a point
-    /// only continue a number, because otherwise they have another meaning there.
+    /// The keys that enter the mass while the collision is watched. A number can only begin with a
+    /// digit, because the keys for a sign and a point have other meanings there.
     pub(super) fn keys(&self) -> KeyTable<EntryAction> {
         let table = KeyTable::new("mystery");
         match (self.is_open(), self.entry.is_open()) {

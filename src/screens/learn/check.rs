@@ -86,7 +86,7 @@ fn too_long(
     (rows > room).then_some(message)
 }
 
-/// The last words of an error message: the choice that it is about.
+/// The end of an error message, which names the choice at fault; empty for other answers.
 fn line_of(said: Option<Response>) -> String {
     match said {
         Some(Response::Choice(line)) => format!(" on choice {}", line + 1),

@@ -47,7 +47,8 @@ const OF_RADII: &str = "If both radii are set, the line of impact is found from 
 const OF_SCALE: &str = "All lengths are multiplied by this number. For a file in pixels, set the \
                         millimetres per pixel.";
 
-/// Begins with a number even if no value is set, so that a browser page shows a number field.
+/// A value as shown. It begins with a number even if it is not set, so that a browser page shows a
+/// number field.
 fn shown(value: f64, unit: &str) -> String {
     let note = if value > 0.0 { "" } else { " (not set)" };
     format!("{}{unit}{note}", short(value, 4))

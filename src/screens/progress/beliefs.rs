@@ -11,7 +11,7 @@ use crate::widgets::panel::{Panel, TableColumn, TableRow};
 const WIDE: u16 = 75;
 
 /// One row per misconception: how many of the answers that could have shown it did so, in the
-/// first half of all answers and since.
+/// first half of all answers and in the second.
 pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressAction>) {
     let beliefs = beliefs(&history.attempts);
     if beliefs.is_empty() {

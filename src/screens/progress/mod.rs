@@ -58,7 +58,7 @@ enum ProgressPage {
 }
 
 impl ProgressPage {
-    /// The page this many steps after this one; the first page follows the last.
+    /// The page `steps` pages after this one; the first page follows the last.
     fn beside(self, steps: isize) -> Self {
         let count = Self::VARIANTS.len() as isize;
         let at = (self as isize + steps).rem_euclid(count);

@@ -266,7 +266,8 @@ impl Quiz {
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Plays another round of the same kind. After a review, other topics are due.
+    /// Plays another round of the same kind. After a review, other topics are due, so the player
+    /// chooses a round.
     fn again(&mut self, cx: &mut Context) -> Next {
         let code = self.round.code();
         if let CourseKind::Review(_) = code.course.kind {
@@ -353,7 +354,7 @@ impl Quiz {
     }
 
     /// Leaves the round: at once if nothing has been answered, otherwise after a confirmation.
-    /// An exam then still shows the results.
+    /// A round with feedback at the end then shows its results first.
     fn leave(&mut self) -> Next {
         if let QuizPhase::Asked(asked) = &mut self.phase
             && asked.asking.back()

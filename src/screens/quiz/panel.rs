@@ -31,7 +31,7 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     });
 }
 
-/// The choice of confidence with the points, and the answer that it refers to.
+/// The confidence levels with their points, and the answer to which they apply.
 pub(super) fn confidence(
     asked: &OpenQuestion,
     feedback_at_end: bool,

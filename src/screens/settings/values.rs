@@ -68,7 +68,7 @@ impl Settings {
     /// The number of correct predictions of both paths that unlocks the lab's live picture.
     pub(crate) const ENOUGH_PREDICTED: u8 = 3;
 
-    /// After each of this many predicted hits, beginning with the first, carrom asks what the
+    /// The number of predicted hits, from the first on, after each of which carrom asks what the
     /// player saw.
     const FIRST_OBSERVED: u8 = 3;
     /// The largest value of [`Self::watched`]: in the tenth hit after each question, the player is

@@ -73,7 +73,7 @@ impl Aim {
         self.set_direction(degrees - seat.turned_by_deg());
     }
 
-    /// Turns the aim anticlockwise by this many degrees.
+    /// Turns the aim anticlockwise by an angle in degrees.
     pub(super) fn turn(&mut self, degrees: f64) {
         self.set_direction(self.direction_deg + degrees);
     }
@@ -116,9 +116,9 @@ impl Aim {
         self.speed = tenths.clamp(SPEEDS.0, SPEEDS.1);
     }
 
-    /// Moves the striker by this many metres to the right and up on the screen. In a game it
-    /// moves only along the base lines, in steps, and skips positions that are not legal. It
-    /// stays where it is if there is no further legal position.
+    /// Moves the striker by `step`, in metres on the board. In a game the striker moves only along
+    /// the base lines, in steps, and skips positions that are not legal. It stays where it is if
+    /// there is no further legal position.
     pub(super) fn move_by(&mut self, step: DVec2, game: &Game) {
         if game.setup().rules == Rules::Practice {
             self.put(self.place + step, game);

@@ -312,7 +312,8 @@ fn players(seat: Seat, now: &Options) -> Vec<Choice> {
     choices
 }
 
-/// The choice of hands with this steadiness for the people who play, with the size of the errors.
+/// The choice of this steadiness for the hands of all people who play. Its description gives the
+/// size of the errors.
 fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
     let about: Cow<'static, str> = match hand.errors() {
         None => "Every stroke is played exactly as you aim it.".into(),

@@ -181,7 +181,7 @@ impl Drop for Host {
     }
 }
 
-/// Opens a port; waits up to this long if it is in use.
+/// Opens a port; if the port is in use, waits for at most `patience` until it is free.
 fn bind(port: u16, patience: Duration) -> io::Result<TcpListener> {
     let end = Instant::now() + patience;
     loop {

@@ -3,7 +3,8 @@
 /// The mark before the name of a key in a text that is not yet in spoken form.
 pub(super) const KEY: char = '\u{e0f0}';
 
-/// The starts of sentences that are only for sighted users; the rest of the sentence is kept.
+/// The beginnings of sentences that are left out, because only sighted users need them; the rest
+/// of the sentence is kept.
 const LEADS: [&str; 4] = [
     "Drag the point: ",
     "Now turn the rays: ",

@@ -142,8 +142,8 @@ impl PlainPage {
             names.push(option.words.clone());
             is_new
         });
-        // If Enter goes on to the next question, a line may already answer that question, so
-        // nothing gets a label.
+        // Where Enter continues to the next question, the next line typed may already answer that
+        // question. It could be taken for a label, so nothing gets one.
         if !rows.iter().any(|row| row.id == ON) {
             let is_set = |it: &PlainOption| matches!(it.kind, OptionKind::Field(_));
             let are_set = options.iter().any(is_set);
@@ -413,7 +413,7 @@ fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<
     sheet.sections.iter().map(section).collect()
 }
 
-/// Whether the row is the head row of a table.
+/// Whether the row is the header row of a table.
 fn is_head(item: &Item) -> bool {
     match &item.words {
         Words::Columns { values, .. } => {

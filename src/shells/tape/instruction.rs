@@ -12,7 +12,7 @@ pub enum Instruction {
     Set(ScreenSetting),
     /// Press the key of each character.
     Type(String),
-    /// Press a key this many times.
+    /// Press a key the given number of times.
     Press(Key, u32),
     /// Click on a cell (column, row).
     Click((u16, u16)),
@@ -22,7 +22,7 @@ pub enum Instruction {
     Hold((u16, u16), (u16, u16)),
     /// Release the button over a cell.
     Release((u16, u16)),
-    /// Turn the wheel by this many notches, over a cell or over the middle of the screen.
+    /// Turn the wheel by a number of notches, over a cell or over the middle of the screen.
     Scroll(MouseKind, u32, Option<(u16, u16)>),
     /// Advance simulated time.
     Sleep(Duration),

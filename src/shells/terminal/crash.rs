@@ -32,8 +32,8 @@ pub fn report_crashes(folder: Option<PathBuf>) {
                 None => "no folder is known for a report".into(),
             };
             let line = format!("carrom: stopped by an internal error: {}", what(info));
-            // Standard error may have been closed with its window, and a panic in this hook ends
-            // the process at once.
+            // The terminal's window may have been closed, and with it standard error. A panic in
+            // this hook would end the process at once.
             let _ = writeln!(io::stderr(), "{line}; {saved}");
         }
     }));

@@ -107,7 +107,7 @@ pub(super) fn spawn(
 pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
     let (to_host, to_client) = (sender.clone(), sender.clone());
-    // If nobody receives it, carrom is quitting.
+    // If nobody receives the message, carrom is quitting.
     let host = Host::new(host, move || drop(to_host.send(Message::Hosted)));
     let client = Client::new(move |news| {
         let _ = to_client.send(Message::Input(Input::Joined(news)));

@@ -117,7 +117,7 @@ fn send(answer: StoreAnswer, sender: &Sender<Message>) {
 
 /// Prints a message after the screen has been restored.
 fn say(words: &str) {
-    // Standard error may have been closed with its window; then the message cannot be shown.
+    // If the terminal's window has been closed, the message cannot be shown.
     let _ = writeln!(io::stderr(), "carrom: {}", escape_control(words, 400));
 }
 

@@ -22,7 +22,7 @@ pub(super) enum DatabaseError {
     /// Something that is not a file has the name of the database.
     #[error("{0}")]
     NoFile(String),
-    /// A newer version of carrom has written it.
+    /// A newer version of carrom, with this format number, has written the database.
     #[error(
         "a newer version of carrom wrote it (format {0}; this one knows formats up to {VERSION}), so \
          it is left unchanged"

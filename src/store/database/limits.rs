@@ -25,7 +25,7 @@ pub(super) fn distrust(connection: &Connection) -> rusqlite::Result<()> {
     Ok(())
 }
 
-/// Interrupts a connection once it has done more work than any database of this many bytes
+/// Interrupts a connection once it has done more work than any database of `bytes` bytes
 /// requires.
 pub(super) fn limit_work(connection: &mut Connection, bytes: u64) -> rusqlite::Result<()> {
     let mut left = STEPS + bytes / 1024 * STEPS_PER_KIB;

@@ -158,7 +158,7 @@ fn refilled(
     Ok(saved)
 }
 
-/// The version of a damaged database, or its likeliest version.
+/// The version of a damaged database, or the likeliest one if its schema is damaged too.
 fn version_of_damaged(old: &Connection) -> Result<i64, DatabaseError> {
     limits::distrust(old)?;
     // Without these settings SQLite does not read a truncated file.

@@ -28,7 +28,7 @@ pub(super) struct Saved {
     lost_answers: usize,
     /// Whether more answers may be lost.
     or_more: bool,
-    /// The copy from which rows were restored, and how many of each table.
+    /// The copy from which rows were restored, and the number of rows restored to each table.
     pub(super) copy: Option<(String, RowCounts)>,
 }
 

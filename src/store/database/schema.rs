@@ -60,7 +60,7 @@ pub(super) fn prepare(connection: &mut Connection) -> Result<(), DatabaseError> 
 
 fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
-    // Another process may have upgraded it in the meantime.
+    // Another process may have upgraded the database in the meantime.
     let found = examine(&transaction)?;
     take_steps(&transaction, found, VERSION)?;
     transaction.commit()?;

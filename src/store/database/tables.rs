@@ -46,7 +46,7 @@ impl Database {
         Ok(attempts)
     }
 
-    /// Adds a notice, only once, that this many rows were left out.
+    /// Adds a notice, only once, of how many rows were left out.
     pub(super) fn report_misfits(&mut self, misfits: usize, what: &str, why: &str) {
         if misfits > 0 && !self.reported_misfits && self.notice.is_none() {
             self.reported_misfits = true;

@@ -152,9 +152,9 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Handles the mouse button being pressed (`pressed`) or held down at a cell of the question's
-    /// picture: turns a ray, or drags the coin sideways. Returns whether the picture can be used
-    /// for the answer.
+    /// Handles the mouse button at a cell of the question's picture, where it has just been pressed
+    /// (`pressed`) or is held down: turns a ray, or moves the coin sideways. Returns whether the
+    /// picture can be used for the answer.
     pub(crate) fn point(
         &mut self,
         question: &Question,
@@ -211,8 +211,8 @@ impl AnswerInput {
         }
     }
 
-    /// The label and the action of the prompt that leads on: entering the typed number, switching
-    /// to the other ray, or submitting the answer, for which `last` is the label.
+    /// The label and the action of the next prompt: entering the typed number, switching to the
+    /// other ray, or submitting the answer, for which `last` is the label.
     pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning == Ray::Striker => {

@@ -74,8 +74,8 @@ impl Asking {
             .or([(Key::Char(' '), Take)])
     }
 
-    /// Whether Escape is left to the screen: while a number is being typed, Escape cancels the
-    /// number.
+    /// Whether the screen may use Escape; while a number is being typed, Escape cancels the number
+    /// instead.
     pub(crate) fn leaves_escape(&self) -> bool {
         self.sure.is_some() || self.input.keys().exact(Key::Escape).is_none()
     }
@@ -108,7 +108,7 @@ impl Asking {
         said.map_or(Outcome::Ignored, Outcome::Done)
     }
 
-    /// Writes the confidence levels, each with its values in the columns `heads` beside it.
+    /// Writes the confidence levels, each followed by its values in the columns headed `heads`.
     pub(crate) fn write_confidence(
         &self,
         heads: &[&str],

@@ -61,8 +61,8 @@ fn stuck(watch: &Watch) -> String {
     )
 }
 
-/// Formats the rotation rate of a pair that moves on together, in turns per second, with enough
-/// digits.
+/// Formats the rotation rate of a pair that moves on together, in turns per second, with more
+/// decimals if the rotation is slow.
 pub(crate) fn turns_a_second(outcome: &CollisionOutcome) -> String {
     let turns = outcome.spin.abs() / std::f64::consts::TAU;
     let decimals = if turns < 0.1 { 3 } else { 1 };

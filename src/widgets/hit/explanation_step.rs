@@ -9,9 +9,9 @@ use crate::physics::units::g_from_kg;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
-/// The time for looking at the picture, and the time for reading one word (at 150 words per
-/// minute), in seconds.
+/// The time for looking at the picture, in seconds.
 const LOOK: f64 = 3.0;
+/// The time for reading one word, in seconds, at 150 words per minute.
 const WORD: f64 = 0.4;
 /// The shortest duration of a step, in seconds.
 const SHORTEST: f64 = 5.0;

@@ -25,7 +25,7 @@ impl Overlay {
     /// All layers, in the order of their keys.
     pub(crate) const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// A short name for the contents of the layer.
+    /// A short name for what the layer shows.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Lines => "line of impact",

@@ -15,11 +15,13 @@ use crate::widgets::picture::{Pen, Picture, around};
 const COLUMNS: f64 = 4.7;
 /// The radius of the larger disc in a picture with a scale, in columns.
 const LARGE_COLUMNS: f64 = 6.0;
-/// The distance in millimetres between two ticks of the scale, and between two numbered ticks.
+/// The distance between two ticks of the scale, in millimetres.
 const TICK_MM: i32 = 5;
+/// The distance between two numbered ticks of the scale, in millimetres.
 const NUMBER_MM: i32 = 10;
-/// The length of the required path and the radius of its arc, in radii of the larger disc.
+/// The length of the required path, in radii of the larger disc.
 const WAY: f64 = 2.8;
+/// The radius of the arc to the required path, in radii of the larger disc.
 const ARC: f64 = 1.9;
 
 fn along(collision: &Collision) -> DVec2 {

@@ -6,7 +6,7 @@ use std::time::Duration;
 /// The shortest time between two frames: a sixtieth of a second.
 pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 
-/// The duration of the approach on the screen if the motion did not slow down, in seconds.
+/// How long the approach would last on the screen if the motion did not slow down, in seconds.
 const APPROACH: f64 = 1.1;
 /// The time over which the motion slows down before the contact and speeds up after it, in seconds.
 const EASE: f64 = 0.35;
@@ -258,7 +258,7 @@ impl Playback {
         self.stage = PlaybackStage::Approach(0.0);
     }
 
-    /// Moves forwards or backwards by this many steps: at the contact these are steps of the
+    /// Moves by `by` steps, backwards if negative: at the contact these are steps of the
     /// explanation, otherwise small steps in time.
     pub(crate) fn step(&mut self, by: i8) {
         let next = match self.stage {
@@ -271,9 +271,9 @@ impl Playback {
         }
     }
 
-    /// Pauses, and moves by this fraction of the shot's duration. A move across the contact stops
-    /// at the contact: at the first step of the explanation if it is forwards, at the last if it is
-    /// backwards.
+    /// Pauses, and moves by the fraction `share` of the shot's duration, backwards if negative. A
+    /// move that would cross the contact stops there: going forwards, at the first step of the
+    /// explanation; going backwards, at the last.
     pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();
         let to = (from + share * self.end).clamp(0.0, self.end);

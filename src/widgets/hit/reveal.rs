@@ -45,8 +45,7 @@ impl Reveal {
         self.watch = Some(watch);
     }
 
-    /// The keys of the collision, if there is one; at the end of the collision the space bar
-    /// replays it.
+    /// The keys that control the collision, if there is one; at the end the space bar replays it.
     pub(crate) fn keys(&self) -> KeyTable<WatchAction> {
         let Some(watch) = &self.watch else {
             return KeyTable::new("hit");

@@ -12,8 +12,9 @@ use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
 
-/// The shortest and the longest possible arrow of the faster disc, in radii of the larger disc.
+/// The minimum length of the faster disc's arrow, in radii of the larger disc.
 const SHORTEST: f64 = 0.5;
+/// The maximum length of the faster disc's arrow, in radii of the larger disc.
 const LONGEST: f64 = 1.1;
 
 /// Two discs that are about to collide, with the given information and the rays that the player is
@@ -51,8 +52,8 @@ pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collisio
     picture
 }
 
-/// A striker and a coin that are about to collide with an offset in metres, and the required path
-/// of one of them.
+/// A striker and a coin that are about to collide at `offset`, in metres, with the required path of
+/// one of them.
 pub(crate) fn aim_picture(area: Rect, aim: &AimTask, offset: f64, given: Markings) -> Picture {
     let mut sketch = setup(area, Face::STRIKER_AND_COIN, &aim.with(offset), given);
     sketch.wanted_way(aim);
@@ -211,7 +212,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
     }
 }
 
-/// Draws the rays predicted so far, starting from where the discs will touch.
+/// Draws the rays predicted so far, each starting at the rim of its disc at contact.
 fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     let said = rays.so_far();
     for ray in Ray::BOTH.into_iter().filter(|ray| rays.asks(*ray)) {

@@ -1,5 +1,4 @@
-//! A collision that the player first watches without any explanation and then describes: what did
-//! you see?
+//! A collision that the player first watches without any explanation and then describes.
 
 use std::time::Duration;
 
@@ -19,8 +18,8 @@ use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Outcome, RayInput, Role, brief};
 
-/// A collision that the player watches first and then describes by setting two rays. The rays are
-/// empty at the start, so that the prediction does not suggest the answer.
+/// A collision that the player watches first and then describes by setting two rays. Neither ray is
+/// set at the start, so that the player's prediction does not suggest the answer.
 #[derive(Debug, Clone)]
 pub(crate) struct Sighting {
     watch: Watch,
@@ -44,7 +43,7 @@ pub(crate) enum SightingAction {
 }
 
 impl Sighting {
-    /// The collision from its start.
+    /// Creates a sighting that begins at the start of the collision.
     pub(crate) fn new(collision: Collision, given: Markings, pace: HitPace) -> Self {
         let watch = Watch::new(collision, None, pace).at_once();
         Self {
@@ -78,7 +77,7 @@ impl Sighting {
     }
 
     /// Carries out an action; returns `Done` with what the player saw, or with `None` if the player
-    /// skips this.
+    /// skips the question.
     pub(crate) fn act(&mut self, action: SightingAction) -> Outcome<Option<Rays>> {
         match action {
             SightingAction::GoOn => {
@@ -133,8 +132,8 @@ impl Sighting {
         }
     }
 
-    /// The picture of the collision; once the collision is over, the picture before the collision,
-    /// with the rays.
+    /// Until the collision is over, the picture of the moving discs; afterwards, the picture before
+    /// the collision, with the rays.
     pub(crate) fn picture(&self, area: Rect) -> Picture {
         match self.is_over() {
             true => {

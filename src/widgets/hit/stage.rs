@@ -28,7 +28,7 @@ const RAY: f64 = 2.9;
 pub(crate) struct HitLayout {
     /// The mapping from the world to the screen.
     pub view: View,
-    /// The collision.
+    /// The collision that is drawn.
     pub collision: Collision,
     /// The centres at contact, or at the closest approach.
     pub(crate) centres: [DVec2; 2],
@@ -83,8 +83,8 @@ impl HitLayout {
         self.collision.u1.try_normalize().unwrap_or(DVec2::X)
     }
 
-    /// Whether the other disc, at these positions, is straight ahead of a disc that moves in the
-    /// given direction.
+    /// Whether the other disc is straight ahead of the disc `body`, which moves in the given
+    /// direction, when the discs are at `places`.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
         let other = places[1 - body] - places[body];
         let direction = direction.normalize_or_zero();
@@ -96,7 +96,7 @@ impl HitLayout {
         self.is_towards(self.centres, body, -v)
     }
 
-    /// A disc's ray at an angle in radians, with the sign convention of physics, starting from the
+    /// A disc's ray at an angle in radians, with the sign convention of `turn`, starting from the
     /// disc's position at contact: its direction, the point where it leaves the rim, and its end.
     pub(crate) fn ray(&self, ray: Ray, angle: f64) -> (DVec2, [DVec2; 2]) {
         let centre = self.centres[ray as usize];
@@ -169,8 +169,8 @@ pub(super) fn time_in_sight(collision: &Collision) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// The sign convention for a ray's angle: scattering angles are positive anticlockwise, recoil
-/// angles clockwise.
+/// The sense in which a ray's angle is positive: 1 (anticlockwise) for scattering angles, −1
+/// (clockwise) for recoil angles.
 fn turn(ray: Ray) -> f64 {
     match ray {
         Ray::Striker => 1.0,

@@ -15,7 +15,7 @@ use crate::quiz::{AimTask, Form, Question, Rays, Response};
 use crate::widgets::panels::{impact_angle, masses, offset, rim_facts, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
-/// The fraction of the shot's duration by which the keys `<` and `>` move.
+/// The fraction of the shot's duration by which the keys `<` and `>` move the playback.
 const SCRUB: f64 = 1.0 / 16.0;
 
 /// A collision being watched.
@@ -35,7 +35,7 @@ pub(crate) struct Watch {
     pub(super) faces: [Face; 2],
     /// The steps of the explanation at the contact.
     steps: &'static [ExplanationStep],
-    /// The layer that the last key switched on or off.
+    /// The layer that the last key press switched on or off, if it did.
     switched: Option<Overlay>,
 }
 
@@ -82,8 +82,8 @@ impl Face {
 }
 
 impl Watch {
-    /// The collision from its start, or with reduced motion from its contact, with the player's
-    /// prediction.
+    /// Creates the playback of a collision, with the player's prediction. It begins at the start of
+    /// the collision or, with reduced motion, at the contact.
     pub(crate) fn new(collision: Collision, said: Option<Rays>, pace: HitPace) -> Self {
         let (contact, end) = times(&collision);
         let outcome = collision.outcome();
@@ -176,7 +176,7 @@ impl Watch {
         &self.collision
     }
 
-    /// Its outcome.
+    /// The outcome of the collision.
     pub(crate) fn outcome(&self) -> &CollisionOutcome {
         &self.outcome
     }

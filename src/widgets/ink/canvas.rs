@@ -74,7 +74,7 @@ impl Canvas {
         canvas.blocks = look.blocks;
         canvas.has_shades = look.theme.has_shades() && !is_hidden;
         canvas.is_mono = look.theme.is_mono();
-        // A board's surface never blocks a label, so it is not needed where it is hidden.
+        // A board's surface never blocks a label, so it is not needed if vectors hide the cells.
         let is_needed = |mark: &&Mark| !(is_hidden && matches!(mark, Mark::Ground { .. }));
         for mark in picture.marks.iter().filter(is_needed) {
             canvas.mark(mark);
@@ -365,7 +365,7 @@ impl Canvas {
         });
     }
 
-    /// The number of columns and of rows of the canvas.
+    /// The numbers of columns and rows of the canvas.
     pub(super) fn size(&self) -> (i32, i32) {
         let area = self.view.area();
         (i32::from(area.width), i32::from(area.height))

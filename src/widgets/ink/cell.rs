@@ -26,7 +26,7 @@ pub(super) struct DiscCover {
     /// The covered part, in a grid of 8 × 8.
     pub(super) bits: u64,
     pub(super) role: Role,
-    /// Whether the disc is so faint that marks above and below it remain visible.
+    /// Whether the disc is drawn so faintly that marks below it remain visible.
     pub(super) faint: bool,
 }
 
@@ -85,15 +85,15 @@ impl Cell {
         self.ground[0].bits != 0
     }
 
-    /// The role of the largest part of a board in this cell; if two parts are equally large, that
-    /// of the upper one, so that a token beside the frame is on the surface.
+    /// The role of the largest part of a board in this cell; if two parts are equally large, the
+    /// role of the upper one, so that a token beside the frame has the background of the surface.
     pub(super) fn ground_role(&self) -> Option<Role> {
         let parts = self.ground.iter().rev();
         let largest = parts.max_by_key(|part| part.bits.count_ones());
         largest.filter(|_| self.has_ground()).map(|part| part.role)
     }
 
-    /// Whether the cell contains only a single part of a board.
+    /// Whether one part of a board fills the whole cell and no disc covers any of it.
     pub(super) fn is_flat(&self) -> bool {
         self.cover() == 0 && self.ground[0].bits == u64::MAX
     }

@@ -15,16 +15,16 @@ const OUTLINE_WIDTH: i32 = 3;
 /// The radius, in columns, below which a disc is drawn as an [`outline`].
 const OUTLINED: f64 = 2.0;
 
-/// The height, in rows, of the smallest disc, below which discs are drawn as blocks. Slightly less
-/// than the height of a coin on the whole board in a window with 30 rows.
+/// Discs are drawn as blocks if the height of the smallest one, in rows, is below this limit, which
+/// is slightly less than the height of a coin on the whole board in a window with 30 rows.
 const BLOCK_ROWS: f64 = 1.05;
 
 /// The radius of the ring around a marked disc, in units of the disc's radius.
 const RING: f64 = 1.25;
 
 impl Canvas {
-    /// Draws discs at one scale: all as circles if the smallest is large enough, all as
-    /// [blocks](Self::block) if it is smaller, and all as [tokens](token) if it is smaller still.
+    /// Draws discs at one scale: all as [tokens](token) if the smallest is too small, otherwise as
+    /// circles, with [blocks](Self::block) for those that would not look round.
     ///
     /// A round disc is at its true position, with its letter in the cell that contains its centre.
     /// Tokens and outlines never share cells: if two would overlap, the one farther from the middle
@@ -69,15 +69,17 @@ impl Canvas {
     pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
         let fewest_rows = match self.charset {
             Charset::Ascii => token_rows(self.charset),
-            // Slightly less than the height of a coin on the whole board in a window with 24 rows.
+            // This is slightly less than the height of a coin on the whole board in a window with
+            // 24 rows.
             Charset::Unicode if self.has_shades => 0.8,
             Charset::Unicode => 1.4,
         };
         self.rows_of_smallest(bodies) >= fewest_rows
     }
 
-    /// Whether a disc among others is drawn as a block, which is the case if the soft edge of the
-    /// smallest disc would be larger than the rest of that disc and this disc would not look round.
+    /// Whether a disc among others is drawn as a block. This is the case if the disc would not look
+    /// round, and the smallest disc is so small that its soft edge would be larger than the rest of
+    /// it.
     pub(super) fn is_block(&self, body: &Body, bodies: &[Body]) -> bool {
         let is_soft = self.charset == Charset::Unicode && self.has_shades;
         is_soft && self.rows_of_smallest(bodies) < BLOCK_ROWS && self.is_token(body)
@@ -95,7 +97,8 @@ impl Canvas {
         self.places(bodies, width)
     }
 
-    /// Assigns separate cells to bodies that are this many columns wide and one row high.
+    /// Assigns separate cells to bodies that are one row high and as many columns wide as `width`
+    /// returns.
     fn places<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a Body>,

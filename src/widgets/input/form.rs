@@ -61,14 +61,14 @@ pub(crate) enum FieldValue {
         /// The unit as written after a number: " mm", "°", or an empty string.
         unit: &'static str,
     },
-    /// One of several options, counted from 0; they wrap around.
+    /// One of several options, counted from 0; after the last option comes the first again.
     Choice {
         /// The index of the current option.
         at: usize,
         /// The number of options.
         count: usize,
     },
-    /// A text of at most this many letters, which is typed.
+    /// A text to be typed, with its maximum number of letters.
     Text(usize),
 }
 
@@ -88,7 +88,8 @@ impl FieldValue {
         }
     }
 
-    /// The value after this many steps, rounded to a whole number of steps.
+    /// The value after `steps` steps, rounded to a whole multiple of the step; a choice moves to
+    /// the next or the previous option.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
             Self::Text(_) => 0.0,
@@ -144,7 +145,7 @@ impl<S> FieldRow<S> {
         (self.put)(of, value.clamp(least, most) + 0.0);
     }
 
-    /// Changes the setting by this many steps; choices wrap around.
+    /// Changes the setting by `steps` steps; choices wrap around.
     pub(crate) fn step(&self, of: &mut S, steps: f64) {
         self.set(of, (self.value)(of).stepped(steps));
     }
@@ -328,12 +329,12 @@ impl SettingsForm {
         }
     }
 
-    /// Changes the selected field by this many steps.
+    /// Changes the selected field by `steps` steps, backwards if negative.
     pub(crate) fn step(&mut self, steps: f64, form: &mut impl FormFields) {
         self.step_at(self.at, steps, form);
     }
 
-    /// Changes the field at an index by this many steps, without selecting it.
+    /// Changes the field at the index `at` by `steps` steps, without selecting it.
     pub(crate) fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();

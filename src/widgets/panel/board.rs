@@ -14,6 +14,7 @@ const LARGE: [u16; 2] = [LETTERS + 1, LETTERS + 2];
 const APART: u16 = 3;
 /// The total number of columns beside a name for its points and its gain.
 const NUMBERS: u16 = 20;
+/// The number of columns for each of these two numbers.
 const NUMBER: usize = 6;
 
 /// A name with its score.

@@ -130,7 +130,7 @@ impl<A: Copy> Panel<A> {
     }
 
     /// Lays the panel out on pages in large letters beside a picture, on a screen whose body has
-    /// `body_rows` rows; `None` if some letter has no large form.
+    /// `body_rows` rows; `None` if any letter has no large form.
     pub(crate) fn paged(
         &self,
         beside: Beside,
@@ -507,8 +507,8 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines) {
     lines.unrecorded(|lines| lines.line("", Role::Text));
 }
 
-/// Writes names side by side, as closely together as possible. If there are too many rows, the
-/// first rows are left out.
+/// Writes names side by side, as closely together as possible. If there are too many rows, only
+/// some of them are shown, including the row of the selected name or, if there is none, the last.
 fn write_grid(cells: &[[String; 2]], chosen: Option<usize>, lines: &mut Lines) {
     let widest = cells.iter().map(|[name, _]| text::width(name)).max();
     let widest = widest.unwrap_or(0) + BESIDE_NAME;
@@ -549,8 +549,9 @@ const MOST_ROWS: usize = 3;
 /// The minimum number of rows for the text that scrolls between fixed blocks.
 const LEAST: u16 = 6;
 
-/// The indentation, in columns, of formulas and of continuation lines of working.
+/// The indentation of formulas, in columns.
 const FORMULA: u16 = 2;
+/// The indentation of continuation lines of working, in columns.
 const WORKING: u16 = 4;
 /// The maximum width of a gauge, in columns.
 const LONGEST_GAUGE: u16 = 52;
@@ -568,11 +569,11 @@ const BETWEEN_TABS: u16 = 2;
 /// The width of the letter and the name in a line of a menu, in columns.
 const ENTRY: usize = 15;
 
-/// The minimum width, in columns, of a panel in which a table has gaps between its columns.
+/// The minimum width, in columns, of a panel in which a table has gaps before its numbers.
 const WIDE_TABLE: u16 = 72;
 
-/// Writes a table: its headings, then one line per row. If there is room, there are gaps before
-/// numbers, and between numbers and the text after them. A table that `leaves` some rows free shows
+/// Writes a table: its headings, then one line per row. There are gaps between numbers and the text
+/// after them and, if there is room, before numbers. A table that `leaves` some rows free shows
 /// only the part around its selected row.
 fn write_table(
     columns: &[TableColumn],

@@ -161,7 +161,7 @@ pub(crate) struct TableColumn {
     pub width: u16,
     /// Whether the cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
-    /// The minimum width of a panel that shows the column, in cells.
+    /// The minimum width, in terminal cells, of a panel that shows the column.
     pub room: u16,
     /// Whether the cells are graphics that repeat the information in other cells.
     pub drawn: bool,
@@ -187,7 +187,7 @@ impl TableColumn {
         }
     }
 
-    /// This column, but shown only in panels that are at least `room` cells wide.
+    /// This column, but shown only in panels that are at least `room` terminal cells wide.
     pub(crate) fn from(self, room: u16) -> Self {
         Self { room, ..self }
     }
@@ -281,7 +281,7 @@ impl<A> Panel<A> {
         self.below = Some(self.blocks.len());
     }
 
-    /// Writes part of the panel, whose actions are converted to the panel's actions.
+    /// Writes a part that has actions of its own, and converts them to the panel's actions.
     pub(crate) fn part<B>(&mut self, wrap: impl Fn(B) -> A, write: impl FnOnce(&mut Panel<B>)) {
         let mut part = Panel::new("");
         write(&mut part);

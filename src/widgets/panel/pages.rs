@@ -18,13 +18,13 @@ use crate::widgets::big::{BigPages, BigParagraph, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
-/// The number of rows between two paragraphs: the usual one, and the one that is used to save
+/// The number of rows between two paragraphs: the usual number, and the number that is used to save
 /// pages.
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and on the right of the text.
 const APART: u16 = 1;
-/// How much smaller a picture may be on a page that has to show everything, in tenths of its full
-/// size; the sizes are tried in this order.
+/// The amounts, in tenths of the full size, by which a picture on a page that has to show
+/// everything may be smaller than elsewhere, in the order in which they are tried.
 const SMALLER: [u16; 2] = [0, 2];
 /// The minimum width of text beside a picture, in columns.
 const LEAST: u16 = 24;
@@ -90,7 +90,7 @@ struct VotePageLayout {
 
 impl<'p> PlacedPages<'p> {
     /// Lays a panel out beside a picture, on a screen whose body has `body_rows` rows; `None` if
-    /// some letter has no large form.
+    /// any letter has no large form.
     pub(crate) fn new<A>(
         panel: &'p Panel<A>,
         beside: Beside,
@@ -165,8 +165,8 @@ impl<'p> PlacedPages<'p> {
     }
 
     /// Whether these pages, which have a heading in large letters above them, are as good as
-    /// `other`, the layout without a heading: a single page, letters of the same size, and a
-    /// picture that is not much smaller.
+    /// `other`, the layout without a heading: they are a single page, with letters of the same size
+    /// and a picture that is not much smaller.
     pub(crate) fn are_as_good_as(&self, other: &Self, look: &Look) -> bool {
         let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
             return false;
@@ -333,9 +333,10 @@ struct PageSetting<'l> {
 }
 
 /// Sets a question with its choices so that the first page shows all choices, in letters that are
-/// just large enough if necessary: with the picture if possible, otherwise with the question or
-/// only its last sentence. Further pages show whatever does not fit on the first. Other text is set
-/// on one page with its picture. `None` if that is not possible.
+/// just large enough if necessary: with the picture if possible, otherwise without it and, if
+/// there is too little room, with only the last sentence of the question or none of it. Further
+/// pages then show the question and the picture. Other text is set on one page with its picture.
+/// `None` if that is not possible.
 fn on_one_page<'p>(
     texts: &[PagedParagraph<'p>],
     setting: PageSetting,
@@ -516,8 +517,8 @@ fn bar_below(paragraphs: &[PagedParagraph]) -> u16 {
     last.is_some_and(|it| it.text.share.is_some()).into()
 }
 
-/// The first layout with the fewest pages, where a page that ends early counts twice. The search
-/// stops at the first layout with a single page.
+/// The first layout with the fewest pages, where a layout in which any page ends early counts as
+/// one page longer. The search stops at the first layout with a single page.
 fn fewest_pages<'p>(all: impl Iterator<Item = PagedText<'p>>) -> Option<PagedText<'p>> {
     let cost = |it: &PagedText| it.count() + usize::from(it.pages.ends_early);
     let mut best: Option<PagedText> = None;

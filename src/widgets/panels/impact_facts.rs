@@ -41,7 +41,7 @@ pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Pa
     }
 }
 
-/// Writes the angle between the paths, if the discs move on separately.
+/// Writes the angle between the paths, or "none" if there are not two paths.
 pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     let outcome = collision.outcome();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;

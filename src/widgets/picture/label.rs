@@ -114,8 +114,8 @@ impl LabelSide {
         }
     }
 
-    /// The first cell of a label of this `width` that is `away` rows from its anchor; a label on
-    /// the anchor's row is twice as many columns away, because a cell is twice as high as it is
+    /// The first cell of a label that has this `width` and is `away` rows from its anchor; a label
+    /// on the anchor's row is twice as many columns away, because a cell is twice as high as it is
     /// wide.
     pub(in crate::widgets) fn start(
         self,

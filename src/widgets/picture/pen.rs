@@ -80,7 +80,7 @@ impl Pen {
         self
     }
 
-    /// This pen at twice the width.
+    /// This pen at about twice the width.
     #[must_use]
     pub const fn bold(self) -> Self {
         Self { bold: true, ..self }

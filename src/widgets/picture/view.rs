@@ -44,7 +44,7 @@ impl View {
     }
 
     /// This view, shifted by at most half a cell so that `world` is in the middle of a cell. A
-    /// small mark at that point is then drawn exactly in its place.
+    /// small mark at that point is then drawn exactly there.
     #[must_use]
     pub fn with_in_a_middle(self, world: DVec2) -> Self {
         let cell = self.to_cell(world);

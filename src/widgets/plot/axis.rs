@@ -10,7 +10,7 @@ pub(crate) struct Axis {
     from: f64,
     to: f64,
     scale: AxisScale,
-    /// The distance between ticks, if it is fixed.
+    /// The preferred distance between ticks, if there is one.
     step: Option<f64>,
 }
 
@@ -76,7 +76,7 @@ impl Axis {
         }
     }
 
-    /// At most `most` ticks for this axis.
+    /// The ticks of this axis: roughly `most` or fewer.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {

@@ -33,7 +33,7 @@ impl Plot {
             width: area.width - left - right,
             height: rows,
         };
-        // The width of a number does not depend on the number of ticks.
+        // The width of the widest number hardly depends on how many ticks there are.
         let widest = x.ticks(6).iter().map(width_of).max().unwrap_or(1);
         let x_ticks = x.ticks(usize::from(paper.width / (widest + 3)).max(1));
         let ((x0, x1), (y0, y1)) = (x.ends(), y.ends());

@@ -7,14 +7,14 @@ use crate::widgets::picture::positive;
 /// The position of a tick, in units in which the axis is linear, and the text beside it.
 pub(crate) type Tick = (f64, String);
 
-/// More ticks than fit on any screen.
+/// The maximum number of ticks, which is more than fit on any screen.
 const MOST: usize = 100;
 
 /// The smallest step for which numbers are written with a power of ten.
 const LARGE: f64 = 1e5;
 
-/// At most `most` ticks, at the multiples of `step`, or of `step` doubled as often as necessary;
-/// without a step, at the multiples of 1, 2 or 5 times a power of ten.
+/// Ticks at the multiples of `step`, or of the smallest multiple of `step` that divides the range
+/// into at most `most` parts; without a step, at the multiples of 1, 2 or 5 times a power of ten.
 pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let wanted = (to - from) / most;
@@ -44,8 +44,8 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
         .collect()
 }
 
-/// At most `most` ticks at the powers of ten between two exponents; if there are fewer than two of
-/// these, also at 2 and 5 times each power.
+/// Ticks between two exponents: at most `most` ticks at powers of ten or, if fewer than two powers
+/// are in the range, ticks at 1, 2 and 5 times each power.
 pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let (first, last) = ((from - 1e-9).ceil(), (to + 1e-9).floor());
@@ -79,8 +79,8 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// The text for a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1, always the form
-/// 10⁻¹.
+/// The text for a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1, always an exponent,
+/// as in 10⁻¹.
 fn power_of_ten(exponent: i32) -> String {
     if (0..=3).contains(&exponent) {
         return format!("{}", 10_i32.pow(exponent.unsigned_abs()));

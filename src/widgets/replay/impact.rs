@@ -64,7 +64,7 @@ mod tests {
     use super::*;
     use crate::physics::{Board, Limits, Motion, play};
 
-    /// A disc shot into a loose row, in which some discs then collide while both are moving.
+    /// A disc is shot into a loose row; in some of the resulting collisions, both discs are moving.
     fn row() -> Shot {
         let disc = Disc::from_g_mm(15.0, 20.0);
         let places = [

@@ -191,8 +191,8 @@ impl ShotPlayer {
         }
     }
 
-    /// The action triggered by clicking the picture: the same as for the space bar, but none in the
-    /// list of impacts.
+    /// The action triggered by clicking the picture: that of the space bar or, in the list of
+    /// impacts, none.
     pub(crate) fn clicked(&self) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => None,

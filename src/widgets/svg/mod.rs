@@ -187,7 +187,7 @@ impl Render for Svg {
 }
 
 /// A number in a picture. It is written with two decimal places, which is finer than any printer
-/// can show, and is always finite.
+/// can resolve, and is always finite.
 struct Number(f64);
 
 impl std::fmt::Display for Number {

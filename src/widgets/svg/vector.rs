@@ -22,7 +22,7 @@ const HEAD: (f64, f64) = (11.0, 4.2);
 const POINTED_OUT: f64 = 1.25;
 /// The number of pieces used for an arc that is only partly in the view.
 const PIECES: u32 = 180;
-/// The distance from the last point below which a line leaves out the next point, in units of the
+/// A point of a line is left out if it is closer than this to the previous point, in units of the
 /// picture.
 const NEAR: f64 = 0.3;
 /// The radius of a dot, which is also the smallest radius of a disc.

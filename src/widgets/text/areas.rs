@@ -6,7 +6,7 @@ use serde::Deserialize;
 /// The area that a screen may fill, and the sizes of its pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Room {
-    /// The cells.
+    /// The cells that the screen may fill.
     pub area: Rect,
     /// The sizes of pictures if they do not follow from the area, as on a web page, which lays out
     /// the recorded contents in its own way.
@@ -61,7 +61,7 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
 
 /// The area of a picture, and the area of a panel on its right that is `panel_columns` columns
 /// wide. In a portrait area, such as on a phone, the panel is below the picture, which is just high
-/// enough to be square.
+/// enough to be square, but takes at most three fifths of the rows.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;
     if let Some(sizes) = room.pictures {

@@ -247,7 +247,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Writes a single row with a name on the left and a right-aligned value. A name that is too
-    /// long for the space beside the value is truncated with an ellipsis.
+    /// long for the space beside the value is truncated and ends in "..".
     pub(crate) fn pair(&mut self, name: &Run, value: &Run) {
         self.record(|charset| Words::Pair {
             name: Run::new(self.unmarked(&name.text), name.role).spelt(charset),

@@ -51,7 +51,7 @@ pub struct Section {
     pub title: String,
     /// The items, from top to bottom.
     pub items: Vec<Item>,
-    /// For each item, whether it is in the right half of the section, and the top of its area.
+    /// For each item, whether it is in the right half of the section, and the top row of its area.
     #[serde(skip)]
     places: Vec<(bool, u16)>,
     #[serde(skip)]

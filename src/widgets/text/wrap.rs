@@ -101,7 +101,7 @@ fn equation_break(text: &str, columns: usize) -> Option<usize> {
 fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut gap = 0;
     text.split("  ").filter_map(move |piece| {
-        // If there are three spaces, the third belongs to the piece after or before the gap.
+        // If there are three spaces, the third is at the start of the next piece.
         let entry = piece.trim_matches(' ');
         gap += 2 + piece.len() - entry.len();
         let here = (!entry.is_empty()).then_some((gap, entry))?;
@@ -163,7 +163,7 @@ pub(crate) fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of `text`, at most `columns` columns wide, with an ellipsis if it is truncated.
+/// The beginning of `text`, at most `columns` columns wide, followed by ".." if it is truncated.
 /// Zero-width marks are limited too: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =

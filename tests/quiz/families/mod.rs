@@ -1,5 +1,5 @@
 //! The families of the quiz over thousands of seeds: the true answer agrees with an independent
-//! calculation, every misconception is recognised by its answer, and every text is readable.
+//! calculation, every misconception is recognized by its answer, and every text is readable.
 
 mod both_moving;
 mod centre_of_mass;

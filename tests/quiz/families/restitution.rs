@@ -18,7 +18,7 @@ fn the_true_answers_follow_from_an_impulse_along_the_line_of_centres() {
         let square = || assert_close(hit.separation_deg(), 90.0, &question);
         match word(&question, "asked") {
             "striker" => {
-                // Only a lighter striker can leave at 90° to the coin, whatever the masses are.
+                // Only one mass, less than the coin's, lets the striker leave at 90° to the coin.
                 let coin_g = figure(&question, "m2_g");
                 let at = |m1| Hit::new(m1, coin_g, e, hit.u, 0.5).separation_deg();
                 assert_close(at(e * coin_g), 90.0, &question);

@@ -15,7 +15,7 @@ fn the_true_answers_follow_from_momentum_shared_along_the_line_of_impact_or_comp
     for question in all(Family::SlipOrStick) {
         let [m1, m2, u] = ["m1_g", "m2_g", "speed"].map(|name| figure(&question, name));
         let alpha = figure(&question, "alpha_deg").to_radians().abs();
-        // In components along n and t: with e = 0 both have the same component along n.
+        // In components along n and t: with e = 0 both discs have the same final component along n.
         let level = m1 * u * alpha.cos() / (m1 + m2);
         let (striker, target) = (DVec2::new(level, u * alpha.sin()), DVec2::new(level, 0.0));
         let energy = |m: f64, v: DVec2| 0.5 * m * v.length_squared();

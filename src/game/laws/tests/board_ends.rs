@@ -155,8 +155,8 @@ fn law_30_the_match_ends_with_the_second_game() {
     assert_eq!(game.0.no_place(), Err(StrokeError::Ended));
 }
 
-/// Asserts how the board ends, both at a score at which the queen is worth points and at one at
-/// which she is not: (law, winner, points below 22, points from 22 on).
+/// Asserts which law ends the board and who wins it, and by how many points: `below_22` at a score
+/// at which the queen is worth points, `from_22` at a score at which she is not.
 #[track_caller]
 fn ends(
     lay: impl Fn() -> Table,

@@ -73,9 +73,9 @@ pub(super) fn spread(coins: &mut [Coin]) {
 }
 
 impl Table {
-    /// Gives South and North these points before this board.
+    /// Gives South and North these points from earlier boards.
     pub(super) fn score(mut self, south: u8, north: u8) -> Self {
-        // Four boards, so that the break is South's again.
+        // Four earlier boards are recorded, so that the break is South's again.
         for (winner, points) in [(Team::First, south), (Team::Second, north)] {
             let most = points.min(MOST_POINTS);
             for points in [most, points - most] {
@@ -85,7 +85,7 @@ impl Table {
         self
     }
 
-    /// Makes White owe this many coins.
+    /// Makes White owe `dues` coins.
     pub(super) fn white_owes(mut self, dues: u8) -> Self {
         self.0.play.owed[Team::First] = dues;
         self

@@ -9,7 +9,7 @@ use crate::game::score::Score;
 use crate::game::validity::check_coins;
 use crate::game::{Coin, Colour, Game, GameSetup, Hands, Piece, Seat, Team};
 
-/// All points of a board of point carrom.
+/// The total number of points on a board of point carrom.
 pub(super) const ALL_POINTS: u8 = 9 * 2 + 9 + QUEEN;
 
 /// The first inconsistency of a game, if there is any.

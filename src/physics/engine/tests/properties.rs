@@ -165,8 +165,8 @@ proptest! {
     }
 }
 
-/// Packs that stay together, press against each other and come to rest disc by disc are the hardest
-/// case.
+/// Packs whose discs stay together, press against each other and come to rest one by one are the
+/// hardest case.
 #[test]
 fn collapsing_packs_obey_the_laws() {
     for (gap, friction, e, cushion, velocity) in [

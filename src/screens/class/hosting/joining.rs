@@ -18,7 +18,8 @@ const HINT: &str = "Has nobody joined? Devices must be on the same network as th
                     phone and let everyone join it, or vote with hands or cards instead.";
 /// The height of an address in large letters, in rows.
 const LETTERS: u16 = 4;
-/// The smallest number of rows, beside a QR code, with which large letters are used.
+/// The smallest height of the panel, in rows, at which the address and the code in it have large
+/// letters.
 const LARGE_FROM: u16 = 13;
 /// The scales of a QR code, the largest first.
 const SCALES: [usize; 3] = [3, 2, 1];

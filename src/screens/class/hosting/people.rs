@@ -19,7 +19,7 @@ pub(in crate::screens::class) struct People {
     asked: Option<String>,
 }
 
-/// A row of the list, by its unique name.
+/// A row of the list, identified by the participant's name, which is unique.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum PersonRow {
     Person(String),

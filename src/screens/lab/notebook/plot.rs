@@ -52,7 +52,8 @@ pub(super) fn varied(axes: [&NotebookColumn; 2]) -> CollisionField {
     own.unwrap_or(CollisionField::ImpactAngle)
 }
 
-/// The exact values of both columns while one setting varies. The others are those of `setup`.
+/// The exact values of both columns while one setting varies. The other settings are those of
+/// `setup`.
 fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -> Vec<DVec2> {
     let field = varied(axes);
     let (from, to) = range(field, setup, hits);

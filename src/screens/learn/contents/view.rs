@@ -60,7 +60,8 @@ fn chapter_line(book: &Book, chapter: &Chapter, is_next: bool) -> (String, Strin
     (format!("{} {}", chapter.number, chapter.title), side, role)
 }
 
-/// The progress of a chapter: its page while it is being read, then the number of right answers.
+/// The progress of a chapter: the number of pages read or, once all of them have been read, the
+/// number of right answers.
 fn standing(mark: &Bookmark, chapter: &Chapter) -> String {
     let (seen, pages) = (mark.seen(chapter), chapter.pages.len());
     let sign = match (mark.is_done(chapter), mark.is_right(chapter)) {

@@ -83,7 +83,7 @@ impl ContactForce {
         let columns = u32::from(plot.paper().width.max(2)) - 1;
         let at = |columns_in: f64| longest * columns_in / f64::from(columns);
         for column in 1..columns {
-            // A value is in the middle of its column.
+            // The bar in a column shows the force at the middle of that column.
             let [from, middle, to] = [-0.5, 0.0, 0.5].map(|by| at(f64::from(column) + by));
             let force = self.at(middle);
             if force > plot.least_clear() {

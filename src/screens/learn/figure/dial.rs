@@ -36,7 +36,7 @@ impl FigureDial {
         Some(Self { name, value, range })
     }
 
-    /// The value after some steps.
+    /// The value after `by` steps.
     pub(super) fn stepped(&self, by: i8) -> f64 {
         let (_, _, step) = self.range;
         self.value + f64::from(by) * step
@@ -48,7 +48,7 @@ impl FigureDial {
         least + share * (most - least)
     }
 
-    /// The step of the dial nearest to this value.
+    /// The multiple of the dial's step that is nearest to `value`, within the range.
     pub(super) fn nearest(&self, value: f64) -> f64 {
         let (least, most, step) = self.range;
         tidy((value / step).round() * step).clamp(least, most)

@@ -221,7 +221,7 @@ mod tests {
         }
     }
 
-    /// The effects of the settings that the chapter describes.
+    /// The settings have the effects that the chapter describes.
     #[test]
     fn noise_widens_more_frames_narrow_and_a_wrong_scale_changes_only_speeds() {
         let plain = Filming::default();

@@ -21,8 +21,8 @@ pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
 fn halves(area: Rect) -> [Rect; 2] {
     let wide = area.width + 2 >= area.height.saturating_mul(2);
     if wide {
-        // Both have the same size, so that they are drawn to the same scale; they may therefore
-        // share the middle column.
+        // Both have the same size, so that they are drawn to the same scale. If the width is odd,
+        // they share the middle column.
         let width = area.width.div_ceil(2);
         let x = area.right() - width;
         [Rect { width, ..area }, Rect { x, width, ..area }]

@@ -240,7 +240,8 @@ impl LiveFigure {
         }
     }
 
-    /// Whether the student sets α, which is then the same in all such figures of a chapter.
+    /// Whether the student sets α here. All figures of a chapter in which the student sets α have
+    /// the same value.
     pub(super) fn is_own(&self) -> bool {
         self.figure.own
     }
@@ -277,7 +278,7 @@ impl LiveFigure {
         true
     }
 
-    /// Whether the lab can show the collision in full size; it has no explosions.
+    /// Whether the lab can show the collision full-size; the lab has no explosions.
     pub(super) fn is_for_the_lab(&self) -> bool {
         !matches!(self.figure.kind, FigureKind::Explosion { .. })
     }

@@ -52,7 +52,7 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
     };
     let [picture, _] = areas::upper(area, area.height.saturating_sub(LINES));
     let at = view(collision, step, picture).world_at(column, row);
-    // v₂ runs from that point to the tip of u, at an angle α below u.
+    // If the tip of v₁ is at this point, v₂ runs from it to the tip of u, at an angle α below u.
     let left = collision.u1 - at;
     let is_inside = picture.contains((column, row).into());
     is_inside.then(|| at.y.atan2(left.x).to_degrees())

@@ -299,7 +299,7 @@ impl Reading {
 
     /// The keys for answering. Enter switches to the other ray, because Tab switches to the figure.
     fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
-        // On a small screen the key that leads back to the contents has priority.
+        // On a small screen the key back to the contents has priority over these keys.
         let spare = |action| {
             use AnswerAction::{Choose, Ray};
             matches!(action, Choose(_) | Ray(RayAction::StaysStill))
@@ -363,7 +363,8 @@ impl Screen for Reading {
             .on(Key::Enter, Next, on)
             .or([(Key::Char('n'), Next)])
             .when(!asking && !explaining && !typing)
-            // Enter and Space step through the explanation of the collision.
+            // Enter and Space step through the explanation of the collision, so going on has a
+            // key of its own.
             .on(Key::Char('n'), Next, on)
             .when(explaining)
             .on(Key::Escape, Leave, away)

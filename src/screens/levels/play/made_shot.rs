@@ -140,8 +140,8 @@ impl MadeShot {
         self.keep_if_watched(level, cx);
     }
 
-    /// Records whether the shot has been watched to its end, and then saves a win in the level with
-    /// this number.
+    /// Records whether the shot has been watched to its end. If it has, saves a win in the level
+    /// with this number.
     pub(super) fn keep_if_watched(&mut self, level: usize, cx: &mut Context) {
         self.watched |= self.player.zoom().is_none() && self.player.clock().is_over();
         if self.watched {

@@ -28,7 +28,7 @@ pub(crate) struct LevelPlay {
     /// The number of the level on the shelf, counted from 0.
     number: usize,
     dials: Dials,
-    /// The dial that keys change.
+    /// The form; the keys change the dial that is selected in it.
     form: SettingsForm,
     /// The number of hints shown so far.
     hints: usize,

@@ -168,7 +168,7 @@ fn about_own(own: &Arc<Library>, panel: &mut Panel<ChoosingAction>) {
         0 => "There are no questions to ask.".into(),
         all => {
             let count = all.min(Course::new(CourseKind::Own(own.clone())).count);
-            format!("{count} of the questions in a folder from a teacher, easy ones first.")
+            format!("{count} of the questions in a teacher's folder, easy ones first.")
         }
     };
     panel.paragraph(text, Role::Text);

@@ -126,7 +126,7 @@ impl ActiveGame {
             .in_brief("+ -", |it| it == Strength(1) && !typing)
             .in_brief("[ ]", |it| matches!(it, Place(_)))
             .in_brief("arrows, 68.2", |it| {
-                // In a practice game the line has no room for the example.
+                // In a practice game the bottom line has no room for this example.
                 matches!(it, Turn(_)) && !typing && !practice
             });
         let shared = KeyTable::new("table")
@@ -206,20 +206,20 @@ impl ActiveGame {
         if any { "coin" } else { "coin of yours" }
     }
 
-    /// Makes the stroke harder by this many steps.
+    /// Increases the speed of the stroke by `steps` steps.
     pub(super) fn strengthen(&mut self, steps: i8) {
         let by = f64::from(steps) * SPEED_STEP;
         self.aim.set_speed(self.aim.speed + by);
     }
 
-    /// Moves the striker by this many steps in a direction on the screen.
+    /// Moves the striker by `steps` steps in a direction on the screen.
     fn shift(&mut self, steps: i8, way: DVec2) {
         let step = f64::from(steps) * PLACE_STEP * way;
         self.aim.move_by(step, self.history.game());
     }
 
-    /// Puts the striker this many metres to the right of the middle (or above it), as seen on the
-    /// screen.
+    /// Puts the striker at a distance in metres to the right of the middle (or above it), as seen
+    /// on the screen.
     fn stand(&mut self, metres: f64) {
         let game = self.history.game();
         let along = along_the_screen(game.seat(), game.setup().rules);

@@ -194,8 +194,8 @@ impl Playing {
         }
     }
 
-    /// Lets the computer decide if it has not done so yet: at the beginning of a game, and after
-    /// it has passed.
+    /// Lets the computer decide if it has not done so yet: at the beginning of a game, and after a
+    /// pass of the computer.
     fn hand_over(&mut self, cx: &Context) {
         if matches!(self.phase, GamePhase::Aim) && self.game.is_computers_turn() {
             self.phase = self.game.turn(cx);
@@ -229,7 +229,7 @@ impl Playing {
         panel.gap();
         phase.write(game, charset, &mut panel);
         let dragging = match phase {
-            // Anyone who has played before knows this, and a phone has little room.
+            // From the third stroke on the player knows this, and a phone has little room.
             GamePhase::Aim if game.history.record().strokes() < 2 => Some(
                 "Touch the board to aim. Drag the striker along its base line; pull it back and \
                  let go to strike.",

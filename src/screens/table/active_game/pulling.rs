@@ -15,7 +15,7 @@ const LEAST_PULL: f64 = 1.5;
 /// The additional pull for the hardest stroke, in metres; a full pull ends beside the board.
 const FULL_PULL: f64 = 0.15;
 /// How much harder a stroke becomes if the mouse is to the right of the aim, and how much softer if
-/// it is to the left: the additional pull per square of the distance, per metre.
+/// the mouse is to the left: the additional pull divided by the square of the distance, in 1/m.
 ///
 /// A terminal reports only the cell of the mouse, so a pull straight down offers only as many
 /// strengths as there are rows below the striker. The square is needed because, if the additional
@@ -23,13 +23,14 @@ const FULL_PULL: f64 = 0.15;
 /// for some aims. With this value every aim has at least 25 strengths at 80x24 (checked for each
 /// degree and centimetre).
 const SIDEWAYS: f64 = 1.5;
-/// The tangent of the largest angle between a pull and the aim that does not change the aim (60°).
+/// The tangent of the largest angle (60°) by which a pull can differ from the aim without turning
+/// the aim.
 const STEADY: f64 = 1.73;
-/// The largest angle from straight back at which a drag pulls the striker rather than moving it,
-/// in radians (45°), if the striker may be moved anywhere.
+/// The largest angle between a drag and the direction straight back at which the drag pulls the
+/// striker rather than moving it, in radians (45°), if the striker may be moved anywhere.
 const BACKWARDS: f64 = 0.79;
-/// The largest angle between a drag and the direction straight back for which the striker does not
-/// move, so that a pull does not shift it first (25°).
+/// The largest angle between a drag and the direction straight back at which the striker does not
+/// move, in radians (25°), so that a pull does not shift the striker first.
 const STRAIGHT_BACK: f64 = 0.44;
 /// The smallest slope of an aim to which [`STRAIGHT_BACK`] applies, as the sine of its angle with
 /// the base lines (35°). With flatter aims, a drag that is meant to move the striker looks too much
@@ -55,7 +56,7 @@ pub(super) enum Grip {
         to: DVec2,
         /// The aim to restore if the pull is cancelled.
         before: Aim,
-        /// Whether it is pulled far enough to be struck on release.
+        /// Whether the striker is pulled far enough to be struck on release.
         drawn: bool,
     },
 }
@@ -152,7 +153,7 @@ impl ActiveGame {
     }
 
     /// Pulls the striker back to this point. A pull along the aim keeps the aim; a pull far to the
-    /// side turns it.
+    /// side turns the aim.
     fn draw_back(&mut self, to: DVec2, before: Aim) {
         let seat = self.seat();
         self.aim = before;

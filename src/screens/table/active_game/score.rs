@@ -63,7 +63,8 @@ pub(super) fn write_warning<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     panel.warning(warning(game.setup().rules, queen, own));
 }
 
-/// The warning if the queen is (to be covered, on the board) and the player has `own` coins left.
+/// The warning for a player with `own` coins left. `queen` says whether the queen has to be
+/// covered, and whether she is on the board.
 const fn warning(rules: Rules, queen: (bool, bool), own: u8) -> Option<&'static str> {
     match (rules, queen, own) {
         (Rules::Tournament | Rules::Friendly, (true, _), _) => {

@@ -114,8 +114,8 @@ impl ShownStroke {
     }
 }
 
-/// How long a stroke is shown after this many of its parts have become visible. Players who predict
-/// strokes get more time; a faster replay speed shortens the time.
+/// How long a stroke is shown with `parts` of its parts visible. Players who predict strokes get
+/// more time; a faster replay speed shortens the time.
 fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
     let waits = options.company.call && options.count(Player::Person) > 0;
     if waits && parts == PARTS_MS.len() {

@@ -179,8 +179,8 @@ impl StrokeReplay {
         self.player.clock().is_over() && self.player.chosen().is_none()
     }
 
-    /// The time left until a game between computers continues after a stroke; `None` if it waits
-    /// for a key.
+    /// The time left until a game between computers continues after a stroke; `None` if the stroke
+    /// is still being shown, or if the game waits for a key.
     fn left_at_end(&self, game: &ActiveGame, pace: HitPace) -> Option<Duration> {
         let alone = game.options.count(Player::Person) == 0 && pace == HitPace::Flowing;
         let goes_on = self.live && alone && self.is_at_its_end();

@@ -13,7 +13,7 @@ use crate::widgets::hit::explanation_step::ExplanationStep;
 use crate::widgets::hit::sketch::Sketch;
 use crate::widgets::picture::{Pen, Picture};
 
-/// The mark on a disc, from the rim inwards to this fraction of the radius.
+/// The inner end of the mark on a disc, as a fraction of the radius; the outer end is at the rim.
 const MARK: f64 = 0.6;
 /// The radius of the curved arrow that shows a spin, in radii of the disc.
 const TURN: f64 = 0.8;

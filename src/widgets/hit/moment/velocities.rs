@@ -1,4 +1,4 @@
-//! Velocities before and after the collision, their deflections, and their momenta.
+//! Velocities before and after the collision, the deflections, and the triangle of momenta.
 
 use glam::DVec2;
 

@@ -39,9 +39,9 @@ const FULL: f32 = 0.4;
 
 /// The glyph nearest to each mask.
 ///
-/// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first term is the same
-/// for all glyphs, and d·g is a sum over the samples of the mask, so it can be split into one sum
-/// for the low half of the mask and one for the high half.
+/// The squared distance between a drawing d and a glyph g is d² − 2 d·g + g². The first term is the
+/// same for all glyphs, and d·g is a sum over the samples of the mask, so it can be split into one
+/// sum for the low half of the mask and one for the high half.
 static NEAREST: LazyLock<Box<[u8]>> = LazyLock::new(|| {
     let weights = INK.map(|(_, ink)| weights(&ink));
     let sizes = INK.map(|(_, ink)| blurred(&ink).iter().map(|ink| ink * ink).sum::<f32>());

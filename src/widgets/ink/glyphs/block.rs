@@ -5,13 +5,13 @@ use std::sync::LazyLock;
 use crate::widgets::Blocks;
 use crate::widgets::text::blocks::{self, LEFT, LOWER, QUARTERS};
 
-/// A block element, and whether it is drawn in the background's colour on the disc's colour, which
-/// provides shapes for which Unicode has no character.
+/// A block element. An inverse block is drawn in the background's colour on the disc's colour,
+/// which gives shapes for which Unicode has no character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(in super::super) struct BlockGlyph {
     pub(in super::super) symbol: char,
     pub(in super::super) inverse: bool,
-    /// The cells of the 8 × 8 grid that the block covers, row by row from the top left.
+    /// The squares of the 8 × 8 grid that the block covers, row by row from the top left.
     cover: u64,
 }
 
@@ -51,9 +51,9 @@ fn grid(inside: impl Fn(u32, u32) -> bool) -> u64 {
 struct Finer {
     /// The part of a cell that corresponds to each bit.
     parts: Vec<u64>,
-    /// The block that consists of the parts with these bits; `None` if it is among [`BLOCKS`]. A
-    /// block for which some terminals with this set lack the character is drawn as the inverse of
-    /// another block.
+    /// The blocks, indexed by the bits of their parts; `None` for those that are among [`BLOCKS`].
+    /// If some terminals with this set lack the character for a block, the block is drawn as the
+    /// inverse of another one.
     blocks: Vec<Option<BlockGlyph>>,
 }
 
@@ -70,7 +70,8 @@ impl Finer {
             .map(|(_, finer)| &**finer)
     }
 
-    /// Creates blocks with two columns, and with rows between these edges (in eighths of a cell).
+    /// Creates blocks that have two columns, and rows between the given edges (in eighths of a
+    /// cell).
     fn new(edges: &[u32], symbols: impl Iterator<Item = (char, u8)>) -> Self {
         let rows = edges.iter().zip(edges.iter().skip(1));
         let parts: Vec<u64> = rows

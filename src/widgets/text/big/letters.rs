@@ -9,7 +9,7 @@ use crate::widgets::text::signs::superscript;
 /// The height of an index or an exponent, in pixels.
 const RAISED: usize = 5;
 
-/// The columns of pixels in a word; `None` if there is no letter for some character.
+/// The columns of pixels in a word; `None` if any character has no letter.
 pub(super) fn pixels_of(word: &str) -> Option<Vec<u8>> {
     let letters: Option<Vec<_>> = word.chars().map(letter_columns).collect();
     Some(letters?.join(&[0; GAP][..]))
@@ -102,7 +102,7 @@ fn small_letter(letter: char) -> Option<[u8; RAISED]> {
 mod tests {
     use super::*;
 
-    /// Large letters used to show "θ₁" like "e1", and to spell "uₙ" out as "u_n".
+    /// In earlier versions, large letters showed "θ₁" as "e1" and "uₙ" as "u_n".
     #[test]
     fn symbols_of_physics_have_letters_of_their_own() {
         for symbol in ["θ₁", "uₙ", "v₂ₜ", "√2", "1.14⁴", "Θ", "10⁻²⁷"] {

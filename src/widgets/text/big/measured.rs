@@ -47,7 +47,7 @@ impl BigText {
     }
 
     /// Breaks the words, starting with the word at index `from`, into lines of `columns` columns,
-    /// up to the first word that is too long for a line; `None` if some letter has no large form.
+    /// up to the first word that is too long for a line; `None` if any letter has no large form.
     /// Words that belong together stay together if possible.
     pub(super) fn lines(
         &self,

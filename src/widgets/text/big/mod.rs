@@ -26,12 +26,13 @@ use strokes::LetterRows;
 
 /// The number of pixels between two letters.
 const GAP: usize = 1;
+/// The width of a space between two words, in pixels.
 const BLANK: usize = 4;
 /// The height of a letter, in pixels.
 const HEIGHT: usize = 8;
 /// The height of a capital, in pixels.
 const CAPITAL: usize = 7;
-/// The height of a small letter such as x, in pixels.
+/// The height of a lower-case letter such as x, in pixels.
 const SMALL_LETTER: usize = 5;
 
 /// The horizontal alignment of text in its area.
@@ -93,7 +94,7 @@ impl Big {
     }
 
     /// Sets text in lines of `columns` columns, broken between words but not between a number and
-    /// its unit; `None` if a word is too long for a line, or some letter has no large form.
+    /// its unit; `None` if a word is too long for a line, or any letter has no large form.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
         Self::begin(text, 0, size, (columns, u16::MAX), false)
             .filter(|big| big.words() == text.len())

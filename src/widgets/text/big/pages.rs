@@ -49,7 +49,7 @@ impl BigPages {
     /// Sets paragraphs. The first page has the columns and rows of `first`, and all other pages
     /// have those of `rest`. A paragraph that is not marked as whole may continue on the next page.
     /// A word that is too long for a line of the first page starts the next page. `None` if there
-    /// are more than `most` pages, a word is too long for any line, or some letter has no large
+    /// are more than `most` pages, a word is too long for any line, or any letter has no large
     /// form.
     pub(crate) fn set(
         paragraphs: &[BigParagraph],

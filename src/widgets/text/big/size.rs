@@ -3,8 +3,8 @@
 use super::{CAPITAL, HEIGHT, SMALL_LETTER, strokes};
 use crate::widgets::Charset;
 
-/// A small letter such as x is legible from the back row if its height is at least the height of
-/// the projected picture divided by this number: for example, 1 cm in a picture 30 cm high, seen
+/// A lower-case letter such as x is legible from the back row if its height is at least the height
+/// of the projected picture divided by this number: for example, 1 cm in a picture 30 cm high, seen
 /// from nine metres.
 const READ_FROM_THE_BACK: usize = 30;
 
@@ -89,8 +89,9 @@ impl LetterSize {
         READ_FROM_THE_BACK * parts >= per_row * usize::from(screen_rows)
     }
 
-    /// The height of a small letter as a fraction of a row: the numerator and the denominator.
-    /// There is space around dots, so half a space is lost at the top and at the bottom.
+    /// The height of a lower-case letter such as x as a fraction of a row: the numerator and the
+    /// denominator. There is space around dots, so half a space is lost at the top and at the
+    /// bottom.
     const fn small_letter(self) -> (usize, usize) {
         match self {
             Self::Plain => (1, 2),

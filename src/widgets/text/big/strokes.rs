@@ -3,8 +3,8 @@
 //! The font is "Mini" by Glenn Chappell, in FIGlet format. The first line contains the height of
 //! the letters and the number of comment lines. After the comment come the letters in ASCII order,
 //! starting with the space: one line for each row of a letter. Each line ends with an end mark, and
-//! the last line of a letter with two. A dollar sign stands for a space into which other letters
-//! must not move.
+//! the last line of a letter ends with two. A dollar sign stands for a space into which other
+//! letters must not move.
 
 use std::sync::LazyLock;
 
@@ -41,7 +41,7 @@ pub(super) fn rows_of(line: &LetterRows) -> usize {
     ROWS - usize::from(!tails)
 }
 
-/// The number of empty rows at the top of a line; a line of small letters has one.
+/// The number of empty rows at the top of a line; a line of lower-case letters such as x has one.
 pub(super) fn empty_rows(line: &LetterRows) -> usize {
     let is_empty = |row: &&Vec<char>| row.iter().all(|c| *c == ' ');
     line.iter().take_while(is_empty).count()
@@ -66,7 +66,7 @@ pub(super) fn beside(words: &[&LetterRows]) -> LetterRows {
     })
 }
 
-/// The letters of an ASCII word, as close together as possible without touching; `None` if some
+/// The letters of an ASCII word, as close together as possible without touching; `None` if any
 /// letter has no strokes.
 pub(super) fn joined(word: &str) -> Option<LetterRows> {
     let mut joined = LetterRows::default();

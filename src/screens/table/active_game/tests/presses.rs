@@ -14,12 +14,12 @@ use crate::screens::Settings;
 use crate::screens::table::aim::{SPEEDS, along_the_screen};
 use crate::widgets::input::EntryAction;
 
-/// The tolerances within which a stroke counts as set: in metres, degrees and m/s. The direction is
-/// the one from the position that was set to the point at which the striker meets its first disc.
+/// The tolerances within which a stroke counts as set: in metres, degrees and m/s. The intended
+/// direction is from the position that was set to the striker's position at its first contact.
 const NEAR: (f64, f64, f64) = (0.001, 0.1, 0.05);
 /// A margin for rounding errors in the tolerances.
 const ROUNDING: f64 = 1e-9;
-/// The number of strokes: at least as many as in the first measurement.
+/// The smallest number of strokes to measure: as many as in the first measurement.
 const STROKES: usize = 660;
 
 const PLACES: [AimAction; 4] = [
