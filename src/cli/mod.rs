@@ -294,7 +294,11 @@ impl OpenCommand {
                 setup: *setup,
                 hidden: *hide,
             },
-            Self::Quiz { code, .. } => Route::Quiz(round(code.as_ref(), options, &data.own)?),
+            Self::Quiz { code, .. } => {
+                // If only a seed is given, the round has ten hits.
+                let code = filled(code.as_ref(), &data.own)?;
+                Route::Quiz(code.or_else(|| options.seed.map(Code::hits)))
+            }
             Self::Class(args) => args.route(filled(args.code.as_ref(), &data.own)?)?,
             Self::Join { address, code } => Route::Join {
                 code: code.or_else(|| code_of(address.as_deref()?)),

@@ -4,7 +4,6 @@ use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::words;
 use crate::numbers::fixed;
 use crate::physics::Motion;
 

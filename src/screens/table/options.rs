@@ -70,7 +70,7 @@ impl Options {
             setup: GameSetup {
                 first_breaker: Seat::South,
                 seed: None,
-                ..*saved.record.setup
+                ..saved.record.setup
             },
             company: saved.company.clone(),
         }
