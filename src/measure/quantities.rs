@@ -152,8 +152,12 @@ pub(crate) struct Quantity {
     pub(crate) name: String,
     pub(crate) unit: Unit,
     pub(crate) needs: Vec<Need>,
-    pub(crate) of: Box<dyn Fn(&State, &Known) -> Option<f64> + Send + Sync>,
+    pub(crate) of: Derivation,
 }
+
+/// Computes a quantity from the motion of both bodies and what is known of them; `None` if it is
+/// undefined.
+type Derivation = Box<dyn Fn(&State, &Known) -> Option<f64> + Send + Sync>;
 
 /// All quantities, in the order of reporting.
 pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::rows::{Cell, Section, of};
+use super::rows::{ReportCell, ReportSection, of};
 use super::{Report, ReportPicture};
 use crate::numbers::counted;
 use crate::paper::{Paper, clean, html_page};
@@ -86,7 +86,7 @@ fn columns(report: &Report) -> Markup {
         let picture = pictures.iter().find(|it| it.name == name);
         html! { @if let Some(picture) = picture { (figure(picture)) } }
     };
-    let with_table = |it: &Section| section(it, &table(it.heads, &it.rows));
+    let with_table = |it: &ReportSection| section(it, &table(it.heads, &it.rows));
     let chapters = table(&["", "read", "right"], &report.chapters.rows);
     html! {
         div.columns {
@@ -119,7 +119,7 @@ fn figure(picture: &ReportPicture) -> Markup {
 }
 
 /// A title above a table, or above a sentence if the table has no rows.
-fn section(section: &Section, table: &Markup) -> Markup {
+fn section(section: &ReportSection, table: &Markup) -> Markup {
     html! {
         h2 { (section.title) }
         @if section.rows.is_empty() { p.dim { (section.none) } }
@@ -130,9 +130,9 @@ fn section(section: &Section, table: &Markup) -> Markup {
     }
 }
 
-fn table(heads: &[&str], rows: &[Vec<Cell>]) -> Markup {
+fn table(heads: &[&str], rows: &[Vec<ReportCell>]) -> Markup {
     let columns = rows.first().into_iter().flatten();
-    let class = |cell: &Cell| matches!(cell, Cell::Number(_)).then_some("n");
+    let class = |cell: &ReportCell| matches!(cell, ReportCell::Number(_)).then_some("n");
     html! {
         table {
             thead {
@@ -145,14 +145,14 @@ fn table(heads: &[&str], rows: &[Vec<Cell>]) -> Markup {
     }
 }
 
-fn data(cell: &Cell) -> Markup {
+fn data(cell: &ReportCell) -> Markup {
     html! {
         @match cell {
-            Cell::Name(text) => td.name { (clean(text, NAME)) },
-            Cell::Text(text) => td { (text) },
-            Cell::Strong(text) => td { b { (text) } },
-            Cell::Number(text) => td.n { (text) },
-            Cell::Share(share, text) => td { (bar(*share)) (text) },
+            ReportCell::Name(text) => td.name { (clean(text, NAME)) },
+            ReportCell::Text(text) => td { (text) },
+            ReportCell::Strong(text) => td { b { (text) } },
+            ReportCell::Number(text) => td.n { (text) },
+            ReportCell::Share(share, text) => td { (bar(*share)) (text) },
         }
     }
 }
@@ -163,7 +163,7 @@ fn bar(share: f64) -> Markup {
     html! { span.bar { span style=(width) {} } }
 }
 
-fn packs(rows: &[Vec<Cell>]) -> Markup {
+fn packs(rows: &[Vec<ReportCell>]) -> Markup {
     html! {
         div.packs {
             @for row in rows {

@@ -1,7 +1,7 @@
 //! The report as Markdown.
 
 use super::Report;
-use super::rows::{Cell, Section, of};
+use super::rows::{ReportCell, ReportSection, of};
 use crate::numbers::counted;
 use crate::paper::Markdown;
 use crate::progress::ends_deg;
@@ -64,11 +64,11 @@ fn tables(report: &Report, document: &mut Markdown) {
 }
 
 /// A table under its title; nothing if the table has no rows.
-fn table(section: &Section, document: &mut Markdown) {
+fn table(section: &ReportSection, document: &mut Markdown) {
     if section.rows.is_empty() {
         return;
     }
-    let row = |row: &Vec<Cell>| row.iter().map(|cell| cell.text().to_owned()).collect();
+    let row = |row: &Vec<ReportCell>| row.iter().map(|cell| cell.text().to_owned()).collect();
     document.heading(2, section.title);
     document.table(section.heads, section.rows.iter().map(row));
     for note in &section.notes {

@@ -21,7 +21,7 @@ use crate::progress::{
     long_day, topics,
 };
 use crate::quiz::{Measure, RIGHT_DEG};
-use rows::Section;
+use rows::ReportSection;
 
 /// The maximum number of columns in the player's name.
 const NAME: usize = 44;
@@ -55,11 +55,11 @@ pub struct Report<'a> {
     calendar: &'a Calendar,
     next: String,
     all: Tally,
-    topics: Section,
+    topics: ReportSection,
     calibration: [Calibrated; 3],
-    beliefs: Section,
-    chapters: Section,
-    packs: Section,
+    beliefs: ReportSection,
+    chapters: ReportSection,
+    packs: ReportSection,
     /// What the observations show, in sentences.
     seen: Vec<String>,
     /// The number of topics that are solid.

@@ -20,7 +20,7 @@ const MOST_PACKS: usize = 10;
 
 /// A cell of a table.
 #[derive(Debug, Clone)]
-pub(super) enum Cell {
+pub(super) enum ReportCell {
     /// The name of what the row is about.
     Name(String),
     Text(String),
@@ -31,7 +31,7 @@ pub(super) enum Cell {
     Share(f64, String),
 }
 
-impl Cell {
+impl ReportCell {
     fn state(name: &str, is_strong: bool) -> Self {
         match is_strong {
             true => Self::Strong(name.to_owned()),
@@ -49,19 +49,19 @@ impl Cell {
 
 /// A table of the report with its title.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Section {
+pub(super) struct ReportSection {
     pub(super) title: &'static str,
     pub(super) heads: &'static [&'static str],
-    pub(super) rows: Vec<Vec<Cell>>,
+    pub(super) rows: Vec<Vec<ReportCell>>,
     /// The sentence in place of a table without rows.
     pub(super) none: &'static str,
     /// The text below the table: how many rows are left out, and what the numbers mean.
     pub(super) notes: Vec<String>,
 }
 
-impl Section {
+impl ReportSection {
     /// The first `most` rows, with a note on the number of further rows.
-    fn cut(rows: impl Iterator<Item = Vec<Cell>>, most: usize) -> Self {
+    fn cut(rows: impl Iterator<Item = Vec<ReportCell>>, most: usize) -> Self {
         let mut rows: Vec<_> = rows.collect();
         let more = rows.len().saturating_sub(most);
         rows.truncate(most);
@@ -74,41 +74,41 @@ impl Section {
     }
 }
 
-pub(super) fn topics(met: &[TopicStanding]) -> Section {
+pub(super) fn topics(met: &[TopicStanding]) -> ReportSection {
     let row = |topic: &TopicStanding| {
         let (all, lately, mastery) = (&topic.all, &topic.lately, topic.mastery());
         let share = lately.right as f64 / LATELY as f64;
         vec![
-            Cell::Name(clean(&topic.name, TOPIC)),
-            Cell::state(mastery.name(), mastery == Mastery::Solid),
-            Cell::Number(of((all.right, all.attempts))),
-            Cell::Share(share, of((lately.right, lately.attempts))),
-            Cell::Number(degrees(all.mean_error_deg())),
+            ReportCell::Name(clean(&topic.name, TOPIC)),
+            ReportCell::state(mastery.name(), mastery == Mastery::Solid),
+            ReportCell::Number(of((all.right, all.attempts))),
+            ReportCell::Share(share, of((lately.right, lately.attempts))),
+            ReportCell::Number(degrees(all.mean_error_deg())),
         ]
     };
-    Section {
+    ReportSection {
         title: "Topics",
         heads: &["topic", "state", "right", "of the last five", "error"],
         none: "No quiz questions yet.",
-        ..Section::cut(met.iter().map(row), MOST_TOPICS)
+        ..ReportSection::cut(met.iter().map(row), MOST_TOPICS)
     }
 }
 
-pub(super) fn beliefs(held: &[HeldBelief]) -> Section {
+pub(super) fn beliefs(held: &[HeldBelief]) -> ReportSection {
     let row = |belief: &HeldBelief| {
         let trend = belief.trend();
         vec![
-            Cell::Text(belief.misconception.name().to_owned()),
-            Cell::Number(belief.before.to_string()),
-            Cell::Number(belief.since.to_string()),
-            Cell::state(trend.name(), matches!(trend, Trend::New | Trend::Held)),
+            ReportCell::Text(belief.misconception.name().to_owned()),
+            ReportCell::Number(belief.before.to_string()),
+            ReportCell::Number(belief.since.to_string()),
+            ReportCell::state(trend.name(), matches!(trend, Trend::New | Trend::Held)),
         ]
     };
-    let mut section = Section {
+    let mut section = ReportSection {
         title: "Misconceptions",
         heads: &["what wrong answers had in common", "before", "since", ""],
         none: "No known misconception stands out in the answers.",
-        ..Section::cut(held.iter().map(row), MOST_BELIEFS)
+        ..ReportSection::cut(held.iter().map(row), MOST_BELIEFS)
     };
     section.notes.push(format!(
         "How many answers fitted the misconception, out of the questions that could have shown it: \
@@ -119,35 +119,38 @@ pub(super) fn beliefs(held: &[HeldBelief]) -> Section {
 }
 
 /// The chapters that have been started, in the order of the table of contents.
-pub(super) fn chapters(library: &ChapterLibrary, marks: &BTreeMap<String, Bookmark>) -> Section {
+pub(super) fn chapters(
+    library: &ChapterLibrary,
+    marks: &BTreeMap<String, Bookmark>,
+) -> ReportSection {
     let row = |chapter: &Chapter| {
         let mark = marks.get(&chapter.id)?;
         Some(vec![
-            Cell::Name(clean(&chapter.title, NAME)),
-            Cell::Number(of((mark.seen(chapter), chapter.pages.len()))),
-            Cell::Number(of((mark.right(chapter), chapter.checkpoints()))),
+            ReportCell::Name(clean(&chapter.title, NAME)),
+            ReportCell::Number(of((mark.seen(chapter), chapter.pages.len()))),
+            ReportCell::Number(of((mark.right(chapter), chapter.checkpoints()))),
         ])
     };
-    Section {
+    ReportSection {
         title: "Chapters",
         heads: &["chapter", "pages read", "questions right"],
         none: "None started yet.",
-        ..Section::cut(library.chapters.iter().filter_map(row), MOST_CHAPTERS)
+        ..ReportSection::cut(library.chapters.iter().filter_map(row), MOST_CHAPTERS)
     }
 }
 
 /// The packs in which stars have been won.
-pub(super) fn packs(library: &LevelLibrary, stars: &[Starred]) -> Section {
+pub(super) fn packs(library: &LevelLibrary, stars: &[Starred]) -> ReportSection {
     let row = |pack: &Pack| {
         let stars = stars_of(pack, stars);
-        let name = || Cell::Name(clean(&pack.title(), NAME));
-        (stars.0 > 0).then(|| vec![name(), Cell::Number(of(stars))])
+        let name = || ReportCell::Name(clean(&pack.title(), NAME));
+        (stars.0 > 0).then(|| vec![name(), ReportCell::Number(of(stars))])
     };
-    Section {
+    ReportSection {
         title: "Levels",
         heads: &["pack", "stars"],
         none: "No stars yet.",
-        ..Section::cut(library.packs.iter().filter_map(row), MOST_PACKS)
+        ..ReportSection::cut(library.packs.iter().filter_map(row), MOST_PACKS)
     }
 }
 

@@ -25,11 +25,11 @@ pub(crate) struct Writing {
 #[derive(Default)]
 pub(crate) struct Placed<'p> {
     /// The blocks that stay visible above the text.
-    head: Part<'p>,
+    head: PanelPart<'p>,
     /// The text, which can be scrolled.
-    body: Part<'p>,
+    body: PanelPart<'p>,
     /// The blocks that stay visible below the text.
-    foot: Part<'p>,
+    foot: PanelPart<'p>,
     /// The first row of the selected item.
     pub(crate) chosen: Option<u16>,
     /// Whether the selected item belongs to a list rather than being a setting.
@@ -42,14 +42,14 @@ pub(crate) struct Placed<'p> {
 
 /// Consecutive blocks, and the cells that can be clicked, counted from the first row of the part.
 #[derive(Default)]
-struct Part<'p> {
+struct PanelPart<'p> {
     area: Rect,
     blocks: Vec<PlacedBlock<'p>>,
     targets: Vec<(Rect, ActionAt)>,
     rows: u16,
 }
 
-impl<'p> Part<'p> {
+impl<'p> PanelPart<'p> {
     /// Adds a block with its rows and its cells that can be clicked.
     fn push(&mut self, block: PlacedBlock<'p>, rows: u16, targets: Vec<(Rect, ActionAt)>) {
         let top = self.rows;
@@ -249,9 +249,9 @@ fn with_room(pieces: &[PlacedBlock], height: u16, rows: &[u16]) -> Vec<bool> {
 
 impl<'p> Placed<'p> {
     fn empty(area: Rect) -> Self {
-        let body = Part {
+        let body = PanelPart {
             area,
-            ..Part::default()
+            ..PanelPart::default()
         };
         Self {
             body,
