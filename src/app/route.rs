@@ -179,7 +179,7 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         Route::Table => "table".into(),
         Route::Board { code: None } => "board".into(),
         Route::Board { code: Some(code) } => named("board", &code.to_string()),
-        // Its file is not part of a link.
+        // The file of a measurement is not part of a link.
         Route::Measured { .. } => String::new(),
         Route::Rules { rules } => named("rules", rules_in_link(*rules)),
         Route::Progress => "progress".into(),
