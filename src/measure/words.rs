@@ -526,7 +526,8 @@ impl Measurement {
         }
     }
 
-    /// The largest of the four differences from the prediction.
+    /// A verdict on the prediction, from the largest of the four differences relative to their
+    /// uncertainties.
     fn largest_residual(&self) -> Option<String> {
         let ids = [
             "residual_v1_x",
