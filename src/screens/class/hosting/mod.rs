@@ -36,7 +36,7 @@ pub(crate) enum HostingAction {
     Merge,
     /// remove this pupil
     Remove,
-    /// remove everyone who is away and never voted
+    /// remove everyone who is away and has no vote
     RemoveAway,
     /// go back to the previous page
     Back,
@@ -97,7 +97,7 @@ impl HostPage {
             (Self::People(_), HostingAction::RemoveAway) => {
                 let away = session.away().len();
                 Some(format!(
-                    "Remove everyone who is away and never voted ({away})? They can join again."
+                    "Remove everyone who is away and has no vote ({away})? They can join again."
                 ))
             }
             (Self::People(people), _) => people.confirmation(action, session),
