@@ -349,7 +349,8 @@ impl App {
         self.context.take_asked()
     }
 
-    /// The time until the app must next be advanced; `None` if nothing moves and no retry is due.
+    /// The time until the app must next be advanced; `None` if nothing moves and no retry is
+    /// pending.
     pub fn wake(&self) -> Option<Duration> {
         let times = [self.screen_wake(), self.retry_in()];
         times.into_iter().flatten().min()

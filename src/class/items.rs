@@ -27,7 +27,7 @@ pub struct ItemAnalysis {
     /// votes (R. R. Hake, 1998); `None` if all first votes were right, or nobody voted.
     pub gain: Option<f64>,
     /// How many votes changed from wrong to right, and from right to wrong; `None` if hands were
-    /// counted, because those votes have no names.
+    /// counted, because those votes are anonymous.
     pub changed: Option<[usize; 2]>,
 }
 

@@ -34,7 +34,7 @@ const FIRST_WRONG_CODES: Allowance = Allowance {
 /// amount for every ten wrong codes.
 const WRONG_CODE_DELAY: Duration = Duration::from_secs(1);
 const DELAY_STEP: f64 = 10.0;
-/// The number of remembered addresses above which carrom looks for some that it can forget.
+/// The number of remembered addresses at which carrom looks for some that it can forget.
 const MANY: usize = 256;
 
 /// A burst, and then a rate per second.
@@ -51,7 +51,7 @@ pub struct Allowance {
 pub struct Bucket {
     allowance: Allowance,
     left: f64,
-    /// The time for which `left` was calculated.
+    /// The time at which `left` was calculated.
     since: Duration,
 }
 
@@ -224,8 +224,8 @@ mod tests {
         let alone = looked_at(1);
         // One address: 60 codes at once, then one every ten seconds.
         assert!((300..=331).contains(&alone), "{alone}");
-        // All 254 addresses of a network: 400 codes at once, then 1.5 per second; in addition, the
-        // first two from each address and one more every half hour.
+        // All 254 addresses of a network: 400 codes at once, then 1.5 per second; in addition, two
+        // from each address at once and another from each every half hour.
         let most = looked_at(254);
         assert!((4000..=400 + 4050 + 254 * 4).contains(&most), "{most}");
         for guesses in [alone, most] {

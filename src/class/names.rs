@@ -11,7 +11,7 @@ use crate::files::{NO_NAME, is_blank_name, short_name};
 /// The largest number of teams at one keyboard.
 pub const MOST_TEAMS: usize = 8;
 
-/// The largest number of people who join on their own devices.
+/// The largest number of people who can join on their own devices.
 pub const MOST_PEOPLE: usize = 250;
 
 /// The largest number of letters in a name.
@@ -72,7 +72,7 @@ pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
 
-/// Whether two names are those of the same class. Case is ignored, as by `carrom gather --class`.
+/// Whether two names are those of the same class. Case is ignored, as in `carrom gather --class`.
 pub(crate) fn is_same_class(one: &str, other: &str) -> bool {
     folded(&tidy(one)) == folded(&tidy(other))
 }

@@ -450,7 +450,7 @@ impl ClassRound {
     }
 
     /// The evidence for misconceptions in the votes on a question, one item per team that has
-    /// voted.
+    /// voted or per counted hand.
     pub fn clues(&self, question: usize, vote: Vote) -> Vec<Clue> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();

@@ -199,7 +199,7 @@ impl Session {
         all.filter(|it| it.has_handed_in()).count()
     }
 
-    /// The participants who are away and have never voted or handed anything in.
+    /// The participants who are away, have no vote and have never handed anything in.
     pub fn away(&self) -> Vec<usize> {
         let all = self.round.participants().iter().enumerate();
         let away = all.filter(|(_, it)| !it.is_present() && it.is_idle());
@@ -398,10 +398,10 @@ impl Session {
     }
 
     /// In a full class, the person whose seat goes to a newcomer from this address. Only a
-    /// participant who has never voted or handed anything in loses a seat: one who is away or, if
-    /// there is none, one whose address differs from the newcomer's and has more than half of all
-    /// seats, because those may belong to a single device. Of several candidates, the last to join
-    /// from the address with the most seats loses the seat.
+    /// participant who has no vote and has never handed anything in loses a seat: one who is away
+    /// or, if there is none, one whose address differs from the newcomer's and has more than half
+    /// of all seats, because those may belong to a single device. Of several candidates, the last
+    /// to join from the address with the most seats loses the seat.
     fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
         let people = self.round.participants();
         let held = |by: &Participant| {
@@ -634,7 +634,8 @@ impl Session {
         self.go_on();
     }
 
-    /// Frees the seats of all participants who are away and have never voted or handed anything in.
+    /// Frees the seats of all participants who are away, have no vote and have never handed
+    /// anything in.
     pub fn remove_away(&mut self) {
         // From the last to the first, so that the remaining indices stay valid.
         for person in self.away().into_iter().rev() {

@@ -7,10 +7,10 @@ use super::is_invisible;
 
 /// A table of comma-separated values as in RFC 4180: the headings, then the rows.
 ///
-/// Headings and cells are made safe in the same way. Control characters, except line breaks and
-/// tabs, and marks that change the direction of text are left out. Text that a spreadsheet would
-/// read as a formula is preceded by an apostrophe, which makes it plain text; negative numbers stay
-/// unchanged.
+/// Headings and cells are made safe in the same way. Marks that change the direction of text
+/// and control characters other than line breaks and tabs are left out. Text that a spreadsheet
+/// would read as a formula is preceded by an apostrophe, which makes it plain text; negative
+/// numbers stay unchanged.
 ///
 /// # Errors
 /// Returns the reason if a row cannot be written, which does not happen in practice.

@@ -7,7 +7,7 @@ use unicode_width::UnicodeWidthChar;
 const MOST_UPON: usize = 2;
 
 /// Whether a character is invisible: control characters, marks that change the direction of the
-/// following text, zero-width spaces, and unassigned code points.
+/// following text, zero-width spaces, and noncharacters such as U+FFFE.
 pub fn is_invisible(letter: char) -> bool {
     letter.is_control()
         || matches!(letter,

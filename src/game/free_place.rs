@@ -165,8 +165,8 @@ mod tests {
             let at = for_the_queen(SET, &coins);
             prop_assert!(least_distance(&coins, at) >= spacing - SLACK);
             let reach = (at.length() - 1e-6).max(0.0);
-            // Points in a sunflower pattern over the whole area nearer to the required point than
-            // `at` is.
+            // Points in a sunflower pattern, which covers the whole area that is nearer to the
+            // required point than `at` is.
             for step in 1..2000_i32 {
                 let turn = f64::from(step) * 2.399_963;
                 let out = reach * (f64::from(step) / 2000.0).sqrt();

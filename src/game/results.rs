@@ -42,7 +42,7 @@ pub(crate) struct ResultsRow {
     /// The boards that were won and lost.
     #[serde(rename = "boards_won_and_lost")]
     pub(crate) boards: [usize; 2],
-    /// The games that were won and lost; in friendly games each board counts as a game.
+    /// The games that were won and lost; except in tournaments, each board counts as a game.
     #[serde(rename = "games_won_and_lost")]
     pub(crate) games: [usize; 2],
 }

@@ -113,8 +113,8 @@ pub struct TracksFit {
     pub alike: f64,
     /// The number of points of each body before and after the contact.
     pub counts: [[usize; 2]; 2],
-    /// The longest time without a point of one of the bodies around the contact, and the usual
-    /// time between points, in seconds.
+    /// The longest time around the contact without a point of one of the bodies, and the usual time
+    /// between points, in seconds.
     pub gap: (f64, f64),
     normal: Normal,
     weights: [f64; CHANNELS],
@@ -466,7 +466,7 @@ fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {
     })
 }
 
-/// Starting states for legs that slow down: from a small deceleration to a stop soon after the
+/// Starting states for bodies that slow down: from a small deceleration to a stop soon after the
 /// contact.
 fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> [State; 3] {
     let duration = |body: usize| {
@@ -518,12 +518,13 @@ fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
             }
         }
     }
-    // Fitting lines gives neighbours a slight negative correlation, of about one pair per
-    // parameter.
+    // Fitting lines gives neighbours a slight negative correlation; adding a half per parameter
+    // compensates for it.
     (products + PARAMETERS as f64 * 0.5) / f64::max(count, 1.0).sqrt()
 }
 
-/// The longest gap between two points near the contact, and the median time between points.
+/// The longer of the two bodies' gaps between points around the contact, and the median time
+/// between points.
 fn gap(tracks: &[Track; 2], time: f64) -> (f64, f64) {
     let mut longest = 0.0_f64;
     let mut steps = Vec::new();

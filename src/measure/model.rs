@@ -1,8 +1,9 @@
 //! The motion of both bodies as a function of its parameters, and its least-squares fit.
 //!
-//! Each body moves straight to the contact and straight away from it; a leg may slow down at a
-//! constant rate along its path, to a stop. Both legs of a body meet at its centre at the time of
-//! contact, which both bodies share. The fit is by Gauss-Newton steps with Levenberg's damping.
+//! Each body moves straight to the contact and straight away from it; on each of these two legs it
+//! may slow down at a constant rate, even to a stop. The legs meet at the position of the body's
+//! centre at the time of contact, which is the same for both bodies. The fit is by Gauss-Newton
+//! steps with Levenberg's damping.
 
 #![allow(
     clippy::needless_range_loop,
@@ -148,7 +149,7 @@ struct Moved {
     /// The time since the contact, but at most until the body stops.
     since: f64,
     /// If the body slows down: its direction, the distance moved since the contact divided by the
-    /// speed at contact, and its speed at that time.
+    /// speed at contact, and its speed at the time `since`.
     along: Option<(DVec2, f64, f64)>,
 }
 

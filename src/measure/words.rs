@@ -462,7 +462,8 @@ impl Measurement {
         }
     }
 
-    /// The largest of the four differences from the prediction.
+    /// A verdict on the prediction, from the largest of the four differences relative to their
+    /// uncertainties.
     fn largest_residual(&self) -> Option<String> {
         let ids = ["v1_x", "v1_y", "v2_x", "v2_y"].into_iter();
         let all = ids.filter_map(|id| self.estimate_of(&format!("residual_{id}")).ok());

@@ -48,7 +48,7 @@ pub use ruling::{BoardWon, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
 
-/// The rules of a game; as text, its name for players, such as "friendly".
+/// The rules of a game; as text, their name for players, such as "friendly".
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::IntoStaticStr,
 )]

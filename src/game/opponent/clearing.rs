@@ -7,8 +7,8 @@ use crate::game::{BoardCode, Game, Move, Strike};
 /// After this number of strokes, a board counts as not cleared.
 const MOST_STROKES: usize = 40;
 
-/// Strokes that clear the board with this code. The champion chooses them; they are played exactly
-/// and on the steps in which a player sets them. `None` if they do not clear the board.
+/// Strokes that clear the board with this code. The champion chooses them from the strokes that a
+/// player can set with the keys, and plays them exactly. `None` if they do not clear the board.
 pub fn clearing(code: BoardCode) -> Option<Vec<Strike>> {
     let skill = Skill {
         on_steps: true,

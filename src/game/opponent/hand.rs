@@ -57,8 +57,8 @@ impl Hand {
 }
 
 impl Slip {
-    /// The stroke that results from `meant`. The speed stays above a fifth of the intended speed
-    /// and below [`FASTEST`].
+    /// The stroke that results from `meant`. The speed is at least a fifth of the intended speed,
+    /// and at most [`FASTEST`] or the intended speed, whichever is greater.
     pub fn applied_to(self, meant: Motion) -> Motion {
         let speed = meant.velocity.length();
         let pushed = (speed * (1.0 + self.push).max(0.2)).min(FASTEST.max(speed));

@@ -7,8 +7,8 @@ use super::sight::{Sight, Way};
 use super::wants::wants;
 use crate::game::Game;
 
-/// The directions in which a striker at `from` sends a coin straight into a pocket. There is one
-/// direction for each coin that the player whose turn it is wants to pocket; the coin goes to the
+/// The directions in which a striker at `from` sends a coin straight into a pocket. There is at
+/// most one direction for each coin that the current player wants to pocket; the coin goes to the
 /// nearest pocket for which both discs have a clear path.
 ///
 /// If there are none, these are the directions of full hits on those coins.

@@ -17,7 +17,7 @@ use crate::physics::{EventKind, Shot};
 pub struct Chance {
     /// The number of rehearsals in which a wanted piece fell, and the striker did not.
     pub fell: u8,
-    /// The number of all rehearsals.
+    /// The total number of rehearsals.
     pub of: u8,
 }
 

@@ -172,7 +172,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
     let recoil = if is_full(hit) {
         format!("a full hit sends the {piece} straight on along the line of impact.")
     } else {
-        // For positive α the coin is to the right of the path, so the aim is to its left.
+        // For positive α the coin is right of the path, so the aim is left of the coin's centre.
         let right = hit.alpha > 0.0;
         format!(
             "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its \

@@ -87,7 +87,7 @@ impl Judge {
         let mut easiest = 0.0;
         for (coin, _) in wanted {
             for course in to_the_pockets(&sight, coin) {
-                // All positions are on one line, and most courses are too hard from any of them.
+                // All positions are on one line, and most courses are too hard from all of them.
                 let near = |ghost: DVec2| (ghost - first).dot(across).abs();
                 let ghost = ghost(&sight, &course.link).filter(|ghost| {
                     ROUNDING * most_allowed(&sight, &course.link, near(*ghost)) > easiest

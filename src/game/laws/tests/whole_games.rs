@@ -43,8 +43,8 @@ fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
     }
 }
 
-/// Plays until a tournament match is over or, with other rules, the board, and checks the game
-/// after every stroke.
+/// Plays until the match (in a tournament) or the board (with other rules) is over, and checks the
+/// game after every stroke.
 fn play_out(setup: GameSetup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
     let mut hand = Pcg64::seed_from_u64(seed);
     let mut game = Game::new(setup);

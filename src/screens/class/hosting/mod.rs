@@ -36,7 +36,7 @@ pub(crate) enum HostingAction {
     Merge,
     /// remove this pupil
     Remove,
-    /// remove everyone who is away and never voted
+    /// remove everyone who is away and has no vote
     RemoveAway,
     /// go back to the previous page
     Back,
