@@ -157,7 +157,7 @@ impl People {
             (_, HostingAction::RemoveAway) => {
                 let away = session.away().len();
                 Some(format!(
-                    "Remove everyone who is away and never voted ({away})? They can join again."
+                    "Remove everyone who is away and has no vote ({away})? They can join again."
                 ))
             }
             (PersonEdit::Nothing, HostingAction::Remove) => Some(format!(
