@@ -450,7 +450,7 @@ fn an_answer_out_of_range_or_of_the_wrong_kind_is_refused() {
         let said = read.expect_err(changed);
         assert!(said.contains("answer 1 is impossible"), "{changed}: {said}");
     }
-    // Numbers that are not valid in JSON.
+    // Numbers that JSON does not allow, or that are too large.
     let number = sound["credit"].to_string();
     for no_number in ["1e999", "NaN", "Infinity"] {
         let bytes = changed(

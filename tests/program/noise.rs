@@ -403,7 +403,7 @@ fn random_messages_from_ten_devices_neither_end_a_round_nor_leave_an_invalid_vot
         played.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         connections
     });
-    // The text on the disk has the same votes.
+    // The text of the file contains none of the invalid values either.
     let text = fs::read_to_string(folder.path().join("classes/class-1.toml")).unwrap();
     for word in ["NaN", "inf", "1e999", "choice 99", "1e300"] {
         assert!(!text.contains(word), "{word}");

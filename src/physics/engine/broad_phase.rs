@@ -151,7 +151,7 @@ impl Candidates {
 }
 
 /// The boxes of two discs. A box is axis-aligned and contains everything that a disc can touch
-/// between two times of its slide.
+/// between two moments of its slide.
 ///
 /// Each box has four numbers: the smallest x and y, and the largest x and y with reversed signs, so
 /// that all four can be compared in the same way.
@@ -191,7 +191,7 @@ impl TwoBoxes {
     }
 }
 
-/// The box of a disc between two times of its slide. The path is straight, so its two ends
+/// The box of a disc between two moments of its slide. The path is straight, so its two ends
 /// determine the box.
 #[inline]
 fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
