@@ -242,7 +242,7 @@ impl ClassRound {
         }
     }
 
-    /// Adds a participant at the end.
+    /// Adds a participant to the end of the list.
     pub(super) fn seat_new(&mut self, name: String, seat: Option<SeatToken>) {
         self.participants.push(Participant {
             name,

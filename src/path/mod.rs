@@ -221,8 +221,8 @@ impl<'a> PathSoFar<'a> {
     }
 
     /// Whether a chapter is neither done nor known. A chapter is known if the last answers on its
-    /// topics show that the player knows them; topics that were never asked about do not matter. A
-    /// chapter without topics is known if the chapter before it is.
+    /// topics show that the player knows them; topics that were never asked about do not matter if
+    /// at least one was. A chapter without topics is known if the chapter before it is.
     fn is_open(&self, at: usize, topics: &TopicsAsked) -> bool {
         !self.book.is_done(&self.chapters()[at]) && !self.is_known(at, topics)
     }

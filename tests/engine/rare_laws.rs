@@ -1,4 +1,4 @@
-//! Laws that rarely apply, each reached in a whole game. The games are files in `tests/saves/laws`,
+//! Laws that rarely apply, each tested with a complete game in which it does. The games are files in `tests/saves/laws`,
 //! and `carrom replay FILE` shows them.
 
 use carrom::game::{BoardWon, Game, RulingEffect, SavedGame, Team};

@@ -55,7 +55,7 @@ pub(super) struct Skill {
     pub(super) knocks: usize,
     /// How many of the best strokes are tried with an unsteady hand.
     pub(super) finalists: usize,
-    /// How many times each of these strokes is tried, each time with a different random error.
+    /// How many times each of these strokes is tried, with different random errors.
     pub(super) slips: usize,
     /// The number of small changes to the best stroke that are tried in the same way.
     pub(super) refinements: usize,

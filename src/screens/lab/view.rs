@@ -61,7 +61,7 @@ const HIDDEN: &str = "The outcome of this hit is hidden until you have predicted
 /// The smallest number of rows of a picture with room for the curves.
 const ROOM_FOR_CURVES: u16 = 18;
 
-/// The collision with the current settings, explained to its end.
+/// The collision with the current settings, with its whole explanation.
 fn live_hit(lab: &Lab) -> Watch {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Trails]);
     Watch::revealed(lab.settings.setup.collision()).with_layers(layers)

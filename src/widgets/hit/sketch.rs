@@ -369,7 +369,7 @@ impl Sketch {
         (outside, direction)
     }
 
-    /// Writes the name and the speed of a velocity beside `at`, in the given direction.
+    /// Writes the name and the magnitude of a velocity beside `at`, in the direction `towards`.
     fn name(&mut self, velocity: &NamedVelocity, at: DVec2, towards: DVec2) {
         let text = format!("{} = {:.2} m/s", velocity.name, velocity.v.length());
         self.label(text, at, towards, velocity.role)

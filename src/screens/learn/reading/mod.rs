@@ -299,7 +299,8 @@ impl Reading {
 
     /// The keys for answering. Enter switches to the other ray, because Tab switches to the figure.
     fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
-        // On a small screen the key back to the contents has priority over these keys.
+        // On a small screen, the bottom line needs the room of these names for the key that goes
+        // back to the contents.
         let spare = |action| {
             use AnswerAction::{Choose, Ray};
             matches!(action, Choose(_) | Ray(RayAction::StaysStill))
