@@ -11,8 +11,8 @@ use std::fmt;
 
 use crate::quiz::question::{Answer, Fit, Misconception, Question, WrongAnswer};
 
-/// The probability that somebody who holds a misconception gives an answer that does not show it to
-/// a question that could have shown it: because of a slip, a doubt, or another idea.
+/// The probability that, when a question could show a misconception, the answer of somebody who
+/// holds it does not show it: because of a slip, a doubt, or another idea.
 pub(crate) const SLIP: f64 = 0.15;
 
 /// A misconception is named once the answers are this many times as likely for somebody who holds
@@ -163,7 +163,7 @@ impl fmt::Display for Evidence {
 }
 
 /// The evidence of these answers for each misconception that they could have shown, with the
-/// strongest evidence first; equally strong misconceptions are in the order of
+/// strongest evidence first; misconceptions with equally strong evidence are in the order of
 /// [`Misconception::ALL`].
 pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     let each = Misconception::ALL.iter();

@@ -2,8 +2,8 @@
 //! catalogue.
 //!
 //! A misconception about rays predicts the rays of any `Hit`; a family of questions that asks for
-//! something else itself defines the answers that misconceptions lead to. A question is asked only
-//! if it can distinguish the misconceptions: no two of their answers, and none of their answers and
+//! anything else must define the answers that misconceptions lead to. A question is asked only if
+//! it can distinguish the misconceptions: no two of their answers, and none of their answers and
 //! the right answer, may be so close that one answer could fit both.
 
 mod catalogue;

@@ -32,8 +32,7 @@ impl Misconception {
     fn sends(self, hit: &Hit, truth: Rays) -> Option<Prediction> {
         let (alpha, ratio, side) = (hit.alpha().abs(), hit.mass_ratio(), hit.side());
         let rays = |striker, target| Rays { striker, target };
-        // The striker leaves on the side away from the target, and the target on the side where it
-        // lies.
+        // The target leaves on the side where it lies, and the striker on the other side.
         let usual = |theta1: f64, theta2: f64| Rays::new(side * theta1, side * theta2);
         let [striker, target] = Ray::BOTH.map(Some);
         let mirrored = |angle: Option<f64>| angle.map(|angle| -angle);

@@ -31,7 +31,7 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
     format!("{target} {}", striker(hit, &outcome))
 }
 
-/// The sentence on the striker, based on its velocity components along n and t.
+/// The sentence about the striker, based on its velocity components along n and t.
 fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let (Some(normal), Some(tangent), Some(theta1), Some(separation)) = (
         outcome.normal,

@@ -12,7 +12,8 @@ use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 /// about the accuracy with which the picture can be read.
 const FULL_CREDIT: f64 = 0.5;
 
-/// An answer earns no credit from this multiple of the tolerance on: 30° for an angle.
+/// An answer whose error is at least this multiple of the tolerance earns no credit: 30° for an
+/// angle.
 const NO_CREDIT: f64 = 7.5;
 
 /// The credit, from 0 to 1, for an answer whose error is `distance` in units of the tolerance. The
@@ -34,8 +35,8 @@ pub(crate) struct RayGrade {
 }
 
 impl RayGrade {
-    /// The credit from 0 to 1: full credit up to 2°, none from 30°. A ray for a disc that stays
-    /// still earns 0, and so does a missing ray for a disc that moves.
+    /// The credit from 0 to 1: full credit up to 2°, none from 30° upwards. A ray for a disc that
+    /// stays still earns 0, and so does a missing ray for a disc that moves.
     pub(crate) fn credit(&self) -> f64 {
         self.error
             .map_or(0.0, |error| credit(deg_from_rad(error) / RIGHT_DEG))

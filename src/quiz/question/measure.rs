@@ -104,8 +104,8 @@ impl Measure {
     /// The tolerance of an angle, a share or e is a tenth of the true value, but at most 4°, 4
     /// percentage points or 0.04, because a large value can be read or calculated more accurately
     /// than that, and at least 1°, a fifth of a point or 0.01. A number with its own tolerance uses
-    /// that. For all other quantities the ratio of the two numbers may differ from 1 by a twentieth
-    /// in either direction; if a ratio is meaningless, the distance is infinite.
+    /// that. For all other quantities the larger of the two numbers may exceed the smaller by up to
+    /// a twentieth of the smaller; if a ratio is meaningless, the distance is infinite.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }

@@ -1,4 +1,4 @@
-//! The names of what students may believe; a higher layer defines the predictions and the feedback.
+//! The names of the misconceptions; a higher layer defines their predictions and the feedback.
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
@@ -32,7 +32,7 @@ pub enum Misconception {
     OffAWall,
     /// α is assumed to be 90° · b / (r₁ + r₂), although sin α is b / (r₁ + r₂).
     OffsetAsAngle,
-    /// e < 1 is assumed to be 1. With equal masses this means "always 90°".
+    /// e is assumed to be 1, although it is less. With equal masses this means "always 90°".
     Lossless,
     /// The striker is assumed to stop in a head-on collision, as it does with equal masses.
     AlwaysStops,
@@ -146,8 +146,8 @@ impl Misconception {
     /// All misconceptions.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// The most common misconceptions. The round that finds out what a student believes tests for
-    /// these first.
+    /// The most common misconceptions. The round that finds out what a student believes assumes at
+    /// first that these are more likely than the others.
     pub const COMMON: [Self; 7] = [
         Self::CopiedAngle,
         Self::AlwaysSquare,

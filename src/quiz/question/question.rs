@@ -128,10 +128,10 @@ impl Question {
     /// Finds the misconception that an answer fits best, if the answer fits any.
     ///
     /// A right answer fits no misconception. A fit of the whole answer takes precedence over a fit
-    /// of the telltale ray alone. Among equal fits the closest one is chosen, in steps of a
-    /// fortieth of the tolerance (a tenth of a degree); among equally close fits, the one that
-    /// comes first in [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also
-    /// be wrong.
+    /// of the telltale ray alone. Among equal fits the closest one is chosen, with distances
+    /// rounded to a fortieth of the tolerance (a tenth of a degree); among equally close fits, the
+    /// one that comes first in [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray
+    /// must also be wrong.
     pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
         self.belief_of(answer).map(|(belief, fit)| Diagnosis {
             misconception: belief.misconception,

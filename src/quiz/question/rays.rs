@@ -24,8 +24,8 @@ impl Ray {
     /// Both rays, with the striker's first.
     pub const BOTH: [Self; 2] = [Self::Striker, Self::Target];
 
-    /// The angle of this ray, with its sign made positive to the left: a scattering angle already
-    /// has this sign, whereas a recoil angle is positive to the right.
+    /// Converts the angle of this ray so that it is positive to the left: a scattering angle
+    /// already is, whereas a recoil angle is positive to the right.
     pub(crate) fn leftward(self, angle: f64) -> f64 {
         match self {
             Self::Striker => angle,

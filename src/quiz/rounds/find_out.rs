@@ -15,7 +15,8 @@ const NONE_BEFORE: f64 = 0.25;
 const COMMON: f64 = 5.0;
 /// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
-/// The probability of holding none at which all misconceptions are considered ruled out.
+/// All misconceptions are considered ruled out if the student holds none with at least this
+/// probability.
 const NONE_LEFT: f64 = 0.9;
 /// The minimum number of questions before the round can end.
 const FEWEST: usize = 3;
@@ -23,7 +24,7 @@ const FEWEST: usize = 3;
 const BEFORE_HARD: usize = 3;
 
 /// The candidates drawn for each question: the families, and how many questions of each difficulty
-/// are drawn from the family.
+/// are drawn from each.
 pub(super) const CANDIDATES: [(Family, usize); 11] = [
     (Family::FromAngle, 1),
     (Family::FromOffset, 1),
@@ -118,8 +119,8 @@ impl Posterior {
             .clone()
             .map(|(likely, shows)| likely * (1.0 - shows))
             .sum();
-        // The answer of a student who holds none of these misconceptions fits each of them by
-        // chance.
+        // The answer of a student who holds none of these misconceptions can fit each of them only
+        // by chance.
         let each = held
             .clone()
             .map(|(likely, shows)| likely * shows + elsewhere * by_chance);

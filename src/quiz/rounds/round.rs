@@ -179,8 +179,8 @@ impl Round {
                 return concept::question(concept, dice);
             }
         }
-        // In a round of ten hits, the difficulty of a kind may differ from its difficulty in the
-        // family.
+        // In a round of ten hits, a question may be listed with a difficulty that is not its
+        // difficulty in the family.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,

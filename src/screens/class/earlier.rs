@@ -77,7 +77,8 @@ fn titled(round: &ClassRound, day: Option<Date>) -> String {
     format!("{class}{}, {}{day}", round.code(), head_count(round))
 }
 
-/// The number of participants: "27 pupils", "4 teams"; for counted hands, the largest count.
+/// The number of participants: "27 pupils", "4 teams"; if hands are counted, the largest number of
+/// votes on a question.
 pub(super) fn head_count(round: &ClassRound) -> String {
     let people = round.participants().len();
     match round.way() {

@@ -139,8 +139,8 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     words.collect::<Vec<_>>().join(", ") + more
 }
 
-/// The largest number of directions, in the votes for a disc, that are all labelled. If there are
-/// more, only the most frequent one is labelled.
+/// If the votes for a disc have at most this many directions, all of them are labelled; otherwise
+/// only the most frequent one is.
 const MANY_WAYS: usize = 8;
 
 /// Draws all rays, from the position where the two discs will collide.

@@ -140,7 +140,7 @@ fn a_long_scoreboard_can_be_scrolled_to_its_end() {
 const SCREENS: [(u16, u16); 3] = [(80, 24), (100, 30), (120, 40)];
 
 /// How many questions were laid out, and how many of them show all choices with their bars on the
-/// first page, at both votes (`vote`) and at the discussion (`talk`).
+/// first page, in both votes (`vote`) and in the discussion (`talk`).
 #[derive(Debug, Clone, Copy, Default)]
 struct OnePage {
     asked: usize,

@@ -92,8 +92,8 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
 }
 
 /// The number of particles expected at an angle in degrees: for counts per steradian, the law
-/// itself; for a ring, its integral over ±2.5°. The curve therefore passes through the expected
-/// count at the middle of each bin.
+/// itself; for a ring, its integral over ±2.5°, so that the curve passes through the expected count
+/// at the middle of each bin.
 pub(super) fn expected_at(
     law: &ScatteringLaw,
     counted_for: CountedFor,

@@ -96,7 +96,7 @@ fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     }
 }
 
-/// The deviation of each count from the law in per cent, and the range for gold.
+/// The deviation of each count from the law in per cent, and the range of the deviations for gold.
 fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     let ShownMetal { name, role, .. } = *metal;
     let percent = |excess: f64| 100.0 * excess;

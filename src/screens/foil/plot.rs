@@ -167,7 +167,7 @@ mod tests {
             assert!((times - 16.0).abs() < 0.4, "{times}");
         }
         // The bars are on the same scale as the curve. Where many particles are counted, the bars
-        // meet the curve, apart from the curvature of the law within 5°.
+        // meet the curve, apart from the effect of the law's curvature within a bin of 5°.
         for bin in 2..6 {
             let bar = run.counts.bins[bin] as f64 / CountedFor::Steradian.in_bin(bin);
             let bent = bar / at(5.0 * bin as f64 + 2.5);

@@ -65,7 +65,7 @@ fn offset(setup: &FoilSetup) -> f64 {
     }
 }
 
-/// The path at an offset, from distance `reach` before the target to `reach` after it.
+/// The path at an offset, from a distance `reach` before the target to the same distance after it.
 fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     match setup.obstacle {
         Obstacle::Hard => hard_path(offset, reach),
@@ -81,7 +81,8 @@ fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     }
 }
 
-/// A straight line to the touching distance 1, then reflected like light by a mirror.
+/// A straight path, which is reflected like light by a mirror if it reaches the touching distance
+/// 1.
 fn hard_path(offset: f64, reach: f64) -> Path {
     let start = dvec2(-reach, offset);
     if offset.abs() > 1.0 {

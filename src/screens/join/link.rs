@@ -161,7 +161,7 @@ impl Link {
         }
     }
 
-    /// Sends an unconfirmed vote again after the connection was lost, once its question is asked
+    /// Sends an unconfirmed vote again after a loss of the connection, once its question is asked
     /// again: a restarted host first waits for the class.
     fn say_again(&mut self, state: &PupilState, cx: &mut Context) {
         let open = state.step.vote();
@@ -179,8 +179,8 @@ impl Link {
         }
     }
 
-    /// Processes the result of a hand-in. An unconfirmed hand-in is sent again after the connection
-    /// was lost.
+    /// Processes the result of a hand-in. An unconfirmed hand-in is sent again after a loss of the
+    /// connection.
     fn hear_of_hand_in(&mut self, handed: Option<HandedIn>, first: bool, cx: &mut Context) {
         let heard = handed.map_or(0, |it| it.n);
         if heard >= self.handed {
@@ -245,8 +245,8 @@ impl Link {
         }
     }
 
-    /// The wait before the next attempt: twice as long each time, and different for each pupil, so
-    /// that a whole class does not reconnect at once.
+    /// The wait before the next attempt: it differs between pupils, so that a whole class does not
+    /// reconnect at once, and its bounds double with each attempt, up to a maximum.
     fn back_off(&self, seed: u64) -> Duration {
         let [least, most] = BACK_OFF;
         let longest = most.min(least << self.tries.min(8));

@@ -67,8 +67,9 @@ fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -
     (0..=PIECES).map(at).collect()
 }
 
-/// The range over which the curve varies a setting. For an angle, an offset and e it includes every
-/// collision; for any other setting it is slightly wider than the range of the hits.
+/// The range over which the curve varies a setting: all values of an angle, an offset and e (to the
+/// left only if one of the hits is), up to 1 for the friction between the rims, and for any other
+/// setting up to 1.5 times the largest value in the hits (at least 100 for a spin).
 fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f64, f64) {
     let FieldValue::Number { range, .. } = field.field(setup).value else {
         return (0.0, 0.0);

@@ -7,7 +7,7 @@ use crate::physics::rutherford::{FM, Rutherford};
 use crate::widgets::Role;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 
-/// Offsets of the particles, in units of the closest approach d.
+/// Offsets of the particles, in units of d, the closest approach of a head-on particle.
 const OFFSETS: [f64; 8] = [-2.2, -1.4, -0.8, -0.35, 0.15, 0.5, 1.0, 1.8];
 /// The distance from the charge at which a path ends, in units of d, and the number of straight
 /// segments of a path.

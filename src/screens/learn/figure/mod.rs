@@ -240,8 +240,7 @@ impl LiveFigure {
         }
     }
 
-    /// Whether the student sets α here. All figures of a chapter in which the student sets α have
-    /// the same value.
+    /// Whether the student sets α here. All such figures of a chapter have the same α.
     pub(super) fn is_own(&self) -> bool {
         self.figure.own
     }
