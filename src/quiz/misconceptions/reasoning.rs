@@ -106,8 +106,8 @@ mod tests {
     use super::*;
     use crate::physics::{Collision, Disc};
 
-    /// Along the line of impact the striker keeps the fraction (m₁ − e m₂) / (m₁ + m₂) of its 4
-    /// m/s.
+    /// Along the line of impact the striker keeps the fraction (m₁ − e m₂) / (m₁ + m₂) of its
+    /// original 4 m/s.
     #[test]
     fn a_head_on_explanation_depends_on_the_masses_and_the_loss() {
         let said = |m1: f64, m2: f64, restitution: f64| {

@@ -82,7 +82,7 @@ pub struct Diagnosis {
 pub enum Fit {
     /// The whole answer.
     Whole,
-    /// Only the ray that reveals the misconception; the other ray has a different error.
+    /// Only the ray that reveals the misconception; the other ray does not fit.
     OneRay(Ray),
 }
 

@@ -245,7 +245,7 @@ impl OnePages {
 }
 
 /// A class can compare all choices with their bars at a glance: on the recommended screen, two
-/// questions of each family show them on the first page.
+/// questions of each family that has a round of its own show them on the first page.
 #[test]
 fn votes_are_shown_with_all_choices_on_one_page() {
     let mut pages = OnePages::default();

@@ -81,8 +81,7 @@ fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     }
 }
 
-/// A straight path, which is reflected like light by a mirror if it reaches the touching distance
-/// 1.
+/// A straight path; at the touching distance 1 it is reflected, as light is by a mirror.
 fn hard_path(offset: f64, reach: f64) -> Path {
     let start = dvec2(-reach, offset);
     if offset.abs() > 1.0 {

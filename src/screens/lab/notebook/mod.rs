@@ -166,8 +166,8 @@ impl Notebook {
         self.axes[axis] = at;
     }
 
-    /// Whether a column has numbers that differ between hits. The impact angle and the offset are
-    /// always worth plotting.
+    /// Whether a column has numbers that differ between hits, if there are several hits. The impact
+    /// angle and the offset are always worth plotting.
     fn is_worth_plotting(&self, column: &NotebookColumn) -> bool {
         use CollisionField::{ImpactAngle, Offset};
         let values = || self.hits().iter().map(|hit| column.value(hit));
