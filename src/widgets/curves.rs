@@ -73,7 +73,7 @@ fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plo
     let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
     match kind {
         FigureKind::Angles => {
-            // The striker rebounds from a head-on collision with a heavier disc.
+            // If e m₂ > m₁, the striker rebounds from a head-on collision.
             let most = if pair.k() > 1.0 + 1e-9 { 180.0 } else { 90.0 };
             let theta2 = Axis::linear("coin θ₂ (°)", 0.0, 90.0).every(15.0);
             let theta1 = Axis::linear("striker θ₁ (°)", 0.0, most).every(most / 6.0);

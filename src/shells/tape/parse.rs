@@ -90,7 +90,7 @@ struct Arguments<'a> {
 }
 
 impl<'a> Arguments<'a> {
-    /// Exactly `N` arguments, or an error with what was expected.
+    /// Exactly `N` arguments, or an error that says what was expected.
     fn exactly<const N: usize>(&self, expected: &str) -> Result<&'a [Token; N], String> {
         self.rest.try_into().map_err(|_| self.not(expected))
     }

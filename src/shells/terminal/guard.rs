@@ -64,9 +64,9 @@ impl Guard {
             EnableBracketedPaste,
             Hide
         )?;
-        // Nobody waits for the reply. It arrives before any key of a player who has seen the first
-        // frame. That frame clears the screen, so a terminal that does not know the request and
-        // prints part of it does no harm.
+        // Nobody waits for the reply. It arrives before any key that a player presses after
+        // seeing the first frame. That frame clears the screen, so a terminal that does not know
+        // the request and prints part of it does no harm.
         #[cfg(unix)]
         execute!(io::stdout(), Print(version::REQUEST))?;
         Ok(())

@@ -19,7 +19,8 @@ pub(super) struct Inbox {
     sender: Sender<Message>,
     /// The number of waiting inputs from the user.
     waiting: Arc<AtomicUsize>,
-    /// The number of waiting messages to quit. Keys typed before such a message are discarded.
+    /// The number of waiting messages that make carrom quit. Keys typed before such a message are
+    /// discarded.
     leaving: Arc<AtomicUsize>,
 }
 

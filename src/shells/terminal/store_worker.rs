@@ -11,8 +11,8 @@ use crate::messages::{Input, PlayerAction, StoreAnswer, StoreCall, StoreReply, S
 use crate::store::Store;
 
 /// How long the screen waits for a stroke or a team's vote to be saved before showing it. Nearly
-/// all disks are much faster, so a stroke or vote that was shown is never lost. (The screen does
-/// not wait for votes from devices; a pupil's device confirms a vote once it is saved.)
+/// all disks are much faster, so a stroke or vote that was shown is hardly ever lost. (The screen
+/// does not wait for votes from devices; a pupil's device confirms a vote once it is saved.)
 const PATIENCE: Duration = Duration::from_millis(500);
 /// How long the screen waits for an answer to be saved before it shows the explanation, so that no
 /// answer is lost once it has been explained. If the disk is faulty or another program has locked

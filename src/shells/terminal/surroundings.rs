@@ -34,7 +34,7 @@ fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
 }
 
 /// The richest charset that will display correctly: Unicode if the locale is UTF-8. Windows has no
-/// such locale. There the newer terminal, which sets `WT_SESSION`, and editors that set
+/// such locale. Its newer terminal, which sets `WT_SESSION`, and editors that set
 /// `TERM_PROGRAM` find a font for every glyph, but the old console has no braille. `env` reads an
 /// environment variable.
 pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {

@@ -58,7 +58,7 @@ impl Database {
         }
     }
 
-    /// Stores a player's stars for a level, unless there are already as many.
+    /// Stores a player's stars for a level, unless at least as many are already stored.
     pub(in crate::store) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
         self.change(|transaction| {
             transaction.execute(

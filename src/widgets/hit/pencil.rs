@@ -37,7 +37,7 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
     let (c1, c2) = collision.placed_at_contact();
     let radius = collision.contact_distance() + collision.target.radius + 0.45 * unit;
     let fastest = collision.u1.length().max(collision.u2.length());
-    // The discs start far enough away for the arrow, too, to be outside the protractor.
+    // The discs start so far away that the arrow is outside the protractor too.
     let time = (radius + 2.9 * unit) / fastest;
     let places: [DVec2; 2] = match time.is_finite() {
         true => collision.positions_before(time).into(),

@@ -216,7 +216,7 @@ impl Playback {
     }
 
     /// Continues: during the approach, jumps to the contact; at the contact, goes to the next step;
-    /// after the last step or a pause, plays on to the end.
+    /// after the last step or a pause, plays on; while the discs move apart, jumps to the end.
     pub(crate) fn go_on(&mut self) {
         self.stage = match self.stage {
             PlaybackStage::Approach(_) => PlaybackStage::at_step(0),

@@ -35,7 +35,7 @@ pub(crate) struct Watch {
     pub(super) faces: [Face; 2],
     /// The steps of the explanation at the contact.
     steps: &'static [ExplanationStep],
-    /// The layer that the last key press switched on or off, if it did.
+    /// The layer that the last key press switched on or off, if any.
     switched: Option<Overlay>,
 }
 

@@ -15,8 +15,9 @@ const OUTLINE_WIDTH: i32 = 3;
 /// The radius, in columns, below which a disc is drawn as an [`outline`].
 const OUTLINED: f64 = 2.0;
 
-/// Discs are drawn as blocks if the height of the smallest one, in rows, is below this limit, which
-/// is slightly less than the height of a coin on the whole board in a window with 30 rows.
+/// Discs that would not look round are drawn as blocks if the height of the smallest disc, in rows,
+/// is below this limit, which is slightly less than the height of a coin on the whole board in a
+/// window with 30 rows.
 const BLOCK_ROWS: f64 = 1.05;
 
 /// The radius of the ring around a marked disc, in units of the disc's radius.

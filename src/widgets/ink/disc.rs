@@ -79,8 +79,8 @@ impl Canvas {
 
     /// Draws a disc as a block of half cells, at most a quarter of a cell from its true place in
     /// each direction. The queen and the striker have the letter of their [`token`], in a cell of
-    /// their colour. Their blocks are an even number of half cells wide, so that this cell moves the
-    /// middle of the block towards the true place.
+    /// their colour. Their blocks are an even number of half cells wide, so if this cell sticks
+    /// out, it moves the middle of the block towards the true place.
     pub(super) fn block(&mut self, body: &Body) {
         let (centre, role) = (self.paper(body.at), body.role);
         let radius = body.radius / self.view().per_column();

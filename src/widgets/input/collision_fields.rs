@@ -182,7 +182,7 @@ impl CollisionField {
 }
 
 /// All settings with their current values, in the order of [`CollisionField`]. Without friction,
-/// spin has no effect, so the spins, which come last, are left out.
+/// spin has no effect, so the spins, which come last, are left out unless a disc spins.
 pub(crate) fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
     let shown = match spec.rims.is_plain() {
         true => CollisionField::StrikerSpin as usize,

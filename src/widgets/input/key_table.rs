@@ -91,8 +91,8 @@ impl<A: Copy> KeyRow<A> {
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
-    /// Whether the latest call that adds keys has added a row. If it was given no keys, it has not,
-    /// and the methods that change the last row then have no effect.
+    /// Whether the latest call that adds keys has added a row. A call without keys adds no
+    /// row, and the methods that change the last row then have no effect.
     added: bool,
 }
 
