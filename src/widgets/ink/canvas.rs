@@ -264,8 +264,8 @@ impl Canvas {
         if mono {
             return (block.symbol, theme.style(disc.role));
         }
-        // If another disc fills most of the remaining part of the cell, that disc's colour is the
-        // background of the edge.
+        // If another disc fills at least half of the remaining part of the cell, that disc's colour
+        // is the background of the edge.
         let others = beside.bits.count_ones();
         let is_beside = others > 0 && 2 * others >= (!disc.bits).count_ones();
         let rest = if is_beside {
