@@ -174,8 +174,8 @@ impl CollisionField {
         ROWS[self as usize].field(spec)
     }
 
-    /// Sets the value, clamped to its range. When a radius changes, the offset keeps its ratio to
-    /// r₁ + r₂ as closely as possible.
+    /// Sets the value, clamped to its range. When a radius changes, the offset stays the same, or
+    /// is clamped to its new range.
     pub(crate) fn set(self, spec: &mut CollisionSpec, value: f64) {
         set_at(self as usize, spec, value);
     }
