@@ -38,7 +38,7 @@ impl PlacedLabel {
 
 /// The number of columns by which a label may move outwards to leave space around it.
 const ASIDE: i32 = 2;
-/// The maximum distance of a label from its anchor, in rows.
+/// The maximum distance of a label from its anchor, in rows; as a last resort, twice as far.
 const FARTHEST: i32 = 4;
 
 /// What is allowed in the cells next to the two ends of a label.
@@ -201,7 +201,7 @@ impl Canvas {
         }
     }
 
-    /// Whether a cell and its neighbours are empty, or the cell is outside the area.
+    /// Whether a cell is empty and no label is next to it, or the cell is outside the area.
     fn is_blank(&self, (x, y): (i32, i32)) -> bool {
         let (columns, _) = self.size();
         !(0..columns).contains(&x)
@@ -224,7 +224,7 @@ impl Canvas {
         other.is_none_or(|other| own <= 3 * other)
     }
 
-    /// Whether part of a row, including the cells at its ends, is free of labels.
+    /// Whether part of a row, including the cell beyond each end, is free of labels.
     fn is_clear_of_labels(&self, (x, y): (i32, i32), width: i32) -> bool {
         let area = self.view().area();
         self.labels.iter().all(|label| {
