@@ -339,7 +339,7 @@ impl Watch {
 }
 
 /// The times of the contact and of the end, in the shot's own seconds. They are chosen so that
-/// discs of any speed start and end at the edge of the picture.
+/// discs of any speed start and end near the edge of the picture.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
