@@ -90,7 +90,7 @@ impl Decoder {
         self.pending.clear();
     }
 
-    /// Handles bytes and returns the completed events.
+    /// Handles bytes, and adds the completed events to `events`.
     pub(super) fn feed(&mut self, bytes: &[u8], events: &mut VecDeque<Event>) {
         for byte in bytes {
             match &mut self.paste {

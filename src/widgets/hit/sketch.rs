@@ -240,7 +240,7 @@ impl Sketch {
     }
 
     /// Draws an arrow from the rim of a departing disc, with the speed at its tip, or writes that
-    /// the disc stops. The arrow ends at the edge of the picture, and is left out if there is no
+    /// the disc stops. The arrow never extends beyond the picture, and is left out if there is no
     /// space for its head. `room` is the space reserved for the label around the disc's centre.
     pub(super) fn outgoing(
         &mut self,

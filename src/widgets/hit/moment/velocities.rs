@@ -33,8 +33,8 @@ impl Moment<'_> {
         }
         let pen = self.pen(Role::Arc);
         if frame == Frame::CentreOfMass {
-            // Two discs that move on together are deflected by the same angle, so one arc is
-            // enough.
+            // In this frame both discs are deflected by the same angle, so one arc is enough. Two
+            // discs that move on together rotate instead.
             if !self.sticks() {
                 sketch.arc(0, [before[0], after[0]], "Θ = ", pen);
             }
