@@ -380,7 +380,7 @@ mod tests {
             ..HIT.truth()
         };
         let still = noted(rays, Confidence::Guess);
-        // There is no angle error for the striker, but its answer is still wrong.
+        // There is no angle error for the striker, but the answer is still wrong.
         assert!(rays.apart(&HIT.truth(), Ray::Striker).is_none());
         assert!(still.error_deg.unwrap() < 1e-9 && !still.right);
     }

@@ -203,7 +203,7 @@ impl<'a> Summary<'a> {
         shown.map(|it| it.misconception.name()).collect()
     }
 
-    /// A comment on whether the answers still show the misconception that the round checks.
+    /// A comment on whether the answers still show the misconception that the round checks for.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {

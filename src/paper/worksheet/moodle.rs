@@ -1,8 +1,8 @@
 //! The questions of a round in Moodle's XML format.
 //!
 //! Moodle compares an answer with a list of answers; the first one that fits gives the points and
-//! the feedback. So the list contains every misconception's answer, with its feedback. Two
-//! directions, or an offset with its side, are a question with several fields (Cloze). Moodle
+//! the feedback. So the list contains every misconception's answer, with its feedback. A question
+//! that asks for two directions, or for an offset with its side, has several fields (Cloze). Moodle
 //! judges such fields separately, so feedback that applies only to both directions together begins
 //! by naming them.
 
@@ -18,7 +18,7 @@ use crate::widgets::text::unbroken;
 /// An answer that Moodle recognizes in a question or in one of its fields.
 struct KnownAnswer {
     said: String,
-    /// The number with the largest error that counts as this answer; `None` for a choice.
+    /// The number, and the largest deviation that still counts as this answer; `None` for a choice.
     number: Option<[f64; 2]>,
     is_right: bool,
     feedback: String,
@@ -331,8 +331,8 @@ impl AnswerField {
         Self(known.collect())
     }
 
-    /// Adds the feedback on a wrong number. If an earlier number fits it too, Moodle never reaches
-    /// this one, so the earlier number gets the feedback.
+    /// Adds the feedback on a wrong number. If this number is within the tolerance of an earlier
+    /// one, Moodle never reaches it, so the earlier number gets the feedback.
     fn add(&mut self, x: f64, tolerance: f64, feedback: &str) {
         let earlier = self.0.iter_mut().find(|it| {
             let fits = |[y, tolerance]: [f64; 2]| (x - y).abs() <= tolerance;

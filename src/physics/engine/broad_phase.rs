@@ -171,7 +171,7 @@ impl TwoBoxes {
         self.0 = [set(0), set(1), set(2), set(3)];
     }
 
-    /// The limits within which the sides of a box must lie to overlap this box.
+    /// The limits within which the sides of another box must lie if it overlaps this box.
     #[inline]
     fn limits(&self, lane: usize) -> [f64x2; 4] {
         let limit = |side: f64x2| f64x2::splat(-side.to_array()[lane]);

@@ -141,8 +141,8 @@ impl ShotInPlay<'_> {
             return;
         }
         let known = self.schedule.time(i).min(self.schedule.time(k));
-        // The time is slightly longer, so that a contact that coincides with a known event is also
-        // found.
+        // The search goes slightly beyond the known event, so that a contact that coincides with it
+        // is also found.
         let until = known - seeker.now + SAME_TIME;
         if let Some(time) = contact(seeker, &self.bodies[k], until) {
             let time = seeker.now + time;

@@ -123,7 +123,7 @@ impl Topic {
     /// The families from which codes such as `read-abd-7` draw questions.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
-        // If only later questions ask about a topic, no older code draws from it.
+        // No older code draws from a topic that has only later questions, so it keeps its family.
         if families != [Family::Ideas] {
             families.retain(|family| *family != Family::Ideas);
         }
