@@ -266,8 +266,8 @@ pub(crate) fn mean(x: &[f64]) -> Option<f64> {
     (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
 }
 
-/// Pearson's correlation coefficient; `None` for fewer than three pairs, or if one of the variables
-/// varies by no more than a thousandth.
+/// Pearson's correlation coefficient; `None` for fewer than three pairs, or if the squared
+/// deviations of one variable from its mean add up to no more than a millionth.
 pub(crate) fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     const VARIES: f64 = 1e-6;
     if x.len() < 3 {

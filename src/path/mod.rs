@@ -220,9 +220,9 @@ impl<'a> PathSoFar<'a> {
         asked
     }
 
-    /// Whether a chapter is neither done nor known. A chapter is known if the last answers on its
-    /// topics show that the player knows them; topics that were never asked about do not matter if
-    /// at least one was. A chapter without topics is known if the chapter before it is.
+    /// Whether a chapter is neither done nor known. A chapter is known if at least one of its
+    /// topics was asked about, and the last answers show that the player knows all such topics. A
+    /// chapter without topics is known if the chapter before it is.
     fn is_open(&self, at: usize, topics: &TopicsAsked) -> bool {
         !self.book.is_done(&self.chapters()[at]) && !self.is_known(at, topics)
     }

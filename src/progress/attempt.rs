@@ -121,7 +121,7 @@ impl Attempt {
     /// the correct answer.
     pub fn fault(&self) -> Option<&'static str> {
         let error_is_possible = |error: f64| match self.family.as_str() {
-            // In a chapter, any angle is possible.
+            // In a chapter, an angle may be any number, so its error may exceed 180°.
             LESSON => error >= 0.0 && error.is_finite(),
             _ => (0.0..=FURTHEST_OFF_DEG).contains(&error),
         };

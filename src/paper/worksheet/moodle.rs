@@ -332,7 +332,7 @@ impl AnswerField {
     }
 
     /// Adds the feedback on a wrong number. If this number is within the tolerance of an earlier
-    /// one, Moodle never reaches it, so the earlier number gets the feedback.
+    /// one, Moodle never reaches this number, so the earlier one gets the feedback.
     fn add(&mut self, x: f64, tolerance: f64, feedback: &str) {
         let earlier = self.0.iter_mut().find(|it| {
             let fits = |[y, tolerance]: [f64; 2]| (x - y).abs() <= tolerance;

@@ -28,7 +28,7 @@ pub(super) fn command(code: &Code, own: &str) -> String {
     }
 }
 
-/// The points for a question on paper: one if it is easy, up to three.
+/// The points for a question on paper: one if it is easy, three if it is hard.
 pub(super) const fn worth_of(question: &Question) -> usize {
     match question.difficulty {
         Difficulty::Easy => 1,

@@ -8,7 +8,7 @@ use super::super::{Board, Motion};
 /// How a slide ends if no other disc interferes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum SlideEnd {
-    /// The slide never ends, because nothing slows the disc and nothing is in its path.
+    /// The slide never ends: the disc is at rest, or nothing slows it and nothing is in its path.
     Never,
     Stop,
     /// The disc hits the cushion on this side.

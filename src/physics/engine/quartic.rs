@@ -135,7 +135,7 @@ mod tests {
             let end = rng.random_range(0.05..2.0);
             let first = aberth(&c, 100, 1e-14)
                 .iter()
-                // A root counts as real if it is not one of a complex pair near the axis.
+                // The limit is low, so that a complex pair near the real axis does not count as real.
                 .filter(|root| root.im.abs() <= 1e-9 * root.re.abs())
                 .map(|root| root.re)
                 .filter(|&x| x > 0.0 && x < end)

@@ -123,7 +123,7 @@ impl Topic {
     /// The families from which codes such as `read-abd-7` draw questions.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
-        // No older code draws from a topic that has only later questions, so it keeps its family.
+        // A topic that has only later questions keeps its family: no older code draws from the topic.
         if families != [Family::Ideas] {
             families.retain(|family| *family != Family::Ideas);
         }

@@ -89,7 +89,7 @@ fn assert_on_the_board(shot: &Shot) {
 }
 
 fn assert_balanced(shot: &Shot) {
-    // Simultaneous contacts exchange energy, so only their total energy is checked.
+    // Simultaneous contacts exchange energy, so it is checked for all of them together.
     let mut gained = 0.0;
     let mut since = f64::NAN;
     for event in shot.events() {
