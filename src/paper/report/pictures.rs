@@ -14,8 +14,8 @@ use crate::widgets::svg::Svg;
 
 /// The minimum number of answers at one confidence level for which a share is calculated.
 const SHARED: usize = 10;
-/// Each share is calculated from [`SHARED`] answers; if there are many answers in all, it is
-/// calculated from the total number divided by [`GROUPS`], rounded down to a multiple of ten.
+/// Each share is calculated from [`SHARED`] answers; if there are many answers in all, from more:
+/// their total number divided by [`GROUPS`], rounded down to a multiple of ten.
 const GROUPS: usize = 40;
 /// The sizes, in columns and rows, of a picture across the whole page and of a picture in one of
 /// the two columns.

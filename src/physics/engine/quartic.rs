@@ -135,7 +135,7 @@ mod tests {
             let end = rng.random_range(0.05..2.0);
             let first = aberth(&c, 100, 1e-14)
                 .iter()
-                // The limit is low, so that a complex pair near the real axis does not count as real.
+                // The limit is low, so that complex pairs near the real axis do not count.
                 .filter(|root| root.im.abs() <= 1e-9 * root.re.abs())
                 .map(|root| root.re)
                 .filter(|&x| x > 0.0 && x < end)

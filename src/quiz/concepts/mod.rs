@@ -123,7 +123,7 @@ impl Topic {
     /// The families from which codes such as `read-abd-7` draw questions.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
-        // A topic that has only later questions keeps its family: no older code draws from the topic.
+        // A topic that has only later questions keeps them: no older code is about it.
         if families != [Family::Ideas] {
             families.retain(|family| *family != Family::Ideas);
         }
