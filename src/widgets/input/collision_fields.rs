@@ -78,7 +78,7 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "speed",
-        about: "the striker's speed; no angle depends on it",
+        about: "the striker's speed; no angle depends on it if the coin is at rest and nothing spins",
         value: |spec| FieldValue::number(spec.speed, within("speed"), 0.25, " m/s"),
         shown: |spec| fixed(spec.speed, 2) + " m/s",
         put: |spec, speed| spec.speed = speed,
