@@ -71,7 +71,7 @@ impl Settings {
     /// The number of predicted hits, from the first on, after each of which carrom asks what the
     /// player saw.
     const FIRST_OBSERVED: u8 = 3;
-    /// The largest value of [`Self::watched`]: in the tenth hit after each question, the player is
+    /// The largest value of [`Self::watched`]: on the tenth hit after each question, the player is
     /// asked again.
     pub(crate) const MOST_WATCHED: u8 = Self::FIRST_OBSERVED + 9;
 

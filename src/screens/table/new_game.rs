@@ -329,8 +329,8 @@ fn of_hand(hand: PlayerHand, now: &Options) -> Choice {
     now.choice(<&str>::from(hand), about, |it| it.company.hand = hand)
 }
 
-/// The lengths of a game, with an estimate in minutes. Only tournament rules count games of several
-/// boards.
+/// The lengths of a game, with an estimate in minutes. Only under tournament rules can a game
+/// consist of several boards.
 fn lengths(now: &Options) -> Vec<Choice> {
     let lengths = [Length::Board, Length::Game, Length::Match].into_iter();
     let offered = lengths.filter(|it| now.setup.rules == Rules::Tournament || *it != Length::Game);

@@ -149,7 +149,7 @@ impl Host {
         })
     }
 
-    /// Listens at the requested port. If none was requested, it uses the port at which the devices
+    /// Listens at the requested port. If none was requested, uses the port at which the devices
     /// look for the round, or else the first free port.
     fn listen(&self, before: Option<u16>) -> io::Result<TcpListener> {
         let first = self.options.port.or(before).map(|port| (port, LETTING_GO));

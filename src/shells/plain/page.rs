@@ -143,7 +143,7 @@ impl PlainPage {
             is_new
         });
         // Where Enter continues to the next question, the next line typed may already answer that
-        // question. It could be taken for a label, so nothing gets one.
+        // question. That line could be taken for a label, so nothing gets a label.
         if !rows.iter().any(|row| row.id == ON) {
             let is_set = |it: &PlainOption| matches!(it.kind, OptionKind::Field(_));
             let are_set = options.iter().any(is_set);

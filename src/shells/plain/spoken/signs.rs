@@ -54,7 +54,7 @@ pub(super) fn power(letters: &[char]) -> Option<(String, usize)> {
     Some((words, power.chars().count()))
 }
 
-/// A single symbol in words; these depend on the characters before and after it.
+/// A single symbol in words, which depend on the characters before and after it.
 fn one(letter: char, before: &[char], after: &[char]) -> String {
     let (last, next) = (before.last().copied(), after.first().copied());
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
