@@ -69,7 +69,7 @@ pub struct Call {
 /// Why a move cannot be made.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum MoveError {
-    /// The striker must not be placed there.
+    /// The striker may not be placed there.
     #[error(transparent)]
     Place(#[from] Misplaced),
     /// The engine cannot play the stroke.
@@ -183,7 +183,7 @@ impl Strike {
     /// The shot of this stroke on the current board.
     ///
     /// # Errors
-    /// Returns an error if the striker must not be placed there or the engine cannot play the
+    /// Returns an error if the striker may not be placed there or the engine cannot play the
     /// stroke.
     pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
         game.check_place(self.place)?;

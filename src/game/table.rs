@@ -185,7 +185,7 @@ impl Game {
     /// a practice game, at any free position.
     ///
     /// # Errors
-    /// Returns the reason if the striker must not be placed there.
+    /// Returns the reason if the striker may not be placed there.
     pub(crate) fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
             Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),

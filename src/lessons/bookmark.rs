@@ -81,7 +81,7 @@ impl Bookmark {
     pub fn given(&self, page: &ChapterPage) -> Option<&GivenAnswer> {
         let asked = page.checkpoint.as_ref()?;
         let given = self.pages.get(&page.title)?.as_ref();
-        // A modified database may contain such an answer.
+        // In a modified database, an answer may not fit its question.
         let form = asked.form(None, |_| String::new());
         let fits = |said: &Response| form.accepts(said);
         given.filter(|given| {

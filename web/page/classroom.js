@@ -61,7 +61,7 @@ const classroom = (() => {
     return placeHere(given);
   }
 
-  // The link on a page that a class's host has served.
+  // The part of the address after "#" with which a page served by a class's host opens.
   function placeHere(given) {
     const before = kept();
     const link = /(^|&)code=([^&]*)/.exec(given);

@@ -3,8 +3,8 @@
 //! Simultaneous contacts of the same disc cannot be resolved one after another: the result would
 //! depend on the order, and a symmetric break would become asymmetric. All contacts must reverse
 //! their approach speeds at once, each with its own e, and no contact may pull. This is a linear
-//! complementarity problem, Σ K J = (1+e) w with J ≥ 0. Energy never increases: it changes by −½ Σ
-//! (1−e) J w.
+//! complementarity problem: Σ K J ≥ (1+e) w with J ≥ 0, and equality wherever J > 0. Energy never
+//! increases: it changes by −½ Σ (1−e) J w.
 //!
 //! For linear complementarity problems, see R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear
 //! Complementarity Problem* (1992); for simultaneous impacts without friction, see F. Pfeiffer and

@@ -6,7 +6,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// Where will the two discs go, whatever the pieces and the loss?
+    /// Both rays, for any pieces, with or without loss.
     WhereTo,
     /// Both rays from the impact angle, with equal masses.
     FromAngle,

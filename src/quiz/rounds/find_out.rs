@@ -15,8 +15,8 @@ const NONE_BEFORE: f64 = 0.25;
 const COMMON: f64 = 5.0;
 /// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
-/// All misconceptions are considered ruled out if the student holds none with at least this
-/// probability.
+/// All misconceptions are considered ruled out if the probability that the student holds none is at
+/// least this.
 const NONE_LEFT: f64 = 0.9;
 /// The minimum number of questions before the round can end.
 const FEWEST: usize = 3;

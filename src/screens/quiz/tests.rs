@@ -194,7 +194,7 @@ fn after_a_wrong_shot_the_right_one_is_shown() {
     assert!(screen.contains("v2 = 3.46 m/s"), "4 cos 30 deg\n{screen}");
     sitting.press("\n");
     assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
-    // A right shot needs no correction.
+    // After a correct shot, no correction is shown.
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     sitting.press("15\n3$\n");
     assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));

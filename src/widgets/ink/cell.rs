@@ -160,7 +160,7 @@ impl Cell {
     }
 }
 
-/// The samples in a charset's grid that lie below a covered part.
+/// The samples in a charset's grid that lie under a covered part of the cell.
 fn under(cover: u64, charset: Charset) -> u16 {
     let (columns, rows) = super::grid(charset);
     (0..columns * rows)
