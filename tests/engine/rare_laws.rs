@@ -1,5 +1,5 @@
-//! Laws that rarely apply, each tested with a complete game in which it does. The games are files in `tests/saves/laws`,
-//! and `carrom replay FILE` shows them.
+//! Laws that rarely apply, each tested with a complete game in which it does. The games are files in
+//! `tests/saves/laws`, and `carrom replay FILE` shows them.
 
 use carrom::game::{BoardWon, Game, RulingEffect, SavedGame, Team};
 

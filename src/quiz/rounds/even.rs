@@ -14,8 +14,8 @@ const CANDIDATES: usize = 32;
 /// a round of twenty questions, in the units of [`shown`].
 const ENOUGH: [u32; 2] = [16, 3];
 
-/// The weight of a missing test of a common misconception; a missing test of any other misconception
-/// has a weight of 1.
+/// The weight of a missing test of a common misconception; a missing test of any other
+/// misconception has a weight of 1.
 const PREFERRED: u32 = 8;
 
 /// The misconceptions that a question can show, and how strongly: roughly the base-3 logarithm of

@@ -28,8 +28,8 @@ pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
     lay(Rules::Tournament, white, black, queen)
 }
 
-/// Sets up a board like [`table`], under the given rules. In point carrom, South has pocketed all the
-/// missing coins.
+/// Sets up a board like [`table`], under the given rules. In point carrom, South has pocketed all
+/// the missing coins.
 pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     let mut game = Game::new(GameSetup {
         rules,
