@@ -27,7 +27,7 @@ const VARIANTS: [(&str, &str); 4] = [
 ];
 
 /// The tapes that are kept as snapshots, with charset and size.
-const KEPT: [(&str, &str, &str); 38] = [
+const KEPT: [(&str, &str, &str); 37] = [
     ("home", "unicode", "120x40"),
     ("home-player", "ascii", "80x24"),
     ("quiz-choose", "unicode", "120x40"),
@@ -42,7 +42,6 @@ const KEPT: [(&str, &str, &str); 38] = [
     ("family-rutherford", "unicode", "80x24"),
     ("family-slip-or-stick", "ascii", "80x24"),
     ("learn-04", "unicode", "80x24"),
-    ("learn-05", "ascii", "80x24"),
     ("learn-09", "ascii", "120x40"),
     ("learn-contents", "unicode", "120x40"),
     ("worked-shot", "unicode", "120x40"),
