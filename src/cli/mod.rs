@@ -61,7 +61,7 @@ use options::Auto;
 pub(crate) struct Cli {
     #[command(flatten)]
     options: GlobalOptions,
-    /// Write plain lines without any screen control, for screen readers, Braille displays
+    /// Write plain lines without any control codes, for screen readers, Braille displays
     /// and scripts
     #[arg(long, global = true)]
     plain: bool,

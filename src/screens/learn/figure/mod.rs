@@ -50,7 +50,7 @@ pub(crate) enum FigureAction {
     Alpha(i8),
     /// set α for a head-on or a grazing collision
     AlphaEnd(i8),
-    /// change what the figure shows: e, an angle, the time of the contact or how the collision is filmed
+    /// change what the figure shows: e, an angle, the contact time or how the collision is filmed
     Dial(i8),
     /// set the same quantity to its smallest or its largest value
     DialEnd(u8),
