@@ -78,7 +78,7 @@ const NAMED: [&str; 25] = [
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",
     "A 15 g striker at",
-    "hits a 15 g coin at rest head-on",
+    "hits a resting 15 g coin head-on",
     "Compare two head-on collisions of 15 g discs",
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",
