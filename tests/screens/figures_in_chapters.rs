@@ -83,7 +83,7 @@ const NAMED: [&str; 25] = [
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",
     "their thin gold foil of 0.21 micrometres",
-    "gold of 0.21 micrometres",
+    "gold 0.21 micrometres thick",
     "to within 20 %.",
     "they agree within 20 %.",
     "You cannot tell: 20 % is a lot.",
@@ -178,7 +178,7 @@ fn claims() -> Vec<Claim> {
         equal(30.0).v1.length(),
     );
     let both = degrees(equal(20.0).theta1) + degrees(equal(20.0).theta2);
-    claim(4, "from 0° and [90]° to 90° and 0°", both);
+    claim(4, "from (0°, [90]°) to (90°, 0°)", both);
 
     // Chapter 5: 30 g on 10 g.
     let uneven = after(30.0, 10.0, 2.0, 60.0, 1.0);
