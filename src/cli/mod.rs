@@ -465,8 +465,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Prints an error in the arguments, or help. An error is coloured unless an argument is too
-/// long to quote in full, or contains characters that control a terminal.
+/// Prints an error in the arguments, or help. An error is coloured unless an argument is too long
+/// to quote in full, or contains characters that control a terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
     let odd: Vec<_> = words.filter(is_odd).collect();
