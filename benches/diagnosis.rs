@@ -1,7 +1,7 @@
 //! Measures how often carrom names the right misconception: `cargo bench --bench diagnosis`.
 //!
-//! Simulated students answer rounds of *Find out*, of the mixed course and of the older mixed
-//! course; the output is the share of students whose own misconception is named first. `-- 50`
+//! Simulated students answer rounds of *Find out*, of the mixed course, and of the older version of
+//! each; the output is the share of students whose own misconception is named first. `-- 50`
 //! simulates 50 students of each kind instead of 200.
 
 use std::thread;
@@ -33,7 +33,7 @@ struct Outcome {
     /// The number of students whose misconception is named first; for students without one, the
     /// number for whom any misconception is named.
     named: usize,
-    /// The wrong misconceptions that were named first.
+    /// The misconceptions that were wrongly named first.
     others: Vec<Misconception>,
     /// How many questions the students were asked: one number per student, in ascending order.
     asked: Vec<usize>,

@@ -158,8 +158,8 @@ pub(crate) fn points(points: f64) -> String {
     fixed((10.0 * points).round() / 10.0, 1)
 }
 
-/// A length of `length_mm` millimetres to a hundredth, as discs are measured, but with at
-/// least three figures: "8.60", "30.0", "36.55".
+/// A length of `length_mm` millimetres to a hundredth, as discs are measured, or to three
+/// significant figures if the second decimal is 0: "8.60", "30.0", "36.55".
 pub(crate) fn bare_millimetres(length_mm: f64) -> String {
     let exact = format!("{length_mm:.2}");
     match exact.strip_suffix('0') {

@@ -149,7 +149,8 @@ impl Learner {
 
     fn is_convinced(&mut self) {
         if self.student.belief.right().is_some() && self.chance(CONVINCED) {
-            // From now on, the learner knows only what was taught.
+            // From now on, the learner knows what was taught, and other things only with the
+            // probability `KNOWN`.
             self.student.belief = Belief::Knows;
             self.taught.insert("convinced".into());
         }

@@ -29,7 +29,7 @@ pub(crate) enum Belief {
     IgnoresMass,
     /// Both angles are right, but swapped.
     Swapped,
-    /// A heavier striker goes straight on; a heavier target reflects it like a wall.
+    /// A heavier striker goes straight on; a heavier target reflects the striker like a wall.
     HeavyUnmoved,
     /// The head-on formula is used with the whole velocity, at any angle.
     HeadOnFormula,

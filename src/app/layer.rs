@@ -19,7 +19,7 @@ pub(super) enum AppLayer {
     /// A notice, which is shown until a key is pressed.
     Notice(String),
     Confirm(Confirmation),
-    /// Asks whether to leave, although something has not been saved yet.
+    /// Asks whether to leave even though something has not been saved yet.
     Leave(Confirmation),
 }
 

@@ -7,8 +7,8 @@ use crate::quiz::{Answer, Code};
 use crate::screens::{Context, FoilPage, Route};
 
 impl Data {
-    /// The route with this name. `value` specifies a chapter, a level or the code of a round, and
-    /// may be empty.
+    /// The route with this name. `value` specifies what the screen shows, such as a chapter, a
+    /// level or the code of a round, and may be empty.
     ///
     /// # Errors
     /// Returns a description of what was expected instead.

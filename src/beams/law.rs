@@ -22,8 +22,8 @@ pub enum BeamTarget {
 
 /// A target and the distribution of the offsets over the beam.
 ///
-/// An offset is expressed as *nearness*: b as a fraction of the beam's half-width, 0 at the centre
-/// of the beam, 1 at its edge.
+/// An offset is expressed as *nearness* to the edge of the beam: b as a fraction of the beam's
+/// half-width, 0 at the centre, 1 at the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScatteringLaw {
     /// The target.

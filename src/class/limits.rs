@@ -34,7 +34,7 @@ const FIRST_WRONG_CODES: Allowance = Allowance {
 /// amount for every ten wrong codes.
 const WRONG_CODE_DELAY: Duration = Duration::from_secs(1);
 const DELAY_STEP: f64 = 10.0;
-/// The number of remembered addresses at which carrom looks for some that it can forget.
+/// While carrom remembers fewer addresses than this, it forgets none of them.
 const MANY: usize = 256;
 
 /// A burst, and then a rate per second.
@@ -91,7 +91,7 @@ pub(super) struct Addresses {
     allowance: Allowance,
     /// The allowances of the addresses that have used part of theirs.
     known: BTreeMap<IpAddr, Bucket>,
-    /// The number of addresses in `known` at which those with a full allowance are forgotten.
+    /// Once `known` contains this many addresses, those with a full allowance are forgotten.
     most: usize,
 }
 

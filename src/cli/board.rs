@@ -19,7 +19,7 @@ pub(super) struct Args {
     /// The board to open, by its code: a date or a number (default: today's board)
     #[arg(value_parser = BoardCode::parse)]
     code: Option<BoardCode>,
-    /// The day whose board to open, such as 2026-11-26
+    /// The date of the board to open, such as 2026-11-26
     #[arg(long, value_name = "DATE", conflicts_with = "code", value_parser = day)]
     date: Option<BoardCode>,
     /// Print one JSON object instead of opening the board

@@ -49,7 +49,7 @@ pub(super) struct Args {
     /// The round to play, by its code, such as mixed-7
     #[arg(long, value_name = "CODE", value_parser = Code::read)]
     pub(super) code: Option<Code>,
-    /// The round to play, by the file of a set: questions that you have chosen
+    /// The file of the set to play: questions that you have chosen
     #[arg(long, value_name = "FILE", conflicts_with = "code")]
     pub(super) set: Option<PathBuf>,
     /// The names of 1 to 8 teams, separated by commas

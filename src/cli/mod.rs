@@ -175,7 +175,7 @@ enum OpenCommand {
         /// The round to play, by its code: mixed-7, speeds6-7, or 7 for ten hits
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
-        /// The round to play, by the file of a set: questions that you have chosen
+        /// The file of the set to play: questions that you have chosen
         #[arg(long, value_name = "FILE", conflicts_with = "code")]
         set: Option<PathBuf>,
         /// Print the questions of a code instead
@@ -465,8 +465,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Prints an error in the arguments, or help. An error is coloured unless it quotes characters that
-/// would control the terminal.
+/// Prints an error in the arguments, or help. An error is coloured unless an argument is too long
+/// to quote in full, or contains characters that control a terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
     let odd: Vec<_> = words.filter(is_odd).collect();

@@ -42,7 +42,7 @@ enum Kind {
     Chapter,
     /// Questions in words
     Questions,
-    /// A set: questions that you choose, built in or your own
+    /// A set: questions that you choose, built-in ones or your own
     Set,
 }
 

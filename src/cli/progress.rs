@@ -181,8 +181,8 @@ fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
     answer.done
 }
 
-/// The reports in one file. Pictures of Markdown reports go into a folder beside that
-/// file, with its name; if there are several reports, each has its own subfolder.
+/// The reports in one file. Pictures of Markdown reports go into a folder such as `report-pictures`
+/// beside that file; if there are several reports, each has its own subfolder.
 fn documents(reports: &[Report], file: &NamedFile) -> Vec<Document> {
     let path = &file.path;
     if !file.is_second {

@@ -79,7 +79,8 @@ impl ShotReport {
     }
 }
 
-/// A time to a tenth of a millisecond, or as a power of ten if friction is nearly zero.
+/// A time to a tenth of a millisecond, or in scientific notation if it is 10⁶ s or more, as can
+/// happen if friction is nearly zero.
 fn seconds(time: f64) -> String {
     match time < 1e6 {
         true => format!("{time:.4}"),

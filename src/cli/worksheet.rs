@@ -43,10 +43,10 @@ pub(super) struct Args {
     /// Number of questions in a mixed round, with --seed: 1 to 60 [default: 10]
     #[arg(long, value_name = "K", value_parser = count, allow_negative_numbers = true)]
     count: Option<usize>,
-    /// The round by its code, instead of --seed and --count: mixed12-7, speeds-7, exam-7
+    /// The code of the round, instead of --seed and --count: mixed12-7, speeds-7, exam-7
     #[arg(long, value_name = "CODE", value_parser = Code::read, conflicts_with = "count")]
     pub(super) code: Option<Code>,
-    /// The round by the file of a set: questions that you have chosen
+    /// The file of the set for the worksheet: questions that you have chosen
     #[arg(long, value_name = "FILE", conflicts_with_all = ["code", "count"])]
     pub(super) set: Option<PathBuf>,
     /// The folder to write to; created if it does not exist
@@ -76,7 +76,7 @@ pub(super) struct Args {
           requires = "out",
           conflicts_with_all = ["count", "code", "set", "with_key", "versions", "moodle"])]
     cards: Option<u16>,
-    /// Replace an existing worksheet with its key and its pictures
+    /// Replace an existing worksheet, its key and its pictures
     #[arg(long)]
     force: bool,
 }

@@ -7,8 +7,8 @@ use super::is_invisible;
 
 /// A table of comma-separated values as in RFC 4180: the headings, then the rows.
 ///
-/// Headings and cells are made safe in the same way. Marks that change the direction of text
-/// and control characters other than line breaks and tabs are left out. Text that a spreadsheet
+/// Headings and cells are made safe in the same way. Control characters other than line breaks and
+/// tabs are left out, and so are marks that change the direction of text. Text that a spreadsheet
 /// would read as a formula is preceded by an apostrophe, which makes it plain text; negative
 /// numbers stay unchanged.
 ///

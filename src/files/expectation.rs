@@ -1,7 +1,7 @@
 //! Rewrites serde's messages about invalid values for people who write files.
 
-/// A message from serde in plain words, with what was expected first: "expected a whole number,
-/// found NaN" for "invalid type: floating point `NaN`, expected usize".
+/// A message from serde in plain words, with what was expected first: "expected a whole number, not
+/// below 0, found NaN" for "invalid type: floating point `NaN`, expected usize".
 pub(super) fn expectation(message: &str) -> String {
     let said = ["invalid type: ", "invalid value: "];
     let rest = said.iter().find_map(|start| message.strip_prefix(start));

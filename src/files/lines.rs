@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read};
 
-/// Reads the next line into `line`, without its line break and at most `most` bytes; the rest is
+/// Reads at most `most` bytes of the next line into `line`, without its line break; the rest is
 /// skipped. Returns whether the line is complete, or `None` at the end of the stream.
 pub fn read_line(
     input: &mut (impl BufRead + ?Sized),

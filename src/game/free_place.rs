@@ -1,8 +1,9 @@
 //! Where a coin is put back.
 //!
-//! The coin goes to the free position nearest to the required point. This position is found
-//! exactly: it is the point itself, the nearest point of a circle that blocks the point, or an
-//! intersection of two such circles.
+//! The coin goes to the free position nearest to the required point. The free positions are bounded
+//! by circles around the other coins and around the centre of the board, so this position is found
+//! exactly: it is the required point itself, the point of a circle nearest to it, or an
+//! intersection of two circles.
 
 use glam::DVec2;
 

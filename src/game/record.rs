@@ -1,4 +1,5 @@
-//! A game move by move, from which the engine and the laws can replay it bit for bit.
+//! The record of a game, move by move, from which the engine and the laws can replay the game bit
+//! for bit.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -53,8 +54,8 @@ pub struct Strike {
 }
 
 /// The predicted directions after the first impact, in degrees from the striker's direction, with
-/// the sign convention of physics: the striker's positive anticlockwise, the coin's positive
-/// clockwise. `None` means that the disc stays at rest.
+/// the signs of [`physics::CollisionOutcome`]: the striker's positive anticlockwise, the coin's
+/// positive clockwise. `None` means that the disc stays at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Call {

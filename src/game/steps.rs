@@ -82,8 +82,8 @@ mod tests {
         }
     }
 
-    /// From 182.55 mm to 214.35 mm from the middle the striker would cut a base circle, unless it
-    /// is exactly on the circle.
+    /// Between 182.55 mm and 214.35 mm from the middle the striker would cut a base circle; from
+    /// there on it covers the circle.
     #[test]
     fn a_step_skips_illegal_positions() {
         for seat in Seat::ALL {

@@ -9,7 +9,7 @@ use crate::quiz::Misconception;
 pub struct BeliefCount {
     /// The misconception.
     pub misconception: Misconception,
-    /// How many pupils hold the misconception, by the evidence of all their answers.
+    /// How many pupils hold the misconception, on the evidence of all their answers.
     pub pupils: usize,
     /// How many answers fit the misconception.
     pub answers: usize,

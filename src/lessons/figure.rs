@@ -43,8 +43,8 @@ pub enum FigureKind {
     },
     /// The momenta of two discs that coalesce, drawn tip to tail.
     Coalesce,
-    /// The momenta of the pieces of a body that explodes, which is the reverse of two discs that
-    /// coalesce.
+    /// The momenta of the pieces of a body that explodes. An explosion is the reverse of two discs
+    /// coalescing.
     Explosion {
         /// The mass of a third piece in grams, if the body was at rest and the two discs of the
         /// shot are the other pieces.

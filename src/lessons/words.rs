@@ -2,7 +2,7 @@
 
 use super::Constant;
 
-/// The words of a directive. The parser removes the words that it knows from this list, one by one.
+/// The words of a directive. The parser takes the words that it knows out of this list, one by one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Words {
     bare: Vec<String>,

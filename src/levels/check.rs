@@ -37,8 +37,9 @@ impl Trial {
 /// settings. It measures how easily the level can be won by chance. A shot that cannot be played
 /// does not win.
 ///
-/// The aims are the points of an additive recurrence with powers of the root of x^(d+1) = x + 1 (M.
-/// Roberts' R sequence). This sequence fills d dimensions evenly and is always the same.
+/// The aims are the points of an additive recurrence with the negative powers of the root of
+/// x^(d+1) = x + 1 (M. Roberts' R sequence). This sequence fills d dimensions evenly and is always
+/// the same.
 pub fn winning_share(level: &Level, tries: u32) -> f64 {
     let dials: Vec<_> = level.adjust.dials().collect();
     let root = root_for(dials.len());

@@ -113,7 +113,7 @@ pub struct TracksFit {
     pub alike: f64,
     /// The number of points of each body before and after the contact.
     pub counts: [[usize; 2]; 2],
-    /// The longest time around the contact without a point of one of the bodies, and the usual time
+    /// The longer of the two bodies' gaps between points around the contact, and the median time
     /// between points, in seconds.
     pub gap: (f64, f64),
     normal: Normal,

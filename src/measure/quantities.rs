@@ -27,8 +27,8 @@ pub(crate) enum Unit {
 }
 
 impl Unit {
-    /// The sign after a number, the ending of a quantity's name in JSON, and the factor from SI
-    /// units.
+    /// The unit symbol after a number, the ending of a quantity's name in JSON, and the factor from
+    /// SI units.
     const fn facts(self) -> (&'static str, &'static str, f64) {
         match self {
             Self::Seconds => ("s", "_s", 1.0),
@@ -43,7 +43,7 @@ impl Unit {
         }
     }
 
-    /// The sign after a number.
+    /// The unit symbol after a number.
     pub(crate) const fn sign(self) -> &'static str {
         self.facts().0
     }

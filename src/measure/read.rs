@@ -34,7 +34,8 @@ pub struct Reading {
     pub takes_pixels: bool,
 }
 
-/// Reads the two tracks in one file, or one track in each of two: each file by its name and bytes.
+/// Reads the two tracks in one file, or one track in each of two; each file is given as its name
+/// and its bytes.
 ///
 /// # Errors
 /// Returns messages that say what was expected and found, with line and column.

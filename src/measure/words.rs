@@ -10,9 +10,10 @@ use super::{LineFrom, Measurement, QUANTITIES, SlowingDown, Unit};
 use crate::numbers::{capital, fixed, four_figures, with_unit};
 
 /// A difference counts as agreement up to the first of these numbers of standard deviations, and as
-/// disagreement beyond the second. The number is rounded as it is printed.
+/// disagreement beyond the second. The number is rounded to a tenth, as printed, before it is
+/// compared.
 const LIMITS: [f64; 2] = [2.0, 3.0];
-/// From this number of standard deviations, the correlation of neighbouring residuals counts as
+/// Beyond this number of standard deviations, the correlation of neighbouring residuals counts as
 /// more than chance.
 const ALIKE: f64 = 4.0;
 

@@ -1,13 +1,13 @@
 //! Documents to print or hand in.
 //!
-//! A document is written as HTML by [`html_page()`] (self-contained, in A4, with nothing to load or
-//! run) or as [`Markdown`] with its pictures in files beside it. The pictures on the screen are
-//! drawn as vectors, each as an `Svg`. They work in black and white too: every mark with a meaning
-//! has a name, a dash pattern or a width in addition to its colour.
+//! A document is written as HTML by [`html_page()`] (self-contained, for A4 or US letter paper,
+//! with nothing to load or run) or as [`Markdown`] with its pictures in files beside it. The
+//! pictures on the screen are drawn as vectors, each as an `Svg`. They work in black and white too:
+//! every mark with a meaning has a name, a dash pattern or a width in addition to its colour.
 //!
 //! External text is safe everywhere: HTML is written with [`maud::html!`], which escapes its
-//! input, and [`Markdown`] and pictures do the same. [`clean()`] removes what escaping cannot fix:
-//! control characters, direction marks and very long names.
+//! input, and [`Markdown`] and pictures do the same. [`clean()`] deals with what escaping cannot
+//! fix: it removes control characters and direction marks, and truncates very long names.
 //!
 //! ```
 //! use carrom::paper::{Markdown, Paper, clean, html_page};

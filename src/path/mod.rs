@@ -1,7 +1,6 @@
 //! The path through carrom: the player's next step, the reason for it, and the progress so far.
 //!
-//! The order is fixed, and each step depends on something that the next answers change, so the path
-//! has no loops:
+//! The order is fixed, and each step, once taken, changes what led to it, so the path has no loops:
 //!
 //! 1. a misconception that is not settled: the page about it, then a check. A failed check is
 //!    repeated on the next day at the earliest;

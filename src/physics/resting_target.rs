@@ -1,7 +1,7 @@
 //! Closed forms for a smooth target at rest.
 //!
-//! Everything depends on one number, k = (1+e) m₂ / (m₁+m₂). In units of the striker's speed u,
-//! with α the impact angle:
+//! For a given impact angle α, the striker's motion depends on one number, k = (1+e) m₂ / (m₁+m₂).
+//! In units of the striker's speed u:
 //!
 //! ```text
 //!   along u      v₁∥ = 1 − k cos²α          along n     v₁ₙ = (1 − k) cos α
@@ -23,8 +23,8 @@ use std::f64::consts::FRAC_PI_2;
 use super::Collision;
 use super::impact::reduced_mass;
 
-/// How far past its limit a sine or cosine may be by rounding alone. The error of an angle computed
-/// from such a number is no more than the rounding error of the input.
+/// The rounding error allowed in a sine, a cosine or the square of a cosine. A square below 0 or
+/// above 1 is clamped, which brings it closer to its true value.
 const ROUNDING: f64 = 1e-12;
 
 /// A striker, a smooth target at rest, and their coefficient of restitution.

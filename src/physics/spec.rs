@@ -9,7 +9,7 @@ use super::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use super::{Bond, Collision, Disc, Rims};
 use crate::numbers::{tidy, typed};
 
-/// Two discs about to collide, in the units of files and of the screen.
+/// Two discs about to collide, in the units used in files and on the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CollisionSpec {
     /// Mass of the striker in g.

@@ -261,7 +261,7 @@ const MISCONCEPTIONS: &str = "misconceptions";
 /// The key of the probability that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
-/// The probability that a guess fits a number or one ray, as for quiz questions.
+/// The probability that a guess at a number or one ray fits a misconception, as for quiz questions.
 const ONE_BY_CHANCE: f64 = 0.08;
 
 #[cfg(test)]

@@ -127,8 +127,8 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
     (unsettled.collect(), named.len())
 }
 
-/// The misconceptions named by all answers or by those of one half, sorted by their evidence in the
-/// second half. Unknown misconceptions are left out.
+/// The misconceptions named by the answers as a whole or by those of one half, sorted by their
+/// evidence in the second half. Unknown misconceptions are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
     let (before, since) = clues.split_at(clues.len() / 2);

@@ -63,7 +63,8 @@ impl Observation {
         is_close(&self.said, &self.truth)
     }
 
-    /// Whether the prediction was so far off that an observation that follows it can be recognized.
+    /// Whether the prediction was far enough from what happened to show which of the two an
+    /// observation is closer to.
     fn can_follow(&self) -> bool {
         self.said.gap(&self.truth) >= rad_from_deg(APART_DEG)
     }

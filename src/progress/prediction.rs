@@ -108,8 +108,8 @@ fn question_about(collision: &Collision) -> Option<Question> {
     is_hit.then(|| Question::from(&Hit::from(collision)))
 }
 
-/// The predicted and the true direction of one disc: two angles or, because a disc at rest has no
-/// angle, both directions in words.
+/// The predicted and the true direction of one disc: two angles or, if either is "at rest" and so
+/// has no angle, both in words.
 fn one_ray(ray: Ray, said_and_true: [Option<f64>; 2]) -> [Figures; 2] {
     let kept: [Value; 2] = match said_and_true {
         [Some(said), Some(truth)] => {

@@ -7,7 +7,7 @@
 //!
 //! Each topic climbs a ladder whose steps are intervals: 1, 2, 4, 8, 16 and 32 days. The topic is
 //! due when the interval of its step has passed since the day on which it reached the step. Days
-//! are those of the player's calendar: a topic answered last evening is due this morning.
+//! are those of the player's calendar: a topic answered yesterday evening is due this morning.
 //!
 //! - Wrong, or right by a guess: the topic leaves the ladder and is due at once.
 //! - Right while off the ladder: the topic goes to the first step.

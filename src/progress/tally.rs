@@ -105,8 +105,8 @@ pub(crate) fn discrimination(own_and_rest: impl IntoIterator<Item = (f64, f64)>)
     correlation(&own, &rest).filter(|_| own.len() >= ENOUGH_TO_TELL_APART)
 }
 
-/// For every attempt with an angle error: the number of the attempt from 1, the error in degrees,
-/// and the mean of this error and up to `reach` − 1 errors before it.
+/// For every attempt with an angle error: the number of the attempt, counted from 1, the error in
+/// degrees, and the mean of this error and up to `reach` − 1 errors before it.
 pub(crate) fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f64, f64)> {
     let with_error = |(i, attempt): (usize, &Attempt)| Some((i + 1, attempt.error_deg?));
     let errors: Vec<_> = attempts.iter().enumerate().filter_map(with_error).collect();

@@ -22,7 +22,7 @@ pub struct TopicStanding {
 /// fewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Mastery {
-    /// The topic has not been answered yet.
+    /// No question on the topic has been answered yet.
     New,
     /// Less than half the answers were right.
     NotYet,

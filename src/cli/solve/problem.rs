@@ -1,4 +1,4 @@
-//! A problem in the units of files, and the check that turns it into a collision.
+//! A problem in the units used in files, and the check that turns it into a collision.
 
 use std::borrow::Cow;
 use std::num::ParseFloatError;

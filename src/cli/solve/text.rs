@@ -3,7 +3,7 @@
 use crate::physics::worked::WorkedStep;
 use crate::widgets::{Charset, text};
 
-/// The columns to which prose is wrapped.
+/// The width to which prose is wrapped, in columns.
 const WIDTH: usize = 78;
 /// The indentation of prose, and of a line of working.
 const PROSE: &str = "   ";

@@ -6,9 +6,9 @@
 //!   No debt remains.
 //! - The queen may be taken at any time and must be covered: with one of your coins in the same
 //!   stroke or the next. Otherwise she goes back to the centre.
-//! - The first player to clear their coins wins the board: a point for each coin the other has left,
-//!   at least 1, and 3 for the queen if they covered her. If you clear your coins while the queen
-//!   is on the board, she is worth no points.
+//! - The first player to clear their coins wins the board: a point for each coin the other has left
+//!   and 3 for the queen if they covered her, but at least 1 in all. If you clear your coins while
+//!   the queen is on the board, she is worth no points.
 //! - A break that touches nothing passes the turn like any other miss.
 
 use crate::game::pieces::COINS_EACH;

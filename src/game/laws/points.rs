@@ -101,7 +101,7 @@ pub(super) fn judge(case: &Case) -> Verdict {
         .queen_if(covers, QueenFate::Covered)
 }
 
-/// What happened in the stroke, as the beginning of a sentence, without its full stop.
+/// What happened in the stroke: a sentence without its full stop, so that it can be continued.
 fn told(case: &Case, fell: u8, covers: bool, own: u8, back: Option<Colour>) -> String {
     let score = points(own);
     if case.striker_fell {

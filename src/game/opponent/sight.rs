@@ -83,9 +83,9 @@ impl<'a> Sight<'a> {
     /// The path of a disc of `radius` from one point to another off a cushion; `None` if there is
     /// none.
     ///
-    /// A cushion reduces the perpendicular velocity component by the factor e, so the disc must aim
-    /// at the image of its goal, which is 1/e times as far behind the cushion as the goal is in
-    /// front of it.
+    /// A cushion reverses the perpendicular velocity component and multiplies it by e, so the disc
+    /// must aim at the image of its goal, which is 1/e times as far behind the cushion as the goal
+    /// is in front of it.
     pub(super) fn bounce(&self, from: DVec2, to: DVec2, wall: DVec2, radius: f64) -> Option<Way> {
         let e = self.board.cushion_restitution;
         let line = self.board.side / 2.0 - radius;

@@ -175,7 +175,7 @@ fn a_hint_for_an_unsteady_hand_works_more_often_with_that_hand() {
     assert!(fell[1] >= fell[0], "{fell:?}");
 }
 
-/// A player who sets a hint with the keys plays exactly that stroke, without a foul.
+/// A player who sets the stroke of a hint with the keys plays exactly that stroke, without a foul.
 #[test]
 fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
     let board = Board::default();

@@ -35,8 +35,8 @@ pub struct Worksheet<'a> {
     /// The letter of the version, if there are several. The code opens the questions of version A
     /// on a screen.
     pub(crate) version: Option<char>,
-    /// The options that open the teacher's own questions, if the round requires them to be opened
-    /// on a screen: " --concepts my-folder".
+    /// The options that open the teacher's own questions, if the round cannot be opened on a screen
+    /// without them: " --concepts my-folder".
     pub(crate) own: String,
     pub(crate) paper: Paper,
 }

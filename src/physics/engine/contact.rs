@@ -86,8 +86,9 @@ impl Pair {
     fn touching(&self, gap: f64, speed: f64, end: f64) -> Option<f64> {
         let parting = self.d.dot(self.w) / self.contact_distance;
         let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.contact_distance;
-        // If a pair starts pressing from rest, its overlap reaches PRESS at twice this speed. An
-        // impact at that point separates the pair so fast that it no longer counts as gentle.
+        // The first limit is √(½ PRESS · pressing). If a pair starts pressing from rest, its
+        // overlap reaches PRESS at twice this speed. An impact at that point separates the pair so
+        // fast that it no longer counts as gentle.
         let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= PRESSING_SPEED;
         let slides = self.a != DVec2::ZERO;
         if (gentle && slides) || parting.abs() <= ROUNDING * speed {

@@ -7,7 +7,7 @@
 use super::super::{Board, Disc, Motion};
 use super::frame::FrameSide;
 
-/// The number of discs from which a grid is faster than testing all pairs.
+/// The smallest number of discs for which a grid is faster than testing all pairs.
 pub(super) const WORTHWHILE: usize = 48;
 
 /// The cells of a board; there are none if all discs count as neighbours.

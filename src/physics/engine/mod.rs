@@ -48,7 +48,8 @@ pub struct Limits {
     /// The amount of work after which the engine gives up with an error, measured as the number of
     /// tests of a pair of discs: each test takes a few nanoseconds, and the number is the same on
     /// every machine. Unlike the number of events, this also limits the search for the impulses of
-    /// many simultaneous contacts, which takes long if the masses differ by many powers of ten.
+    /// many simultaneous contacts, which takes a long time if the masses differ by many powers of
+    /// ten.
     pub work: u64,
 }
 

@@ -4,7 +4,7 @@ use super::super::beam::Beam;
 use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEASURED_SHARE, MEV, Rutherford};
 use super::super::units::rad_from_deg;
 
-/// The fields from which a [`Constant`] is computed, in the units of files.
+/// The fields from which a [`Constant`] is computed, in the units used in files.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct ConstantFields {
     angle_deg: f64,

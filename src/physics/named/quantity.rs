@@ -36,7 +36,8 @@ impl PartialEq for Quantity {
     }
 }
 
-/// A unit of the screen, its number of decimal places, and the factor that converts SI units to it.
+/// A unit as shown on the screen, the number of decimal places, and the factor that converts SI
+/// units to it.
 struct Unit(&'static str, usize, f64);
 
 const SPEED: Unit = Unit("m/s", 2, 1.0);

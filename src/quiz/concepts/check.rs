@@ -10,9 +10,9 @@ const ENOUGH: usize = 8;
 /// A right choice stands out if it is longer than every wrong choice, or shorter than every wrong
 /// choice, by more than this number of letters and by more than this factor.
 const STANDING_OUT: (usize, f64) = (8, 1.5);
-/// The characters that end a sentence, including those used in Hindi and Bengali, Chinese, Arabic
-/// and Urdu.
-const STOPS: [char; 8] = ['.', '?', '!', '।', '。', '？', '！', '؟'];
+/// The characters that end a sentence, including those used in Hindi, Bengali, Chinese, Arabic and
+/// Urdu.
+const STOPS: [char; 9] = ['.', '?', '!', '।', '。', '？', '！', '؟', '۔'];
 /// Words that make a choice sound wrong.
 const BROAD: [&str; 3] = ["always", "never", "nothing can"];
 
@@ -49,7 +49,7 @@ impl Concept {
             }
         }
         for (text, _) in self.choices() {
-            if text.ends_with(['.', '।', '。']) {
+            if text.ends_with(['.', '।', '。', '۔']) {
                 found("choice", format!("expected no full stop after \"{text}\""));
             }
         }

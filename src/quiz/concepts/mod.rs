@@ -51,8 +51,8 @@ pub struct Concept {
     pub wrongs: Vec<Wrong>,
     /// The explanation of the right choice, which is shown after every answer.
     pub why: String,
-    /// Whether the choices have a natural order, such as less, the same, more, so that they must
-    /// not be shuffled.
+    /// Whether the choices have a natural order, such as less, the same, more, and so must not be
+    /// shuffled.
     pub ordered: bool,
     /// The hit that is shown beside the question and can be watched after the question has been
     /// answered.
@@ -123,7 +123,7 @@ impl Topic {
     /// The families from which codes such as `read-abd-7` draw questions.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
-        // A topic that has only later questions keeps them: no older code is about it.
+        // A topic that has only `Ideas` keeps this family: no older code is about the topic.
         if families != [Family::Ideas] {
             families.retain(|family| *family != Family::Ideas);
         }

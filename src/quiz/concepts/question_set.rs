@@ -24,6 +24,6 @@ pub struct ChosenQuestion {
     pub source: String,
     /// The reason why the question is in the set.
     pub reason: Option<String>,
-    /// The question in words, if the question was chosen by an id.
+    /// The question in words, if the question was chosen by its id.
     pub(in crate::quiz) concept: Option<Concept>,
 }

@@ -140,8 +140,11 @@ fn right_choices_that_are_given_away_are_reported() {
     assert!(short.contains("shortest by far"), "{short}");
     let stop = faults(1, |it| it.right += ".");
     assert!(stop.contains("expected no full stop"), "{stop}");
+    let urdu_stop = faults(1, |it| it.right += "۔");
+    assert!(urdu_stop.contains("expected no full stop"), "{urdu_stop}");
     let open = faults(1, |it| it.why = "Because".into());
     assert!(open.contains("expected whole sentences"), "{open}");
+    assert_eq!(faults(1, |it| it.why = "یہ درست ہے۔".into()), "");
     let near = faults(1, |it| {
         it.right = "90°".into();
         it.wrongs[0].choice = "88°".into();

@@ -26,8 +26,8 @@ struct MovingPair {
     speed: u32,
     /// Speed of the coin in m/s.
     target_speed: u32,
-    /// The direction of the coin relative to the striker's direction, from 0 to 180 degrees to the
-    /// left.
+    /// The direction of the coin relative to the striker's direction, in degrees from 0 to 180: to
+    /// the left if the coin lies on the right, and vice versa.
     way_deg: u32,
     /// Angle from the striker's path to the line of impact, in degrees.
     line_deg: u32,

@@ -4,7 +4,7 @@ use super::outline::Outline;
 use crate::quiz::concepts::{self, Concept};
 use crate::quiz::question::{Dice, Difficulty, Family, Illustration, Markings, Question};
 
-/// Any question in words of this family.
+/// A random question in words from this family, of this difficulty.
 pub(super) fn ask(family: Family, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let mut concepts = concepts::of(family);
     concepts.retain(|it| it.difficulty == difficulty);

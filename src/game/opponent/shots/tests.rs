@@ -161,7 +161,8 @@ fn a_coin_comes_off_a_cushion_into_its_pocket() {
         for course in courses {
             let places = [coins[0].at - course.toward * 0.1];
             for aim in clear(&sight, strikes(&sight, &course, &places)) {
-                // The stroke is just fast enough, so that the striker does not interfere.
+                // The stroke is only just fast enough for the coin to fall, so the striker does not
+                // interfere.
                 let shot = shoot(&sight, aim.motion(1.0 + 1e-6));
                 assert!(falls(&shot, 1), "{course:?}");
                 assert_eq!(cushions_of(&shot, 1), 1);

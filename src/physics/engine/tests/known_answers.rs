@@ -210,8 +210,9 @@ fn two_discs_sliding_side_by_side_do_not_disturb_each_other() {
 
 #[test]
 fn a_pair_pressed_together_while_it_slides_stays_apart_and_comes_to_rest() {
-    // If two touching discs move in the same direction, the slower disc loses its sideways speed
-    // sooner and the other disc is pressed against it. The result is a lasting, sliding contact.
+    // Two touching discs have the same velocity component along the line of centres. The front disc
+    // is slower overall, so friction reduces its component faster, and the rear disc is pressed
+    // against it. The result is a lasting, sliding contact.
     let board = closed_board();
     let reach = 2.0 * COIN.radius;
     let shot = Table::default()
