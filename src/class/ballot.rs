@@ -119,7 +119,7 @@ impl Ballot {
     }
 }
 
-/// The confidence of voters who were not asked for it; it does not affect the credit of a vote.
+/// The confidence of voters who were not asked for it; it does not affect the credit for a vote.
 const UNSURE: Confidence = Confidence::ThinkSo;
 
 /// The explanation of a question, with the feedback on a vote if there is one.

@@ -189,7 +189,7 @@ impl Context {
         self.asked.push(Effect::Host(call));
     }
 
-    /// Sends a request to the connection with a class's host.
+    /// Sends a request to the connection to a class's host.
     pub fn join(&mut self, call: JoinCall) {
         self.asked.push(Effect::Join(call));
     }

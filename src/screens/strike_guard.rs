@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-/// A key counts as released if it has not been pressed for this time, because most terminals do not
+/// A key counts as released if it has not been pressed for this long, because most terminals do not
 /// report the release itself. The time is longer than the delay before a held key repeats: 660 ms
 /// under X11, at most 1 s under Windows.
 const REST: Duration = Duration::from_millis(1100);

@@ -146,7 +146,7 @@ impl Drop for Client {
     }
 }
 
-/// The mask of a WebSocket frame, which only has to differ from frame to frame.
+/// The mask of a WebSocket frame: new random bytes for each frame.
 fn mask() -> [u8; 4] {
     let mut mask = [0; 4];
     let _ = getrandom::fill(&mut mask);
@@ -181,7 +181,7 @@ fn listen(socket: &mut WebSocket<ClientStream>, say: &impl Fn(JoinNews)) {
         match message {
             Message::Text(text) => say(JoinNews::Heard(text.to_string())),
             Message::Ping(_) => {
-                // The reply is sent with the next message.
+                // This sends the queued reply at once.
                 let _ = socket.flush();
             }
             _ => {}

@@ -83,7 +83,7 @@ impl Store {
         self.progress.take_in(bytes)
     }
 
-    /// Adds a saved game or a class's round from a file with that name.
+    /// Adds a saved game or a class's round from a file with this name.
     ///
     /// # Errors
     /// The reason why the file is not of this kind.

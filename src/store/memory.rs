@@ -15,7 +15,7 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// A store with this folder name and this suffix, and with those of the files that have both;
+    /// A store with this folder name and suffix; it holds those of `files` whose paths have both,
     /// the latest last.
     pub(super) fn holding(folder: &'static str, ending: &'static str, files: &[FileBytes]) -> Self {
         let own = files.iter().filter_map(|(path, bytes)| {

@@ -110,7 +110,8 @@ impl<T> OpenFiles<T> {
         self.notice.take()
     }
 
-    /// All items, the latest first, with their ages and days if a calendar is given.
+    /// All items, the latest first; if a calendar is given, each with its age and the day on which
+    /// it was saved.
     pub(super) fn list(&self, calendar: Option<&Calendar>) -> Result<Vec<Kept<T>>, String> {
         let names = self.texts.names()?.into_iter();
         let found = names.map(|name| {

@@ -152,7 +152,7 @@ fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, 
         }
     }
     for curve in curves {
-        // The name is placed where this curve is high and the other is low.
+        // The name is placed near the end at which the curve is higher.
         let name_at = |deg: f64| Some(DVec2::new(deg, (curve.at)(pair, rad_from_deg(deg))?));
         let ends = [8.0, 82.0].into_iter().filter_map(name_at);
         if let Some(at) = ends.max_by(|a, b| a.y.total_cmp(&b.y)) {

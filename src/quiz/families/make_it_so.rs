@@ -120,8 +120,8 @@ impl ShotTask {
                 theta = bare_degrees(wanted),
             )
         };
-        // Both wrong answers exist only for an angle below 90°; for larger angles no offset
-        // corresponds to them.
+        // The first two wrong answers exist only for an angle below 90°; for larger angles no
+        // offset corresponds to them.
         let across = self.wanted_deg < 90.0;
         let if_so = |so: bool, offset_mm: f64| so.then_some(self.at(offset_mm));
         self.asks(Ray::Striker, alpha)

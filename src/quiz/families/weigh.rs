@@ -32,7 +32,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A collision for which only the angles are known.
+/// A collision and the angles that are observed after it.
 struct SeenHit {
     hit: Hit,
     coin_g: f64,

@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value};
 
-/// The figures of a question or an answer. Each name ends in the unit.
+/// The figures of a question or an answer. The name of a number ends in its unit, if it has one
+/// other than m/s.
 pub type Figures = Map<String, Value>;
 
 /// The figures in a JSON object; any other value has none.

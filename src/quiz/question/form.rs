@@ -139,7 +139,8 @@ impl Form {
             (Self::Shot(aim), Response::Shot(offset)) => {
                 let graze = aim.collision.contact_distance().copysign(*offset);
                 let errors = [0.0, graze].map(|mut far| {
-                    // The direction changes steadily with the offset, so bisection finds the limit.
+                    // The direction changes monotonically with the offset, so bisection finds the
+                    // limit.
                     let mut near = *offset;
                     for _ in 0..40 {
                         let middle = f64::midpoint(near, far);

@@ -67,12 +67,12 @@ impl RaysGrade {
         Self { striker, target }
     }
 
-    /// The credit from 0 to 1, which is the mean of both rays.
+    /// The credit from 0 to 1, which is the mean of the two rays' credits.
     pub(crate) fn credit(&self) -> f64 {
         f64::midpoint(self.striker.credit(), self.target.credit())
     }
 
-    /// The larger of the errors of the two rays, in radians; `None` if neither ray has an error.
+    /// The larger of the errors of the two rays, in radians; `None` if neither error is defined.
     pub(crate) fn error(&self) -> Option<f64> {
         let errors = [self.striker.error, self.target.error];
         errors.into_iter().flatten().reduce(f64::max)

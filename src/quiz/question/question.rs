@@ -36,8 +36,7 @@ pub struct Question {
     /// The explanation of the right answer, with the numbers of the question: one to four short
     /// sentences.
     pub why: String,
-    /// The numbers that determine the question, with units in their names, which are stored with
-    /// every answer.
+    /// The figures that determine the question; they are stored with every answer.
     pub figures: Figures,
 }
 

@@ -2,8 +2,8 @@
 //!
 //! In the older mixed rounds all families are equally frequent, so some misconceptions could show
 //! up in every second question and others in none of twenty. In these rounds several candidates are
-//! drawn at random for each question, and the round asks the candidate that best tests what has not
-//! been tested enough.
+//! drawn at random for each question, and carrom chooses the one that best tests what has not been
+//! tested enough.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Form, Misconception, Question};
 

@@ -47,7 +47,7 @@ pub(super) const FIRST_CANDIDATES: [(Family, usize); 3] = [
 ];
 
 /// Misconceptions that are not tested for, because only students who have read about foils,
-/// friction or the greatest deflection can show them.
+/// friction, restitution or the greatest deflection can show them.
 const NOT_SOUGHT: [Misconception; 8] = [
     Misconception::EveryAngleAlike,
     Misconception::BeyondLargest,

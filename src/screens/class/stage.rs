@@ -46,7 +46,7 @@ impl Stage {
     }
 
     /// A panel for the text of the current step. While the class votes and talks, the panel's first
-    /// page shows all choices. The panel stays at the page to which the teacher has turned.
+    /// page shows all choices. The panel stays on the page to which the teacher has turned.
     pub(super) fn words(&self) -> Panel<ClassAction> {
         let mut panel = Panel::new("");
         panel.open = true;

@@ -46,7 +46,8 @@ impl Unfinished {
         }
     }
 
-    /// The page on which another round begins: at once if its code is known.
+    /// The page on which another round begins: the round itself if its code is known, otherwise the
+    /// set-up page.
     fn another(&self, cx: &mut Context) -> ClassScene {
         let Some(code) = self.code.clone() else {
             return ClassScene::SetUp;
@@ -55,8 +56,8 @@ impl Unfinished {
         ClassScene::play(round.with_nicknames(self.nicknames), cx)
     }
 
-    /// The latest round on devices with this code and of this class, if it is not over and somebody
-    /// has joined.
+    /// The latest round on devices that has this code and is of this class, if it is not over and
+    /// somebody has joined.
     fn find<'k>(&self, kept: &'k [Kept<ClassRound>]) -> Option<&'k Kept<ClassRound>> {
         let is_meant = |round: &ClassRound| {
             let is_class = self.name.is_empty() || round.is_of_class(&self.name);

@@ -91,7 +91,7 @@ static METAL: FoilRow = FoilRow {
 static ENERGY: FoilRow = FoilRow {
     name: "energy",
     about: "of the α-particles",
-    // Slower α-particles hardly pass through a foil.
+    // In a thick foil, slower α-particles would lose much of their energy.
     value: |setup| FieldValue::number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
     shown: |setup| format!("{:.2} MeV", setup.energy_mev),
     put: |setup, energy| setup.energy_mev = energy,

@@ -24,8 +24,8 @@ pub(crate) struct Home {
 impl Default for Home {
     /// The first line is chosen; the picture shows a collision at the moment of contact.
     fn default() -> Self {
-        // Another angle than that of the lab's first shot, because the player should predict the
-        // result of that shot.
+        // A different angle from that of the lab's first shot, because the player should predict
+        // the result of that shot.
         let alpha_deg = -50.0;
         let shot = CollisionSpec {
             point: ImpactPoint::Angle { alpha_deg },

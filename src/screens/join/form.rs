@@ -10,7 +10,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role};
 
-/// The maximum number of letters in an address.
+/// The maximum number of characters in an address.
 const LONGEST_ADDRESS: usize = 80;
 
 /// The form for joining a class.

@@ -256,7 +256,7 @@ fn enter_right_after_the_digit_of_the_confidence_does_not_skip_the_verdict() {
     assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
 }
 
-/// A ray that is 4.2° off is not right, but earns nearly all points.
+/// A ray that is 4.2° off is not right, but earns nearly all the points.
 #[test]
 fn a_sure_answer_that_is_nearly_right_is_not_marked_as_wrong() {
     let question = Quiz::new(Code::hits(7)).round.questions()[0].clone();

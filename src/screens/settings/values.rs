@@ -34,7 +34,7 @@ pub struct Settings {
     /// The number of predicted hits that the player has watched, counted only as far as is needed
     /// to decide when to ask what they saw.
     pub watched: u8,
-    /// Whether somebody is watching the pictures; nobody is in plain lines and in tapes.
+    /// Whether somebody is watching the pictures; in plain lines and in tapes nobody is.
     pub sees: bool,
     /// The player's name, as shown.
     pub player: String,
@@ -68,8 +68,8 @@ impl Settings {
     /// The number of correct predictions of both paths that unlocks the lab's live picture.
     pub(crate) const ENOUGH_PREDICTED: u8 = 3;
 
-    /// The number of predicted hits, from the first on, after each of which carrom asks what the
-    /// player saw.
+    /// At first carrom asks what the player saw after every predicted hit; this is the number of
+    /// those hits.
     const FIRST_OBSERVED: u8 = 3;
     /// The largest value of [`Self::watched`]: on the tenth hit after each question, the player is
     /// asked again.

@@ -1,8 +1,8 @@
 //! The head of an HTTP request: what it requests, and whether that is allowed.
 //!
-//! Another web page that a pupil has open must not reach the class: the `Host` has to be an address
-//! of this server, which prevents DNS rebinding, and the `Origin` of a WebSocket has to be the page
-//! that was served here.
+//! Another web page that a pupil has open must not reach the class: to prevent DNS rebinding,
+//! the `Host` has to be an IP address or localhost, with this server's port; and the `Origin` of a
+//! WebSocket has to be the page that was served here.
 
 use std::net::IpAddr;
 

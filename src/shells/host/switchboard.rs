@@ -13,8 +13,8 @@ use crate::messages::{ConnectionId, HostNews};
 use crate::shells::lock;
 
 /// The maximum number of simultaneous connections. If there are more, the address with the most
-/// connections loses the oldest one that has not joined, so that a client that opens many affects
-/// only itself.
+/// connections that have not joined loses the oldest of these, so that a client that opens many
+/// affects only itself.
 const MOST_CONNECTIONS: usize = 600;
 
 /// All connections of a class.

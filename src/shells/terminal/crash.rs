@@ -13,7 +13,7 @@ use crate::files::UnplacedFile;
 /// The name of the file with the report.
 const FILE: &str = "crash.log";
 
-/// Makes a panic write a report to `crash.log` in `folder`, if there is one; the folder is created
+/// Makes a panic write a report to `crash.log` in `folder`, if one is given; the folder is created
 /// if it does not exist. A panic in the calling thread, which should be the drawing thread, also
 /// restores the terminal and prints one line to standard error. A panic in any other thread does
 /// not touch the screen.

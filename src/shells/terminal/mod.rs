@@ -73,7 +73,7 @@ pub enum Ending {
     Signal(i32),
 }
 
-/// A terminal that collects each frame in memory and writes it at once.
+/// A terminal that collects each frame in memory and writes it in one go.
 ///
 /// The terminal is never dropped. When dropped, it would show the cursor, which the guard already
 /// does. If its window is closed, ratatui would print an error to standard error, which is closed
@@ -140,7 +140,7 @@ pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, Terminal
     .play()
 }
 
-/// The app, and what its run in the terminal needs.
+/// The app, with everything that it needs to run in the terminal.
 struct TerminalRun {
     app: App,
     screen: FixedTerminal,
@@ -240,7 +240,7 @@ impl TerminalRun {
 
     /// Passes on the result of an export.
     fn exported(&self, result: Result<String, String>) {
-        // There is no receiver only when carrom is quitting anyway.
+        // A send fails only when carrom is quitting anyway.
         let _ = self.sender.send(Message::Input(Input::Exported(result)));
     }
 

@@ -31,7 +31,7 @@ pub(super) fn start(inbox: Inbox) -> io::Result<()> {
         loop {
             let message = next().unwrap_or_else(|error| Some(Message::Lost(error)));
             let is_last = matches!(message, Some(Message::Lost(_)));
-            // There is no receiver only when carrom is quitting anyway.
+            // A send fails only when carrom is quitting anyway.
             if message.is_some_and(|it| !inbox.send(it)) || is_last {
                 return;
             }

@@ -21,9 +21,8 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// Starts the thread that waits for signals.
 ///
 /// This thread is also a watchdog. The drawing thread may be stuck while it writes to a blocked
-/// terminal, and the reading thread spins once the terminal's window is closed. Therefore this
-/// thread restores the terminal and ends the process if the drawing thread has not ended it within
-/// [`PATIENCE`].
+/// terminal. Therefore this thread restores the terminal and ends the process if the drawing thread
+/// has not ended it within [`PATIENCE`].
 pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let wait = move || {

@@ -107,7 +107,7 @@ impl Drop for StoreWorker {
 
 fn send(answer: StoreAnswer, sender: &Sender<Message>) {
     let shown = sender.send(Message::Input(Input::Kept(Box::new(answer))));
-    // There is no receiver only when carrom is quitting anyway.
+    // A send fails only when carrom is quitting anyway.
     if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = shown
         && let StoreReply::Saved(Err(reason)) = answer.done
     {

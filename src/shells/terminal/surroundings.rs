@@ -58,7 +58,7 @@ pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
 pub fn depth(env: impl Fn(&str) -> Option<String>) -> Depth {
     match env("NO_COLOR") {
         Some(set) if !set.is_empty() => return Depth::None,
-        // The library that detects colours would take an empty value as a request for colours.
+        // The library that detects colours would take an empty value as a request for no colours.
         Some(_) => return depth_by_name(env),
         None => {}
     }

@@ -21,8 +21,8 @@ type Version = [u32; 2];
 const TERMINALS: [(&str, Version, Version); 5] = [
     // Sextants: notcurses, src/lib/termdesc.c. Octants: the changelog of kitty 0.40.0.
     ("kitty", [0, 20], [0, 40]),
-    // ghostty-org/ghostty, pull request 5433 of January 2025, adds octants beside sextants; for the
-    // version, see breferrari/vigia, issue 324.
+    // ghostty-org/ghostty, pull request 5433 of January 2025, adds octants to the existing
+    // sextants; for the version, see breferrari/vigia, issue 324.
     ("ghostty", [1, 1], [1, 2]),
     // Sextants: foot's author in pull request 1403 of notcurses. Octants: breferrari/vigia, issue 324.
     ("foot", [1, 7], [1, 20]),

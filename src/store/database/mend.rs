@@ -219,7 +219,7 @@ pub(super) fn remove(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The result of an action on a file that may be missing, which is no error.
+/// The result of an action on a file; a missing file is not an error.
 fn if_there<T>(done: io::Result<T>) -> io::Result<()> {
     match done {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(error),

@@ -62,7 +62,7 @@ pub(super) struct Database {
     /// Whether the last request failed because the database was busy.
     was_busy: bool,
     notice: Option<String>,
-    /// Whether the player has been notified of invalid answers.
+    /// Whether the player has been notified of invalid rows.
     reported_misfits: bool,
 }
 
@@ -71,8 +71,8 @@ enum Location {
     Memory(Option<Connection>),
     /// `progress.db` in this folder.
     Folder(PathBuf),
-    /// The bytes of a database with this format number, which is newer than those that this version
-    /// of carrom knows.
+    /// The format number and the bytes of a database in a format that is newer than those that this
+    /// version of carrom knows.
     Newer(i64, Vec<u8>),
 }
 

@@ -235,7 +235,7 @@ impl Page {
         below.chain([last]).filter(|_| !self.is_bottom)
     }
 
-    /// The part on this page of the row whose cell begins at `start`.
+    /// The part of a row that is on this page; the row's cell begins at `start`.
     fn part(&self, start: usize) -> Option<Payload<'_>> {
         let start = start + if self.is_bottom { 0 } else { 4 };
         let (length, rest) = varint(self.bytes.get(start..)?)?;
@@ -308,7 +308,8 @@ fn integer(bytes: &[u8]) -> i64 {
     { bytes.iter() }.fold(sign, |number, byte| number << 8 | i64::from(*byte))
 }
 
-/// A number of one to nine bytes, with seven bits in each except the ninth, and the bytes after it.
+/// Reads a number of one to nine bytes, each with seven bits, except the ninth with eight; also
+/// returns the remaining bytes.
 fn varint(bytes: &[u8]) -> Option<(i64, &[u8])> {
     let mut number = 0;
     for (place, byte) in bytes.iter().enumerate().take(9) {

@@ -202,7 +202,7 @@ fn read_figures(text: &str) -> serde_json::Result<Figures> {
     serde_json::from_str(text)
 }
 
-/// A credit. In older rows the credit of a wrong answer is tiny instead of 0.
+/// A credit. In older rows the credit for a wrong answer is tiny instead of 0.
 fn nothing_or_more(credit: f64) -> f64 {
     if credit < 1e-12 { 0.0 } else { credit }
 }

@@ -10,7 +10,8 @@ use crate::physics::Collision;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// The length of every arrow, in radii of the larger disc; it is the same for every speed.
+/// The length of every arrow that has room for it, in radii of the larger disc; it is the same for
+/// every speed.
 const ARROW: f64 = 2.1;
 
 /// The paths of a striker and a coin after a collision, with both angles.

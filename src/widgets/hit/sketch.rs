@@ -182,8 +182,8 @@ impl Sketch {
     }
 
     /// Draws the right-angle mark between the two final paths. Its corner is at the striker's
-    /// centre, because one path runs along the tangent and the other along the line of impact, and
-    /// both lines pass through that centre.
+    /// centre, where the striker's path begins; the target's path lies on the line of impact, which
+    /// passes through that centre.
     pub(super) fn square_corner(&mut self, v1: DVec2, v2: DVec2, pen: Pen) {
         if let (Some(a), Some(b)) = (v1.try_normalize(), v2.try_normalize())
             && a.dot(b).abs() <= SQUARE
@@ -241,7 +241,8 @@ impl Sketch {
 
     /// Draws an arrow from the rim of a departing disc, with the speed at its tip, or writes that
     /// the disc stops. The arrow never extends beyond the picture, and is left out if there is no
-    /// space for its head. `room` is the space reserved for the label around the disc's centre.
+    /// space for its head. `room` is the distance from the disc's centre to a label beside or below
+    /// the disc.
     pub(super) fn outgoing(
         &mut self,
         scale: &ArrowScale,
@@ -269,8 +270,8 @@ impl Sketch {
                 DVec2::NEG_Y,
             ),
         };
-        // The label is beside the disc, because after a head-on collision the arrow may overlap the
-        // other disc.
+        // The label may also be beside the disc, because after a head-on collision the arrow may
+        // overlap the other disc.
         let across = v.perp().normalize_or_zero();
         let across = across * 1.0_f64.copysign(across.y);
         self.picture

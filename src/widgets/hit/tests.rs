@@ -59,8 +59,8 @@ fn file(picture: &Picture) -> String {
     Svg::new("a hit", picture, &look, 0.75).file()
 }
 
-/// The labels of a picture. The file is also checked for completeness: the picture fits the paper,
-/// is well-formed, and consists of lines and circles with finite coordinates.
+/// The labels of a picture. This also checks that the picture fits the paper, and that the file is
+/// well-formed, contains a circle and has only finite coordinates.
 fn labels(picture: &Picture) -> Vec<String> {
     let area = picture.area();
     assert!(area.width.min(area.height) >= 10, "{area}");

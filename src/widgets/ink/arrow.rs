@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::{canvas::Canvas, cell::Glyph};
 use crate::widgets::{Charset, picture::Pen};
 
-/// The length of an arrow's head, in columns; a shorter arrow has a shorter head.
+/// The length of an arrow's head, in columns; a very short arrow has a shorter head.
 const HEAD_LENGTH: f64 = 3.0;
 /// The length of the head of a bold arrow, in columns.
 const BOLD_HEAD_LENGTH: f64 = 4.0;

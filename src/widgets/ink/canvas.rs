@@ -31,7 +31,7 @@ pub(super) fn cell_of(paper: DVec2) -> CellPlace {
 }
 
 /// The cells in which strokes, discs and labels in world coordinates are collected, before
-/// [`Canvas::draw`] copies all the cells into a buffer.
+/// [`Canvas::draw`] copies the cells that are not empty into a buffer.
 #[derive(Debug, Clone)]
 pub(in crate::widgets) struct Canvas {
     view: View,

@@ -97,9 +97,9 @@ impl Canvas {
     /// that is free, at near positions before distant ones, and otherwise on another side. If
     /// `clear` is set, not even the ends of the label touch an arrow.
     ///
-    /// A label never leaves the area, and unless it is too wide it also leaves the first and the
+    /// A label never extends beyond the area, and unless it is too wide, it keeps the first and the
     /// last column free. It never covers another label, a disc, a velocity, a reserved cell or an
-    /// arrow's tip, but it covers faint lines rather than being far away. Returns whether it was
+    /// arrow's tip, but it may cover faint lines to stay near its anchor. Returns whether it was
     /// placed.
     pub(super) fn label(
         &mut self,

@@ -128,7 +128,7 @@ impl StrokeSamples {
     fn hit(&mut self, at: DVec2, half: DVec2, pen: Pen) {
         let place = self.length;
         self.length += 1;
-        // In ASCII a gap is a whole cell, which `take` leaves out.
+        // In ASCII a gap is a whole cell, which `Canvas::commit` leaves out.
         let inked = self.is_ascii()
             || match pen.dash {
                 Dash::Solid => true,

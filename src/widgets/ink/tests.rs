@@ -49,7 +49,7 @@ fn a_circle_is_round() {
             let mut canvas = canvas(charset);
             canvas.circle(DVec2::ZERO, radius, Role::Arc);
             let (columns, rows) = super::grid(charset);
-            // The extent of the samples on both sides, in paper columns.
+            // The lowest and highest coordinates of the samples, in paper columns.
             let mut low = DVec2::MAX;
             let mut high = DVec2::MIN;
             for (index, cell) in canvas.cells.iter().enumerate() {
@@ -404,7 +404,8 @@ fn a_round_disc_appears_at_its_true_position() {
     let mut worst = DVec2::ZERO;
     for step in 0..400 {
         let step = f64::from(step);
-        // The radii range from that of a coin on the whole board at 100 × 30 to that at 200 × 60.
+        // The radii range from that of a coin on the whole board at 100 × 30 to more than that at
+        // 200 × 60.
         let radius = 1.1 + 1.7 * (step * 0.618).fract();
         let at = dvec2((step * 0.755).fract() * 9.0, (step * 0.57).fract() * 9.0);
         for letter in ['W', ' '] {
@@ -497,7 +498,7 @@ fn finer_blocks_make_discs_rounder() {
     let sets = [Blocks::Quadrants, Blocks::Sextants, Blocks::Octants];
     println!("distance of the rim from the circle in columns, of {sets:?}: mean, worst");
     for depth in [Depth::Ansi16, Depth::True] {
-        // On the whole board a coin has a radius of 1.4 columns at 120 × 40 and 2.2 columns at 200
+        // On the whole board a coin has a radius of 1.5 columns at 120 × 40 and 2.4 columns at 200
         // × 60.
         for radius in [1.2, 1.4, 1.7, 2.0, 2.2, 2.5] {
             let places = (0..40).map(f64::from);

@@ -61,7 +61,7 @@ pub(crate) enum FieldValue {
         /// The unit as written after a number: " mm", "°", or an empty string.
         unit: &'static str,
     },
-    /// One of several options, counted from 0; after the last option comes the first again.
+    /// One of several options, counted from 0; the last option is followed by the first.
     Choice {
         /// The index of the current option.
         at: usize,

@@ -45,8 +45,8 @@ impl TextField {
         format!("{before}_{after}")
     }
 
-    /// Handles a key: a letter; a key that moves the cursor by a letter, by a word, or to one of
-    /// the ends; or a key that deletes. Returns whether the key was used.
+    /// Handles a key: a letter; a key that moves the cursor by a letter or to one of the ends; or a
+    /// key that deletes. Returns whether the key was used.
     pub fn update(&mut self, key: Key) -> bool {
         let request = match key {
             Key::Char(c) if !c.is_control() => {

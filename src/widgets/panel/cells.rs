@@ -479,7 +479,7 @@ fn write_content(block: &PlacedBlock, lines: &mut Lines) {
     }
 }
 
-/// Text with the mark of one of several items before it, if it is one.
+/// Text, preceded by its mark if it is one of several items.
 fn marked(run: &Run, chosen: Option<bool>) -> Run {
     match chosen.map(|chosen| run.role.of_choice(chosen)) {
         Some((mark, role)) => Run::new(format!("{mark} {}", run.text), role),

@@ -21,7 +21,7 @@ use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text}
 /// The number of rows between two paragraphs: the usual number, and the number that is used to save
 /// pages.
 const GAPS: [u16; 2] = [1, 0];
-/// The number of columns between a picture and the text beside it, and on the right of the text.
+/// The number of empty columns on the left of the text, whether or not a picture is beside it.
 const APART: u16 = 1;
 /// The amounts, in tenths of the full size, by which a picture on a page that has to show
 /// everything may be smaller than elsewhere, in the order in which they are tried.
@@ -59,7 +59,7 @@ pub(crate) struct PlacedPages<'p> {
     parts: Vec<PagedText<'p>>,
 }
 
-/// Consecutive paragraphs divided into pages, the first of which begins a new page.
+/// Consecutive paragraphs divided into pages; the first paragraph begins a new page.
 struct PagedText<'p> {
     texts: Vec<PagedParagraph<'p>>,
     pages: BigPages,

@@ -11,7 +11,7 @@ use ratatui::layout::Rect;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     area: Rect,
-    /// The point in the world that is shown in the middle of the screen area.
+    /// The point in the world that is drawn at `middle`.
     centre: DVec2,
     /// The point on the screen, in cells, at which `centre` is drawn.
     middle: DVec2,

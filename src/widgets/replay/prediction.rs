@@ -32,7 +32,7 @@ impl ImpactPrediction {
         used
     }
 
-    /// The collision at contact, with the rays.
+    /// The discs before the collision, with the rays.
     pub(crate) fn picture(&self, faces: [Face; 2], area: Rect) -> Picture {
         let shown = Markings {
             angle: !self.rays.asks(Ray::Target),

@@ -25,7 +25,7 @@ const PIECES: u32 = 180;
 /// A point of a line is left out if it is closer than this to the previous point, in units of the
 /// picture.
 const NEAR: f64 = 0.3;
-/// The radius of a dot, which is also the smallest radius of a disc.
+/// Half the width of a sign such as ● or ×, which is also the smallest radius of a disc.
 const DOT: f64 = 3.5;
 
 /// The elements of a picture, in units in which a cell has the size [`CELL`].

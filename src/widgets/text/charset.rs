@@ -67,7 +67,7 @@ impl Charset {
                 if letter == '√' && plain.ends_with(|c: char| c.is_ascii_alphanumeric()) {
                     plain.push(' ');
                 }
-                // An index after a letter is preceded by an underscore: n_x, but v2x.
+                // A subscript after a letter is preceded by an underscore: n_x, but v2x.
                 if matches!(letter, 'ₓ' | 'ᵧ') && plain.ends_with(|c: char| c.is_ascii_alphabetic())
                 {
                     plain.push('_');

@@ -199,13 +199,13 @@ fn is_sign(word: &str) -> bool {
         && word.chars().count() <= LONGEST
 }
 
-/// Whether a word has an index, such as `m₂` and `v1`.
+/// Whether a word has a subscript, such as `m₂` and `v1`.
 fn is_indexed(word: &str) -> bool {
     word.starts_with(char::is_alphabetic) && word.ends_with(char::is_numeric)
         || word.contains(['₁', '₂', '_'])
 }
 
-/// Whether a word can be an operand: a number, a letter, a symbol with an index, or a term in
+/// Whether a word can be an operand: a number, a letter, a symbol with a subscript, or a term in
 /// brackets.
 fn is_operand(word: &str) -> bool {
     let bare = bare(word);

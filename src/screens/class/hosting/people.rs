@@ -175,7 +175,7 @@ impl People {
         }
     }
 
-    /// Carries out an action; returns the change of the round.
+    /// Carries out an action; returns the change to the round.
     pub(super) fn act(&mut self, action: HostingAction, session: &Session) -> Option<ClassChange> {
         let asked = self.asked.take().and_then(|name| number(session, &name));
         match (action, std::mem::take(&mut self.doing)) {

@@ -171,7 +171,7 @@ impl NotebookColumn {
         }
     }
 
-    /// The cell of a hit on the screen.
+    /// The text for a hit on the screen.
     pub(super) fn shown(&self, hit: &NotedHit) -> String {
         match self.value(hit) {
             Some(value) => true_minus(&fixed(value, self.decimals)),
@@ -179,7 +179,7 @@ impl NotebookColumn {
         }
     }
 
-    /// The cell of a hit in a file, with all digits.
+    /// The text for a hit in a file, with all digits.
     pub(super) fn cell(&self, hit: &NotedHit) -> String {
         match self.value(hit) {
             Some(value) => (tidy(value) + 0.0).to_string(),

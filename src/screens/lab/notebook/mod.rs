@@ -73,7 +73,7 @@ impl Notebook {
         }
     }
 
-    /// Handles an answer of the store, if it belongs to the request.
+    /// Handles an answer from the store, if it belongs to the request.
     pub(super) fn take(&mut self, answer: &StoreAnswer) {
         if let (Hits::Asked(ticket), StoreReply::Notebook(hits)) = (&self.hits, &answer.done)
             && *ticket == answer.ticket

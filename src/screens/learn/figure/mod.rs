@@ -342,7 +342,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // If two collisions are shown, the frame of each is fixed.
+                // If the collision is shown in two frames, both frames are fixed.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha().with(watched, FigureAction::Watch)

@@ -25,8 +25,8 @@ pub(super) fn title(space: bool) -> &'static str {
     }
 }
 
-/// Evenly spread shots. Unless the outcome is hidden, the shots deflected by more than an angle are
-/// highlighted, and their number is given below.
+/// Evenly spread shots. Unless the outcome is hidden, the shots deflected by more than `beyond_deg`
+/// are highlighted, and their number is given below.
 pub(super) fn lay_out(space: bool, beyond_deg: f64, figure: FigureArea) -> Picture {
     // A deflection of more than θ₁ = 90° − α requires an offset below sin α = cos θ₁.
     let near = (!figure.hidden).then(|| rad_from_deg(beyond_deg).cos());

@@ -77,8 +77,8 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     })
 }
 
-/// The outcome of a collision, as a figure of this kind shows it; only the geometry drawn in the
-/// figure if a later page asks for the outcome (`is_asked`).
+/// The outcome of a collision, as a figure of this kind shows it; only the lines, the components or
+/// the plotted values if a later page asks for the outcome (`is_asked`).
 fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
     match kind {
         FigureKind::Split { lines } => split(collision, lines),

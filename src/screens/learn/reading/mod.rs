@@ -60,7 +60,7 @@ pub(crate) struct Reading {
     at: usize,
     /// The open page; `None` until the bookmark is known.
     open: Option<OpenPage>,
-    /// The impact angle in degrees, if it was set since the bookmark was last moved.
+    /// The impact angle in degrees, if it has been set since the bookmark was last moved.
     alpha_deg: Option<f64>,
     notice: Option<&'static str>,
     /// The page that was opened to look something up.
@@ -299,8 +299,8 @@ impl Reading {
 
     /// The keys for answering. Enter switches to the other ray, because Tab switches to the figure.
     fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
-        // On a small screen, the bottom line needs the room of these names for the key that goes
-        // back to the contents.
+        // These names are left out, because on a small screen the bottom line needs their space for
+        // the key that goes back to the contents.
         let spare = |action| {
             use AnswerAction::{Choose, Ray};
             matches!(action, Choose(_) | Ray(RayAction::StaysStill))

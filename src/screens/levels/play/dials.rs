@@ -92,7 +92,7 @@ impl Dials {
         self.set_aim(self.aim.with(dial, setting));
     }
 
-    /// All dials with their values, in one line.
+    /// The values of all dials, in one line.
     pub(super) fn setting(&self) -> String {
         let set = self.fields().into_iter().map(|field| field.shown);
         set.collect::<Vec<_>>().join(", ")

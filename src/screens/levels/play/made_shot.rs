@@ -104,7 +104,7 @@ impl MadeShot {
         }
     }
 
-    /// Records the prediction as an answer of the player, in the level with this number.
+    /// Records the player's prediction as an answer, in the level with this number.
     pub(super) fn record_said(&self, level: usize, cx: &mut Context) {
         let (Some(said), Some(impact)) = (&self.said, self.player.impacts().first()) else {
             return;

@@ -54,7 +54,7 @@ pub enum AimAction {
     Hint,
     /// practice: arrange the coins
     LayOut,
-    /// practice: take back the last stroke
+    /// practice: take back the last stroke or change to the coins
     Undo,
 }
 

@@ -44,7 +44,7 @@ pub enum ArrangeAction {
     Add(Piece),
     /// remove the coin under the hand
     RemoveCoin,
-    /// practice: take back the last stroke
+    /// practice: take back the last stroke or change to the coins
     Undo,
 }
 

@@ -76,8 +76,8 @@ impl Calling {
 }
 
 impl ActiveGame {
-    /// Records the call of a move as an answer of the player, unless several people share the
-    /// keyboard: then it is unknown which of them made the call.
+    /// Records the player's call for a move as an answer, unless several people share the keyboard:
+    /// then it is unknown which of them made the call.
     fn record_call(&self, number: usize, cx: &mut Context) {
         let called = self.history.past(number).and_then(|past| past.called);
         let Some(called) = called.filter(|_| !self.options.is_shared()) else {

@@ -194,8 +194,8 @@ impl Playing {
         }
     }
 
-    /// Lets the computer decide if it has not done so yet: at the beginning of a game, and after a
-    /// pass of the computer.
+    /// Lets the computer decide if it has not done so yet: at the beginning of a game, and after
+    /// the computer has passed.
     fn hand_over(&mut self, cx: &Context) {
         if matches!(self.phase, GamePhase::Aim) && self.game.is_computers_turn() {
             self.phase = self.game.turn(cx);

@@ -1,8 +1,9 @@
 //! The computer's stroke before it is played: position, aim and strength, so that the player can
 //! predict the result; and hints for the player.
 //!
-//! Neither the search for a stroke nor the search for a hint uses a thread: nothing moves on the
-//! board meanwhile, and a search takes too little time to be noticed (`docs/performance.md`).
+//! Neither the search for a stroke nor the search for a hint uses a separate thread: nothing moves
+//! on the board meanwhile, and a search takes too little time to be noticed
+//! (`docs/performance.md`).
 
 use std::time::Duration;
 
@@ -114,8 +115,8 @@ impl ShownStroke {
     }
 }
 
-/// How long a stroke is shown with `parts` of its parts visible. Players who predict strokes get
-/// more time; a faster replay speed shortens the time.
+/// How long a stroke is shown with `parts` of its parts visible; a faster replay speed shortens the
+/// time. For players who predict strokes, the whole aim stays visible until they go on (`None`).
 fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
     let waits = options.company.call && options.count(Player::Person) > 0;
     if waits && parts == PARTS_MS.len() {

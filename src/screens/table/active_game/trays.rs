@@ -1,5 +1,5 @@
 //! The trays on the lower frame of the board, which show the pieces that each team has pocketed,
-//! their number, and the pieces that are moving to the tray.
+//! their number, and the pieces that are moving to the trays.
 
 use std::iter;
 

@@ -6,8 +6,8 @@ use super::Moment;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// The shortest path that is drawn, in radii of the disc; a shorter path means that the disc is at
-/// rest.
+/// The shortest path that counts as motion, in radii of the disc; also the smallest component along
+/// t that counts, as a fraction of the velocity.
 const STANDS: f64 = 1e-6;
 /// The distance of a letter from the centre when it is moved aside, in radii of the disc.
 const LETTER_ASIDE: f64 = 0.55;

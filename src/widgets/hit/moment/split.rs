@@ -56,9 +56,10 @@ impl Moment<'_> {
     }
 
     /// Determines where the initial velocity of a disc is drawn. If the target is at rest, the
-    /// arrow begins at the centre, so that its component along n ends where the target's component
-    /// begins. If both discs move, the arrow ends at the centre, so that each disc has its arrows
-    /// on its own side; but if the other disc is right behind, the arrow begins at the centre.
+    /// arrow begins at the centre, so that its component along n points to where the target's
+    /// component begins. If both discs move, the arrow ends at the centre, so that each disc has
+    /// its arrows on its own side; but if the other disc is right behind, the arrow begins at the
+    /// centre.
     fn root_before(&self, body: usize, v: DVec2) -> Root {
         let centre = self.stage.centres[body];
         if self.target_rests() || self.stage.runs_ahead(body, v) {

@@ -6,7 +6,7 @@ use super::{GAP, HEIGHT};
 use crate::widgets::Charset;
 use crate::widgets::text::signs::superscript;
 
-/// The height of an index or an exponent, in pixels.
+/// The height of a subscript or an exponent, in pixels.
 const RAISED: usize = 5;
 
 /// The columns of pixels in a word; `None` if any character has no letter.
@@ -70,7 +70,7 @@ fn own(letter: char) -> Option<[u8; HEIGHT]> {
     Some(rows)
 }
 
-/// The rows of an index or an exponent, three pixels wide.
+/// The rows of a subscript or an exponent, three pixels wide.
 fn small_letter(letter: char) -> Option<[u8; RAISED]> {
     // Each octal digit is a row.
     let rows: u32 = match letter {
@@ -112,7 +112,7 @@ mod tests {
         {
             assert_ne!(pixels_of(symbol), pixels_of(like), "{symbol}");
         }
-        // An index is below the middle of the line, an exponent above.
+        // A subscript is below the middle of the line, an exponent above.
         let pixels = |letter| pixels_of(letter).unwrap();
         assert!(pixels("₄").iter().all(|column| column & 0b111 == 0));
         assert!(pixels("⁴").iter().all(|column| column >> RAISED == 0));

@@ -4,7 +4,7 @@ use super::{CAPITAL, HEIGHT, SMALL_LETTER, strokes};
 use crate::widgets::Charset;
 
 /// A lower-case letter such as x is legible from the back row if its height is at least the height
-/// of the projected picture divided by this number: for example, 1 cm in a picture 30 cm high, seen
+/// of the projected picture divided by this number: for example, 5 cm in a picture 1.5 m high, seen
 /// from nine metres.
 const READ_FROM_THE_BACK: usize = 30;
 
