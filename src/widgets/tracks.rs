@@ -50,7 +50,7 @@ fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(
 /// Two particles that a nucleus deflects by these angles in radians, one on each side of the
 /// nucleus. Each follows its exact hyperbola, with the angle beside it.
 pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> Picture {
-    // A particle that arrives head-on or is not deflected cannot be drawn beside another particle.
+    // A particle that is not deflected cannot be drawn, because its offset is infinite.
     let angles = angles.map(|angle| angle.clamp(0.01, PI));
     let offsets = angles.map(|angle| rutherford.impact_parameter(angle).unwrap_or(0.0));
     let widest = offsets[0].max(offsets[1]);

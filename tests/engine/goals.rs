@@ -140,7 +140,7 @@ fn pocket_and_contact_goals_report_what_happened() {
         "kind = \"bank\"\ndisc = 0\ntarget = 2",
         "the striker hit another disc first",
     );
-    // The queen never moves, and it is 350.96 mm from the pocket's centre at (347.75, 347.75).
+    // The queen never moves, and it is 351.01 mm from the pocket's centre at (347.75, 347.75).
     missed(
         "kind = \"pocket\"\ndiscs = [2]",
         "the queen came within 329 mm of a pocket",

@@ -3,8 +3,8 @@
 use carrom::levels::Scene;
 use carrom::physics::{EventKind, Limits, play};
 
-/// A 15 g striker moves along +x past a 5.5 g coin whose centre is 18.275 mm to its right, half
-/// of r₁ + r₂.
+/// A 15 g striker moves along +x and hits a 5.5 g coin whose centre is 18.275 mm to the right
+/// of the striker's path, half of r₁ + r₂.
 fn scene(restitution: &str) -> Scene {
     let text = format!(
         "format = 1\n[board]\n{restitution}\n\

@@ -84,7 +84,7 @@ fn press(browser: &mut Chromium, keys: &str, shows: &str) {
 /// The number of questions answered on each page.
 const ALONE: usize = 3;
 
-/// A page served by the host on which a pupil answers the first questions of mixed-7 alone, all
+/// A page served by the host, after a pupil has answered the first questions of mixed-7 alone, all
 /// correctly.
 fn answered_alone(teacher: &Teacher, name: &str) -> Chromium {
     let mut browser = Chromium::start((1000, 700), false);
@@ -200,7 +200,7 @@ fn handed_in_files_are_merged_into_one_gradebook() {
         let is_there = rows.iter().any(|row| row.starts_with(begins));
         assert!(is_there, "{begins}: {table}");
     }
-    // Four more pupils answered the first three questions.
+    // The four pupils with pages answered only the first three questions.
     let items = folder.path().join("class-items.csv");
     let mut items = csv::Reader::from_path(items).unwrap();
     let answered = items.records().map(|row| row.unwrap()[3].to_owned());

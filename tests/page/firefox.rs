@@ -80,8 +80,7 @@ impl Browser for Firefox {
     }
 
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value {
-        // The script runs without a sandbox, because the page's own variables are visible only
-        // there.
+        // The script runs without a sandbox, because a sandbox hides the page's own variables.
         let parameters = json!({ "script": script, "args": arguments, "sandbox": null });
         self.ask("WebDriver:ExecuteScript", &parameters)["value"].clone()
     }

@@ -406,7 +406,7 @@ fn a_chapter_is_read_by_touch_alone() {
     );
 }
 
-/// A level is aimed with the finger, predicted and watched to its end.
+/// The shot of a level is aimed with the finger, predicted and watched to its end.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_level_is_played_by_touch_alone() {

@@ -11,7 +11,8 @@ use rustix::process::Signal;
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
-/// A level with a striker and 36 discs that touch, whose masses range over many powers of ten.
+/// A level with a striker and 36 discs that almost touch, whose masses range over many powers of
+/// ten.
 /// Calculating how an impact spreads through them requires many thousands of steps.
 fn heavy_work() -> Folder {
     let mut level = String::from(

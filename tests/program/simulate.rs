@@ -87,8 +87,8 @@ fn one_disc_slides_to_a_stop() {
 #[test]
 fn a_file_of_the_first_format_opens_and_hits_both_cushions() {
     let report = json(PINNED);
-    // The disc crosses the board a little more than three times; each cushion removes a fifth of
-    // its speed.
+    // After a shorter way to the first cushion, the disc crosses the board three times; each
+    // hit on a cushion removes a fifth of its speed.
     assert_eq!(
         kinds(&report),
         ["cushion", "cushion", "cushion", "cushion", "rest"]

@@ -193,7 +193,8 @@ fn carrom_can_be_stopped_and_continued() {
         pty.wait_for("carrom : home");
         pty.assert_taken();
     }
-    // A process cannot handle this signal, so carrom can restore the terminal only afterwards.
+    // A process cannot handle this signal, so carrom cannot restore the terminal before it stops;
+    // it only takes control of the terminal again afterwards.
     kill_process(process, Signal::STOP).unwrap();
     let before = pictures(&pty);
     pty.wait_for("stopped ");

@@ -710,7 +710,7 @@ fn the_teacher_is_warned_if_a_round_has_a_new_address() {
     }
 }
 
-/// A host at the first vote of its round, which thousands of devices try to join.
+/// A host at the first vote of its round, which hundreds of devices try to join.
 struct Crowd {
     host: Headless,
     connections: ConnectionId,

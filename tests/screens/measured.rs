@@ -150,9 +150,9 @@ fn the_report_has_what_was_set() {
     assert!(html.contains("m₁ = 30 g, m₂ = 30 g"), "{html}");
 }
 
-/// In plain lines a symbol at the start keeps its case: "v 1", not "V 1".
+/// In the list of results, a symbol at the start of an item keeps its case: "v₁", not "V₁".
 #[test]
-fn plain_lines_name_symbols_as_everywhere_else() {
+fn a_symbol_at_the_start_of_a_result_keeps_its_case() {
     let folder = Folder::new("measured");
     let mut game = opened(&folder, 0, (120, 40), Charset::Unicode);
     let text = all_results(&mut game);

@@ -155,7 +155,7 @@ fn a_hidden_outcome_stays_hidden_until_it_has_been_predicted() {
     };
     let route = Data::default().route("lab", link).unwrap();
     let mut game = Headless::new(App::new(route, settings, 1), 80, 24);
-    // The exact outcome of this hit: θ1 = 17.9…°, θ2 = 23.6°.
+    // The exact outcome of this hit: θ1 = 16.6°, θ2 = 23.6°.
     let outcome = ["v1", "v2", "energy kept", "separation"];
     for keys in [
         "",

@@ -112,7 +112,7 @@ const keeper = (() => {
       safe += 1;
     } catch (error) {
       failed = reason(error);
-      // Waits until this function has returned: otherwise the program would repeat its request at once.
+      // Stays busy until the browser's next task, or the program would repeat its request at once.
       await new Promise((later) => setTimeout(later, 0));
     }
     clearTimeout(patience);

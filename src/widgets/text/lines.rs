@@ -53,7 +53,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Like [`Self::new`], but shows nothing; this is used, for example, to count the rows that a
+    /// Like [`Self::new`], but records nothing; this is used, for example, to count the rows that a
     /// text needs.
     pub(crate) fn unseen(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         Self {
@@ -265,8 +265,8 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// Writes a single row with a name and right-aligned values in columns. The name has twice the
-    /// space of a value; a value that is too wide for its column moves to the right instead of
+    /// Writes a single row with a name and right-aligned values in columns. The name has as much
+    /// space as a value; a value that is too wide for its column moves to the right instead of
     /// touching the text before it.
     pub(crate) fn columns(&mut self, name: &Run, values: &[Run]) {
         self.record(|charset| Words::Columns {

@@ -116,7 +116,7 @@ impl Theme {
     }
 
     /// Like [`Theme::style`], but faded towards the background: at age 0 the style is unchanged, at
-    /// age 1 nearly invisible. `age` is clamped to the range from 0 to 1.
+    /// age 1 it is faint. `age` is clamped to the range from 0 to 1.
     pub(crate) fn faded(self, role: Role, age: f64) -> Style {
         let age = if age > 0.0 { age.min(1.0) } else { 0.0 };
         if age < 1.0 / 64.0 {

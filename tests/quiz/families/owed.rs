@@ -18,7 +18,7 @@ const DRAWS: usize = 1_000;
 
 /// If a family shuffles its choices, at least two positions must each hold the right choice in at
 /// least this share of its questions. Each misconception must occur in at least this share of a
-/// family's questions at one difficulty.
+/// family's questions at one difficulty or more.
 const NOW_AND_THEN: f64 = 0.02;
 
 /// The widths, in columns, of the panel beside a picture, and of a choice after its letter.
