@@ -156,7 +156,7 @@ fn learnt(forms: &[Learning<'_>]) -> Markup {
     }
 }
 
-/// The statement about the class, or why there is none.
+/// The gain of the class, or why none is stated.
 fn of_the_class(of: &Learning<'_>) -> String {
     let pupils = of.matched.len();
     match &of.gain {
@@ -170,10 +170,10 @@ fn of_the_class(of: &Learning<'_>) -> String {
             )
         }
         Err(NoGain::TooFew) => {
-            format!("Too few pupils for a statement: {pupils} of at least {FEWEST}.")
+            format!("Too few pupils to state a gain: {pupils}, but at least {FEWEST} are needed.")
         }
         Err(NoGain::NothingToLearn) => format!(
-            "No statement from {pupils} pupils: there were too few mistakes before to measure a gain."
+            "No gain can be measured: the {pupils} pupils made too few mistakes before."
         ),
     }
 }

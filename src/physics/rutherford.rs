@@ -40,7 +40,7 @@ pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
 /// Atoms in a cubic metre of gold.
 pub const GOLD_DENSITY: f64 = 5.9e28;
 
-/// The fraction of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵
+/// The fraction of α-particles from radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵
 /// cm of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the only
 /// count whose absolute scale is known.
 pub const MEASURED_SHARE: f64 = 3.7e-7;
@@ -64,7 +64,7 @@ impl Rutherford {
         }
     }
 
-    /// The α-particles of radium C on gold: d = 29.6 fm.
+    /// The α-particles from radium C on gold: d = 29.6 fm.
     pub fn radium_c_on_gold() -> Self {
         Self::new(ALPHA_CHARGE, GOLD_CHARGE, RADIUM_C_ENERGY)
     }

@@ -610,7 +610,7 @@ fn the_gradebook_reports_the_gain_between_both_forms() {
 fn nothing_is_claimed_about_fewer_than_ten_pupils() {
     let (page, table) = learnt(7);
     assert!(
-        page.contains("Too few pupils for a statement: 7 of at least 10."),
+        page.contains("Too few pupils to state a gain: 7, but at least 10 are needed."),
         "{page}"
     );
     assert!(!page.contains("Normalized gain 0") && !page.contains("By misconception"));

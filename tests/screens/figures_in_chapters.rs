@@ -109,7 +109,7 @@ fn energy_share(outcome: &CollisionOutcome, mass_g: f64, speed: f64) -> f64 {
     0.5 * mass_g / 1000.0 * speed * speed / outcome.energy_before
 }
 
-/// α-particles of radium C on the gold foil of 1913, as in the figure of chapter 10.
+/// α-particles from radium C on the gold foil of 1913, as in the figure of chapter 10.
 fn gold_foil(energy: f64, thickness: f64) -> ScatteringLaw {
     let foil = Foil {
         metal: METALS[0],

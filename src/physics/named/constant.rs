@@ -15,7 +15,7 @@ struct ConstantFields {
 }
 
 impl Default for ConstantFields {
-    /// The default values: α-particles of radium C on Geiger and Marsden's gold foil of 1913.
+    /// The default values: α-particles from radium C on Geiger and Marsden's gold foil of 1913.
     fn default() -> Self {
         Self {
             angle_deg: 60.0,

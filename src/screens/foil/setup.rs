@@ -37,7 +37,7 @@ pub(crate) struct FoilSetup {
 }
 
 impl Default for FoilSetup {
-    /// α-particles of radium C on the gold foil of 1913.
+    /// α-particles from radium C on the gold foil of 1913.
     fn default() -> Self {
         Self {
             obstacle: Obstacle::Nucleus,
