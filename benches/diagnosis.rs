@@ -12,7 +12,7 @@ mod students;
 
 use students::{Belief, Belief::Knows, Student};
 
-/// Answers a whole round, and returns the evidence of the answers.
+/// Answers a whole round, and returns the evidence that the answers give.
 fn play(student: &mut Student, code: Code) -> Vec<Clue> {
     let mut round = Round::of(code);
     let mut answers: Vec<Answer> = Vec::new();

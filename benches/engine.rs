@@ -1,6 +1,6 @@
 //! How fast the engine plays: `cargo bench --bench engine`.
 //!
-//! Each time is taken from the fastest of many rounds on one core, the round that other programs
+//! A printed time is that of the fastest of many rounds on one core, the round that other programs
 //! disturbed least. The median of the rounds is printed beside it.
 
 mod scenes;

@@ -15,7 +15,7 @@ fn main() {
     use carrom::shells::Headless;
     use pty::{Pty, carrom};
 
-    /// The length of each frame after the first `skipped` bytes.
+    /// The length, in bytes, of each frame that begins after the first `skipped` bytes.
     fn pictures(bytes: &[u8], skipped: usize) -> Vec<usize> {
         let text = String::from_utf8_lossy(bytes.get(skipped..).unwrap_or_default());
         let pictures = text.split("\x1b[?2026h").skip(1);

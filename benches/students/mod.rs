@@ -126,7 +126,7 @@ impl HitFigures {
 
     /// The angles of the striker and the target to the original direction, in degrees, each
     /// positive on its own side, calculated from the impulse along the line of impact; `None` for a
-    /// disc that stays at rest.
+    /// striker that stops.
     fn angles(&self) -> (Option<f64>, Option<f64>) {
         let (sin, cos) = self.alpha.to_radians().sin_cos();
         let given_up = (1.0 + self.e) * self.m2 / (self.m1 + self.m2) * cos;
@@ -159,7 +159,7 @@ impl HitFigures {
 }
 
 /// The rays that a student predicts, in degrees, each positive on its own side; `None` for a disc
-/// that stays at rest.
+/// that is at rest afterwards.
 type Angles = (Option<f64>, Option<f64>);
 
 impl Student {

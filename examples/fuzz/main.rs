@@ -6,10 +6,10 @@
 //! cargo run --release --example fuzz -- --file NUMBER
 //! ```
 //!
-//! It plays sessions. A session starts at a random stop of the tour in
-//! `tests/common/tour.rs`, with random settings. It presses keys, moves the mouse, pastes, resizes and lets time pass, and it draws
-//! after every hundredth input and at every new screen. Between the sessions, files of each kind
-//! that carrom reads are damaged and read. Nothing may panic, take longer than a second, show
+//! It plays sessions. A session starts at a random stop of the tour in `tests/common/tour.rs`, with
+//! random settings. It presses keys, moves the mouse, pastes, resizes and lets time pass, and it
+//! draws after every hundredth input and at every new screen. Between the sessions, files of each
+//! kind that carrom reads are damaged and read. Nothing may panic, take longer than a second, show
 //! "NaN", or put a character that is not ASCII on an ASCII screen.
 //!
 //! The numbers of inputs, files and faults are saved in FOLDER (`target/fuzz` by default), so they

@@ -156,7 +156,7 @@ pub(super) fn help_overflow(app: &App) -> u16 {
 }
 
 /// Draws a layer. A help page covers the whole body, because only truncated words would be visible
-/// beside the page. Any other layer is at the bottom of the body, so that part of the screen stays
+/// beside the page. Any other layer is at the bottom of the body, so the rest of the screen stays
 /// visible.
 fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     let writing = writing(app);

@@ -8,7 +8,8 @@ use crate::physics::rutherford::Rutherford;
 /// The target of a beam. It is treated as fixed, as if it were too heavy to move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BeamTarget {
-    /// Hard discs or spheres, e = 1. The beam is as wide as the target: b goes up to r₁ + r₂.
+    /// Hard discs or spheres, e = 1. The beam contains exactly the offsets at which a particle
+    /// hits: b goes up to r₁ + r₂.
     Hard,
     /// A charge that repels.
     Coulomb {

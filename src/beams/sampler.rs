@@ -28,9 +28,9 @@ const LANES: usize = 4;
 /// its own number, a beam can be computed in batches of any size and in any order.
 ///
 /// No angle is ever computed for a particle. The values of w that separate the bins are calculated
-/// in advance, so comparisons give the bin: an index table gives it for the upper 12 bits, and if
-/// an edge is within a cell of the table, the edge itself decides. The counts are exactly the same
-/// as if each angle were computed.
+/// in advance, so comparisons give the bin: an index table gives it for the upper 12 bits of w,
+/// and if that cell of the table contains edges, w is compared with them. The counts are exactly
+/// the same as if each angle were computed.
 #[derive(Debug, Clone)]
 pub struct Sampler {
     /// A particle with w below `edges[k]` is scattered beyond the lower edge of bin k.

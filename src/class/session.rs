@@ -316,7 +316,7 @@ impl Session {
                 HostNews::Said(connection, ClientMessage::HandIn { n, file }) => {
                     self.hand_in(*connection, *n, file);
                 }
-                // A pupil who has joined already has a seat.
+                // A pupil who has joined has a seat already.
                 HostNews::Said(_, ClientMessage::Join { .. }) => {}
                 HostNews::Said(connection, ClientMessage::Leave) | HostNews::Gone(connection) => {
                     if let Some(person) = self.person(*connection) {
@@ -602,7 +602,7 @@ impl Session {
         self.host(HostCall::Tell(states));
     }
 
-    /// Applies a change to the list of people; a pupil who loses the seat receives the reason.
+    /// Applies a change to the list of people; a pupil who loses their seat receives the reason.
     pub fn change_people(&mut self, change: &ClassChange) {
         let connection = |person: usize| self.round.participants().get(person)?.device.connection;
         let (lost, renewed) = match change {

@@ -178,7 +178,7 @@ enum OpenCommand {
         /// The file of the set to play: questions that you have chosen
         #[arg(long, value_name = "FILE", conflicts_with = "code")]
         set: Option<PathBuf>,
-        /// Print the questions of a code instead
+        /// Print the questions for a code instead
         #[arg(long, value_name = "CODE", value_parser = Code::read, conflicts_with_all = ["code", "set"])]
         list: Option<Code>,
         /// Print them as one JSON object

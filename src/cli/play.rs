@@ -53,7 +53,7 @@ pub(super) fn run(
     })
 }
 
-/// The page and the port with which a class is served.
+/// The page that is served to a class, and the port on which it is served.
 ///
 /// # Errors
 /// If the given page cannot be read.

@@ -77,7 +77,7 @@ struct ListedQuestion<'a> {
     choices: &'a [String],
 }
 
-/// Prints the questions of a code, without their answers.
+/// Prints the questions for a code, without their answers.
 pub(super) fn list(code: &Code, json: bool, options: &GlobalOptions) -> Result<(), Failure> {
     let code = code.clone().with_own(&options.own());
     let code = code.and_then(Code::same_for_all).map_err(Failure::input)?;

@@ -18,7 +18,8 @@ pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
     /// Writes text to a new file in `folder`, and syncs it to the disk. If it is `private` and the
-    /// system has file permissions, only this user can ever read it; otherwise the umask decides.
+    /// system has file permissions, it is created so that only this user can read it; otherwise the
+    /// umask decides.
     ///
     /// # Errors
     /// Returns an error if the file cannot be written completely; it is then removed.
@@ -84,7 +85,7 @@ pub(super) fn is_there(path: &Path) -> bool {
 /// # Errors
 /// Returns an error if the entries cannot be synced.
 pub(crate) fn fsync_dir(folder: &Path) -> io::Result<()> {
-    // Only Unix can open a folder; elsewhere the rename has to be enough.
+    // `File::open` opens a folder only on Unix; elsewhere the rename has to be enough.
     #[cfg(unix)]
     fs::File::open(folder)?.sync_all()?;
     #[cfg(not(unix))]

@@ -91,7 +91,7 @@ impl Source<'_> {
         }
     }
 
-    /// A TOML syntax error at a byte, with a hint if the cause is likely.
+    /// The message for a TOML syntax error at a byte, with a hint if a likely cause is recognized.
     fn syntax_error(&self, at: usize, message: &str) -> String {
         let line = self.line_near(at);
         let values = values(line);

@@ -67,8 +67,8 @@ fn is_blank(letter: char) -> bool {
         | '\u{1d159}' | '\u{1d173}'..='\u{1d17a}')
 }
 
-/// Whether a name consists of invisible characters. Earlier versions accepted such names, so files
-/// may contain them.
+/// Whether a name contains a blank letter and no visible one. Earlier versions accepted such names,
+/// so files may contain them.
 pub(crate) fn is_blank_name(name: &str) -> bool {
     name.chars().any(is_blank) && tidy_name(name).is_empty()
 }

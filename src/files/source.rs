@@ -7,7 +7,8 @@ use super::{FileError, FileErrors};
 /// The byte order mark U+FEFF in UTF-8.
 pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// The maximum number of errors collected per file, because finding the line of each takes time.
+/// Once a file has this many errors, `Source::note` adds no more, because finding the line of each
+/// takes time.
 const MOST_NOTED: usize = 200;
 
 /// A file's text, and all errors found while it is read.

@@ -322,15 +322,15 @@ impl Game {
     /// toss (29b), also decides who breaks an extra board.
     fn breaker(&self) -> Seat {
         let score = self.score_before();
-        let turns = match self.setup.rules {
+        let steps = match self.setup.rules {
             Rules::Practice | Rules::Solo => 0,
             _ => {
                 let games = score.games[Team::First] + score.games[Team::Second];
                 games.saturating_add(score.boards)
             }
         };
-        // After four turns the order repeats, in doubles and in singles.
-        (0..turns % 4).fold(self.setup.first_breaker, |seat, _| {
+        // After four steps the order repeats, in doubles and in singles.
+        (0..steps % 4).fold(self.setup.first_breaker, |seat, _| {
             self.setup.hands.next(seat)
         })
     }

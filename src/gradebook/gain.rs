@@ -2,7 +2,7 @@
 
 use crate::measure::t_beyond;
 
-/// The smallest number of matched pupils for a statement about the class.
+/// The smallest number of matched pupils for which a gain is stated.
 pub(crate) const FEWEST: usize = 10;
 /// The probability that the interval does not contain the true value.
 const MISSED: f64 = 0.05;
@@ -19,7 +19,7 @@ pub struct NormalizedGain {
     pub interval: [f64; 2],
 }
 
-/// Why there is no statement about a class.
+/// Why no gain is stated for a class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoGain {
     /// There are too few matched pupils.

@@ -104,8 +104,8 @@ fn answers<'a>(pupil: &PupilResults<'a>, code: &str) -> Vec<&'a Attempt> {
         .collect()
 }
 
-/// The misconceptions that answers to both forms could show, sorted by how often they occurred
-/// before the unit, the most frequent first.
+/// The misconceptions that answers to both forms could show and that at least one answer fits,
+/// sorted by how often they occurred before the unit, the most frequent first.
 fn changes(clues: &[Vec<Clue>; 2]) -> Vec<BeliefChange> {
     let change = |misconception: Misconception| BeliefChange {
         misconception,

@@ -10,7 +10,8 @@ use crate::files::{self, FileError, FileLibrary};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
 
-/// All available chapters, sorted by number, with the built-in chapters first.
+/// The chapters in the order in which their files are read: the built-in ones, then a teacher's
+/// own.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ChapterLibrary {
     /// The chapters; no two have the same id.

@@ -172,9 +172,9 @@ fn of_the_class(of: &Learning<'_>) -> String {
         Err(NoGain::TooFew) => {
             format!("Too few pupils to state a gain: {pupils}, but at least {FEWEST} are needed.")
         }
-        Err(NoGain::NothingToLearn) => format!(
-            "No gain can be measured: the {pupils} pupils made too few mistakes before."
-        ),
+        Err(NoGain::NothingToLearn) => {
+            format!("No gain can be measured: the {pupils} pupils made too few mistakes before.")
+        }
     }
 }
 

@@ -50,8 +50,8 @@ fn play_exactly(board: &Board, tables: &[Table]) {
     }
 }
 
-/// Errors, in degrees, of the direction of a coin that is hit at the impact angle `alpha`: it
-/// should leave along the line of impact, at −alpha.
+/// The errors of carrom and of rapier, in degrees, in the direction of a coin that is hit at the
+/// impact angle `alpha`: it should leave along the line of impact, at −alpha.
 fn one_hit(alpha: f64) -> (f64, f64) {
     let board = closed_board();
     let b = (STRIKER.radius + COIN.radius) * alpha.sin();

@@ -37,9 +37,9 @@ pub(super) struct SolveAnswer {
 #[derive(Debug, Clone, Copy, Serialize)]
 struct Turning {
     energy_rotation_j: f64,
-    /// Positive clockwise, unlike the axes: kept because scripts read it.
+    /// Positive clockwise, although the axes require anticlockwise: kept because scripts read it.
     spin_rad_s: f64,
-    /// Positive anticlockwise, like the axes.
+    /// Positive anticlockwise, as the axes require.
     spin_ccw_rad_s: f64,
     /// The velocities of the two centres right after the contact. `v1` and `v2` are the velocity of
     /// the centre of mass.
@@ -56,7 +56,7 @@ struct RimAnswer {
     spin2_ccw_rad_s: f64,
     /// The impulse on the target along the line of impact.
     normal_impulse_n_s: f64,
-    /// The impulse on the target along n turned by 90° anticlockwise.
+    /// The impulse on the target along t, which is n turned by 90° anticlockwise.
     friction_impulse_n_s: f64,
     /// The angle from n to the change of the target's velocity, positive anticlockwise.
     throw_deg: Option<f64>,

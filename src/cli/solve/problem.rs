@@ -26,7 +26,8 @@ const RANGES: [FieldRange; 13] = [
     FieldRange::new("spin1", "rad/s", -1e9, 1e9),
     FieldRange::new("spin2", "rad/s", -1e9, 1e9),
 ];
-/// The default radius in mm: a carrom piece. With an impact angle it matters only for rotation.
+/// The default radius in mm: that of a carrom piece. With an impact angle it matters only for
+/// rotation.
 const RADIUS_MM: f64 = 15.9;
 /// The default mass on the command line, in grams.
 const MASS_G: f64 = 15.0;

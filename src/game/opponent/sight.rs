@@ -16,7 +16,7 @@ pub(super) struct Sight<'a> {
 /// A factor that exceeds 1 by more than the relative rounding error of distances and tolerances.
 pub(super) const ROUNDING: f64 = 1.0 + 1e-9;
 
-/// The walls of the frame, each given by the unit vector that points into it.
+/// The walls of the frame, each given by the unit vector that points outwards, towards the wall.
 pub(super) const WALLS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
 
 impl<'a> Sight<'a> {

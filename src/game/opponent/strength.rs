@@ -28,10 +28,11 @@ pub enum Strength {
     /// Considers more positions and has a steadier hand.
     #[default]
     Regular,
-    /// Also considers the next stroke and combinations.
+    /// Also considers the next stroke and combinations, and tries the best strokes with an unsteady
+    /// hand.
     #[strum(to_string = "club player")]
     Club,
-    /// Also considers cushion shots, and tries each shot with an unsteady hand.
+    /// Also considers cushion shots, and tries more of the strokes with an unsteady hand.
     Expert,
     /// Considers the same shots as an expert, tries more strokes and makes smaller errors.
     Champion,

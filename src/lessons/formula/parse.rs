@@ -160,7 +160,7 @@ impl FormulaReader<'_> {
         self.sign(first)
     }
 
-    /// Reads the part below a root or an arrow, which is a single atom or the contents of a
+    /// Reads the part under a root sign or an arrow, which is a single atom or the contents of a
     /// bracket.
     fn argument(&mut self) -> Result<Formula, String> {
         self.take_while(|c| c == ' ');

@@ -157,7 +157,7 @@ struct OnePages {
 }
 
 impl OnePages {
-    /// Lays out the questions of a code on these screens, for every way in which a class can vote
+    /// Lays out the questions for a code on these screens, for every way in which a class can vote
     /// on choices.
     fn lay_out(&mut self, code: &str, screens: &[(u16, u16)]) {
         let code = Code::parse(code).unwrap();
