@@ -65,7 +65,8 @@ impl WrittenFigure {
         (truth - self.value).abs() <= self.margin
     }
 
-    /// `truth` rounded to the same number of decimal places, for a message.
+    /// `truth` for a message: with as many decimal places as the figure, or with two if there is a
+    /// power of ten.
     pub(super) fn corrected(&self, truth: f64) -> String {
         let places = (-self.margin.log10()).floor().clamp(0.0, 12.0) as usize;
         match self.shown.contains("×10") {

@@ -15,7 +15,8 @@ pub struct Shelf {
     /// The largest number of stars won in a level, indexed by the name of the pack and the id of
     /// the level.
     best: BTreeMap<(String, String), u8>,
-    /// The index of the entry that was selected last: a level or, after all the levels, a problem.
+    /// The index of the entry that was selected last: a level, or a problem (the problems are
+    /// numbered after the levels).
     pub at: usize,
 }
 

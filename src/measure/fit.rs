@@ -191,7 +191,7 @@ impl TracksFit {
         let mut model = straight.model;
         for body in 0..2 {
             let [before, after] = LEGS.map(|side| moves(&straight, body, side));
-            // A body that stops soon after the contact moves clearly only before the contact.
+            // If a body stops soon after the contact, its motion is clear only before the contact.
             model.slows[body] = [before, before || after];
         }
         let starts: Vec<_> = guesses.iter().chain([&straight.state]).collect();

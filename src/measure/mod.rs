@@ -3,7 +3,7 @@
 //!
 //! [`read()`] reads the tracks, and [`Measurement::new`] analyses them. Uncertainties follow from
 //! the scatter of the points about the fitted paths; `tests/coverage.rs` checks with simulated
-//! measurements that the 68 % and 95 % intervals contain the true values that often.
+//! measurements that the 68 % and 95 % intervals contain the true values in 68 % and 95 % of cases.
 
 mod contact;
 mod film;

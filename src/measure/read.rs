@@ -1,9 +1,9 @@
 //! Reads tracks from tables that Tracker exports or copies, or from any other table of numbers.
 //!
 //! Tracker (physlets.org/tracker) writes one track as a line with its name, a line with the
-//! headings `t`, `x`, `y`, and rows separated by tabs. A file with several tracks begins with
-//! `#multi:`, and the name of each track is above its first column. Tabs, semicolons, commas and
-//! spaces separate the columns, and a comma may be the decimal sign unless it separates them.
+//! headings `t`, `x`, `y`, and rows of numbers separated by tabs. A file with several tracks begins
+//! with `#multi:`, and the name of each track is above its first column. Tabs, semicolons, commas
+//! and spaces separate the columns, and a comma may be the decimal sign unless it separates them.
 
 use glam::dvec2;
 use indexmap::IndexMap;
@@ -17,7 +17,7 @@ pub const LARGEST: usize = 1 << 28;
 const MOST_HEADS: usize = 100;
 /// The number of errors after which reading stops.
 const MOST_ERRORS: usize = 20;
-/// The largest permitted size of a time in seconds and of a coordinate in metres.
+/// The largest permitted absolute value of a time in seconds and of a coordinate in metres.
 const MOST: f64 = 1e6;
 /// The longest name of a body, in letters.
 const LONGEST_NAME: usize = 24;

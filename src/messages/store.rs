@@ -94,7 +94,7 @@ pub enum PlayerAction {
     Record(Box<Attempt>),
     /// The player saw something in a hit, which is saved with the current time.
     Observe(Box<Observation>),
-    /// This player added a hit to the notebook in the lab, with the current time.
+    /// This player added a hit to the notebook in the lab; the hit is saved with the current time.
     NoteHit(String, Box<NotedHit>),
     /// This player cleared the notebook.
     ClearNotebook(String),

@@ -69,7 +69,7 @@ pub fn html(round: &ClassRound, about: &About) -> String {
     html_page(&title, STYLE, Paper::A4, sheets)
 }
 
-/// "26 November 2026 · code quick-7 · 27 pupils on their own devices · 5 of 5 questions".
+/// "26 November 2026 · code quick-7 · 27 pupils on their own devices · votes on 5 of 5 questions".
 fn facts(round: &ClassRound, about: &About, voted: usize) -> String {
     let people = round.participants().len();
     let largest = (0..round.questions().len()).map(|it| round.voted(it, Vote::First));

@@ -12,7 +12,7 @@ const MOST_UPON: usize = 6;
 ///
 /// Line breaks, tabs and runs of spaces become one space. Control characters are removed, and so
 /// are marks that change the direction of the following text; right-to-left letters stay and are
-/// displayed correctly. Too many marks on one letter are removed.
+/// displayed correctly. At most six marks on one letter are kept.
 pub fn clean(text: &str, columns: usize) -> String {
     let mut line = String::new();
     let (mut width, mut upon) = (0, 0);

@@ -11,7 +11,8 @@ use crate::progress::Mastery;
 use crate::progress::words::percent;
 
 const STYLE: &str = include_str!("gradebook.css");
-/// The maximum number of letters in a name, and in the round or topic in the heading of a column.
+/// The maximum number of letters in a name, and in the name of a round or topic at the head of a
+/// column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
 /// The maximum number of letters in a question in a table. Only damaged files contain longer

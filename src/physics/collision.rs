@@ -519,7 +519,7 @@ mod tests {
 
     #[test]
     fn a_graze_touches_and_exchanges_nothing() {
-        // In metres, 20.65 mm + 15.9 mm differs from 36.55 mm in the last bit.
+        // In metres, the sum of 20.65 mm and 15.9 mm equals 36.55 mm to the last bit.
         for offset in [0.03655, -0.03655] {
             for bond in [Bond::Slip, Bond::Stick] {
                 let shot = Collision {

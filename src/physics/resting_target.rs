@@ -9,11 +9,11 @@
 //!   target       v₂  = k (m₁/m₂) cos α, along n, so θ₂ = α
 //! ```
 //!
-//! As α goes from 90° to 0 the tip of v₁ moves along a semicircle of radius k/2 about 1 − k/2 on
-//! the line of u: v₁ = 1 − k/2 + (k/2)(cos Θ, sin Θ) with Θ = 180° − 2α. At e = 1 that is the
-//! circle of the centre-of-mass frame: L. D. Landau and E. M. Lifshitz, *Mechanics*, § 17. Below e
-//! = 1 the same holds with Newton's law of restitution along n, as in W. Goldsmith, *Impact*
-//! (1960), chapter 2.
+//! As α goes from 90° to 0 the tip of v₁ moves along a semicircle of radius k/2 about the point
+//! (1 − k/2, 0) on the line of u: v₁ = (1 − k/2, 0) + (k/2)(cos Θ, sin Θ) with Θ = 180° − 2α. At
+//! e = 1 that is the circle of the centre-of-mass frame: L. D. Landau and E. M. Lifshitz,
+//! *Mechanics*, § 17. Below e = 1 the same holds with Newton's law of restitution along n, as in
+//! W. Goldsmith, *Impact* (1960), chapter 2.
 //!
 //! Angles are in radians, speeds are in units of u, and energies in units of ½m₁u². `None` means
 //! undefined: a body at rest has no direction.

@@ -144,7 +144,7 @@ mod tests {
     fn radium_c_on_gold_comes_within_30_fm() {
         let d = Rutherford::radium_c_on_gold().head_on_approach;
         assert!((d / FM - 29.6).abs() < 0.05);
-        // At the closest approach all the energy is potential.
+        // At the closest approach of a head-on particle all the energy is potential.
         let potential = COULOMB_ENERGY_LENGTH * ALPHA_CHARGE * GOLD_CHARGE / d;
         close(potential, RADIUM_C_ENERGY, 1e-14);
     }

@@ -329,7 +329,6 @@ mod tests {
         assert!(spec.check().is_err());
     }
 
-    /// The fields as text, and the numbers that result from them.
     #[test]
     fn every_field_is_set_by_its_name() {
         for range in CollisionSpec::RANGES {

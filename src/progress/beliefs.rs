@@ -110,8 +110,8 @@ pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usiz
     let named = beliefs(attempts);
     let unsettled = named.iter().filter_map(|held| {
         let misconception = held.misconception;
-        // If a question was drawn before a misconception was split, it can show one of the
-        // resulting misconceptions.
+        // If this misconception was split later, newer answers can show one of the resulting
+        // misconceptions instead.
         let is_it =
             |it: &Misconception| *it == misconception || it.in_codes() == Some(misconception);
         let shows = |clue: &&Clue| clue.shows.as_ref().is_some_and(is_it);

@@ -35,8 +35,8 @@ const COLUMNS: [(&str, ColumnValue); 14] = [
     ("misconception", |it| it.misconception.as_deref().into()),
 ];
 
-/// The headings of the columns that follow the [`COLUMNS`] in a table. Their values could be
-/// extracted from the JSON in other columns, but users should not have to do that.
+/// The headings of the columns that follow the [`COLUMNS`] in a table. Their values could be worked
+/// out from the other columns, some of which contain JSON, but users should not have to do that.
 const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
 
 /// The values of the columns with the headings [`IN_WORDS`].

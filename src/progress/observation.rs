@@ -251,10 +251,10 @@ mod tests {
         assert!(ObservationCounts::default().words().is_empty());
     }
 
-    /// The number of simulated students, out of `students`, for whom the report says at some point
-    /// during their 20 observations that they see what they expect. A student sees the prediction
-    /// in a fraction `follows` of the hits, and what happened in the others; in both cases each ray
-    /// has a normally distributed error with a standard deviation of `sigma_deg`.
+    /// The fraction of `students` simulated students for whom the report says at some point during
+    /// their 20 observations that they see what they expect. A student sees the prediction in a
+    /// fraction `follows` of the hits, and what happened in the others; in both cases each ray has
+    /// a normally distributed error with a standard deviation of `sigma_deg`.
     fn named(students: u64, follows: f64, sigma_deg: f64) -> f64 {
         let mut dice = Pcg64Mcg::seed_from_u64(7);
         let mut count = 0;

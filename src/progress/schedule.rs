@@ -17,7 +17,7 @@
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
 //!   than one.
 //!
-//! A missed question of a chapter makes its topic due as well, but on the next day, and with a
+//! A question missed in a chapter makes its topic due as well, but on the next day, and with a
 //! different question. A topic that was missed only in chapters leaves the list once it has been
 //! answered correctly twice when due.
 //!

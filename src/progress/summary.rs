@@ -345,7 +345,7 @@ mod tests {
     #[test]
     fn the_points_are_the_sum_even_below_zero() {
         let missed = summary(&[(Confidence::Sure, false); 3]);
-        // The headline is never negative; the points below it are explained.
+        // The headline is never negative; the line below it explains the points.
         assert_eq!(missed.score(), "0 of 3 right");
         assert!(
             missed

@@ -15,7 +15,7 @@ use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
 use crate::widgets::{Item, Lines, Look, PAGE_ROWS, Role, Words, areas, sheet, text};
 
-/// What the keys do on every screen, unless the screen uses the key for something else.
+/// What the keys do on every screen, unless a screen uses a key for something else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SharedAction {

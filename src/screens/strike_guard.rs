@@ -7,10 +7,10 @@ use std::time::Duration;
 /// under X11, at most 1 s under Windows.
 const REST: Duration = Duration::from_millis(1100);
 
-/// Decides whether the strike key strikes. The same key continues from one stroke to the next, so
-/// an extra press, or a held key, would play a stroke that nobody meant. When a turn begins, the
-/// key is therefore ignored until another input shows that it has been released, or until it has
-/// not been pressed for a while.
+/// Decides whether the strike key strikes. The key that strikes also continues from one stroke to
+/// the next, so an extra press, or a held key, would play a stroke that nobody meant. When a turn
+/// begins, the key is therefore ignored until another input shows that it has been released, or
+/// until it has not been pressed for a while.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StrikeGuard {
     left: Duration,

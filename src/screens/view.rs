@@ -172,7 +172,7 @@ impl<'s, A: Copy> View<'s, A> {
         [marked(first, true), marked(&self.second.title, false)]
     }
 
-    /// Lays the view out in a room; `key` returns the name of the key for an action.
+    /// Lays the view out in `room`; `key` returns the name of the key for an action.
     pub(super) fn placed(
         &self,
         room: Room,

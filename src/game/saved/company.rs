@@ -48,8 +48,8 @@ pub struct Company {
     pub strengths: [Strength; 4],
     /// The names of two people who share the keyboard.
     pub names: SeatNames,
-    /// How steady the people's hands are; the resulting errors are already part of the recorded
-    /// strokes.
+    /// How steady the human players' hands are; the resulting errors are already part of the
+    /// recorded strokes.
     pub hand: PlayerHand,
     /// Whether the players predict the first impact before each stroke.
     pub call: bool,

@@ -37,7 +37,7 @@ fn film(random: &mut Pcg64Mcg) -> Film {
         0 => DVec2::ZERO,
         _ => dvec2(-0.3, 0.5),
     };
-    // The film has 720 to 1440 rows, and the board in it is 0.7 m wide.
+    // In a frame, 720 to 1440 pixels span 0.72 m of the board.
     let pixel = random.random_range(0.0005..0.001);
     let unequal = [1.0, 1.0, 1.4][random.random_range(0..3)];
     Film {

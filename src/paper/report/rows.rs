@@ -9,7 +9,7 @@ use crate::progress::words::degrees;
 use crate::progress::{HeldBelief, LATELY, Mastery, TopicStanding, Trend};
 use crate::quiz::NAMED_ODDS;
 
-/// The maximum number of columns in the name of a topic, and in another name in a table.
+/// The maximum number of columns in the name of a topic, and in any other name in a table.
 const TOPIC: usize = 60;
 const NAME: usize = 34;
 /// The maximum number of rows in each table, so that everything fits on one page.

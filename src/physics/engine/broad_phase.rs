@@ -283,7 +283,7 @@ mod tests {
     use crate::physics::Disc;
 
     /// The discs are scattered over a board, and every other disc is at rest. The numbers of discs
-    /// include odd numbers and one that exceeds the number of bits.
+    /// include odd numbers and two that exceed the number of bits.
     #[test]
     fn no_disc_that_meets_the_seeker_is_ruled_out() {
         let mut rng = Pcg64::seed_from_u64(7);

@@ -52,8 +52,8 @@ impl ShotInPlay<'_> {
     }
 
     /// The positions of two discs in contact. If the pair slid in contact, it may overlap slightly
-    /// (see [`PRESS`](super::contact::PRESS)). The discs are then moved apart about their centre of
-    /// mass, because otherwise many small overlaps would add up.
+    /// (see [`PRESS`](super::contact::PRESS)). Such discs are moved apart, with their centre of
+    /// mass fixed, because many small overlaps would otherwise add up.
     fn unpressed(&self, [i, k]: [usize; 2], [a, b]: [DVec2; 2]) -> [DVec2; 2] {
         let apart = b - a;
         let distance = apart.length();

@@ -10,7 +10,7 @@ pub(super) const SAME_TIME: f64 = 1e-12;
 
 /// The number of discs for which a common earliest time is stored. The discs of a carrom board fit
 /// into a single block; if there are thousands of discs, the search for the first event has to
-/// check only a few.
+/// check the discs of only a few blocks.
 const BLOCK: usize = 24;
 
 /// The forecast of a disc.
@@ -18,7 +18,7 @@ const BLOCK: usize = 24;
 pub(super) enum Forecast {
     /// The disc's slide ends by itself.
     Alone(SlideEnd),
-    /// The disc meets a partner, if the partner is still on the slide with this version.
+    /// The disc meets a partner, provided that the partner's motion still has this version.
     Meet { partner: usize, version: u32 },
 }
 

@@ -26,7 +26,8 @@ pub struct Quantity {
     of: Formula,
 }
 
-/// The formula of a quantity, in SI units if its unit has a scale.
+/// The formula of a quantity; the result is in the quantity's unit if the factor of that unit is 1,
+/// and in SI units otherwise.
 type Formula = fn(&Collision, &CollisionOutcome) -> Option<f64>;
 
 /// Quantities are equal if their names are equal.

@@ -258,8 +258,8 @@ mod tests {
     fn calculated(working: &str) -> f64 {
         let plain = working.replace('−', "-").replace(['(', ')'], " ");
         let words: Vec<&str> = plain.split_whitespace().collect();
-        // Each term of the sum is a product. A product in the denominator divides by each of its
-        // factors.
+        // Each term of the sum is a product. A product in the denominator means division by each of
+        // its factors.
         let (mut sum, mut product, mut sign) = (0.0, f64::NAN, 1.0);
         let mut by = "";
         for word in words {

@@ -3,8 +3,8 @@
 //!
 //! A misconception about rays predicts the rays of any `Hit`; a family of questions that asks for
 //! anything else must define the answers that misconceptions lead to. A question is asked only if
-//! it can distinguish the misconceptions: no two of their answers, and none of their answers and
-//! the right answer, may be so close that one answer could fit both.
+//! it can distinguish the misconceptions: their answers and the right answer must be so far apart
+//! that no answer could fit two of them.
 
 mod catalogue;
 mod evidence;

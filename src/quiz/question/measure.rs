@@ -241,8 +241,8 @@ mod tests {
         }
     }
 
-    /// Because the distance is never less, an answer that fits the truth or a misconception fits no
-    /// other answer, provided that the answers are far enough apart.
+    /// Because the distance is never less than the spacing, an answer that fits the truth or a
+    /// misconception fits no other answer, provided that the answers are far enough apart.
     #[test]
     fn the_distance_is_never_less_than_the_spacing() {
         for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {

@@ -118,8 +118,8 @@ pub enum Misconception {
     AllEnergyLost,
     /// Two bodies that coalesce are assumed to move on halfway between their paths.
     HalfwayDirection,
-    /// Kinetic energy is assumed to be conserved while two bodies coalesce, as in a ballistic
-    /// pendulum.
+    /// Kinetic energy is assumed to be conserved while two bodies coalesce, as bullet and block do
+    /// in a ballistic pendulum.
     EnergyThroughImpact,
     /// An explosion is assumed to produce momentum.
     MomentumFromExplosion,
@@ -146,8 +146,8 @@ impl Misconception {
     /// All misconceptions.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// The most common misconceptions. The round that finds out what a student believes assumes at
-    /// first that these are more likely than the others.
+    /// The most common misconceptions. At first, the round that finds out a student's beliefs takes
+    /// these to be more likely than the others.
     pub const COMMON: [Self; 7] = [
         Self::CopiedAngle,
         Self::AlwaysSquare,

@@ -40,7 +40,7 @@ fn rows<T: DeserializeOwned>(text: &str) -> Vec<T> {
     rows.filter_map(Result::ok).collect()
 }
 
-/// The topic of the question in a chapter, which is a row of `assets/checkpoints.csv`.
+/// The topic of the question on a page of a chapter, which is a row of `assets/checkpoints.csv`.
 #[derive(Deserialize)]
 struct CheckpointRow {
     chapter: String,

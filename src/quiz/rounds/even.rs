@@ -1,7 +1,7 @@
 //! Mixed questions that test every misconception often enough to detect it.
 //!
 //! In the older mixed rounds all families are equally frequent, so some misconceptions could show
-//! up in every second question and others in none of twenty. In these rounds several candidates are
+//! up in every second question and others in none of twenty. In newer rounds several candidates are
 //! drawn at random for each question, and carrom chooses the one that best tests what has not been
 //! tested enough.
 

@@ -37,8 +37,8 @@ struct Path {
     angle: f64,
 }
 
-/// The scale of the picture: half its height in units, the number of steps per unit in which the
-/// mouse sets the offset, the name of the unit, and the number of decimal places of an offset.
+/// The scale of the picture: half its height in units, the number of steps per unit when the mouse
+/// sets the offset, the name of the unit, and the number of decimal places of an offset.
 const fn scale(setup: &FoilSetup) -> (f64, f64, &'static str, usize) {
     match setup.obstacle {
         Obstacle::Hard => (1.9, 20.0, "R", 2),
@@ -114,7 +114,7 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let reach = 1.2 * wide.hypot(half).max(half);
     let axis = Pen::new(Role::Axis).dotted();
     picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
-    // A head-on particle would return along its own path, so none is drawn.
+    // A head-on particle would return along its own path, so its path is left out.
     for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
         picture.curve(beside.points, Pen::new(Role::Trail).dotted());

@@ -43,7 +43,7 @@ pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
         .trim_start_matches("black ")
 }
 
-/// The name of a dial on the screen, its unit, and its description, which the range follows.
+/// The name of a dial on the screen, its unit, and its description, which is followed by the range.
 pub(super) const fn dial_words(dial: Dial) -> (&'static str, &'static str, &'static str) {
     match dial {
         Dial::Direction => (

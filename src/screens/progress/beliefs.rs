@@ -52,7 +52,7 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
     panel.paragraph(legend, Role::Dim);
 }
 
-/// Advice against a misconception of this origin.
+/// Advice on overcoming a misconception of this origin.
 const fn how_it_fades(origin: Origin) -> &'static str {
     match origin {
         Origin::Study(_) => {

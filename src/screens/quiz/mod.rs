@@ -327,7 +327,7 @@ impl Quiz {
     }
 
     /// The page to read after a wrong answer, once the result has been shown; after a round, the
-    /// page that explains the most wrong answers, unless it is the next step anyway.
+    /// page that its summary suggests, unless it is the next step anyway.
     fn passage(&self, book: &Book) -> Option<Passage> {
         match &self.phase {
             QuizPhase::Asked(_) | QuizPhase::See(_) => None,
@@ -353,8 +353,9 @@ impl Quiz {
         }
     }
 
-    /// Leaves the round: at once if nothing has been answered, otherwise after a confirmation.
-    /// A round with feedback at the end then shows its results first.
+    /// Goes one step back from a confidence level or an opened question; otherwise leaves the
+    /// round, after a confirmation unless nothing has been answered or the summary is shown. A
+    /// round with feedback at the end then shows its results first.
     fn leave(&mut self) -> Next {
         if let QuizPhase::Asked(asked) = &mut self.phase
             && asked.asking.back()

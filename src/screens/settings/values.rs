@@ -68,7 +68,7 @@ impl Settings {
     /// The number of correct predictions of both paths that unlocks the lab's live picture.
     pub(crate) const ENOUGH_PREDICTED: u8 = 3;
 
-    /// At first carrom asks what the player saw after every predicted hit; this is the number of
+    /// At first carrom asks after every predicted hit what the player saw; this is the number of
     /// those hits.
     const FIRST_OBSERVED: u8 = 3;
     /// The largest value of [`Self::watched`]: on the tenth hit after each question, the player is

@@ -14,8 +14,8 @@ const STROKES: [(Rules, [f64; 5]); 3] = [
 const BOARDS: [f64; 5] = [7.8, 7.7, 7.4, 6.6, 5.9];
 /// The mean number of games in a match between equals: two or three with the same probability.
 const GAMES: f64 = 2.5;
-/// The time for one stroke in seconds: a person aims in about 20 s, the computer in 2 s, and the
-/// discs move for about 4 s.
+/// The mean time for one stroke in seconds: a person aims in about 20 s, the computer in 2 s, and
+/// the discs move for about 4 s.
 const SECONDS: f64 = 15.0;
 
 impl Options {

@@ -9,8 +9,8 @@ use flate2::write::GzEncoder;
 
 /// The policy of the file, and that of the served copy.
 const CONNECT: [&str; 2] = ["connect-src 'none'", "connect-src 'self'"];
-/// The root element of the file, and that of the served copy, in which an attribute shows that a
-/// class serves the page.
+/// The root element of the file, and that of the served copy, in which an attribute shows that the
+/// page is served to a class.
 const ROOT: [&str; 2] = ["<html lang=\"en\">", "<html lang=\"en\" data-class=\"\">"];
 /// The text before the policy in the file.
 const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";

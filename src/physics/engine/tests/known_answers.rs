@@ -146,8 +146,8 @@ fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
 #[test]
 fn two_sliding_discs_meet_at_the_predicted_time() {
     // The discs move at right angles to each other with equal speeds. Their centres are at (−x, 0)
-    // and (0, −x), so they are √2 x apart and meet at x = R/√2, after sliding through the same
-    // distance.
+    // and (0, −x), so they are √2 x apart and meet at x = R/√2, where R is the sum of their radii,
+    // after sliding through the same distance.
     let board = closed_board();
     let shot = Table::default()
         .with(COIN, (-0.2, 0.0), (1.7, 0.0))

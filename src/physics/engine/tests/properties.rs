@@ -53,7 +53,7 @@ fn a_board() -> impl Strategy<Value = Board> {
     )
 }
 
-/// The times to be checked: those of all events, and evenly spaced times between them.
+/// The times to be checked: those of all events, and evenly spaced times throughout the shot.
 fn times(shot: &Shot) -> Vec<f64> {
     let mut times: Vec<f64> = shot.events().iter().map(|event| event.time).collect();
     times.extend((0..=300).map(|i| shot.duration() * f64::from(i) / 300.0));

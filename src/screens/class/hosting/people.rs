@@ -270,7 +270,7 @@ impl People {
     }
 }
 
-/// The state of a participant, in words: has voted, has handed in, or is away.
+/// The state of a participant, in words: the vote, and whether they have handed in or are away.
 fn state_of(one: &Participant, round: &ClassRound) -> String {
     let ballot = one.ballot(round.place().question);
     let voted = match Vote::BOTH.map(|vote| ballot.vote(vote)) {

@@ -26,8 +26,8 @@ impl Qr {
         let has_cells = look.charset == Charset::Unicode && look.theme.depth != Depth::None;
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
         has_cells.then_some(Self {
-            // Terminals let users redefine the first sixteen colours, so fixed ones are used if
-            // there are more.
+            // Terminals let users redefine the first sixteen colours, so later ones, which are
+            // fixed, are used if there are any.
             colours: match look.theme.depth {
                 Depth::None | Depth::Ansi16 => [Color::White, Color::Black],
                 Depth::Indexed256 | Depth::True => [Color::Indexed(231), Color::Indexed(16)],

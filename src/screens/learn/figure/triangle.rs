@@ -44,7 +44,7 @@ fn view(collision: &Collision, step: u8, area: Rect) -> View {
     View::fit(area, low, high)
 }
 
-/// The impact angle α, in degrees, at which the tip of v₁ is nearest to this cell.
+/// The impact angle α, in degrees, at which v₂ lies along the line from this cell to the tip of u.
 pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
     let collision = shown.collision();
     let FigureKind::Triangle { step } = shown.figure.kind else {

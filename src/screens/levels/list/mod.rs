@@ -30,8 +30,8 @@ pub(crate) enum LevelsAction {
 }
 
 impl Levels {
-    /// The list, at the first level that is not known to be won. Requests the levels won earlier;
-    /// when they arrive, the mark moves to the next level to win.
+    /// The list, at the first level that is not known to have been won. Requests the levels won
+    /// earlier; when they arrive, the mark moves to the next level to win.
     pub(crate) fn new(cx: &mut Context) -> Self {
         cx.shelf.at = cx.shelf.next().unwrap_or(0);
         let player = cx.settings.player.clone();

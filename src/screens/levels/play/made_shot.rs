@@ -60,7 +60,7 @@ pub(super) struct MadeShot {
     pub(super) win: Option<Win>,
     /// Whether the shot was watched to its end, so that its outcome may be shown.
     pub(super) watched: bool,
-    /// Whether carrom played the shot to show a solution, so that it is not a win.
+    /// Whether carrom played the shot to show a solution; such a shot is not a win.
     pub(super) is_shown: bool,
 }
 

@@ -34,7 +34,7 @@ pub(crate) struct LevelPlay {
     hints: usize,
     /// The number of shots since the level was opened.
     shots: u32,
-    /// The earlier shots, the latest last: what was set, and the result in short.
+    /// The earlier shots, the latest last: what was set, and the result in brief.
     earlier: Vec<[String; 2]>,
     phase: LevelPhase,
     /// Why the last shot could not be played.

@@ -16,7 +16,7 @@ use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::replay::{ImpactPrediction, ShotAction, ShotImpact};
 use crate::widgets::{RayInput, Role};
 
-/// The number of earlier shots that are listed while the next one is set.
+/// The number of earlier shots that are listed while the next one is being set.
 const SHOWN_EARLIER: usize = 2;
 
 type LevelPanel = Panel<LevelAction>;
@@ -291,7 +291,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
-    // After a win, or a shot that was shown, nothing is hidden.
+    // Nothing is hidden after a win, or after carrom has shown the solution.
     let may_hide = made.win.is_none() && !made.is_shown;
     let unknown = &play.level().unknown_mass;
     let is_secret = impact.discs.map(|disc| may_hide && unknown.contains(&disc));

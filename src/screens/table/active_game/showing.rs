@@ -200,7 +200,7 @@ impl ActiveGame {
         seed.rotate_left(32) ^ number as u64
     }
 
-    /// How steady the people's hands are; in a practice game, strokes are exact.
+    /// How steady the human players' hands are; in a practice game, strokes are exact.
     pub(super) fn hand(&self) -> PlayerHand {
         match self.is_practice() {
             true => PlayerHand::Exact,

@@ -39,8 +39,8 @@ fn press(playing: &mut Playing, keys: &str, cx: &mut Context) {
     }
 }
 
-/// Asserts that the record replays to the game on the table, bit for bit, even after it has been
-/// written to a file and read back.
+/// Asserts that replaying the record gives the game on the table, bit for bit, even after it has
+/// been written to a file and read back.
 fn assert_recorded(active: &ActiveGame, cx: &Context) {
     let text = active.saved(cx).text().unwrap();
     let (read, game) = SavedGame::read("a game", text.as_bytes()).unwrap();
@@ -52,7 +52,7 @@ fn assert_recorded(active: &ActiveGame, cx: &Context) {
 }
 
 #[test]
-fn the_record_replays_to_the_game_on_the_table() {
+fn replaying_the_record_gives_the_game_on_the_table() {
     let mut cx = still();
     let mut people = playing(Options::two_people());
     press(&mut people, "c[[97.3 60\n30\n\n", &mut cx);

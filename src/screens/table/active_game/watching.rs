@@ -165,7 +165,7 @@ impl StrokeReplay {
         watching.unwrap_or_else(|| game.turn(cx))
     }
 
-    /// Handles a click on the picture; the replay does not end.
+    /// Handles a click on the picture, which continues if the replay is at its end.
     pub(super) fn click(&mut self, game: &mut ActiveGame, cx: &mut Context) -> After {
         match self.player.clicked() {
             Some(action) => self.work(action, cx).into(),
