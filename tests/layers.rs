@@ -70,7 +70,7 @@ impl Map {
         self.floors.iter().position(rooms)
     }
 
-    /// The name in a path that can be a module of this map.
+    /// The part of a path that may name a module of this map.
     fn place<'a>(&self, path: &'a [String]) -> Option<&'a str> {
         let inner = match path {
             [room, inner @ ..] if !self.room.is_empty() && *room == self.room => inner,

@@ -44,7 +44,7 @@ pub struct NoJoinCode;
 impl FromStr for JoinCode {
     type Err = NoJoinCode;
 
-    /// Accepts upper and lower case, and blanks or hyphens between the letters.
+    /// Accepts upper and lower case, and spaces or hyphens between the letters.
     fn from_str(text: &str) -> Result<Self, NoJoinCode> {
         let mut code = [0; Self::LENGTH];
         let mut letters = text.chars().filter(|it| !matches!(it, ' ' | '-'));

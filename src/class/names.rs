@@ -78,7 +78,7 @@ pub(crate) fn is_same_class(one: &str, other: &str) -> bool {
 }
 
 /// Tidies a name for display and storage: keeps only visible letters, at most [`LONGEST_NAME`] of
-/// them, and removes blanks at the ends.
+/// them, and removes spaces at the ends.
 pub(super) fn tidy(name: &str) -> String {
     short_name(name, LONGEST_NAME)
 }

@@ -2,7 +2,8 @@
 //!
 //! Each shell supplies time, translates its own inputs into [`Input`](crate::messages::Input)s and
 //! carries out effects. All of them drive the same [`App`](crate::app::App) in the same way: they
-//! advance its time only while the app requests it, and never in steps smaller than one [`FRAME`].
+//! advance its time only while the app requests it, and normally in steps of at least one
+//! [`FRAME`].
 
 #[cfg(not(target_family = "wasm"))]
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -1,8 +1,8 @@
 //! Deletes everything that is stored about a class.
 //!
 //! Files are recognized by their contents, not by their names, so that copies made by an editor,
-//! tables and gradebooks that a teacher has written into the data folder, and unfinished files of a
-//! killed carrom are deleted too.
+//! tables and gradebooks that a teacher has written into the data folder, and unfinished files left
+//! when carrom was killed are deleted too.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -63,7 +63,7 @@ impl Forgetting {
     }
 }
 
-/// Removes a file for good, while no other carrom writes to its folder.
+/// Removes a file for good, while no other copy of carrom writes to its folder.
 fn remove(path: &Path) -> std::io::Result<()> {
     let parent = path.parent().unwrap_or(path);
     // A folder in which carrom keeps nothing has no lock file, and none is created.
@@ -82,8 +82,8 @@ fn look_through(
     files: &mut Vec<String>,
 ) -> Result<(), String> {
     let report = |error: std::io::Error| format!("{}: {error}", folder.display());
-    // Nobody uses the unfinished files of a killed carrom in these folders, but they may contain
-    // names.
+    // Nobody uses the files in these folders that were left unfinished when carrom was killed, but
+    // they may contain names.
     let holds_pupils = [CLASSES, HANDED_IN, "exports"].contains(&within);
     for entry in fs::read_dir(folder).map_err(report)? {
         let entry = entry.map_err(report)?;

@@ -9,7 +9,7 @@ pub(super) trait TextStore: Send {
     /// The names of all texts, the latest first.
     fn names(&self) -> Result<Vec<String>, String>;
 
-    /// The text with this name. If it is too large, only one byte more than the limit is returned.
+    /// The text with this name. A text that is too large is cut off one byte beyond the limit.
     fn read(&self, name: &str) -> Result<Vec<u8>, FileError>;
 
     /// The time since the text was last written.

@@ -154,7 +154,8 @@ proptest! {
         };
         prop_assert!((separation_deg(1.0) - 90.0).abs() <= 1e-9);
         let other = separation_deg(factor);
-        // Even at e = 0.01 and 89°, a mass that differs by 1 % changes the fifth decimal.
+        // Even at e = 0.01 and 89°, a mass that differs by 1 % changes the separation by more than
+        // 10⁻⁵ degrees.
         prop_assert!((other - 90.0).abs() > 1e-5, "{other}");
         prop_assert_eq!(other > 90.0, factor < 1.0);
     }

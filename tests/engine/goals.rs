@@ -1,7 +1,7 @@
 //! Each goal is checked against the closed forms for one known hit.
 //!
-//! The striker moves along +x at 2 m/s; the coin, of equal mass, is half of r1 + r2 to its right,
-//! so the impact angle is 30 degrees.
+//! The striker moves along +x at 2 m/s; the coin, of equal mass, lies half of r1 + r2 to the right
+//! of its path, so the impact angle is 30 degrees.
 
 use carrom::levels::{Finding, Level, Patience, judge};
 

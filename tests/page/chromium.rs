@@ -63,7 +63,7 @@ impl Chromium {
             session: String::new(),
         };
         // chromedriver sometimes hangs if a page changes its address while the driver waits for it
-        // to load. So the driver does not wait, and `open` does.
+        // to load. So the driver does not wait; `open` does.
         let wanted = json!({
             "pageLoadStrategy": "none",
             "goog:chromeOptions": options, "goog:loggingPrefs": { "performance": "ALL" },

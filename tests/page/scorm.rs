@@ -90,7 +90,7 @@ impl Lesson {
         serde_json::from_str(json.as_str().unwrap()).unwrap()
     }
 
-    /// Answers by touch the questions with these numbers, in a round of `count` questions.
+    /// Answers the questions with these numbers by touch, in a round of `count` questions.
     fn answer(&mut self, questions: impl Iterator<Item = usize>, count: usize) {
         let phone = &mut self.phone;
         for question in questions {
@@ -167,7 +167,7 @@ fn a_learning_platform_receives_a_round_that_is_interrupted_and_finished() {
     assert_eq!(lesson.received()["core"]["lesson_status"], "completed");
 }
 
-/// Some browsers do not let a page save anything in a frame of another site.
+/// Some browsers do not let a page save anything if it is in a frame of another site.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_learning_platform_receives_a_round_from_a_browser_that_saves_nothing() {

@@ -234,7 +234,7 @@ fn fragment(arguments: &str) -> String {
         }
     }
     parts.extend(seed.map(|seed| format!("seed={seed}")));
-    // Teams follow the class that they belong to.
+    // In a link, teams come after the class that they belong to.
     parts.splice(0..0, screen);
     parts.join("&")
 }

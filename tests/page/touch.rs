@@ -1,4 +1,4 @@
-//! Touch-only use of the page, on a phone in portrait.
+//! Touch-only use of the page, mostly on a phone in portrait.
 
 use serde_json::{Value, json};
 
@@ -40,7 +40,7 @@ impl Phone {
         self.wait();
     }
 
-    /// Waits until the last event must have been drawn, even on a busy machine.
+    /// Waits long enough for the last event to have been drawn, even on a busy machine.
     pub(crate) fn wait(&mut self) {
         std::thread::sleep(std::time::Duration::from_millis(120));
         self.draw();

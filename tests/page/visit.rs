@@ -232,7 +232,7 @@ impl Visit {
         }
     }
 
-    /// Plays a shot in the lab; its offset and the predicted rays are dragged.
+    /// Plays a shot in the lab; on a touch screen, its offset and the predicted rays are dragged.
     fn lab(&mut self) {
         self.phone.go_to(&page(), "lab");
         self.look("lab");
@@ -339,7 +339,7 @@ impl Visit {
     }
 }
 
-/// The role, name and value of each node of an accessibility tree that has a name.
+/// The role, name and value of each named node of an accessibility tree.
 fn spoken(tree: &Value) -> String {
     let nodes = tree["nodes"].as_array().into_iter().flatten();
     let lines = nodes.filter_map(|node| {

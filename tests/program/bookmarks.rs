@@ -309,8 +309,8 @@ fn without_storage_data_is_kept_in_memory() {
     }
 }
 
-/// Turns the pages of the third chapter back and forth, answers its questions, and reports how many
-/// pages it has turned.
+/// Reads a chapter again and again, answers its questions, and reports how many pages it has
+/// turned.
 #[test]
 fn child_reads() {
     let Some((folder, words)) = child::told() else {

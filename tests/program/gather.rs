@@ -24,8 +24,8 @@ fn stderr(done: &Output) -> String {
     String::from_utf8_lossy(&done.stderr).into_owned()
 }
 
-/// Writes thirty-two files: from 28 pupils, of whom two are called Ada and two have handed in
-/// twice, and two that are damaged or too new.
+/// Writes thirty-two files. Thirty are from 28 pupils, of whom two are called Ada and two have
+/// handed in twice; one is damaged, and one is too new.
 fn class(folder: &Path) {
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
     for index in 1..=28 {
@@ -154,7 +154,7 @@ fn pupils_on_the_class_list_without_a_hand_in_are_listed() {
         let text = hand_in(1, name, 2, 1).text().unwrap();
         fs::write(handed_in.join(file), text).unwrap();
     }
-    // As saved by a spreadsheet: a byte order mark, Windows line ends, and rows without a name.
+    // As saved by a spreadsheet: a byte order mark, Windows line endings, and rows without a name.
     let list = folder.file("list.txt", "\u{feff}ADA\r\nBo\r\n\r\n zoë söhne \r\nCy\r\n");
     let out = folder.path().join("class.html");
     let gather = |list: &str| {

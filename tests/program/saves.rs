@@ -136,7 +136,7 @@ fn a_truncated_game_is_refused() {
     assert!(SavedGame::read("game", &bytes[..bytes.len() - 1]).is_ok());
 }
 
-/// Prints the game for `tests/saves/format-N.toml`, for the next N: 30 strokes of two people.
+/// Prints the game for `tests/saves/format-N.toml`, for the next N: 30 strokes by two people.
 #[test]
 #[ignore = "prints the file for a new format: cargo test --test program print_a_game -- --ignored --nocapture"]
 fn print_a_game_to_pin() {
@@ -185,7 +185,7 @@ fn a_game_of_the_second_format_still_opens_with_its_restitution() {
     // Saved again, it is the same game.
     let again = SavedGame::read("again", saved.text().unwrap().as_bytes()).unwrap();
     assert_eq!(again, (saved, game));
-    // With a different restitution, the same strokes lead to a different end.
+    // With a different coefficient of restitution, the same strokes lead to a different outcome.
     let elastic = text.replacen("restitution = 0.85, ", "", 1);
     assert_ne!(elastic, text);
     assert!(SavedGame::read("elastic", elastic.as_bytes()).is_err());
@@ -446,7 +446,7 @@ fn an_invalid_file_is_reported_and_left_unchanged_and_the_others_can_be_used() {
     for (name, bytes, _) in bad() {
         fs::write(games.join(format!("{name}.toml")), bytes).unwrap();
     }
-    // Folders that are named like a game are ignored.
+    // A folder whose name looks like that of a saved game is ignored.
     fs::create_dir(games.join("a-folder.toml")).unwrap();
     fs::write(games.join("notes.txt"), "mine").unwrap();
 

@@ -246,7 +246,7 @@ fn a_class_round_is_resumed_only_with_the_same_questions() {
     assert!(game.screen().contains("2 teams"), "{}", game.screen());
     game.press("<Enter>");
     assert!(game.screen().contains(&format!("code {code}")));
-    // With another question in the set, the round is refused.
+    // Once a question in the set has been changed, the round is refused.
     fs::write(&teacher.set, SET.replace("number = 3", "number = 4")).unwrap();
     let mut game = teacher.game("class");
     game.press("<End><Enter>");

@@ -18,7 +18,8 @@ use carrom::quiz::{
 };
 use serde_json::{Value, json};
 
-/// Numbers are compared to twelve figures, because machines differ in the last bit of a sine.
+/// Numbers are rounded to twelve significant figures, because machines differ in the last bit of a
+/// sine.
 fn number(x: f64) -> Value {
     if x.abs() < 1e-12 {
         return json!("0");

@@ -187,7 +187,8 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
     }
 }
 
-/// An aluminium nucleus is too light and too small for the law; a gold nucleus is neither.
+/// An aluminium nucleus is too light for the law, and its charge is too small; a gold nucleus has
+/// neither problem.
 #[test]
 fn both_pages_warn_about_a_light_nucleus() {
     for (wide, high) in [(80, 24), (120, 40)] {

@@ -130,8 +130,8 @@ fn each_key_of_each_table_does_something() {
                 continue;
             }
             for key in row.all_keys() {
-                // The mark of a list cannot move up from its first line, but it can after another
-                // of the moment's keys, most likely one in the same row.
+                // The mark of a list cannot move up from its first line, but it can once another
+                // key of the table has been pressed, most likely one in the same row.
                 let does = |before| changes(moment.game(), (80, 24), before, key);
                 let mut others = row.all_keys().chain(table.keys());
                 if !does(None) && !others.any(|before| does(Some(before))) {

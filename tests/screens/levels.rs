@@ -475,7 +475,7 @@ fn invalid_files_of_a_teacher_are_listed_and_the_rest_can_be_played() {
     assert!(all_pages(&mut game).contains("last level"));
 }
 
-/// The panel of a screen without blanks and line breaks.
+/// The panel of a screen without spaces and line breaks.
 fn squeezed(screen: &str) -> String {
     let side = |line: &str| line.rsplit_once("||").map(|(_, side)| side.to_owned());
     let rows = screen.lines().filter_map(side);

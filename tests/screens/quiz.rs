@@ -243,8 +243,8 @@ fn the_mouse_turns_the_rays() {
             .map_or(after, |(_, last)| last);
         after.split(' ').next().unwrap().parse().unwrap()
     };
-    // The coin lies to the left of a striker that moves to the right: its ray is the upper one, on
-    // the coin's own side.
+    // The striker moves from left to right, and the coin lies above its path, so the coin's ray is
+    // the upper one.
     game.drag((43, 9), (33, 3));
     let coin = angle(&mut game, "> coin");
     assert!((30.0..85.0).contains(&coin), "{coin}");

@@ -224,7 +224,7 @@ fn an_exam_that_is_left_shows_what_was_answered() {
     assert!(game.screen().contains("choose a round"));
 }
 
-/// Text without frame lines and with single blanks.
+/// Text without frame lines and with single spaces.
 fn words(screen: &str) -> String {
     let bare = screen.replace(['|', '+'], " ");
     bare.split_whitespace().collect::<Vec<_>>().join(" ")

@@ -29,7 +29,7 @@ fn drawn(app: &App) -> (Buffer, Vec<Rect>, Vec<Sheet>) {
     (buffer, areas, sheets)
 }
 
-/// The whole text of a sheet, without blanks.
+/// The whole text of a sheet, without white space.
 fn said(sheet: &Sheet) -> String {
     let mut said = format!("{} {} ", sheet.title, sheet.status);
     for section in &sheet.sections {

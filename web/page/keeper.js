@@ -24,7 +24,7 @@ const keeper = (() => {
       opening.onsuccess = () => {
         const found = opening.result;
         base = found;
-        // The browser closes the database if the user clears the data of pages, or if the disk fails.
+        // The browser closes the database if the user clears site data, or if the disk fails.
         found.onclose = () => base === found && (base = null);
         resolve();
       };

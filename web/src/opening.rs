@@ -14,7 +14,7 @@ use crate::message::Opening;
 /// The largest number of errors in a link that are reported.
 const MOST_FAULTS: usize = 5;
 
-/// The app that an opening requests. The first screen reports the invalid parts of the
+/// The app that the page's [`Opening`] requests. The first screen reports the invalid parts of the
 /// link, up to [`MOST_FAULTS`].
 pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
     let mut wanted = LinkTarget {

@@ -171,7 +171,7 @@ mod tests {
         assert!(own.problems.is_empty() && !own.concepts.is_empty());
         let tracks = include_bytes!("../../assets/examples/measured/pucks.txt");
         assert!(measured("pucks.txt", tracks).is_some_and(|it| it.is_ok()));
-        // A file in pixels gets its scale on the screen.
+        // A file in pixels is accepted: the player sets the scale later, on the screen.
         let pixels = include_bytes!("../../assets/examples/measured/careless.csv");
         assert!(measured("careless.csv", pixels).is_some_and(|it| it.is_ok()));
         assert!(measured("notes.txt", b"hello").is_some_and(|it| it.is_err()));

@@ -88,7 +88,7 @@ impl SeatNames {
         }
     }
 
-    /// The names as they are shown and saved: only visible letters, no blanks at the ends.
+    /// The names as they are shown and saved: only visible letters, no spaces at the ends.
     pub fn tidied(&self) -> Self {
         Self {
             south: short_name(&self.south, Self::LONGEST),

@@ -3,8 +3,8 @@
 /// The mark before the name of a key in a text that is not yet in spoken form.
 pub(super) const KEY: char = '\u{e0f0}';
 
-/// The beginnings of sentences that are left out, because only sighted users need them; the rest
-/// of the sentence is kept.
+/// Beginnings that are left out of sentences, because only sighted users need them; the rest of the
+/// sentence is kept.
 const LEADS: [&str; 4] = [
     "Drag the point: ",
     "Now turn the rays: ",
@@ -12,7 +12,7 @@ const LEADS: [&str; 4] = [
     "In the picture, find where the two will touch, and the line of impact: ",
 ];
 
-/// A text without the sentences that name a key or a mouse action.
+/// A text without the sentences that are only for users of a keyboard, a mouse or a screen.
 pub(super) fn by_words(text: &str) -> String {
     let mut kept: Vec<String> = Vec::new();
     for sentence in sentences(text) {
@@ -25,7 +25,7 @@ pub(super) fn by_words(text: &str) -> String {
     kept.join(" ")
 }
 
-/// The starts of sentences about the keyboard or the mouse.
+/// The starts of sentences about the keyboard, the mouse or the screen.
 const FOR_HANDS: [&str; 6] = [
     "Drag ",
     "Press ",
@@ -48,7 +48,7 @@ const BY_HAND: [&str; 9] = [
     "click",
 ];
 
-/// Whether a sentence names a key or a mouse action.
+/// Whether a sentence is only for users of a keyboard, a mouse or a screen.
 fn is_for_hands(sentence: &str) -> bool {
     FOR_HANDS.iter().any(|it| sentence.starts_with(it))
         // A sentence such as "u switches it", in which the name of the key is a single character.

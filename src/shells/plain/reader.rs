@@ -498,8 +498,8 @@ impl PlainReader {
         self.recent.drain(..old);
     }
 
-    /// The changes while something moves or time passes; running numbers, such as those of a
-    /// countdown, are not reported.
+    /// The changes while something moves or time passes; numbers that keep changing, such as those
+    /// of a countdown, are not reported.
     pub fn say_moving(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         let mut page = self.look(holder.app());
         let known = self.said.iter().chain(self.page.lines());

@@ -5,7 +5,7 @@ use std::io::{self, BufRead, Write};
 use super::spoken;
 use crate::files::read_line;
 
-/// The longest input line, in bytes; the rest of it is skipped.
+/// The longest input line, in bytes; the rest of a longer line is skipped.
 const LONGEST: usize = 1000;
 
 /// The help on the words that are understood at any time.

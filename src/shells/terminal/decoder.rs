@@ -1,4 +1,4 @@
-//! Decodes the bytes that a terminal sends into events.
+//! Decodes the bytes from a terminal into events.
 //!
 //! crossterm can do this too, but it holds back a paste until its end. A paste that never ends
 //! (because its end was lost, or a program wrote its beginning to the screen) then grows without

@@ -20,7 +20,7 @@ const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Starts the thread that waits for signals.
 ///
-/// This thread is also a watchdog. The drawing thread may be stuck while it writes to a blocked
+/// This thread is also a watchdog. The drawing thread may be stuck in a write to a blocked
 /// terminal. Therefore this thread restores the terminal and ends the process if the drawing thread
 /// has not ended it within [`PATIENCE`].
 pub(super) fn watch(inbox: Inbox) -> io::Result<()> {

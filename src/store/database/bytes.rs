@@ -35,7 +35,7 @@ impl Database {
     /// A database in memory with the contents of these bytes. A database that a newer version of
     /// carrom has written stays unchanged, and refuses every request. If the bytes are damaged, all
     /// readable rows are copied and a notice reports it. Also returns whether they were damaged,
-    /// because the caller has to keep them under the name `kept`.
+    /// because the caller then has to keep them under the name `kept`.
     ///
     /// # Errors
     /// The reason why the bytes cannot be used: they are not carrom's, or too damaged.

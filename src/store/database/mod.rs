@@ -288,7 +288,7 @@ impl Database {
 }
 
 /// Whether the first call was less than `patience` ago; `since` keeps the time of that call. Only
-/// this function reads the clock, because a browser has none.
+/// this function reads the clock, because Rust's standard library has no clock in a browser.
 fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience
 }

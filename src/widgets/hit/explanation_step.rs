@@ -379,7 +379,7 @@ mod tests {
         let watch = Watch::new(collision, None, HitPace::Still);
         for step in ExplanationStep::of(&collision, &collision.outcome()) {
             let words = watch.step_words(*step).split_whitespace().count() as f64;
-            // 200 words per minute is fast reading.
+            // For a text like this, 200 words per minute is fast reading.
             assert!(watch.hold(*step) >= f64::max(5.0, words / 200.0 * 60.0));
         }
     }

@@ -194,7 +194,8 @@ impl Sketch {
         }
     }
 
-    /// Draws the required path as a dashed line from the disc at the contact, and the target mark.
+    /// Draws the target mark, and the required path to it as a dashed line from the disc's position
+    /// at contact.
     pub(super) fn wanted_way(&mut self, aim: &AimTask) {
         let (direction, [rim, end]) = self.stage.ray(aim.ray, aim.wanted);
         // This radius is too small for a round disc, so a token is drawn instead.

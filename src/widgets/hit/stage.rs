@@ -14,7 +14,7 @@ const HALF_HEIGHT: f64 = 3.3;
 /// [`HALF_HEIGHT`], because otherwise the discs would be too small to look round.
 const LOW_HALF_HEIGHT: f64 = 2.9;
 
-/// The fraction of half the picture's height that is always visible.
+/// The fraction of [`HALF_HEIGHT`] within which a disc counts as inside the picture.
 const IN_SIGHT: f64 = 0.92;
 
 /// The number of rows below which a picture counts as low.

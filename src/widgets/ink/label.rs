@@ -38,7 +38,7 @@ impl PlacedLabel {
 
 /// The number of columns by which a label may move outwards to leave space around it.
 const ASIDE: i32 = 2;
-/// The maximum distance of a label from its anchor, in rows; as a last resort, twice as far.
+/// The maximum distance of a label from its anchor, in rows; as a last resort, it is doubled.
 const FARTHEST: i32 = 4;
 
 /// What is allowed in the cells next to the two ends of a label.
@@ -129,8 +129,8 @@ impl Canvas {
     }
 
     /// Writes a label at the first of `places` that is free. Each place specifies the number of
-    /// rows to search, whether the label must be closer to its own anchor, what is required at both
-    /// ends, and the highest layer whose strokes the label may cover.
+    /// rows to search, whether the label must be beside its own anchor rather than another label's,
+    /// what is required at both ends, and the highest layer whose strokes the label may cover.
     fn label_at(
         &mut self,
         text: &str,

@@ -55,8 +55,8 @@ pub(crate) enum FieldValue {
         value: f64,
         /// The smallest and the largest value.
         range: (f64, f64),
-        /// The change made by the right arrow key; values are whole multiples of this step. It is
-        /// negative if moving to the right means a smaller value.
+        /// The change made by the right arrow key, which moves the value to a whole multiple of
+        /// this step. It is negative if moving to the right means a smaller value.
         step: f64,
         /// The unit as written after a number: " mm", "°", or an empty string.
         unit: &'static str,

@@ -29,7 +29,7 @@ pub enum EntryAction {
 }
 
 impl NumberEntry {
-    /// Whether there is text that was neither entered nor discarded.
+    /// Whether there is typed text that has been neither accepted nor discarded.
     pub(crate) fn is_open(&self) -> bool {
         !self.text.is_empty()
     }

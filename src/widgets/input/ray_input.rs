@@ -39,7 +39,7 @@ pub struct RayInput {
 pub enum RayAction {
     /// turn the ray: Left and Right by 1°, Up and Down by 5°
     Turn(i8),
-    /// this disc will stay at rest
+    /// this disc will be at rest after the collision
     StaysStill,
     /// switch to the other ray
     OtherRay,
@@ -80,7 +80,7 @@ impl RayInput {
         self
     }
 
-    /// This input with only one ray to set. The other disc is assumed to stay still.
+    /// This input with only one ray to set. The other disc is assumed to be at rest afterwards.
     #[must_use]
     pub(crate) fn only(mut self, ray: Ray) -> Self {
         self.turning = ray;
@@ -109,7 +109,7 @@ impl RayInput {
         self.said().filter(|_| self.only.is_none())
     }
 
-    /// The rays so far; a disc whose ray is not set is assumed to stay still.
+    /// The rays so far; a disc whose ray is not set is assumed to be at rest afterwards.
     pub(crate) fn so_far(&self) -> Rays {
         let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {

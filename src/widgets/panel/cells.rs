@@ -203,7 +203,7 @@ fn placed<'p>(
             continue;
         }
         let is_gap = matches!(piece.content, Content::Gap);
-        // Adjacent gaps, and a gap at the top, are removed.
+        // Adjacent gaps are reduced to one, and gaps at the top are removed.
         if !shown || is_gap && after_gap {
             continue;
         }

@@ -10,7 +10,7 @@ pub(super) const PAPER: Rgb = Rgb::hex(0x101418);
 /// The default colour of text.
 const INK: Rgb = Rgb::hex(0xd0d0d0);
 
-/// The first sixteen colours, as in xterm and similar terminals.
+/// The first sixteen colours, similar to those of xterm.
 const SIXTEEN: [(Color, u32); 16] = [
     (Color::Black, 0x000000),
     (Color::Red, 0xcd0000),

@@ -330,7 +330,7 @@ pub(crate) fn begin(kind: SheetKind, title: &str, status: &str) {
     with(|recorder| recorder.sheets.push(Sheet::new(kind, title, status)));
 }
 
-/// Records a frame: items that are drawn inside the frame later belong to it.
+/// Records a frame: items drawn inside it from now on belong to it.
 pub(crate) fn frame(area: Rect, title: &str) {
     if area.is_empty() {
         return;

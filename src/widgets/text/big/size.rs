@@ -16,7 +16,7 @@ const READ_WITH_CARE: usize = 24;
 /// The size of letters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LetterSize {
-    /// Plain text, in pages that have to show everything at once.
+    /// Plain text, on pages that have to show everything at once.
     Plain,
     /// Letters made of strokes, in ASCII and for long text only: names and headings are either
     /// larger or in plain type.
@@ -90,7 +90,7 @@ impl LetterSize {
     }
 
     /// The height of a lower-case letter such as x as a fraction of a row: the numerator and the
-    /// denominator. There is space around dots, so half a space is lost at the top and at the
+    /// denominator. There is a gap between dots, so half a gap is lost at the top and at the
     /// bottom.
     const fn small_letter(self) -> (usize, usize) {
         match self {
