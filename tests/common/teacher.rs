@@ -122,17 +122,22 @@ fn teach(
         // This fails only after the test has ended.
         let _ = wake.send(());
     });
+    *shown.lock().unwrap() = game.screen();
     loop {
         for call in game.take_host_calls() {
             host.call(&call);
         }
-        match keys.try_recv() {
-            Ok(keys) => game.press(&keys),
+        let pressed = match keys.try_recv() {
+            Ok(keys) => {
+                game.press(&keys);
+                true
+            }
             Err(mpsc::TryRecvError::Disconnected) => return,
             Err(mpsc::TryRecvError::Empty) => {
                 let _ = woken.recv_timeout(Duration::from_millis(2));
+                false
             }
-        }
+        };
         let news = host.take_news();
         for it in &news {
             if let HostNews::Opened(Ok(door)) = it {
@@ -140,10 +145,14 @@ fn teach(
                 told.send((port, door.code.to_string())).unwrap();
             }
         }
-        if !news.is_empty() {
+        let has_news = !news.is_empty();
+        if has_news {
             game.input(&Input::Hosted(news));
         }
-        *shown.lock().unwrap() = game.screen();
+        // Setting a question in large letters takes time, which the devices would have to wait.
+        if pressed || has_news {
+            *shown.lock().unwrap() = game.screen();
+        }
     }
 }
 

@@ -25,9 +25,6 @@ use crate::pty::{Pty, carrom};
 use crate::pupil::{Pupil, connect_from};
 use crate::seen_devices::{self, SeenDevice};
 
-/// The number of questions in the round.
-const QUESTIONS: usize = 10;
-
 fn free_port() -> u16 {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     listener.local_addr().unwrap().port()
@@ -231,12 +228,12 @@ impl SeenTimes {
     }
 }
 
-/// Plays the round with `devices` well-behaved devices, and with misbehaving ones if `bad`; prints
-/// the measured times.
-fn play(devices: u8, bad: bool) {
+/// Plays a round of this many questions with `devices` well-behaved devices, and with misbehaving
+/// ones if `bad`; prints the measured times.
+fn play(questions: usize, devices: u8, bad: bool) {
     let folder = Folder::new("crowd");
     let port = free_port();
-    stop_a_round(folder.path(), &format!("mixed{QUESTIONS}-7"));
+    stop_a_round(folder.path(), &format!("mixed{questions}-7"));
     let mut pty = host(folder.path(), Some(port));
     let (reports, heard) = mpsc::channel();
     let over = Arc::new(AtomicBool::new(false));
@@ -293,7 +290,7 @@ fn play(devices: u8, bad: bool) {
         ("shot", ""),
         ("scores", ""),
     ];
-    for question in 0..QUESTIONS as u64 {
+    for question in 0..questions as u64 {
         for (step, words) in steps {
             let pressed = Instant::now();
             pty.press(if step == "scores" { "\x1b[F\r" } else { "\r" });
@@ -329,7 +326,7 @@ fn play(devices: u8, bad: bool) {
     } else {
         ""
     };
-    println!("\n{devices} devices{all}: {QUESTIONS} questions, two votes each");
+    println!("\n{devices} devices{all}: {questions} questions, two votes each");
     print("joining", &mut joined);
     print("from a vote to its acknowledgement", &mut acknowledged);
     print("from a key to each screen", &mut seen);
@@ -350,7 +347,7 @@ fn play(devices: u8, bad: bool) {
     // No acknowledged vote is lost.
     let round = kept(folder.path());
     let votes = |question| [Vote::First, Vote::Second].map(|it| round.voted(question, it));
-    for question in 0..QUESTIONS {
+    for question in 0..questions {
         assert_eq!(
             votes(question),
             [usize::from(devices) + seen_devices.len(); 2],
@@ -376,19 +373,19 @@ fn play(devices: u8, bad: bool) {
 #[test]
 #[ignore = "measures times; takes some minutes"]
 fn two_hundred_devices_vote() {
-    play(198, false);
+    play(10, 198, false);
 }
 
 #[test]
 #[ignore = "measures times; takes some minutes"]
 fn two_hundred_devices_vote_alongside_slow_and_hostile_ones() {
-    play(198, true);
+    play(10, 198, true);
 }
 
-/// The crowd is small, so that this test can run with every change.
+/// The crowd is small and the round is short, so that this test can run with every change.
 #[test]
 fn a_few_devices_vote_alongside_slow_and_hostile_ones() {
-    play(12, true);
+    play(3, 12, true);
 }
 
 /// The number of devices that are voting when their host is killed.

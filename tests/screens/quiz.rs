@@ -174,7 +174,7 @@ fn a_misconception_held_throughout_is_named_at_the_end() {
         "{screen}"
     );
     assert!(screen.contains("! sure, but wrong"), "{screen}");
-    assert!(screen.contains("step by step and watch"), "{screen}");
+    assert!(screen.contains("change the offset"), "{screen}");
 }
 
 #[test]
