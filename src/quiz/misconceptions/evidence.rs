@@ -2,7 +2,7 @@
 //!
 //! For every answer to a question that could show a misconception, the likelihood ratio compares
 //! somebody who holds the misconception with somebody who guesses. The logarithms of these ratios
-//! add up, whatever the questions were. This sum alone determines whether a misconception is named,
+//! add up, whatever the questions were. This sum determines whether a misconception is named,
 //! how it is ranked, whether it is reported as fading, and which questions test for it.
 
 use std::cmp::Ordering;
