@@ -20,7 +20,7 @@ Examples:
   carrom worksheet --seed 7 --count 12 --out sheets
                                 a mixed round of 12 questions
   carrom worksheet --code speeds-3 --title \"Physics 10b\" --out sheets
-                                any round that has a code
+                                a round on one topic, by its code
   carrom worksheet --set ours.toml --out sheets
                                 the questions that you have chosen
   carrom worksheet --seed 7 --versions 2 --paper letter --out sheets
