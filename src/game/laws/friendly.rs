@@ -5,7 +5,7 @@
 //! - Pocket the striker and one of your coins goes back, if you have one to give; the turn passes.
 //!   No debt remains.
 //! - The queen may be taken at any time and must be covered: with one of your coins in the same
-//!   stroke or the next. Otherwise she goes back to the centre.
+//!   stroke or the next. Otherwise, or if the striker falls, she goes back to the centre.
 //! - The first player to clear their coins wins the board: a point for each coin the other has left
 //!   and 3 for the queen if they covered her, but at least 1 in all. If you clear your coins while
 //!   the queen is on the board, she is worth no points.

@@ -5,7 +5,7 @@
 //!   all. The first side with more than half of them, 17, wins the board.
 //! - Pocket any piece, and you play on.
 //! - The queen may be taken at any time and must be covered: with any coin in the same stroke or
-//!   the next. Otherwise she goes back to the centre.
+//!   the next. Otherwise, or if the striker falls, she goes back to the centre.
 //!
 //! These values and the total are those of "Point Carrom" as described at carrom.wordpress.com in
 //! 2007. House rules settle the rest:
