@@ -44,8 +44,8 @@ const RADII: (f64, f64) = (0.0, 1_000.0);
 const SCALES: (f64, f64) = (0.001, 1_000.0);
 const OF_BOTH: &str = "Unless both masses are set, equal masses are assumed.";
 const OF_RADII: &str = "If both radii are set, the line of impact is found from the centres.";
-const OF_SCALE: &str = "All lengths are multiplied by this number. For a file in pixels, set the \
-                        millimetres per pixel.";
+const OF_SCALE: &str = "All coordinates are multiplied by this number. For a file in pixels, set \
+                        the millimetres per pixel.";
 
 /// A value as shown. It begins with a number even if it is not set, so that a browser page shows a
 /// number field.
