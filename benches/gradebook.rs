@@ -21,7 +21,7 @@ const MANY_ROUNDS: u64 = 5_000;
 /// The number of runs of each measurement; the best is printed.
 const RUNS: usize = 3;
 
-/// The answers of one pupil to these rounds. Different pupils give wrong answers to different
+/// The answers of one pupil to these rounds. Neighbouring pupils give wrong answers to different
 /// questions.
 fn answers(rounds: &[Round], pupil: usize) -> Vec<Attempt> {
     let mut all = Vec::new();

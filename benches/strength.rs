@@ -28,7 +28,8 @@ enum Player {
     Strength(Strength),
     /// Follows the hints, with the errors of this hand.
     Hinted(PlayerHand),
-    /// Shoots from any legal position, in any forward direction, at any speed.
+    /// Shoots from a random legal position, in a random forward direction, at a random speed of at
+    /// least 0.5 m/s.
     Random,
 }
 

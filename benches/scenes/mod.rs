@@ -61,8 +61,9 @@ pub(crate) fn closed_board() -> Board {
     }
 }
 
-/// 64 breaks: at 4 m/s, the striker hits the pack of 19 coins, with gaps of 0.1 mm between them. It
-/// starts from different positions on the base line and is aimed at different points of the pack.
+/// 64 breaks: the striker starts at 4 m/s towards the pack of 19 coins, which have gaps of 0.1 mm
+/// between them. It starts from different positions on the base line and is aimed at different
+/// points of the pack.
 pub(crate) fn breaks() -> Vec<Table> {
     let mut rng = Pcg64::seed_from_u64(1);
     (0..64).map(|_| one_break(&mut rng)).collect()

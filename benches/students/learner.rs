@@ -48,7 +48,8 @@ pub(crate) struct Learner {
     attempts: Vec<Attempt>,
     book: Book,
     shelf: Shelf,
-    /// The topics that were explained, and the chapters that were read.
+    /// The topics that were explained, the chapters that were read, and "convinced" once a
+    /// misconception has been corrected.
     taught: BTreeSet<String>,
     time_s: i64,
     /// All steps so far.

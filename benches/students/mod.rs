@@ -130,7 +130,8 @@ impl HitFigures {
     fn angles(&self) -> (Option<f64>, Option<f64>) {
         let (sin, cos) = self.alpha.to_radians().sin_cos();
         let given_up = (1.0 + self.e) * self.m2 / (self.m1 + self.m2) * cos;
-        // The components of the final velocity: straight ahead, and away from the target.
+        // The components of the striker's final velocity, as fractions of its initial speed:
+        // straight ahead, and sideways, away from the target.
         let (ahead, aside) = (1.0 - given_up * cos, given_up * sin);
         let moves = ahead.hypot(aside) > 1e-9;
         (

@@ -7,14 +7,14 @@
 //! ```
 //!
 //! It plays sessions. A session starts at a random stop of the tour in `tests/common/tour.rs`, with
-//! random settings. It presses keys, moves the mouse, pastes, resizes and lets time pass, and it
+//! random settings. It presses keys, uses the mouse, pastes, resizes and lets time pass, and it
 //! draws after every hundredth input and at every new screen. Between the sessions, files of each
 //! kind that carrom reads are damaged and read. Nothing may panic, take longer than a second, show
-//! "NaN", or put a character that is not ASCII on an ASCII screen.
+//! "NaN" or a control character, or put a character that is not ASCII on an ASCII screen.
 //!
-//! The numbers of inputs, files and faults are saved in FOLDER (`target/fuzz` by default), so they
-//! add up over all runs. Each fault is recorded there with the number of the session or file that
-//! reproduces it.
+//! The numbers of sessions, inputs, files and faults are saved in FOLDER (`target/fuzz` by
+//! default), so they add up over all runs. Each fault is recorded there with the number of the
+//! session or file that reproduces it.
 
 #[path = "../../tests/common/damage.rs"]
 mod damage;
@@ -88,7 +88,7 @@ fn worked() -> Duration {
     Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
 }
 
-/// The time since the program started.
+/// The time since the first call.
 #[cfg(not(unix))]
 fn worked() -> Duration {
     static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);

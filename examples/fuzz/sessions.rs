@@ -65,7 +65,8 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
         if told {
             println!("{step}: {act:?}");
         }
-        // Only a key with a meaning opens another screen; other changes are noticed after a few inputs.
+        // It is usually a key with a meaning that opens another screen; changes with other causes
+        // are noticed after a few inputs.
         let is_meant = matches!(&act, Act::Tell(Input::Key(key)) if moment.means(key));
         let has_changed = watched(|| {
             match &act {
@@ -198,7 +199,7 @@ fn act(moment: &Moment, chance: &mut Pcg64Mcg) -> Act {
     }
 }
 
-/// A random text of fewer than `most` letters.
+/// A random text of fewer than `most` characters.
 fn any_text(chance: &mut Pcg64Mcg, most: usize) -> String {
     let letters = chance.random_range(0..most);
     (0..letters).map(|_| chance.random::<char>()).collect()
@@ -236,7 +237,7 @@ fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
     }
 }
 
-/// News that a pupil's device may receive from its host.
+/// News that a pupil's carrom may receive from its connection to the host.
 fn join_news(chance: &mut Pcg64Mcg) -> JoinNews {
     match chance.random_range(0..5) {
         0 => JoinNews::Reached,

@@ -85,7 +85,7 @@ fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, l
     let width = text::width(&status) as u16;
     let start = area.width.saturating_sub(width + 1).max(end + 2);
     let room = usize::from(area.width.saturating_sub(start));
-    // If a code were truncated, it would look like a different code.
+    // A code truncated without a mark would look like a different code.
     let status = text::clipped(&status, room);
     buf.set_stringn(start, 0, status, room, look.theme.style(Role::Dim));
 }
@@ -181,7 +181,7 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     placed.draw(scrolled, buf, &writing);
 }
 
-/// The columns of the body that are covered by a layer.
+/// The columns of the body in which the frame of a layer is drawn.
 fn centred(body: Rect) -> Rect {
     areas::middle(body, 76)
 }

@@ -42,7 +42,7 @@ pub(super) enum LayerAction {
 /// How a layer was closed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LayerDone {
-    /// The player did not answer, or declined.
+    /// The help page or the notice was closed, or the player declined.
     Closed,
     Agreed,
     /// The player wants to look something up.

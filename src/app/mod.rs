@@ -1,8 +1,9 @@
 //! The app: a stack of screens, and everything that the screens have in common.
 //!
 //! The app is pure: [`App::update`] and [`App::advance`] return effects for a shell to carry out,
-//! [`App::wake`] returns the time until the next change, and [`App::draw`] changes nothing. The app
-//! uses no clock, file, thread or global variable.
+//! [`App::wake`] returns the time until the next change, and [`App::draw`] does not change the app.
+//! The app uses no clock, file or thread; its only mutable global variables record the text and the
+//! pictures of a frame for a shell that requests them.
 
 mod chrome;
 mod layer;
@@ -153,7 +154,7 @@ impl App {
     }
 
     /// The address of the current screen, and the number of open screens, including the first.
-    /// [`Data::route`] converts the address back to the route of the screen.
+    /// [`Data::route`] converts most addresses back to the route of the screen.
     pub fn address(&self) -> (String, usize) {
         let cx = &self.context;
         let top = self.stack.last().map(|screen| screen.route(cx));
@@ -383,7 +384,7 @@ impl App {
         }
     }
 
-    /// The cells beside the picture that can be clicked, from top to bottom.
+    /// The areas of the panels that react to a click, from top to bottom.
     pub fn targets(&self) -> Vec<Rect> {
         match (self.layers.last(), self.stack.last()) {
             (None, Some(screen)) if !self.too_small() => screen.targets(&self.context),

@@ -101,8 +101,8 @@ const BOARD: &str = "the code of a board: a day such as 2026-11-26, or a number 
 /// The separator between the address of a round and the answers given in the round.
 const ANSWERS: &str = "&said=";
 
-/// The address of a route, in the form that [`Data::route`] reads. The answers given in a round
-/// come after [`ANSWERS`].
+/// The address of a route, for most routes in the form that [`Data::route`] reads. The answers
+/// given in a round come after [`ANSWERS`].
 pub(super) fn address(route: &Route, cx: &Context) -> String {
     let name: &str = route.into();
     let named = |value: &str| match value {

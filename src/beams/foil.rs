@@ -12,7 +12,7 @@ pub struct Metal {
     pub name: &'static str,
     /// Charge number Z.
     pub charge: f64,
-    /// Mass number A: the standard atomic mass rounded to a whole number.
+    /// Mass number A: the relative atomic mass rounded to a whole number.
     pub(crate) mass_number: f64,
     /// Number of atoms per cubic metre.
     pub(crate) density: f64,

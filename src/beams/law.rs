@@ -65,8 +65,9 @@ impl ScatteringLaw {
     }
 
     /// The fraction of the beam that leaves at `angle` radians into a small solid angle, per
-    /// steradian: 1/4π for hard spheres, dσ/dΩ over the area of the beam for a charge. `None` on a
-    /// board, where there is no solid angle, and at angles that no particle of the beam reaches.
+    /// steradian: 1/4π for hard spheres, dσ/dΩ divided by the area of the beam for a charge. `None`
+    /// on a board, where there is no solid angle, and at angles that no particle of the beam
+    /// reaches.
     pub fn share_per_steradian(&self, angle: f64) -> Option<f64> {
         if self.beam == Beam::Board {
             return None;

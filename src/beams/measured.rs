@@ -38,7 +38,7 @@ impl Angle {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{line}: {what}")]
 pub struct CountsFault {
-    /// The line number, from 1; one more than the last if something is missing.
+    /// The line number, from 1; one more than the last if the table ends too early.
     pub line: usize,
     /// The error.
     pub what: String,
@@ -53,8 +53,8 @@ pub fn geiger_marsden() -> Result<Vec<Angle>, CountsFault> {
 }
 
 /// Reads a table of counts: comma-separated values under the heading
-/// `angle_deg,silver_count,gold_count`, with comments after `#`. Angles are from 0.1 to
-/// 180, each smaller than the previous one; counts are from 0.1 to 10¹².
+/// `angle_deg,silver_count,gold_count`; a line that begins with `#` is a comment. Angles are from
+/// 0.1 to 180, each smaller than the previous one; counts are from 0.1 to 10¹².
 ///
 /// # Errors
 /// Returns the first error in the table.
@@ -109,7 +109,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, CountsFault> {
 /// not their scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Mean of count × sin⁴(φ/2): the scale that fits the counts best.
+    /// Mean of count × sin⁴(φ/2): the scale at which the relative deviations have the mean 0.
     pub scale: f64,
     /// Angle φ in radians, 1/sin⁴(φ/2), and the count.
     pub points: Vec<(f64, f64, f64)>,

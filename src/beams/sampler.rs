@@ -13,7 +13,8 @@ const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7;
 /// The number of cells of the index table, a power of two. 4096 bytes fit in the fastest cache.
 const CELLS: usize = 4096;
 
-/// Length of the tables of bins: a power of two, so that no index is out of range.
+/// Length of the tables of bins: a power of two, so that `% PLACES`, which keeps every index in
+/// range, is fast.
 const PLACES: usize = 64;
 
 /// The number of particles that are computed in parallel, so that no step has to wait for the
@@ -28,8 +29,8 @@ const LANES: usize = 4;
 /// its own number, a beam can be computed in batches of any size and in any order.
 ///
 /// No angle is ever computed for a particle. The values of w that separate the bins are calculated
-/// in advance, so comparisons give the bin: an index table gives it for the upper 12 bits of w,
-/// and if that cell of the table contains edges, w is compared with them. The counts are exactly
+/// in advance, so comparisons give the bin: an index table gives the lowest possible bin for the
+/// upper 12 bits of w, and w is compared with the edges from that bin on. The counts are exactly
 /// the same as if each angle were computed.
 #[derive(Debug, Clone)]
 pub struct Sampler {

@@ -68,8 +68,8 @@ fn chi_squared(counts: &Counts, beyond: Beyond) -> f64 {
         .sum()
 }
 
-/// The probability that χ² with 35 degrees of freedom exceeds `x`: one minus the integral of
-/// x^(k/2−1) e^(−x/2) / (2^(k/2) Γ(k/2)), by Simpson's rule.
+/// The probability that χ² with k = 35 degrees of freedom exceeds `x`: one minus the integral of
+/// t^(k/2−1) e^(−t/2) / (2^(k/2) Γ(k/2)) over t from 0 to `x`, by Simpson's rule.
 fn chance_beyond(x: f64) -> f64 {
     let half = 35.0 / 2.0;
     // Γ(35/2) = 33!! √π / 2¹⁷.
@@ -257,8 +257,8 @@ fn the_counts_of_1913_are_read() {
     assert!((sum - 134_294.9).abs() < 1e-6, "{sum}");
 }
 
-/// The counts for gold deviate by −15 % to +23 %, above the law at all small angles and below it at
-/// all others.
+/// The counts for gold deviate by −15 % to +23 %, above the law at all angles below 40° and below
+/// it at all others.
 #[test]
 fn the_counts_for_gold_follow_the_law_within_a_band() {
     let angles = geiger_marsden().unwrap();

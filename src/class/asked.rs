@@ -51,8 +51,8 @@ enum AskedPicture {
         /// Whether the picture shows the offset, the impact angle and the numbers.
         shown: [bool; 3],
     },
-    /// Both angles in radians, both radii, and the striker's initial path: many masses and energy
-    /// losses are consistent with them.
+    /// Both angles in radians, both radii, and the striker's initial direction: many masses and
+    /// energy losses are consistent with them.
     After {
         angles: [f64; 2],
         radii: [f64; 2],
@@ -285,8 +285,8 @@ impl RevealedTruth {
         }
     }
 
-    /// The question with its right answer and its real collision; `None` if the right answer
-    /// belongs to another question.
+    /// The question with its right answer and its real collision; `None` if the right answer does
+    /// not fit the question.
     pub fn revealed(&self, mut asked: Question) -> Option<Question> {
         let true_answer = self.truth.response;
         if !asked.form.accepts(&true_answer) {

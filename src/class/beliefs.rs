@@ -18,8 +18,8 @@ pub(crate) struct ClassBelief {
     weight: f64,
 }
 
-/// The class's misconceptions, ordered by the number of teams that hold them and, in a tie, by the
-/// evidence.
+/// The class's misconceptions, ordered by the number of teams that hold them before the discussion
+/// and, in a tie, by the number after it, then by the evidence.
 pub(crate) fn beliefs(round: &ClassRound) -> Vec<ClassBelief> {
     // Counted hands are anonymous, so their evidence is weighed question by question.
     let all = match round.way() {

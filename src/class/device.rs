@@ -30,7 +30,8 @@ pub(super) struct Device {
 }
 
 impl Device {
-    /// This device if it is connected, otherwise the earlier one.
+    /// This device if it is connected, including hand-ins by the earlier one; otherwise the earlier
+    /// one.
     pub(super) fn or_earlier(self, earlier: &Self) -> Self {
         match self.connection {
             None => *earlier,

@@ -159,7 +159,7 @@ impl Stepped {
         *self.bodies[self.discs[disc]].linvel()
     }
 
-    /// Makes one step; returns the greatest remaining speed.
+    /// Makes one step; returns the greatest speed after friction, before any collision.
     fn step(&mut self, board: &Board) -> f64 {
         let lost = board.deceleration() * STEP;
         let mut fastest = 0.0_f64;
