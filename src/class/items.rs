@@ -18,13 +18,15 @@ pub struct ItemAnalysis {
     pub votes: [Tally; 2],
     /// How well the question separates the better teams from the others.
     pub discrimination: Option<f64>,
-    /// The misconception that the first votes support most, and how many votes fit it.
+    /// Of the misconceptions that first votes fit, the one with the strongest evidence, and the
+    /// number of first votes that fit it.
     pub commonest: Option<(Misconception, usize)>,
-    /// The number of votes for each answer: choices in their order, other answers with the most
-    /// frequent first.
+    /// The number of first and second votes for each answer: choices in their order, other answers
+    /// in descending order of first votes, then of second votes.
     pub counts: Vec<(Response, [usize; 2])>,
-    /// The normalized gain of the discussion: (second − first) / (1 − first) of the shares of right
-    /// votes (R. R. Hake, 1998); `None` if all first votes were right, or nobody voted.
+    /// The normalized gain of the discussion (R. R. Hake, 1998): (second − first) / (1 − first),
+    /// where first and second are the shares of right votes; `None` if there are no first votes, or
+    /// all of them were right.
     pub gain: Option<f64>,
     /// How many votes changed from wrong to right, and from right to wrong; `None` if hands were
     /// counted, because those votes are anonymous.

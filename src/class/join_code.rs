@@ -6,8 +6,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// The letters of a [`JoinCode`]: consonants, so that codes do not spell words, and only those that
-/// are easy to tell apart.
+/// The letters of a [`JoinCode`]: all except the vowels and Y, so that codes do not spell words.
 const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
 
 /// The code for joining a class: six consonants, new for each round.
@@ -44,7 +43,7 @@ pub struct NoJoinCode;
 impl FromStr for JoinCode {
     type Err = NoJoinCode;
 
-    /// Accepts upper and lower case, and spaces or hyphens between the letters.
+    /// Accepts upper and lower case, and ignores spaces and hyphens.
     fn from_str(text: &str) -> Result<Self, NoJoinCode> {
         let mut code = [0; Self::LENGTH];
         let mut letters = text.chars().filter(|it| !matches!(it, ' ' | '-'));

@@ -1,4 +1,4 @@
-//! Limits on what one address may do to a class: a burst, and then a rate per second.
+//! Limits on what devices may do to a class: a burst, and then a rate per second.
 //!
 //! The caller passes the time, counted from any fixed moment: this module reads no clock.
 
@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use super::join_code::JoinCode;
 
-/// New seats for one address, so that no device can fill a class alone: a class of 40 behind one
-/// router may join at once, some of them twice.
+/// New seats for one address, so that a single device cannot quickly fill a class; a class of 40
+/// behind one router may join at once, some of them twice.
 pub(super) const NEW_SEATS: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.5,
@@ -76,8 +76,8 @@ impl Bucket {
         self.left(now) >= 1.0
     }
 
-    /// Uses `count` of the allowance, even if less is left; returns the time until the balance is 0
-    /// again.
+    /// Uses `count` of the allowance, even if less is left; returns the time until the balance is
+    /// at least 0.
     pub fn take(&mut self, count: f64, now: Duration) -> Duration {
         self.left = self.left(now) - count;
         self.since = self.since.max(now);
@@ -89,7 +89,7 @@ impl Bucket {
 #[derive(Debug, Clone)]
 pub(super) struct Addresses {
     allowance: Allowance,
-    /// The allowances of the addresses that have used part of theirs.
+    /// The allowances of known addresses; every other address has a full allowance.
     known: BTreeMap<IpAddr, Bucket>,
     /// Once `known` contains this many addresses, those with a full allowance are forgotten.
     most: usize,
@@ -199,8 +199,9 @@ mod tests {
         Ipv4Addr::new(192, 168, 43, host).into()
     }
 
-    /// The number of codes checked in a lesson in which devices at this number of addresses send as
-    /// many as they can. The limit is per address, so parallel or new connections do not help.
+    /// The number of codes checked in a lesson in which this number of addresses take turns sending
+    /// [`GUESSES_PER_S`] codes per second. The limit is per address, so parallel or new connections
+    /// do not help.
     fn looked_at(addresses: u8) -> u32 {
         let mut code = GuardedCode::new(JoinCode::of(63_999_999));
         let mut looked_at = 0;
@@ -233,7 +234,7 @@ mod tests {
         }
     }
 
-    /// Forty pupils behind one router join within a minute, and each of them first mistypes the
+    /// Forty pupils behind one router arrive within a minute, and each of them first mistypes the
     /// code.
     #[test]
     fn pupils_behind_one_router_can_mistype_the_code_and_still_join() {
@@ -256,8 +257,8 @@ mod tests {
         }
     }
 
-    /// While somebody guesses codes from every available address, a newcomer who first mistypes the
-    /// code can still join.
+    /// While somebody guesses codes from 200 addresses, a newcomer at another address who first
+    /// mistypes the code can still join.
     #[test]
     fn guessing_from_many_addresses_does_not_keep_others_out() {
         let mut code = GuardedCode::new(JoinCode::of(7));

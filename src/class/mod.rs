@@ -3,17 +3,18 @@
 //!
 //! Each question is asked twice: everyone predicts in silence and votes; then the class discusses
 //! the question and may change its votes (E. Mazur, *Peer Instruction*, 1997). Both votes are
-//! saved; the second one is scored, always by accuracy and never by speed.
+//! saved; the later one is scored, always by accuracy and never by speed.
 //!
 //! A class votes in one of three ways ([`WayOfVoting`]): up to eight teams at one keyboard; hands
-//! or cards that are counted (a tally: counts for the choices of [`ClassRound::choices`], taken by
+//! or cards that are counted (a tally: counts for the choices of [`ClassRound::choices`], set by
 //! [`ClassRound::count`]); or up to 250 people on their own devices. The methods on votes
 //! ([`ClassRound::said`], [`ClassRound::results`], [`ClassRound::clues`], [`ClassRound::voted`])
 //! are the same for all three: a counted hand is a vote like any other. A tally lacks only what
 //! requires a name (ballots, points, standings).
 //!
-//! Every change is a [`ClassChange`] ([`ClassRound::change`]). A file of a round contains an
-//! earlier state and the changes since then, so a vote is saved by appending a line.
+//! Every change to the participants or the votes is a [`ClassChange`] ([`ClassRound::change`]). A
+//! file of a round contains an earlier state and the changes since then, so a vote from a device is
+//! saved by appending it.
 //!
 //! This module does not use the network: people join and leave through changes.
 

@@ -26,7 +26,7 @@ pub enum NameTrouble {
     /// The list has too many names: the number found, and the limit.
     #[error("expected at most {1} names, found {0}")]
     TooMany(usize, usize),
-    /// Two names differ only in case.
+    /// Two names are the same, ignoring case.
     #[error("expected names that differ, found \"{0}\" twice")]
     Twice(String),
 }
@@ -34,7 +34,8 @@ pub enum NameTrouble {
 /// Tidies the names of teams for display and storage, and leaves out empty ones.
 ///
 /// # Errors
-/// If no team is left, if there are more than [`MOST_TEAMS`], or if two differ only in case.
+/// If no team is left, if there are more than [`MOST_TEAMS`], or if two names are the same,
+/// ignoring case.
 pub fn team_names<'a>(
     names: impl IntoIterator<Item = &'a str>,
 ) -> Result<Vec<String>, NameTrouble> {
@@ -47,7 +48,7 @@ pub fn team_names<'a>(
 /// Tidies names for display and storage, for this way of voting; the list may be empty.
 ///
 /// # Errors
-/// If there are too many, or if two differ only in case.
+/// If there are too many, or if two are the same, ignoring case.
 pub(super) fn names_for<'a>(
     way: WayOfVoting,
     names: impl IntoIterator<Item = &'a str>,
@@ -77,8 +78,8 @@ pub(crate) fn is_same_class(one: &str, other: &str) -> bool {
     folded(&tidy(one)) == folded(&tidy(other))
 }
 
-/// Tidies a name for display and storage: keeps only visible letters, at most [`LONGEST_NAME`] of
-/// them, and removes spaces at the ends.
+/// Tidies a name for display and storage: removes invisible characters and surplus spaces, and
+/// keeps at most [`LONGEST_NAME`] letters.
 pub(super) fn tidy(name: &str) -> String {
     short_name(name, LONGEST_NAME)
 }
@@ -92,7 +93,7 @@ pub(super) fn kept_name(name: &str, taken: &[&str]) -> String {
     }
 }
 
-/// A similar name that is not `taken`: "Ada 2".
+/// The name, with a number if it is `taken`: "Ada 2".
 pub(super) fn free_name(name: &str, taken: &[&str]) -> String {
     let taken: BTreeSet<String> = taken.iter().map(|it| folded(it)).collect();
     let numbered = |number: usize| {

@@ -147,7 +147,7 @@ impl ClassRound {
     }
 
     /// Merges two entries of a participant who joined twice. The votes of the duplicate replace
-    /// earlier ones, and its device keeps the seat.
+    /// earlier ones, and its device takes the seat.
     pub(super) fn merge(&mut self, from: usize, into: usize) -> Result<(), String> {
         let people = self.participants.len();
         if from == into || from.max(into) >= people {

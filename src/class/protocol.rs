@@ -1,13 +1,13 @@
 //! The messages between a pupil's device and the host, in JSON.
 //!
-//! Every message from the host is the pupil's whole state, so voting, joining late, reconnecting
-//! and going back a question all work the same way. A device shows the latest state. `n` is a
-//! number that a device increments with each vote and receives back with its state: a state whose
-//! `n` is at least as large confirms that the vote is on the host's disk or, with `misfit`, that
-//! the vote does not fit the question and was not counted. `rev` counts the states of one
-//! connection. A pupil can also hand in the answers that they gave while playing alone: the file
-//! has its own `n`, which comes back in `handed` once the file is on the host's disk, or with the
-//! reason why it is not.
+//! Every message from the host, except a refusal, is the pupil's whole state, so voting, joining
+//! late, reconnecting and going back a question all work the same way. A device shows the latest
+//! state. `n` is a number that a device increments with each vote and receives back with its state:
+//! a state whose `n` is at least as large confirms that the host has handled the vote. The vote
+//! counts, and the host has tried to save it, unless no such vote was open or, with `misfit`, it
+//! does not fit the question. `rev` counts the states of one connection. A pupil can also hand in
+//! the answers that they gave while playing alone: the file has its own `n`, which comes back in
+//! `handed` once the file is on the host's disk, or with the reason why it is not.
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
@@ -120,11 +120,11 @@ pub enum Refusal {
     Join,
     /// The pupil has joined on another device or in another tab.
     Elsewhere,
-    /// Nobody can join any more, or the round is over.
+    /// Nobody can join at the moment, or the round is over.
     Closed,
     /// The teacher has removed the pupil.
     Kicked,
-    /// Too many devices at this address have joined or sent wrong codes.
+    /// Too many devices at this address have joined, or there were too many wrong codes.
     Later,
 }
 
@@ -241,7 +241,7 @@ pub struct PupilState {
 pub struct HandedIn {
     /// The number of the hand-in.
     pub n: u64,
-    /// The number of answers on the host's disk, or the reason why there are none.
+    /// The number of its answers, all on the host's disk, or the reason why it was not saved.
     pub kept: Result<usize, NotTaken>,
 }
 
@@ -249,7 +249,7 @@ pub struct HandedIn {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NotTaken {
-    /// The file is not a hand-in, or has another version.
+    /// The file is not a valid hand-in, is from a newer version, or contains no answers.
     Format,
     /// This pupil has handed in too often, or the class has handed in too much.
     TooMany,

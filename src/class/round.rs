@@ -18,7 +18,7 @@ use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question,
 #[derive(Debug, Clone, PartialEq)]
 pub struct Participant {
     pub(super) name: String,
-    /// The seat token; `None` for a team, or if no device has connected.
+    /// The token of the device that holds the seat; `None` if no device does.
     pub(super) seat: Option<SeatToken>,
     /// One ballot per question.
     pub(super) ballots: Vec<Ballot>,
@@ -37,7 +37,7 @@ impl Participant {
         self.device.connection.is_some()
     }
 
-    /// Whether a hand-in of this participant is stored.
+    /// Whether a hand-in of this participant was saved in this session.
     pub fn has_handed_in(&self) -> bool {
         self.device.has_handed_in
     }
@@ -47,7 +47,7 @@ impl Participant {
         self.ballots.get(question).copied().unwrap_or_default()
     }
 
-    /// Whether this participant has no vote and has never handed anything in.
+    /// Whether this participant has no vote and has had no hand-in saved in this session.
     pub(super) fn is_idle(&self) -> bool {
         !self.device.has_handed_in && self.ballots.iter().all(|it| it.counts().is_none())
     }
@@ -56,7 +56,7 @@ impl Participant {
 /// A change in a round. Questions, people and choices are counted from 0.
 ///
 /// The file of a round begins with the state at the time of the last complete write. Later changes
-/// are appended, so each of 250 votes adds one line instead of rewriting the file.
+/// are appended, so the file is not rewritten for each of 250 votes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ClassChange {
@@ -413,8 +413,8 @@ impl ClassRound {
         given.count()
     }
 
-    /// The answers to a question in a vote, as [`Ballot::said`] returns them: one per team, or one
-    /// per counted hand.
+    /// The answers to a question in a vote, as [`Ballot::said`] returns them: one per team that
+    /// has voted, or one per counted hand.
     pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         self.answers(question, vote).into_iter().map(|it| it.said)
     }
@@ -498,7 +498,7 @@ impl ClassRound {
     }
 
     /// A team's points for a question, from 0 to [`Grade::MOST`], according to how close its vote
-    /// is. Teams are not asked how sure they are.
+    /// is. How sure the voter is makes no difference.
     pub fn points(&self, question: usize, team: usize) -> f64 {
         let said = self.ballot(question, team).counts();
         let credit = self.grade(question, said).map_or(0.0, |grade| grade.credit);

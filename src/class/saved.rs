@@ -146,9 +146,9 @@ impl ClassRound {
     /// teacher's own questions.
     ///
     /// # Errors
-    /// All errors found, if the file is not that of a round or has a newer format, if its code or
-    /// its teams are invalid, or if it uses a teacher's questions that are missing or have changed.
-    /// A vote that does not fit its question is not an error: it is dropped, and
+    /// All errors found, if the file is not that of a round or has a newer format, if a field or a
+    /// change in it is invalid, or if it uses a teacher's questions that are missing or have
+    /// changed. A vote that does not fit its question is not an error: it is dropped, and
     /// [`dropped_votes`](Self::dropped_votes) counts it.
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, whole(bytes), LARGEST)?;
@@ -216,7 +216,7 @@ impl ClassRound {
         Some(round)
     }
 
-    /// The changes in the file of a round.
+    /// Applies the changes in the file of a round.
     fn read_changes(&mut self, fields: &Fields) -> Option<()> {
         let then = fields.or("then", Vec::new(), |name| {
             fields.tables(name, 0..=usize::MAX, &["change"])

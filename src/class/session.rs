@@ -1,8 +1,8 @@
 //! A round in progress: the step, the participants and their votes and, on devices, the state sent
 //! to each.
 //!
-//! No vote is confirmed before it is saved: changes are collected, saved together, and then
-//! reported to the participants concerned.
+//! No vote is confirmed before an attempt to save it: changes are collected, saved together, and
+//! then reported to the participants concerned.
 
 use std::collections::BTreeSet;
 use std::net::IpAddr;
@@ -23,7 +23,8 @@ use super::step::{ClassPlace, ClassStep};
 use super::way::WayOfVoting;
 use crate::gradebook::HandIn;
 
-/// How long the screen waits for the first pupil before it shows possible causes.
+/// How long the screen waits for the first pupil before it shows what may prevent pupils
+/// from joining.
 const PATIENCE: Duration = Duration::from_secs(60);
 /// How many times a pupil may hand in during a session.
 const MOST_HAND_INS: usize = 20;
@@ -193,13 +194,13 @@ impl Session {
         all.filter(|it| it.is_present()).count()
     }
 
-    /// The number of participants with a stored hand-in.
+    /// The number of participants with a hand-in saved in this session.
     pub fn handed_in(&self) -> usize {
         let all = self.round.participants().iter();
         all.filter(|it| it.has_handed_in()).count()
     }
 
-    /// The participants who are away, have no vote and have never handed anything in.
+    /// The participants who are away, have no vote and have had no hand-in saved in this session.
     pub fn away(&self) -> Vec<usize> {
         let all = self.round.participants().iter().enumerate();
         let away = all.filter(|(_, it)| !it.is_present() && it.is_idle());
@@ -271,7 +272,7 @@ impl Session {
         }
     }
 
-    /// Disconnects the pupils: after the end of a round they cannot return.
+    /// Disconnects the pupils; if the round is over, they cannot return.
     pub fn close(&mut self) {
         if !self.is_hosted() {
             return;
@@ -398,10 +399,10 @@ impl Session {
     }
 
     /// In a full class, the person whose seat goes to a newcomer from this address. Only a
-    /// participant who has no vote and has never handed anything in loses a seat: one who is away
-    /// or, if there is none, one whose address differs from the newcomer's and has more than half
-    /// of all seats, because those may belong to a single device. Of several candidates, the last
-    /// to join from the address with the most seats loses the seat.
+    /// participant who has no vote and has had no hand-in saved in this session loses a seat: one
+    /// who is away or, if there is none, one whose address differs from the newcomer's and has more
+    /// than half of all seats, because those may belong to a single device. Of several candidates,
+    /// the last to join from the address with the most seats loses the seat.
     fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
         let people = self.round.participants();
         let held = |by: &Participant| {
@@ -634,8 +635,8 @@ impl Session {
         self.go_on();
     }
 
-    /// Frees the seats of all participants who are away, have no vote and have never handed
-    /// anything in.
+    /// Frees the seats of all participants who are away, have no vote and have had no hand-in saved
+    /// in this session.
     pub fn remove_away(&mut self) {
         // From the last to the first, so that the remaining indices stay valid.
         for person in self.away().into_iter().rev() {

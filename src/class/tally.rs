@@ -12,8 +12,8 @@ const MOST_CHOICES: usize = 4;
 
 impl ClassRound {
     /// The choices for a class without devices: those of the question if it has any; otherwise the
-    /// right answer and the answers that misconceptions lead to, so each choice shows what its
-    /// voters believe. Their order does not reveal the right one: rays, numbers and offsets are
+    /// right answer and up to three answers that misconceptions lead to, so each choice shows what
+    /// its voters believe. Their order does not reveal the right one: rays, numbers and offsets are
     /// sorted. Empty if there is no such question.
     pub fn choices(&self, question: usize) -> Vec<Response> {
         let Some(asked) = self.questions().get(question) else {

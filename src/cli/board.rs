@@ -13,7 +13,7 @@ use crate::physics::units::mm_from_m;
 ///
 /// Every day has its own board, the same for everyone. Any number up to 999999 is the code of
 /// another board. --json prints the board instead: its coins, its par, and the strokes with which
-/// the search clears it.
+/// the computer clears it.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The board to open, by its code: a date or a number (default: today's board)
@@ -46,13 +46,12 @@ struct PrintedBoard {
     code: BoardCode,
     title: String,
     coins_mm: Vec<[f64; 2]>,
-    /// The fingerprint of the board at its beginning.
+    /// The fingerprint of the board before the first stroke.
     fingerprint: String,
     par: Option<usize>,
     solution: Vec<SolutionStroke>,
 }
 
-/// A stroke of the search.
 #[derive(Debug, Serialize)]
 struct SolutionStroke {
     #[serde(flatten)]

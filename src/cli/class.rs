@@ -17,10 +17,10 @@ use crate::quiz::Code;
 use crate::screens::Route;
 use crate::store::{Forgetting, Store};
 
-/// Open a round for a class: teams at one keyboard, or everyone on their own device
+/// Open a round for a class: teams at one keyboard, hands or cards, or everyone on their own device
 ///
-/// --report writes a page about a round that is over, and --forget deletes what is kept about a
-/// class; neither opens a screen.
+/// --report writes a page about a saved round, and --forget deletes what is kept about a class;
+/// neither opens a screen.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
