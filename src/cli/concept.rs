@@ -6,13 +6,12 @@ use std::path::PathBuf;
 use super::{Failure, GlobalOptions, given};
 use crate::quiz::concepts::{Library, check};
 
-/// Check questions in words: every field, every figure, and that no right choice gives
+/// Check questions in words: every field, every number, and that no right choice gives
 /// itself away
 #[derive(Debug, clap::Subcommand)]
 pub(super) enum Command {
-    /// Check questions in words: every field and misconception is known, every figure is what
-    /// the engine computes, and no right choice gives itself away by its length, its position
-    /// or a word
+    /// Check questions in words: every field and misconception is known, every number in braces
+    /// is defined, and no right choice gives itself away by its length, its position or a word
     ///
     /// Prints one line per question. Exit status: 0 if all questions are good, 2 if there are
     /// errors.

@@ -9,7 +9,7 @@ use crate::lessons::ChapterLibrary;
 /// Check chapters: every directive, every number, every page
 #[derive(Debug, clap::Subcommand)]
 pub(super) enum Command {
-    /// Check chapters: every directive is known, every number in the text is what the engine
+    /// Check chapters: every directive is known, every number in braces is what the engine
     /// computes, and every page fits an 80x24 screen in both charsets
     ///
     /// Prints one line per chapter. Exit status: 0 if all chapters are good, 2 if there are errors.
