@@ -10,7 +10,8 @@ use crate::files::Document;
 /// The example files. The tests check each one in the same way as carrom does for a user.
 static EXAMPLES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/examples");
 
-/// Write examples of a level, a chapter, questions in words, a scene and filmed collisions
+/// Write examples of a level, a chapter, questions in words, a set of questions, a scene and
+/// filmed collisions
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The folder to write to; created if it does not exist

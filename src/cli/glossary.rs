@@ -13,10 +13,10 @@ use crate::lessons::GlossaryEntry;
 #[command(after_help = "\
 Examples:
   carrom glossary              every term, by topic
-  carrom glossary impulse      the terms with this word in them
+  carrom glossary angle        the terms with this word in them
   carrom learn 2               read the chapter that introduces a term")]
 pub(super) struct Args {
-    /// Only the terms that contain these words, or have this symbol
+    /// Only the term with this name or symbol, or else all terms that contain these words
     #[arg(value_name = "TERM")]
     term: Vec<String>,
     /// Print one JSON object instead
@@ -60,7 +60,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     print_text(text.trim_end(), options)
 }
 
-/// The entry with exactly this term or symbol, or else all entries whose term contains the words.
+/// The entries with exactly this term or symbol, or else all entries whose term contains the words.
 fn matching(wanted: &str) -> Vec<&'static GlossaryEntry> {
     let words = wanted.to_lowercase();
     let all = GlossaryEntry::all().iter();

@@ -16,8 +16,8 @@ const TRIES: u32 = 4000;
 pub(super) enum Command {
     /// Play the stored solution of each level to prove that it can be won
     ///
-    /// Prints one line per level with the result. Exit status: 0 if all can be won, 1 if one
-    /// cannot, 2 if a file is not a level.
+    /// Prints one line per level with the result. Exit status: 0 if all solutions win, 1 if
+    /// one does not, 2 if a file is not a level.
     Check {
         /// Files and folders of levels (default: the built-in levels)
         #[arg(value_name = "FILE|DIR")]
@@ -49,7 +49,7 @@ pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Fail
     Err(Failure::Work(reason))
 }
 
-/// Plays a level's solution, reports the result and returns whether the level can be won.
+/// Plays a level's solution, reports the result and returns whether the solution wins.
 fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<bool, fmt::Error> {
     let name = match pack {
         "" => level.id.clone(),

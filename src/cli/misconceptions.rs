@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::{Failure, GlobalOptions, print_text};
 use crate::quiz::{Misconception, Origin};
 
-/// Print all misconceptions, with a remedy and a source for each
+/// Print all misconceptions, each with a remedy and its origin
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 The first word is the misconception's name in your own question files and in the code of a round:

@@ -465,8 +465,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Prints an error in the arguments, or help. An error is coloured unless an argument is too long
-/// to quote in full, or contains characters that control a terminal.
+/// Prints an error in the arguments, or help. An error is printed without colour if an argument is
+/// too long to quote in full, or contains characters that control a terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
     let odd: Vec<_> = words.filter(is_odd).collect();
@@ -482,7 +482,7 @@ fn is_odd(word: &String) -> bool {
     escape_control(word, LONGEST_QUOTE) != *word
 }
 
-/// The message with such arguments shortened or escaped.
+/// The message with each of the `odd` arguments shortened if it is too long.
 fn quoting_briefly(mut message: String, odd: &[String]) -> String {
     for word in odd {
         // clap quotes only the value after the `=`.

@@ -141,8 +141,8 @@ impl GlobalOptions {
         name.unwrap_or_else(|| Settings::default().player)
     }
 
-    /// The settings that these options give, with `auto` replaced by the given charset and colours.
-    /// Options that are not given keep the settings from earlier runs.
+    /// The settings that these options give. An option that is missing or `auto` keeps the setting
+    /// from earlier runs; if there is none, `auto` gives the charset and the colours.
     pub(super) fn settings(&self, auto: Auto, kept: &KeptSettings) -> Settings {
         let found = kept.over(Settings {
             charset: auto.charset,

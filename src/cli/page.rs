@@ -86,7 +86,7 @@ fn add_all([levels, lessons, concepts]: [&[PathBuf]; 3]) -> Result<Vec<OwnFile>,
     Ok(own)
 }
 
-/// The path of a folder of levels in a page.
+/// The path that a page uses for a folder of levels.
 fn pack(folder: &Path) -> String {
     let name = folder.file_name().unwrap_or_default();
     format!("levels/{}", name.display())

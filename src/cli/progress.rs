@@ -1,4 +1,4 @@
-//! `carrom progress`: opens the screen, or prints the answers.
+//! `carrom progress`: opens the screen, prints the answers or writes a report.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;

@@ -27,8 +27,8 @@ pub(super) fn write_named(documents: &[Document], force: bool) -> Result<(), Fai
     print_names(documents)
 }
 
-/// Writes documents. The user has named the first, and the others belong in or beside it. Its
-/// folder has to exist, so that a typo does not create one.
+/// Writes documents. The user has named the first, and the others belong in its folder or in
+/// subfolders. That folder has to exist, so that a typo does not create one.
 pub(super) fn write_beside<T: AsRef<[u8]>>(
     documents: &[(PathBuf, T)],
     force: bool,

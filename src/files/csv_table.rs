@@ -32,9 +32,9 @@ pub fn csv_table<'h>(
 
 /// Text that no spreadsheet reads as a formula and that cannot control a terminal.
 ///
-/// Text that begins like a formula gets an apostrophe before it. So does text after a line break, a
-/// tab or a semicolon, because spreadsheets in many languages expect semicolons between cells and
-/// begin a new cell there.
+/// Text that begins like a formula gets an apostrophe before it. So does such text after a
+/// line break, a tab or a semicolon, because a spreadsheet may begin a new cell there: in many
+/// languages it expects semicolons between cells.
 fn safe_cell(text: &str) -> String {
     let visible: String = { text.chars() }
         .filter(|letter| breaks_line(*letter) || !is_invisible(*letter))

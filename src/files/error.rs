@@ -26,7 +26,7 @@ pub const LONGEST_QUOTE: usize = 200;
 pub struct FileError {
     /// The name of the file, as given.
     pub file: String,
-    /// The line, from 1; `None` if the file could not be read at all.
+    /// The line, from 1; `None` if the error concerns the whole file.
     pub line: Option<usize>,
     /// The field, preceded by the tables that contain it, as in `disc.mass_g`; `None` if no field
     /// is at fault.
@@ -80,7 +80,7 @@ impl fmt::Display for FileError {
     }
 }
 
-/// All errors of a file, at least one, shown one per line.
+/// The errors of a file, at least one, shown one per line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub struct FileErrors(Vec<FileError>);
 
@@ -123,16 +123,15 @@ impl fmt::Display for FileErrors {
     }
 }
 
-/// A message of one or more lines that may quote anything, without control characters: everything
-/// printed outside the game's screen passes through this function.
+/// A message of one or more lines that may quote anything, without control characters, to print
+/// outside the game's screen.
 pub fn escape_control_lines(text: &str) -> String {
     let lines = text.lines().map(|line| escape_control(line, usize::MAX));
     lines.collect::<Vec<_>>().join("\n")
 }
 
 /// A message with carrom's text about what was expected, and a quotation of what was found. The
-/// result is one line without control characters, and the quotation has at most [`LONGEST_QUOTE`]
-/// characters.
+/// result is one line without control characters, and quotes at most [`LONGEST_QUOTE`] characters.
 pub(crate) fn brief(message: &str) -> String {
     let message = match message.split_once(FOUND) {
         Some((expected, found)) => {
@@ -143,8 +142,8 @@ pub(crate) fn brief(message: &str) -> String {
     escape_control(&message, LONGEST_MESSAGE)
 }
 
-/// External text in quotation marks, for a message: without control characters, and with at
-/// most [`LONGEST_QUOTE`] characters.
+/// External text in quotation marks, for a message: without control characters, and at most its
+/// first [`LONGEST_QUOTE`] characters.
 pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTE) {
         Some((end, _)) => format!("{:?}...", text.get(..end).unwrap_or_default()),

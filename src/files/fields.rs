@@ -399,7 +399,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Printable text of 1 to `most` characters, unchanged; a line break counts as a space.
+    /// Printable text of 1 to `most` characters, unchanged; line breaks are allowed.
     pub(crate) fn text(&self, name: &str, most: usize) -> Option<&'a str> {
         let expected = format!("text of 1 to {most} printable characters");
         self.value(name, &expected, |value| text(value.get_ref(), most))
@@ -459,8 +459,8 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Passes the name and the value of every field to `set`, with numbers in decimal form, and
-    /// notes the errors that `set` returns.
+    /// Passes the name and the value of every known field to `set`, with numbers in decimal form,
+    /// and notes the errors that `set` returns.
     pub(crate) fn each(&self, mut set: impl FnMut(&str, &str) -> Result<(), String>) -> Option<()> {
         let fields = self
             .table

@@ -12,7 +12,7 @@ use super::problem::Problem;
 use crate::cli::write_json_line;
 use crate::files::{BYTE_ORDER_MARK, escape_control, read_line};
 
-/// The longest line that is read, in bytes; a typical problem has a few hundred.
+/// The longest line that is read, in bytes; a typical problem has about a hundred.
 const LONGEST: usize = 64 * 1024;
 
 /// The longest error message, in characters, so that invalid input is not repeated in full.

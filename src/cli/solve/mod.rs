@@ -20,7 +20,7 @@ use answer::SolveAnswer;
 pub(super) use args::Args;
 use batch::BatchError;
 
-/// The size of the output buffer in bytes, which has room for a few hundred answers.
+/// The size of the output buffer in bytes, which has room for more than a hundred answers.
 const BUFFER: usize = 1 << 16;
 
 /// Solves the problem in the arguments, or a batch. A reader that stops early, as `head` does,

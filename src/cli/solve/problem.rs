@@ -119,7 +119,7 @@ pub(super) struct Solvable {
 
 impl Problem {
     /// The problem, with default values for any mass or speed that it does not give, and a list
-    /// of these assumptions. Lines of a batch must give them.
+    /// of these assumptions. Lines of a batch must give the masses and u1.
     pub(super) fn with_usual(self) -> (Self, Vec<Cow<'static, str>>) {
         let mut assumed = Vec::new();
         for (mass, name) in [(self.m1_g, "m1"), (self.m2_g, "m2")] {
@@ -156,7 +156,7 @@ impl Problem {
         }
     }
 
-    /// The assumptions and ignored values that can change the answer.
+    /// The assumptions that can change the answer, and the values that are ignored.
     fn assumed(&self) -> Vec<Cow<'static, str>> {
         let mut assumed: Vec<Cow<'static, str>> = Vec::new();
         if self.u2.is_none() {
