@@ -176,7 +176,7 @@ mod tests {
         ] {
             assert_eq!(tidy_name(nobody), "", "{nobody:?}");
         }
-        // A name with one visible letter is kept unchanged.
+        // A name with a visible letter is not blank, and keeps its blank letters.
         for name in ["\u{2800}a", "한\u{3164}", "\u{1112}\u{1161}", "❤", "٣"] {
             assert_eq!(tidy_name(name), name);
             assert!(!is_blank_name(name));

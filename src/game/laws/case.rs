@@ -14,7 +14,7 @@ pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenBefore {
     OnBoard,
-    /// She was pocketed by the player's previous stroke, so this stroke must cover her.
+    /// She has been pocketed but not yet covered, so this stroke must cover her.
     ToCover,
     /// She has been pocketed and covered by this colour.
     Covered(Colour),
@@ -83,7 +83,7 @@ impl Side {
 /// What becomes of the queen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenFate {
-    /// She stays as she is: on the board, covered, or just pocketed and to be covered next.
+    /// She stays as she is: on the board, covered, or pocketed and to be covered next.
     Stays,
     /// She goes back to the centre.
     GoesBack,
@@ -158,7 +158,7 @@ impl Verdict {
         Self { dues: 1, ..self }
     }
 
-    /// The verdict, with any coins of the other side that fell: these stay in the pockets.
+    /// The verdict, which also reports that any fallen coins of the other side stay in the pockets.
     pub(super) fn with_others(mut self, case: &Case) -> Self {
         let number = case.other.fell;
         if number > 0 {
@@ -174,7 +174,7 @@ impl Verdict {
         self.queen_if(true, queen)
     }
 
-    /// The verdict with this fate of the queen if `case` is true; otherwise she stays.
+    /// The verdict with this fate of the queen if `case` is true; otherwise the verdict unchanged.
     pub(super) fn queen_if(mut self, case: bool, queen: QueenFate) -> Self {
         if case {
             self.queen = queen;
