@@ -1,10 +1,10 @@
 //! Measures how long it takes to make a gradebook, and shows whether this time grows no faster than
 //! the class: `cargo bench --bench gradebook`.
 //!
-//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is timed
-//! the way `carrom gather` works, from the bytes of the files to the finished document; the last
-//! column compares the time per pupil with that of the smallest class. Another file contains 5,000
-//! rounds.
+//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. For each size, the
+//! time covers what `carrom gather` does from the bytes of the files to the finished document; the
+//! last column compares the time per pupil with that of the smallest class. Another file contains
+//! 5,000 rounds.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -21,8 +21,8 @@ const MANY_ROUNDS: u64 = 5_000;
 /// The number of runs of each measurement; the best is printed.
 const RUNS: usize = 3;
 
-/// The answers of one pupil to these rounds. Different pupils give wrong answers to different
-/// questions.
+/// The answers of one pupil to these rounds. At most every third answer is wrong; which
+/// ones are wrong depends on the pupil, in three patterns.
 fn answers(rounds: &[Round], pupil: usize) -> Vec<Attempt> {
     let mut all = Vec::new();
     for round in rounds {
