@@ -21,8 +21,8 @@ const MANY_ROUNDS: u64 = 5_000;
 /// The number of runs of each measurement; the best is printed.
 const RUNS: usize = 3;
 
-/// The answers of one pupil to these rounds. At most every third answer is wrong; which
-/// ones are wrong depends on the pupil, in three patterns.
+/// The answers of one pupil to these rounds. At most every third answer is wrong; which ones
+/// are wrong depends on the pupil, in three patterns.
 fn answers(rounds: &[Round], pupil: usize) -> Vec<Attempt> {
     let mut all = Vec::new();
     for round in rounds {

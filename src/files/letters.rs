@@ -22,8 +22,8 @@ pub(super) fn hides(letter: char) -> bool {
     matches!(letter, '\u{200d}' | '\u{e0000}'..='\u{e007f}')
 }
 
-/// Whether a cluster is one emoji made of several characters: a family, or the flag of a region,
-/// which is encoded in tag characters.
+/// Whether a cluster is an emoji, even one made of several characters: a family, or the flag of a
+/// region, which is encoded in tag characters.
 pub(super) fn is_picture(letter: &str) -> bool {
     const FLAG: char = '\u{1f3f4}';
     const LAST_TAG: char = '\u{e007f}';

@@ -451,7 +451,7 @@ impl TracksFit {
     }
 }
 
-/// A guess, between the same state with a slightly earlier and a slightly later time of contact.
+/// A guess, and the same state with a slightly earlier and a slightly later time of contact.
 /// From the guess alone, the fit could get stuck at a time of contact at which a row passes from
 /// one leg to the other.
 fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {

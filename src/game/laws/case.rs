@@ -38,7 +38,8 @@ pub(crate) struct Case {
     pub(crate) striker_fell: bool,
     /// Whether the striker touched any piece.
     pub(crate) touched: bool,
-    /// How many strokes this player has already made at the unbroken pack; `None` after the break.
+    /// How many strokes the player has already made at the unbroken pack in this turn; `None` after
+    /// the break.
     pub(crate) break_tries: Option<u8>,
     /// Whether the player owes a coin.
     pub owes: bool,
