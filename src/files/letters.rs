@@ -22,8 +22,8 @@ pub(super) fn hides(letter: char) -> bool {
     matches!(letter, '\u{200d}' | '\u{e0000}'..='\u{e007f}')
 }
 
-/// Whether a cluster is one emoji made of several characters: a family, or the flag of a region,
-/// which is encoded in tag characters.
+/// Whether a cluster is an emoji, even one made of several characters: a family, or the flag of a
+/// region, which is encoded in tag characters.
 pub(super) fn is_picture(letter: &str) -> bool {
     const FLAG: char = '\u{1f3f4}';
     const LAST_TAG: char = '\u{e007f}';
@@ -176,7 +176,7 @@ mod tests {
         ] {
             assert_eq!(tidy_name(nobody), "", "{nobody:?}");
         }
-        // A name with one visible letter is kept unchanged.
+        // A name with a visible letter is not blank, and keeps its blank letters.
         for name in ["\u{2800}a", "한\u{3164}", "\u{1112}\u{1161}", "❤", "٣"] {
             assert_eq!(tidy_name(name), name);
             assert!(!is_blank_name(name));

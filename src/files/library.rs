@@ -8,7 +8,7 @@ use super::{FileError, LARGEST, List, list, read};
 pub trait FileLibrary: Default {
     /// The extension of the collection's files.
     const ENDING: &'static str;
-    /// The maximum number of files that are read from one folder.
+    /// The maximum number of these files in one folder; if there are more, none of them is read.
     const MOST_FILES: usize;
 
     /// The built-in collection.

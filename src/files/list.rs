@@ -11,12 +11,12 @@ use super::FileError;
 /// The contents of a folder, sorted by name.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct List {
-    /// The subfolders.
+    /// The subfolders without this extension.
     pub folders: Vec<PathBuf>,
     /// The plain files with the requested extension. Pipes are not among them, because opening one
     /// would wait for a writer.
     pub files: Vec<PathBuf>,
-    /// Errors about anything else with this extension: pipes, devices, broken links.
+    /// Errors about anything else with this extension: folders, pipes, devices, broken links.
     pub odd: Vec<FileError>,
 }
 

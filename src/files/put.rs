@@ -1,4 +1,4 @@
-//! Writes documents to the given paths, all of them or none.
+//! Writes documents to the given paths, and puts them in place only once all are complete.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -108,7 +108,7 @@ fn folder(path: &Path) -> &Path {
     folder.unwrap_or(Path::new("."))
 }
 
-/// New folders, which are removed again if they stay empty.
+/// New folders, which are removed again if no document is put in place.
 #[derive(Default)]
 struct Folders(Vec<PathBuf>);
 

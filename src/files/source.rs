@@ -18,11 +18,10 @@ pub(crate) struct Source<'a> {
     text: &'a str,
     /// The number of the text's first line in the file, from 1.
     first_line: usize,
-    /// Each error has a rank for the order of reporting.
     errors: RefCell<Vec<(Rank, FileError)>>,
 }
 
-/// The order in which the errors of a file are reported.
+/// The kind of an error: unknown fields are reported first, the others in the order of their lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Rank {
     /// An unknown field, which is often a misspelt required one.

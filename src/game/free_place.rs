@@ -21,7 +21,8 @@ struct Circle {
 }
 
 /// The position of a coin that the player at `seat` gives back: inside the outer circle, off the
-/// centre circle (62b), as far from that player as possible, where an opponent would put it.
+/// centre circle (62b), as near as possible to the point of the outer circle that is farthest from
+/// that player, where an opponent would put it.
 ///
 /// If the outer circle is full, the coin goes to the nearest free position instead of waiting for
 /// room (52a).

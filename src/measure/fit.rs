@@ -120,7 +120,8 @@ pub struct TracksFit {
     weights: [f64; CHANNELS],
     covariance: Matrix,
     freedom: [f64; CHANNELS],
-    /// Whether both bodies have the same noise, because there are few points.
+    /// Whether the noise along each axis is estimated for both bodies together, because there are
+    /// few points.
     is_pooled: bool,
 }
 
@@ -450,8 +451,9 @@ impl TracksFit {
     }
 }
 
-/// Starting states slightly earlier and later than a guess. Without them, the fit could get stuck
-/// at a time of contact at which a row passes from one leg to the other.
+/// A guess, and the same state with a slightly earlier and a slightly later time of contact.
+/// From the guess alone, the fit could get stuck at a time of contact at which a row passes from
+/// one leg to the other.
 fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {
     let times = || points.into_iter().flatten().map(|point| point.t);
     let (first, last) = (

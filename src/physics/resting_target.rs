@@ -378,10 +378,10 @@ mod tests {
         assert_eq!(p.alpha_for_energy_passed(f64::NAN), None);
     }
 
-    /// A full and a thin hit can deflect a heavy striker by the same angle; for a lighter striker
-    /// or one of equal mass, the thinner the hit, the smaller the deflection.
+    /// If m₁ > e m₂, a fuller and a thinner hit can deflect the striker by the same angle;
+    /// otherwise, the thinner the hit, the smaller the deflection.
     #[test]
-    fn only_a_heavy_striker_has_two_impact_angles_for_one_deflection() {
+    fn only_a_striker_heavier_than_e_m2_has_two_impact_angles_for_one_deflection() {
         for p in pairs() {
             let turns: Vec<f64> = alphas().map(|alpha| p.theta1(alpha).unwrap()).collect();
             let rises = turns.windows(2).filter(|pair| pair[1] > pair[0]).count();

@@ -24,7 +24,7 @@ const ROUND: &str = "scorm/round";
 /// A file to add to a page: its path in the page, and its text.
 pub type OwnFile = (String, String);
 
-/// carrom as one HTML file, and the files of a teacher to add to it.
+/// carrom as one HTML file, and a teacher's own files to add to it.
 #[derive(Debug)]
 pub struct PageFile {
     text: Cow<'static, str>,

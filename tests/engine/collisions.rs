@@ -63,7 +63,8 @@ fn energy(c: &Collision, v1: DVec2, v2: DVec2) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The tolerance is relative to the two momenta, not to their sum, which may be zero.
+    /// The tolerance is relative to the sum of the magnitudes of the two momenta, because the total
+    /// momentum may be zero.
     #[test]
     fn momentum_is_conserved(c in both_moving()) {
         let after = c.outcome();

@@ -113,7 +113,7 @@ fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     }
 }
 
-/// A line of a file may be a megabyte of random text, which must not appear in a message.
+/// A line of a file may be a megabyte of random text, so a message must not quote all of it.
 #[test]
 fn no_message_quotes_more_than_200_characters_of_a_line() {
     let folder = Folder::new("safe-quotes");

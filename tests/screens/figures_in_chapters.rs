@@ -731,7 +731,7 @@ fn the_bars_of_the_beam_agree_with_the_text() {
     let ring = |bin: usize| counts[bin] / CountedFor::Ring.in_bin(bin);
     let at = |deg: f64| (deg / deg_from_rad(BIN_WIDTH)) as usize;
     // From the bin of 15° to that of 150°, the counts on the screen fall by a factor of 2999, apart
-    // from the effect of the bins' width. In rings, the factor is only about half of that.
+    // from the effect of the bins' width. In rings, the factor is only about 65 % of that.
     let [on_screen, in_rings] = [
         screen(at(16.0)) / screen(at(151.0)),
         ring(at(16.0)) / ring(at(151.0)),

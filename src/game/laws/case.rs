@@ -14,7 +14,7 @@ pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenBefore {
     OnBoard,
-    /// She was pocketed by the player's previous stroke, so this stroke must cover her.
+    /// She has been pocketed but not yet covered, so this stroke must cover her.
     ToCover,
     /// She has been pocketed and covered by this colour.
     Covered(Colour),
@@ -38,7 +38,8 @@ pub(crate) struct Case {
     pub(crate) striker_fell: bool,
     /// Whether the striker touched any piece.
     pub(crate) touched: bool,
-    /// How many strokes this player has already made at the unbroken pack; `None` after the break.
+    /// How many strokes the player has already made at the unbroken pack in this turn; `None` after
+    /// the break.
     pub(crate) break_tries: Option<u8>,
     /// Whether the player owes a coin.
     pub owes: bool,
@@ -83,7 +84,7 @@ impl Side {
 /// What becomes of the queen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenFate {
-    /// She stays as she is: on the board, covered, or just pocketed and to be covered next.
+    /// She stays as she is: on the board, covered, or pocketed and to be covered next.
     Stays,
     /// She goes back to the centre.
     GoesBack,
@@ -158,7 +159,7 @@ impl Verdict {
         Self { dues: 1, ..self }
     }
 
-    /// The verdict, with any coins of the other side that fell: these stay in the pockets.
+    /// The verdict, which also reports that any fallen coins of the other side stay in the pockets.
     pub(super) fn with_others(mut self, case: &Case) -> Self {
         let number = case.other.fell;
         if number > 0 {
@@ -174,7 +175,7 @@ impl Verdict {
         self.queen_if(true, queen)
     }
 
-    /// The verdict with this fate of the queen if `case` is true; otherwise she stays.
+    /// The verdict with this fate of the queen if `case` is true; otherwise the verdict unchanged.
     pub(super) fn queen_if(mut self, case: bool, queen: QueenFate) -> Self {
         if case {
             self.queen = queen;

@@ -91,8 +91,8 @@ fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
     }
 }
 
-/// The player's own last coin fell; `None` if the striker fell too, because the coin is then put
-/// back.
+/// The player's own last coin fell. With the queen still on the board, the board is lost;
+/// otherwise, if the striker fell too, the coin is put back and the board continues: `None`.
 fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     let player = case.colour;
     let (covered_by, fate) = match case.queen {

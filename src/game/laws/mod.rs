@@ -1,8 +1,8 @@
 //! The referee: the verdict of the rules on a stroke.
 //!
 //! A [`Case`] contains the facts that the rules use, as numbers of coins; a [`Verdict`] is the
-//! decision. Neither contains positions. Each file contains one chapter of the Laws of Carrom of
-//! the International Carrom Federation, or one set of other rules:
+//! decision. Neither contains positions. Each of these files contains one topic of the Laws of
+//! Carrom of the International Carrom Federation, or one set of other rules:
 //!
 //! | file | laws |
 //! |---|---|
@@ -64,7 +64,7 @@ pub enum Rules {
     /// the points wins.
     Points,
     /// There are no turns and no dues: the striker may be placed anywhere, and every stroke may be
-    /// repeated.
+    /// taken back.
     Practice,
     /// A board for one player, from a code: six coins to clear in the fewest strokes.
     #[strum(serialize = "board of the day")]

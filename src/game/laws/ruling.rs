@@ -103,6 +103,6 @@ pub enum RulingEffect {
 pub struct BoardWon {
     /// The team that won the board.
     pub winner: Team,
-    /// The points for the board, at most 12 (28).
+    /// The points for the board: at most 12 (28), or the winner's total in point carrom.
     pub points: u8,
 }

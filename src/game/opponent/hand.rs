@@ -75,9 +75,9 @@ impl Slip {
     }
 }
 
-/// A number with approximately the standard normal distribution: the sum of twelve uniform numbers
-/// (Irwin and Hall). It is within ±6 and requires no logarithm, which different machines round
-/// differently.
+/// A number with approximately the standard normal distribution: the sum of twelve uniform numbers,
+/// minus 6 (Irwin and Hall). It is within ±6 and requires no logarithm, which different machines
+/// round differently.
 fn normal(chance: &mut Pcg64) -> f64 {
     (0..12).map(|_| chance.random::<f64>()).sum::<f64>() - 6.0
 }

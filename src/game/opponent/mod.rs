@@ -99,8 +99,9 @@ pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
 /// errors of the player's hand. For an exact hand, a stroke is tried once without errors; all other
 /// tries have the errors of a club player. `None` as for [`think`].
 ///
-/// A plain cut is preferred, because players can learn most from it; other shots are chosen only if
-/// no cut works in at least half of the tries.
+/// A plain cut is preferred, because players can learn most from it; other shots are considered
+/// only if no cut is found, or if the best one works in fewer than half of the tries or pockets the
+/// striker.
 ///
 /// Position, direction and speed are on the steps in which a player sets them, and if possible the
 /// striker does not fall when the stroke is exact.

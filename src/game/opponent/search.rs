@@ -37,9 +37,9 @@ pub(super) struct Candidate {
     pub(super) motion: Motion,
     worth: f64,
     pub(super) chance: Chance,
-    /// Whether the striker falls if the stroke is exact.
+    /// Whether the striker falls if the stroke is exact; false if the exact stroke was not tried.
     pub(super) fouls: bool,
-    /// The range of directions, in radians, that is tried in the search for a better stroke.
+    /// The minimum range of directions, in radians, that the search for a better stroke covers.
     allowance: f64,
 }
 
@@ -84,7 +84,7 @@ impl Search<'_> {
         places
     }
 
-    /// Every stroke that geometry proposes, tried once without errors.
+    /// The strokes that geometry proposes, each tried once without errors.
     fn first_look(&mut self, places: &[DVec2]) -> Vec<Candidate> {
         let mut proposed: Vec<(Motion, f64)> = Vec::new();
         for aim in self.aims(places) {
@@ -169,7 +169,7 @@ impl Search<'_> {
             .map(|_| self.skill.hand.slip(&mut self.chance))
             .collect();
         if self.skill.is_exact {
-            // A player who sets a stroke with the keys plays it exactly.
+            // A player with an exact hand plays the stroke exactly as it is set.
             slips[..1.min(count)].fill(Slip::default());
         }
         let finalists = choices.iter().take(self.skill.finalists);

@@ -155,7 +155,7 @@ impl Way {
             .map_or(leaving, |(_, kept)| sight.speed_for(before, leaving / kept))
     }
 
-    /// Whether a disc of `radius` can take this path past every coin that does not take part: the
+    /// Whether a disc of `radius` can take this path past all coins except those in `part`: the
     /// disc itself, if it is a coin, and the coin at the end of the path.
     pub(super) fn is_clear(&self, sight: &Sight, radius: f64, part: [Option<usize>; 2]) -> bool {
         let turn = self.wall.map(|(at, _)| at);

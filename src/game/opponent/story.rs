@@ -65,7 +65,7 @@ pub struct Fall {
     pub piece: Piece,
     /// The corner into which the piece fell, numbered as in the engine.
     pub corner: usize,
-    /// The last piece that hit the fallen piece: the striker or a coin.
+    /// The last piece that collided with the fallen piece: the striker or a coin.
     pub sent_by: Piece,
     /// The number of cushions the piece hit after that.
     pub cushions: u8,
@@ -95,7 +95,8 @@ impl Story {
         }
     }
 
-    /// Whether the striker sent the first piece that it hit straight into a pocket.
+    /// Whether the striker went straight to the first piece that it hit, and sent that piece
+    /// straight into a pocket.
     pub fn is_plain_cut(&self) -> bool {
         self.fall.zip(self.first_hit).is_some_and(|(fall, hit)| {
             let straight = hit.cushions == 0 && fall.cushions == 0;

@@ -20,7 +20,7 @@ const NEARLY_STOPPED: f64 = 0.05;
 /// The smallest error in direction that is mentioned, in radians: it rounds to 0.1°.
 const SMALLEST_SLIP: f64 = 0.05 * PI / 180.0;
 
-/// The grammatical person that describes the stroke.
+/// Who describes the stroke: this determines the grammatical person.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Teller {
     /// First person: the opponent describes its own stroke.

@@ -9,7 +9,8 @@ use crate::paper::{Paper, clean, html_page};
 use crate::progress::ends_deg;
 use crate::progress::words::{degrees, percent};
 
-/// The maximum number of columns in a name: there are two tables side by side.
+/// The maximum length of a name in a table, where a wide letter counts twice: tables stand side by
+/// side, so there is little room.
 const NAME: usize = 40;
 
 pub(super) fn document(reports: &[Report]) -> String {

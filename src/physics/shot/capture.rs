@@ -55,7 +55,8 @@ impl StuckPair {
         )
     }
 
-    /// The path of a disc from the contact to `end` in chords of at most 3°.
+    /// The path of a disc from the contact to `end` in chords of at most 3°, but in at most
+    /// 100,000 chords.
     pub(super) fn chords(&self, disc: usize, end: f64) -> impl Iterator<Item = Leg> + use<> {
         let pair = *self;
         let turned = (pair.omega * (end - pair.time)).abs();

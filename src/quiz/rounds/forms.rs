@@ -88,7 +88,8 @@ fn on_one_side(answer: Response) -> Response {
     }
 }
 
-/// The misconceptions that a question can show, counted as in the codes of rounds.
+/// The misconceptions that a question can show, classified as when the codes of rounds were fixed:
+/// see `WrongAnswer::in_codes`.
 fn held(question: &Question) -> Vec<&'static str> {
     let held = question.beliefs.iter().filter_map(|it| it.in_codes());
     let mut held: Vec<_> = held.map(Misconception::id).collect();

@@ -77,7 +77,7 @@ pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     plot.picture()
 }
 
-/// The counts and the line of the law.
+/// Draws the counts of a metal, and the law as a straight line.
 fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     let ShownMetal { name, role, .. } = *metal;
     let line = [1.0, 5000.0].map(|law| dvec2(law, law * series.scale));

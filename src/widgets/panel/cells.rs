@@ -76,7 +76,7 @@ impl<'p> PanelPart<'p> {
         })
     }
 
-    /// Draws the part of a panel that has `whole` rows, scrolled by `scrolled` rows.
+    /// Draws this part of a panel, scrolled by `scrolled` rows; the panel has `whole` rows in all.
     fn draw(&self, scrolled: u16, whole: u16, buf: &mut Buffer, look: Look) {
         let mut lines = Lines::new(self.area, buf, look).of_panel(whole, scrolled);
         for block in &self.blocks {

@@ -475,7 +475,7 @@ impl<'p> PagedText<'p> {
 
 impl VotePageLayout {
     /// A picture whose height is `tenths` tenths of the largest possible height, with the text
-    /// beside the picture, or below it in an upright area.
+    /// beside the picture, or below it in a portrait area.
     fn new(room: Room, beside: Beside, tenths: u16) -> Self {
         let area = room.area;
         let [_, words] = areas::left(area, APART);
@@ -488,8 +488,8 @@ impl VotePageLayout {
             let picture = picture.inner(Margin::new(1, 1));
             return Self { picture, words };
         }
-        let is_upright = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
-        if is_upright {
+        let is_portrait = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
+        if is_portrait {
             let rows = (area.width / 2).min(area.height / 5 * 3) * tenths / 10;
             let [picture, words] = areas::upper(area, rows);
             let [_, words] = areas::left(words, APART);

@@ -67,8 +67,8 @@ pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     if let Some(sizes) = room.pictures {
         return sized_picture_and_panel(area, sizes.any);
     }
-    let is_upright = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
-    if is_upright && panel_columns < area.width {
+    let is_portrait = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
+    if is_portrait && panel_columns < area.width {
         let square = (area.width.saturating_sub(2) / 2).saturating_add(2);
         return upper(area, square.min(area.height / 5 * 3));
     }
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_panel_is_beside_a_picture_or_below_it_in_an_upright_area() {
+    fn a_panel_is_beside_a_picture_or_below_it_in_a_portrait_area() {
         let wide = picture_and_panel(Rect::new(0, 1, 80, 22).into(), 30);
         assert_eq!(wide, [Rect::new(0, 1, 50, 22), Rect::new(50, 1, 30, 22)]);
         let phone = picture_and_panel(Rect::new(0, 1, 61, 50).into(), 30);

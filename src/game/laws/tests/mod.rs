@@ -1,5 +1,5 @@
-//! The laws, one by one: each test is named after the law it checks, and plays a stroke on a board
-//! set up for it.
+//! Tests of the laws and the other rules. A test of one law is named after it, and plays strokes on
+//! a board set up for it.
 
 mod board_ends;
 mod break_and_turn;

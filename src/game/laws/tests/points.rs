@@ -34,7 +34,7 @@ fn either_colour_counts_and_keeps_the_turn() {
     assert_eq!(table.0.points()[Team::First], 4);
     let rulings = table.pocket(&[]);
     expect(&table, &rulings, "house", &[], false);
-    // The other side pockets coins of both colours, too.
+    // The other side, too, may pocket either colour.
     table.pocket(&[White]);
     assert_eq!(table.0.points()[Team::Second], 2);
     assert_eq!(table.0.points()[Team::First], 4);

@@ -14,8 +14,8 @@ use crate::game::stroke::Stroke;
 use crate::game::table::{Game, GameSetup, GameStage};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
-/// A stroke after which the coins are at random positions, each pocketed with a certain
-/// probability.
+/// A random stroke. Nine in ten touch a piece: each coin is then pocketed with the probability
+/// `luck`, and the others end at random positions.
 fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
     let touched = hand.random_bool(0.9);
     let mut spots: Vec<DVec2> = (0..256_i32)
@@ -118,7 +118,8 @@ proptest! {
     }
 }
 
-/// Tests the rules and the engine together with boards of hard random strokes from legal positions.
+/// Tests the rules together with the engine, on boards played with random strokes of 1 to 5 m/s
+/// from legal positions.
 #[test]
 fn boards_played_with_the_engine_stay_valid_and_end() {
     let board = Board::default();

@@ -35,7 +35,7 @@ pub(in super::super) fn to_the_pockets(
     ways.map(move |way| into_pocket(sight, coin, way))
 }
 
-/// The paths of a coin into a pocket off the opposite cushion.
+/// The unblocked paths of a coin into a pocket off either of the two cushions opposite it.
 pub(in super::super) fn off_a_cushion(
     sight: &Sight,
     coin: usize,

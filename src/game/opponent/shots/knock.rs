@@ -10,8 +10,8 @@ use rand_pcg::Pcg64;
 use super::super::sight::Sight;
 use crate::physics::Motion;
 
-/// `count` strokes at coins. Each starts from one of `places`, is aimed at a random coin, at a
-/// random point between its two edges, and has a speed in m/s from `speeds`. If there is no coin,
+/// `count` strokes at coins. Each starts from one of `places`, is aimed at a random coin with a
+/// random offset of at most r₁ + r₂, and has a speed in m/s from `speeds`. If there is no coin,
 /// the strokes are aimed near the centre of the board.
 pub(in super::super) fn knocks(
     sight: &Sight,

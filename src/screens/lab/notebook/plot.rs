@@ -103,7 +103,8 @@ fn number(field: CollisionField, setup: &CollisionSpec) -> f64 {
     }
 }
 
-/// The ends of an axis for these values: 0 is included if it is not far away.
+/// The limits of an axis for these values. The axis starts at 0 if all values are positive and the
+/// smallest is less than 0.6 times the largest.
 fn ends(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let most = values.fold(f64::NEG_INFINITY, f64::max);
