@@ -1,6 +1,6 @@
-//! Rebuilds the program when a level or a chapter is added, because `include_dir!` itself notices
-//! only changes to files that it already knows. Also embeds the page for browsers: the file that
-//! `CARROM_PAGE` names, otherwise the one in the published package.
+//! Rebuilds the program when a level, a chapter, a question in words or an example is added, because
+//! `include_dir!` itself notices only changes to files that it already knows. Also embeds the page
+//! for browsers: the file that `CARROM_PAGE` names, otherwise the one in the published package.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
@@ -9,8 +9,14 @@ use std::{env, fs, io};
 const PACKAGED: &str = "carrom.html";
 
 fn main() -> io::Result<()> {
-    println!("cargo::rerun-if-changed=levels");
-    println!("cargo::rerun-if-changed=assets/lessons");
+    for folder in [
+        "levels",
+        "assets/lessons",
+        "assets/concepts",
+        "assets/examples",
+    ] {
+        println!("cargo::rerun-if-changed={folder}");
+    }
     println!("cargo::rerun-if-env-changed=CARROM_PAGE");
     let packaged = || Some(PathBuf::from(PACKAGED)).filter(|page| page.is_file());
     let text = match env::var_os("CARROM_PAGE")

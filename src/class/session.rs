@@ -113,7 +113,7 @@ impl Session {
             gathers: is_hosted,
             hosting: HostingState::Opening,
             shut: false,
-            has_file: round.join_code().is_some(),
+            has_file: round.join_code().is_some() || round.is_begun(),
             keeping: Keeping::default(),
             handed_bytes: 0,
             handed_in_where: None,
@@ -531,11 +531,11 @@ impl Session {
 
     /// Requests that the round be saved, unless it has no file and there is nothing to save yet.
     fn save(&mut self) {
-        let is_needed = match self.round.way() {
-            WayOfVoting::Devices => self.has_file || !self.round.participants().is_empty(),
+        let has_content = match self.round.way() {
+            WayOfVoting::Devices => !self.round.participants().is_empty(),
             WayOfVoting::Teams | WayOfVoting::Tally => self.round.is_begun(),
         };
-        if is_needed {
+        if self.has_file || has_content {
             // The saved round includes all changes.
             self.keeping.changes.clear();
             self.has_file = true;

@@ -300,6 +300,28 @@ fn a_pause_is_blank_until_somebody_continues() {
     assert_eq!(game.screen(), before);
 }
 
+/// The file once kept the only vote of a round after it had been withdrawn.
+#[test]
+fn the_only_vote_of_a_round_stays_withdrawn() {
+    let folder = Folder::new("class-withdrawn");
+    let voted = || kept(folder.path())[0].voted(0, Vote::First);
+    let vote = "<Enter><Enter><Enter><Enter>60<Enter>30<Enter>";
+    let mut game = class(folder.path(), "7", &["Ants", "Bees"]);
+    game.press(vote);
+    assert_eq!(voted(), 1);
+    game.press("<Up>x");
+    assert!(game.screen().contains("1 Ants [ ]"), "{}", game.screen());
+    assert_eq!(voted(), 0);
+    // A resumed round, too.
+    game.press("<Enter>60<Enter>30<Enter>");
+    drop(game);
+    let mut game = class(folder.path(), "quick-1", &[]);
+    game.press("<End><Enter><Enter>");
+    game.press("<Up>x");
+    assert!(game.screen().contains("1 Ants [ ]"), "{}", game.screen());
+    assert_eq!(voted(), 0);
+}
+
 #[test]
 fn a_killed_round_is_resumed_where_it_was_left() {
     let folder = Folder::new("class-killed");
