@@ -402,7 +402,7 @@ fn unusual_sizes_and_numbers_are_drawn_without_a_panic() {
 #[test]
 fn a_round_disc_appears_at_its_true_position() {
     let mut worst = DVec2::ZERO;
-    for step in 0..400 {
+    for step in 0..100 {
         let step = f64::from(step);
         // The radii range from that of a coin on the whole board at 100 × 30 to more than that at
         // 200 × 60.

@@ -303,7 +303,7 @@ mod tests {
                 let of_levels = levels
                     .iter()
                     .map(|level| of_aim(level, &level.scene, None, area));
-                let boards = (0..200).map(|seed| scattered(area, seed));
+                let boards = (0..60).map(|seed| scattered(area, seed));
                 let pictures = of_levels.chain(boards);
                 let errors: Vec<_> = pictures
                     .flat_map(|picture| centre_errors(&picture, charset))
