@@ -50,8 +50,8 @@ pub(crate) fn pack(set: PieceSet, breaker: Seat) -> Vec<Coin> {
     coins
 }
 
-/// The pack with every piece shifted by less than half a gap, so that no two breaks are the same.
-/// The same seed gives the same pack.
+/// The pack with every piece shifted by less than half a gap, so that breaks differ. The same seed
+/// gives the same pack.
 ///
 /// Neighbours may come closer, but never touch.
 pub(crate) fn jittered_pack(set: PieceSet, breaker: Seat, seed: u64) -> Vec<Coin> {

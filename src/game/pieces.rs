@@ -133,11 +133,11 @@ pub(super) mod metres {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PieceSet {
-    /// Tournament weights: striker 15 g and 41.3 mm across, coins 5.5 g and 31.8 mm across.
+    /// Tournament pieces: striker 15 g and 41.3 mm across, coins 5.5 g and 31.8 mm across.
     #[default]
     Tournament,
     /// Tournament sizes with a mass of 15 g for every piece, so that the paths of striker and coin
-    /// are at right angles.
+    /// are at right angles after an elastic collision.
     EqualMass,
 }
 

@@ -21,7 +21,7 @@ pub(super) const SLACK: f64 = 1e-10;
 /// Why a position of the striker is not legal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Misplaced {
-    /// The striker misses one of the base lines.
+    /// The striker does not touch both base lines.
     #[error("the striker must touch both of your base lines")]
     OffTheBaseLines,
     /// The striker covers part of a base circle.

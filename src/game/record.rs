@@ -14,7 +14,7 @@ use super::table::{Game, GameSetup};
 use super::validity::GameError;
 use crate::physics::{self, EngineError, Limits, Motion, Shot};
 
-/// The agreed rules and every move since. Everything else follows from them.
+/// The agreed settings and every move since. Everything else follows from them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
     /// The settings that were agreed before the first break.
@@ -55,7 +55,7 @@ pub struct Strike {
 
 /// The predicted directions after the first impact, in degrees from the striker's direction, with
 /// the signs of [`physics::CollisionOutcome`]: the striker's positive anticlockwise, the coin's
-/// positive clockwise. `None` means that the disc stays at rest.
+/// positive clockwise. `None` means that the disc is at rest after the impact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Call {
@@ -76,7 +76,7 @@ pub enum MoveError {
     /// The engine cannot play the stroke.
     #[error("this stroke cannot be played: {0}")]
     Engine(#[from] EngineError),
-    /// The laws do not allow the stroke.
+    /// The stroke is impossible on this board.
     #[error(transparent)]
     Stroke(#[from] StrokeError),
     /// The game does not allow the move.
@@ -206,7 +206,7 @@ mod tests {
     use super::super::{Fingerprint, Hands, Rules};
     use super::*;
 
-    /// A record of hard random strokes from legal positions, continued on the next boards.
+    /// A record of random strokes from legal positions, continued on the next boards.
     fn played(setup: GameSetup, strokes: usize, seed: u64) -> (Record, Game) {
         let mut hand = Pcg64::seed_from_u64(seed);
         let mut record = Record::new(setup);

@@ -36,7 +36,7 @@ pub(crate) struct ClearedBoard {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct ResultsRow {
     pub(crate) rules: Rules,
-    /// The strength of the computer, or of the stronger of two computer players.
+    /// The strength of the computer opponent, or of the stronger of two.
     pub(crate) strength: Strength,
     pub(crate) hand: PlayerHand,
     /// The boards that were won and lost.

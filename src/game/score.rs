@@ -19,9 +19,9 @@ pub(super) const MATCH_GAMES: u8 = 2;
 pub enum Length {
     /// One board.
     Board,
-    /// One game of the tournament; with other rules, each board is a game.
+    /// One game of a tournament; with other rules, each board is a game.
     Game,
-    /// A match of the tournament; with other rules, one board after another without end.
+    /// A match of a tournament; with other rules, one board after another without end.
     #[default]
     Match,
 }

@@ -19,7 +19,7 @@ const COINS: usize = 6;
 /// How far from the centre a coin may lie to the right or left, in mm.
 const SIDE_MM: i32 = 300;
 /// How far below and above the centre a coin may lie, in mm: beyond the player's own base lines,
-/// and within reach of the opposite cushion.
+/// and with room for the striker between the coin and the opposite cushion.
 const HEIGHT_MM: (i32, i32) = (-190, 300);
 /// The smallest number that is the code of a day; smaller codes are those of other boards.
 const FIRST_DAY: u32 = 20_000_101;

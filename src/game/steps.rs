@@ -40,12 +40,12 @@ impl BaseLines<'_> {
         self.nearest_of(Self::steps(), at)
     }
 
-    /// The next legal position on the steps that is at least `metres` to the player's right of
-    /// `from` (negative: to the left); if there is none that far, the last legal one. `None` if no
-    /// position is legal.
+    /// The first legal position on the steps that is at least `metres`, to the nearest step, to the
+    /// player's right of `from` (negative: to the left); if there is none that far, the last legal
+    /// one on that side. `None` if no position on that side is legal.
     pub(crate) fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
         let (here, sense) = (self.along(from), metres.signum());
-        // A distance that is not a whole number of steps is rounded to the nearest step.
+        // A target that is not on a step is rounded to the nearest step.
         let least = here + metres - sense * PLACE_STEP / 2.0;
         let ahead: Vec<f64> = Self::steps()
             .filter(|along| (along - here) * sense > SLACK)

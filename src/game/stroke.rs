@@ -5,14 +5,13 @@ use thiserror::Error;
 use super::pieces::{Coin, Piece, count, piece_of};
 use crate::physics::{Board, DiscState, Shot};
 
-/// A stroke as the referee sees it: what was touched, what fell and where the other coins came to
-/// rest. The engine determines these facts.
+/// A stroke as the referee sees it: whether the striker touched a piece, what fell and where the
+/// other coins came to rest. The engine determines these facts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
     /// Whether the striker touched any piece.
     pub(crate) touched: bool,
-    /// The pieces that fell into pockets, in order; the striker among them if
-    /// it fell too.
+    /// The pieces that fell into pockets, in order, including the striker if it fell.
     pub pocketed: Vec<Piece>,
     /// The coins left on the board, where they came to rest.
     pub left: Vec<Coin>,
@@ -142,7 +141,7 @@ mod tests {
             rules: Rules::Practice,
             ..GameSetup::default()
         });
-        // The black coin is in front of the upper right pocket, in line with it.
+        // The black coin is on the line from the striker to the top right pocket.
         let coins = vec![
             coin(Piece::Queen, -0.2, 0.0),
             coin(Piece::Black, 0.25, 0.25),

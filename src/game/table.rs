@@ -221,7 +221,7 @@ impl Game {
         Ok(self.carry_out(&terms, verdict))
     }
 
-    /// Passes the turn because coins block every legal position of the striker.
+    /// Passes the turn because coins block every position of the striker.
     ///
     /// # Errors
     /// Returns an error if the board has ended.

@@ -70,7 +70,7 @@ impl HandIn {
         }
     }
 
-    /// The name of the file: letters and digits that any system accepts.
+    /// The name of the file: letters, digits and hyphens, which any system accepts.
     pub fn file_name(&self) -> String {
         format!("{}.json", self.file_stem())
     }

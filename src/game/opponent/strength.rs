@@ -34,7 +34,7 @@ pub enum Strength {
     Club,
     /// Also considers cushion shots, and tries more of the strokes with an unsteady hand.
     Expert,
-    /// Considers the same shots as an expert, tries more strokes and makes smaller errors.
+    /// Considers the same kinds of shot as an expert, tries more strokes and makes smaller errors.
     Champion,
 }
 
@@ -42,13 +42,13 @@ pub enum Strength {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Skill {
     pub(super) hand: Hand,
-    /// The number of positions along the base lines that are considered.
+    /// The number of evenly spaced positions that are considered between the base circles.
     pub(super) places: u16,
     /// Whether combinations are considered.
     pub(super) combinations: bool,
     /// Whether cushion shots are considered.
     pub(super) cushions: bool,
-    /// The number of aims that are tried; those most likely to succeed are tried first.
+    /// The maximum number of aims that are tried: those with the largest tolerance.
     pub(super) aims: usize,
     /// Speeds at which each aim is tried, as multiples of the minimum speed.
     pub(super) speeds: &'static [f64],

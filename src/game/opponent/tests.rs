@@ -1,4 +1,4 @@
-//! Tests of the whole opponent for any position, strength and seed.
+//! Tests of the whole opponent in various positions.
 
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
@@ -234,8 +234,8 @@ fn plans_and_hints_use_the_restitution_of_the_game() {
             assert_eq!(story, super::Story::of(game, &shot));
         }
     }
-    // A coin gets (1 + e) m₁/(m₁ + m₂) of the speed, so with a loss the planned stroke must be
-    // harder.
+    // A full hit gives a coin (1 + e) m₁/(m₁ + m₂) of the striker's speed, so with a loss the
+    // planned stroke must be harder.
     let passed_on = |game| Sight::of(game).passed_on(Piece::Striker);
     let ratio = passed_on(&lossy) / passed_on(&elastic);
     assert!((ratio - 1.4 / 2.0).abs() < 1e-12, "{ratio}");
@@ -244,7 +244,8 @@ fn plans_and_hints_use_the_restitution_of_the_game() {
 #[test]
 fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     let mut game = scattered(0);
-    // The player's coins are walled in behind a row of the opponent's.
+    // The player's coin and the queen are near the far cushion, behind a row of the opponent's
+    // coins.
     let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
     game.play.coins = (-4..=4).map(row).collect();
     game.play.coins.push(coin(Piece::White, 0.0, 350.0));
@@ -302,7 +303,7 @@ fn bits(stroke: Motion) -> u64 {
     })
 }
 
-/// The search may get faster, but its results never change. The test pins the stroke of each
+/// The search may get faster, but its results must not change. The test pins the stroke of each
 /// strength, and the hint, in games begun by club players.
 #[test]
 fn decisions_do_not_change_by_a_single_bit() {

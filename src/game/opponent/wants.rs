@@ -10,10 +10,10 @@ pub(super) fn wants(game: &Game, piece: Piece) -> bool {
 
 /// Whether the player at `seat` wants to pocket `piece`.
 ///
-/// The wanted pieces are the player's own coins and the queen, once the Laws allow it (65, 68). In
-/// a tournament the player's last coin is not wanted while the queen is on the board, because
-/// pocketing it then loses the board (80). In point carrom and without an opponent, any coin is
-/// wanted.
+/// The wanted pieces are the player's own coins and the queen, once the rules allow it (65, 68).
+/// In a tournament the player's last coin is not wanted while the queen is on the board, because
+/// pocketing it then loses the board (80). In point carrom and without an opponent, every piece but
+/// the striker is wanted.
 pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
     let rules = game.setup().rules;
     let team = game.team(seat);

@@ -21,7 +21,8 @@ const TO_STRIKE: f64 = 1.6;
 /// The value of a sure coin to the side that has to wait: the coin may still be there at that
 /// side's next stroke.
 const TO_WAIT: f64 = 0.5;
-/// The number of striker positions from which the board is evaluated.
+/// The number of striker positions between the base circles from which the board is evaluated; the
+/// two on the circles are added.
 const PLACES: u16 = 7;
 
 /// How a position is evaluated.
@@ -73,7 +74,7 @@ impl Judge {
     }
 
     /// The probability, from 0 to 1, that the player at `seat` pockets something with the easiest
-    /// straight shot.
+    /// direct shot.
     fn prospect(&self, game: &Game, seat: Seat) -> f64 {
         if !self.skill.looks_ahead {
             return 0.0;

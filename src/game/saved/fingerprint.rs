@@ -7,8 +7,8 @@ use crate::game::seat::Team;
 use crate::game::table::Game;
 use crate::numbers::{FNV_START, fnv1a};
 
-/// A hash of a game's positions, turn, dues, queen and score. Two games that differ in even a
-/// single bit have different hashes, except with a probability of 10⁻¹⁹.
+/// A hash of a game's positions, turn, dues, queen and score. If even a single bit of these data
+/// differs, the hashes differ too, except with a probability of about 10⁻¹⁹.
 ///
 /// The algorithm is 64-bit FNV-1a. The order of these data is part of the file format, and so is
 /// the order in which pieces, seats and teams are declared. The hash detects damage and differences

@@ -37,7 +37,7 @@ impl SavedGame {
     pub(crate) const LARGEST_FILE: usize = 1 << 20;
 }
 
-/// The game has too many strokes for a file.
+/// The game has too many moves for a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("the game has become too long for one file")]
 pub struct TooLarge;
