@@ -18,7 +18,8 @@ pub struct Learning<'a> {
     pub matched: Vec<Matched<'a>>,
     /// The number of pupils who answered only some of these questions.
     pub others: usize,
-    /// The misconceptions that both forms can show, in the answers of the matched pupils.
+    /// The misconceptions that the matched pupils could have shown in both forms, and showed in at
+    /// least one.
     pub beliefs: Vec<BeliefChange>,
     /// The gain of the class, or why there is none.
     pub gain: Result<NormalizedGain, NoGain>,

@@ -14,7 +14,7 @@ use crate::quiz::Figures;
 /// A pupil with all answers from all hand-ins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pupil {
-    /// The name; a second pupil with the same name is "Ada (2)".
+    /// The name; in the same class, a second pupil with this name is "Ada (2)".
     pub name: String,
     /// The class, as the pupil wrote it.
     pub class: String,
@@ -60,7 +60,7 @@ fn identity(it: &Attempt) -> Identity<'_> {
 pub struct Gradebook {
     /// The pupils.
     pub pupils: Vec<Pupil>,
-    /// Notes on the files for the teacher, one sentence each.
+    /// Notes for the teacher, on the files and on pupils who have handed in nothing.
     pub notes: Vec<String>,
 }
 

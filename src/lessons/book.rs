@@ -78,7 +78,8 @@ impl Book {
         self.marks.is_some()
     }
 
-    /// Sets the bookmarks that were stored; from then on the book itself keeps them up to date.
+    /// Sets the bookmarks that were stored, unless they are known already; the book itself keeps
+    /// them up to date.
     pub(crate) fn recall(&mut self, marks: BTreeMap<String, Bookmark>) {
         self.marks.get_or_insert(marks);
     }
@@ -88,7 +89,7 @@ impl Book {
         self.marks = None;
     }
 
-    /// The bookmark in a chapter; `None` if the chapter was never opened.
+    /// The bookmark in a chapter; `None` if there is none or the bookmarks are not known yet.
     pub fn mark(&self, id: &str) -> Option<&Bookmark> {
         self.marks.as_ref()?.get(id)
     }

@@ -44,8 +44,8 @@ impl Bookmark {
         }
     }
 
-    /// This bookmark with an answer to the page's question; `right` says whether the answer is
-    /// right.
+    /// Creates a bookmark at a page, with an answer to the page's question; `right` says whether
+    /// the answer is right.
     #[must_use]
     pub(crate) fn answering(
         page: &ChapterPage,

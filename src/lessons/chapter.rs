@@ -28,7 +28,7 @@ impl Chapter {
     /// Reads a chapter; the name of the file contains the chapter's number and id.
     ///
     /// # Errors
-    /// Returns all errors in the file.
+    /// Returns the errors in the file.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(file, bytes, files::LARGEST)?;
         let (number, id) = number_and_id(file).ok_or_else(|| {

@@ -15,12 +15,12 @@ const UNIT: usize = 8;
 /// A question on a page, and the text that follows the answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checkpoint {
-    /// The kind of answer, with the correct answer.
+    /// The kind of answer, with the correct answer unless the figure determines it.
     pub asked: CheckpointKind,
     /// The question.
     pub question: Vec<TextBlock>,
-    /// The hint after a wrong answer, which does not reveal the right answer; feedback on a wrong
-    /// choice can also serve as the hint.
+    /// The hint after a wrong answer; it does not reveal the right answer. If it is empty, the
+    /// feedback on a wrong choice serves as the hint.
     pub hint: Vec<TextBlock>,
     /// The text that follows the answer.
     pub after: Vec<TextBlock>,
@@ -53,7 +53,7 @@ pub enum Expected {
     Of(Quantity, CollisionSpec),
     /// A quantity of the figure, with the settings that the student has chosen.
     Figure(Quantity),
-    /// A number given in the file, with its unit.
+    /// A number given in the file, with its unit, or the value of a constant.
     Fixed(f64, String),
 }
 
@@ -76,7 +76,7 @@ impl Expected {
         }
     }
 
-    /// The symbol of the quantity and the unit.
+    /// The symbol of the quantity, or "your answer" if the number is fixed, and the unit.
     pub(crate) fn sign_and_unit(&self) -> (&str, &str) {
         match self {
             Self::Of(quantity, _) | Self::Figure(quantity) => (quantity.symbol, quantity.unit),
@@ -238,7 +238,7 @@ fn number(words: &mut Words, page: &PageSource) -> Result<CheckpointKind, String
     })
 }
 
-/// Reads the name of a number: a constant, a quantity of a named shot, or a quantity of the page's
+/// Reads the name of a number: a constant, a quantity of a given shot, or a quantity of the page's
 /// figure.
 fn named(words: &mut Words, page: &PageSource) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();

@@ -50,7 +50,8 @@ pub enum FigureKind {
         /// shot are the other pieces.
         third_g: Option<f64>,
     },
-    /// Two bars: the energy of the centre-of-mass motion, and that of the relative motion.
+    /// Two bars, before and after, each with the energy of the centre-of-mass motion and that of
+    /// the relative motion.
     Parts,
     /// A simulated film of the collision, measured as `carrom measure` does.
     Film {
@@ -248,7 +249,8 @@ impl Figure {
         })
     }
 
-    /// Reads a figure as specified on the command line; the only available shot is the worked one.
+    /// Reads a figure as specified on the command line, where no shot has a name: fields change the
+    /// worked shot.
     ///
     /// # Errors
     /// Returns a message that states what was expected.

@@ -52,12 +52,12 @@ impl From<Node> for Formula {
     }
 }
 
-/// Converts `text` to subscript characters; `None` if Unicode lacks any of them.
+/// Converts `text` to subscript characters; `None` if [`letters`] lacks any of them.
 pub(crate) fn subscript(text: &str) -> Option<String> {
     text.chars().map(letters::lowered).collect()
 }
 
-/// Converts `text` to superscript characters; `None` if Unicode lacks any of them.
+/// Converts `text` to superscript characters; `None` if [`letters`] lacks any of them.
 pub(crate) fn superscript(text: &str) -> Option<String> {
     text.chars().map(letters::raised).collect()
 }

@@ -29,7 +29,7 @@ pub struct GlossaryEntry {
 }
 
 impl GlossaryEntry {
-    /// All entries, sorted by topic.
+    /// All entries, grouped by topic.
     pub fn all() -> &'static [Self] {
         #[derive(Default, Deserialize)]
         struct Glossary {

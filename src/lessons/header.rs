@@ -96,7 +96,7 @@ pub(super) fn read(source: &Source) -> Option<Header> {
     header
 }
 
-/// Reads text on a single line.
+/// Reads a text as a single line.
 fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
     fields.text(name, most).map(one_line)
 }

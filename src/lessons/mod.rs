@@ -2,9 +2,9 @@
 //!
 //! A [`Chapter`] consists of a header and pages; a [`ChapterPage`] has at most one [`Figure`], text
 //! in [`TextBlock`]s, and at most one [`Checkpoint`]. A file is read and checked when it is opened:
-//! each directive, each formula, and each number in the text, which the engine computes again. A
-//! file with any [`FileError`] is left out; each error states the file, the line and what was
-//! expected. `docs/lessons.md` describes the format.
+//! each directive, each formula, and each number in braces, which the engine computes again. A file
+//! with any [`FileError`] is left out; each error states the file, the line (unless it concerns the
+//! whole file) and what was expected. `docs/lessons.md` describes the format.
 //!
 //! This module draws nothing.
 

@@ -7,7 +7,7 @@ use crate::files::Source;
 /// The maximum length of a title, in characters.
 const TITLE: usize = 40;
 
-/// A page, which may have a figure, followed by text and possibly a checkpoint.
+/// A page, which may have a figure, followed by text, a checkpoint or both.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChapterPage {
     /// The title, which is unique in its chapter.

@@ -190,8 +190,7 @@ const OF_UNEQUAL_MASSES: [&str; 2] = ["marbles", "weighing-by-angle"];
 const OF_ANY_MASSES: [&str; 2] = ["A share of the energy", "The split of energy"];
 
 /// Every wrong answer leads to a page about the same case: the page mentions the misconception, if
-/// the answer shows one, and the subject of the question, in a chapter about the same kind of
-/// masses.
+/// the answer shows one, and the subject of the question, and it is not about other masses.
 #[test]
 fn the_page_after_a_wrong_answer_treats_what_was_asked() {
     let chapters = chapters();

@@ -10,7 +10,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// Splits a directive at spaces; a value that contains spaces must be in double quotes.
+    /// Splits a directive at spaces; a value that contains spaces must be in quotes.
     ///
     /// # Errors
     /// Returns a message that states what was expected.
@@ -92,7 +92,7 @@ impl Words {
     /// Checks that no words are left.
     ///
     /// # Errors
-    /// Returns a message about the word that is left.
+    /// Returns a message about a word that is left.
     pub(super) fn finish(self) -> Result<(), String> {
         let fields = self.fields.into_iter().map(|(name, _)| name);
         match self.bare.into_iter().chain(fields).next() {

@@ -11,7 +11,7 @@ pub(super) struct WrittenFigure {
     margin: f64,
 }
 
-/// The rounding error of an exact figure.
+/// The permitted rounding error, as a fraction of a root or of the last decimal place.
 const NOISE: f64 = 1e-9;
 
 impl WrittenFigure {
@@ -60,13 +60,14 @@ impl WrittenFigure {
         })
     }
 
-    /// Whether the figure equals `truth` rounded to the same number of decimal places.
+    /// Whether the figure equals `truth` rounded to the same number of decimal places; a root must
+    /// equal `truth` itself.
     pub(super) fn agrees(&self, truth: f64) -> bool {
         (truth - self.value).abs() <= self.margin
     }
 
-    /// `truth` for a message: with as many decimal places as the figure, or with two if there is a
-    /// power of ten.
+    /// `truth` for a message: with as many decimal places as [`Self::agrees`] compares, or with two
+    /// if there is a power of ten.
     pub(super) fn corrected(&self, truth: f64) -> String {
         let places = (-self.margin.log10()).floor().clamp(0.0, 12.0) as usize;
         match self.shown.contains("×10") {

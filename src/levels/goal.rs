@@ -83,8 +83,8 @@ pub enum Goal {
 pub enum HitMeasure {
     /// The speed of a disc, in m/s.
     Speed(usize),
-    /// The angle between the initial path of body 1 and the velocity of a disc, on either side, in
-    /// radians.
+    /// The angle between the velocity of body 1 just before the collision and that of a disc, on
+    /// either side, in radians.
     Turn(usize),
     /// The angle between the velocities of the two discs, in radians.
     Separation,
@@ -283,7 +283,7 @@ impl Goal {
                         format!("Give {name} a speed of {between} right after the first hit.")
                     }
                     HitMeasure::Turn(_) => {
-                        format!("Send {name} off at {between} from the line of the shot.")
+                        format!("Send {name} off at {between} from the incoming path.")
                     }
                     HitMeasure::Separation => {
                         format!("Make the angle between the paths {between}.")

@@ -1,4 +1,4 @@
-//! The names of letters and signs, and the superscript and subscript characters of Unicode.
+//! The names of letters and signs, and the superscript and subscript characters of formulas.
 
 use crate::numbers::{RAISED_DIGITS, greek};
 

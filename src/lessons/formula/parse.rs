@@ -160,8 +160,8 @@ impl FormulaReader<'_> {
         self.sign(first)
     }
 
-    /// Reads the part under a root sign or an arrow, which is a single atom or the contents of a
-    /// bracket.
+    /// Reads the part under a root sign or an arrow: the contents of a bracket, or a single atom
+    /// with its subscript and superscript.
     fn argument(&mut self) -> Result<Formula, String> {
         self.take_while(|c| c == ' ');
         self.deeper(|reader| match reader.peek() {
