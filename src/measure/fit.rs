@@ -20,8 +20,8 @@ pub const LEVEL: f64 = 0.01;
 const FEW: f64 = 25.0;
 /// The standard uncertainty of the sum of two radii, as measured with a calliper, in metres.
 const RADII_SIGMA: f64 = 1e-4;
-/// A quantity smaller than its uncertainty times this factor is not clearly different from zero: it
-/// has no direction, and nothing is divided by it.
+/// A quantity smaller than its uncertainty times this factor is not clearly different from zero; a
+/// velocity as small as this has no direction.
 const CLEAR: f64 = 4.0;
 /// If the distance between the centres at contact differs from the sum of the radii by more than
 /// this number of standard uncertainties, the tracks contradict the radii.
@@ -82,7 +82,7 @@ pub struct SlowingTest {
     pub f: f64,
     /// The probability that a ratio this large occurs by chance.
     pub p: f64,
-    /// Whether both bodies slow down as fitted (and not speed up).
+    /// Whether neither body speeds up in the fit.
     pub is_slowing: bool,
 }
 
@@ -120,7 +120,7 @@ pub struct TracksFit {
     weights: [f64; CHANNELS],
     covariance: Matrix,
     freedom: [f64; CHANNELS],
-    /// Whether both bodies have the same noise, because there are few points.
+    /// Whether both bodies share an estimate of the noise, because there are few points.
     is_pooled: bool,
 }
 
@@ -200,7 +200,8 @@ impl TracksFit {
             let starts = starts.iter().flat_map(|it| slower(it, &model, points));
             slow = Self::best(starts, &model, points).filter(|it| it.freedom() >= 1.0);
             let mut slowing = (0..2).filter(|body| model.slows[*body][0]);
-            // If straight lines are fitted to the paths of slowing bodies, a body at rest seems to move.
+            // If straight lines are fitted to the paths of slowing bodies, a body at rest may seem
+            // to move.
             let at_rest = match &slow {
                 Some(fit) => slowing.find(|body| !moves(fit, *body, Leg::Before)),
                 None => slowing.min_by(|a, b| {
@@ -450,8 +451,9 @@ impl TracksFit {
     }
 }
 
-/// Starting states slightly earlier and later than a guess. Without them, the fit could get stuck
-/// at a time of contact at which a row passes from one leg to the other.
+/// Starting states: a guess, and the same with a slightly earlier or later contact. From the guess
+/// alone, the fit could get stuck at a time of contact at which a row passes from one leg to the
+/// other.
 fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {
     let times = || points.into_iter().flatten().map(|point| point.t);
     let (first, last) = (
@@ -466,8 +468,8 @@ fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {
     })
 }
 
-/// Starting states for bodies that slow down: from a small deceleration to a stop soon after the
-/// contact.
+/// Starting states for bodies that slow down: from a small deceleration to a stop before the last
+/// point.
 fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> [State; 3] {
     let duration = |body: usize| {
         let last = points[body].last().map_or(0.0, |point| point.t);
@@ -504,8 +506,9 @@ fn extent(points: [&[Point]; 2]) -> f64 {
     low.zip(high).map_or(0.0, |(low, high)| low.distance(high))
 }
 
-/// How strongly neighbouring residuals are correlated (von Neumann's ratio, converted to a standard
-/// normal variable). Bent paths, a third body, a cushion and smoothed tracking correlate them.
+/// How strongly neighbouring residuals are correlated (the sum of their products, scaled to a
+/// standard normal variable). Bent paths, a third body, a cushion and smoothed tracking correlate
+/// them.
 fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
     let (mut products, mut count) = (0.0, 0.0);
     for (body, points) in points.into_iter().enumerate() {
@@ -519,7 +522,7 @@ fn alike(fit: &TracksFit, points: [&[Point]; 2]) -> f64 {
         }
     }
     // Fitting lines gives neighbours a slight negative correlation; adding a half per parameter
-    // compensates for it.
+    // roughly compensates for it.
     (products + PARAMETERS as f64 * 0.5) / f64::max(count, 1.0).sqrt()
 }
 
