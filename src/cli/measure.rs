@@ -41,7 +41,7 @@ pub(super) struct Args {
     /// Radius of the second body in millimetres
     #[arg(long, value_name = "MM", requires = "r1_mm", value_parser = positive)]
     r2_mm: Option<f64>,
-    /// Coefficient of restitution of the prediction, 0 to 1
+    /// Coefficient of restitution for the prediction, 0 to 1
     #[arg(long, value_name = "E", default_value = "1", value_parser = restitution)]
     restitution: f64,
     /// Whether the bodies slow down; auto: only if the data show it clearly

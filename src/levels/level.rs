@@ -127,8 +127,8 @@ impl Level {
         start(&self.scene)
     }
 
-    /// Whether the level is decided by the first collision alone, so that cushions and pockets do
-    /// not matter.
+    /// Whether the level is decided by the first collision alone: it has no pockets, and all goals
+    /// are about this collision.
     pub(crate) fn is_of_the_first_hit(&self) -> bool {
         let no_pockets = self.scene.board.pocket_diameter <= 0.0;
         no_pockets && self.goals.iter().all(Goal::is_of_the_first_hit)
@@ -174,7 +174,7 @@ impl Scene {
     }
 }
 
-/// The settings of the dials that correspond to the shot of a scene.
+/// The settings of all dials in a scene.
 fn start(scene: &Scene) -> LevelAim {
     let piece = scene.pieces.get(scene.stroke.disc);
     LevelAim::new(|dial| match dial {
@@ -212,9 +212,9 @@ fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     Some(adjust)
 }
 
-/// Checks that there is room for the disc that is shot at every x, in metres, in a range. It is
-/// enough to check both ends of the range and the points that are nearest to each of the other
-/// discs and pockets.
+/// Checks that the disc that is shot has room at every x, in metres, in a range. It is enough to
+/// check both ends of the range and the points that are nearest to each of the other discs and
+/// pockets.
 fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     let number = scene.stroke.disc;
     let Some(&piece) = scene.pieces.get(number) else {

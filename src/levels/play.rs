@@ -3,8 +3,8 @@
 use super::scene::Scene;
 use crate::physics::{Engine, EngineError, Limits, Shot};
 
-/// How many seconds of a shot are played on a board without friction, where nothing would ever come
-/// to rest.
+/// The maximum number of seconds for which a shot is played on a board without friction, where the
+/// motion may never end.
 const WATCHED: f64 = 60.0;
 
 /// The work budget of a shot, counted in tests of a pair of discs (see [`Limits::work`]). The
@@ -31,7 +31,7 @@ impl Patience {
 }
 
 impl Scene {
-    /// Plays the shot to its end or, on a board without friction, for a minute.
+    /// Plays the shot to its end or, on a board without friction, for at most a minute.
     ///
     /// # Errors
     ///

@@ -271,8 +271,8 @@ pub(super) fn tidy(number: f64) -> String {
     short(number, 2)
 }
 
-/// Formats a measured length in millimetres with three significant figures, but at most two decimal
-/// places.
+/// Formats a measured length in millimetres with three significant figures, but never in steps
+/// coarser than 1 mm or finer than 0.01 mm.
 pub(super) fn figures(mm: f64) -> String {
     let decimals = match mm.abs() {
         ..10.0 => 2,

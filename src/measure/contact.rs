@@ -51,11 +51,11 @@ fn together(tracks: &[Track; 2]) -> Vec<(Point, Point)> {
     both
 }
 
-/// Two guesses at the collision: where two straight lines per body fit best, and where the bodies
-/// are nearest to each other (which finds the collision even if the bodies slow down a lot).
+/// Up to two guesses at the collision: where two straight lines per body fit best, and where the
+/// bodies are nearest to each other (which finds the collision even if the bodies slow down a lot).
 ///
 /// # Errors
-/// Returns an error if a body has too few points on one side of every possible contact.
+/// Returns an error if no guess has enough points of each body on both sides.
 pub(super) fn guesses(tracks: &[Track; 2]) -> Result<Vec<State>, Fault> {
     for track in tracks {
         let count = track.points.len();

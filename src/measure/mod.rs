@@ -52,9 +52,9 @@ pub struct Given {
     pub masses: Option<[f64; 2]>,
     /// Both radii in metres.
     pub radii: Option<[f64; 2]>,
-    /// The factor by which all lengths of the tracks are multiplied.
+    /// The factor by which all coordinates of the tracks are multiplied.
     pub scale: f64,
-    /// The coefficient of restitution of the prediction.
+    /// The coefficient of restitution for the prediction.
     pub restitution: f64,
     /// Whether legs may slow down.
     pub slowing: SlowingDown,
@@ -95,7 +95,7 @@ impl Fault {
         }
     }
 
-    /// This fault as an error of a file.
+    /// This fault as an error in a file.
     pub fn of_file(self, name: &str) -> FileError {
         match self.line {
             Some(line) => FileError::on_line(name, line as usize, self.message),
@@ -164,7 +164,8 @@ impl Measurement {
         Ok((quantity, self.estimate(quantity)?))
     }
 
-    /// The motion that is predicted from nothing but the state before the contact.
+    /// The motion with the velocities after the contact that are predicted from those before it and
+    /// the line of impact.
     pub(crate) fn predicted(&self) -> Option<State> {
         let [v1, v2] = quantities::predicted(&self.fit.state, &self.known)?;
         let mut state = self.fit.state;

@@ -107,7 +107,7 @@ pub(crate) struct Known {
     pub(crate) masses: [f64; 2],
     pub(crate) are_given: bool,
     pub(crate) line: LineFrom,
-    /// The coefficient of restitution of the prediction.
+    /// The coefficient of restitution for the prediction.
     pub(crate) restitution: f64,
 }
 
@@ -159,7 +159,7 @@ pub(crate) struct Quantity {
 /// undefined.
 type Derivation = Box<dyn Fn(&State, &Known) -> Option<f64> + Send + Sync>;
 
-/// All quantities, in the order of reporting.
+/// All reported quantities.
 pub(crate) static QUANTITIES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
     use Need::{Approach, Masses, Moves, Radii, Slows};
     use Unit::{Angle, Energy, Length, Momentum, Number, Percent, Seconds, Slowing, Speed};

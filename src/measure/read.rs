@@ -38,7 +38,7 @@ pub struct Reading {
 /// and its bytes.
 ///
 /// # Errors
-/// Returns messages that say what was expected and found, with line and column.
+/// Returns messages that say what was expected and found, and where.
 pub fn read(files: &[(&str, &[u8])], reading: &Reading) -> Result<[Track; 2], FileErrors> {
     let mut tracks = Vec::new();
     let mut last = "";
@@ -95,7 +95,7 @@ struct Column {
 }
 
 impl Column {
-    /// The position of this column in a message.
+    /// The number and the heading of this column, for a message.
     fn place(&self) -> String {
         match self.head.is_empty() {
             true => format!("column {}", self.index + 1),
@@ -452,7 +452,7 @@ fn rows(source: Source, opening: &TableHead, table: &TrackTable) -> Result<Vec<T
     source.finish(Some(tracks))
 }
 
-/// Reads the fields of a row, with a point of each body that has one in this row.
+/// Reads the fields of a row, and adds a point to the track of each body that has one in this row.
 fn row(
     table: &TrackTable,
     fields: &[&str],

@@ -36,7 +36,7 @@ fn regularized_beta(x: f64, a: f64, b: f64) -> f64 {
     if x >= 1.0 {
         return 1.0;
     }
-    // The fraction converges quickly only on this side.
+    // The fraction converges quickly only for smaller x.
     if x > (a + 1.0) / (a + b + 2.0) {
         return 1.0 - regularized_beta(1.0 - x, b, a);
     }

@@ -38,7 +38,8 @@ pub enum Leg {
 pub(super) const LEGS: [Leg; 2] = [Leg::Before, Leg::After];
 
 /// If there are more points than this, neighbours are averaged: the mean of points on a straight
-/// line is on the line, and the fit then takes no longer for a million rows than for this number.
+/// line is on the line, and the fit then takes little longer for a million rows than for this
+/// number.
 const MOST_POINTS: usize = 5_000;
 /// The number of groups of points, on each side of the contact, that are not averaged.
 const SINGLE: usize = 3;

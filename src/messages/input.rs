@@ -21,10 +21,11 @@ pub enum Input {
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),
-    /// The result of an [`Effect::Export`](super::Effect::Export): the path of the file, or the
-    /// reason why it could not be written.
+    /// The result of an [`Effect::Export`](super::Effect::Export) or
+    /// [`Effect::ExportPage`](super::Effect::ExportPage): the path of the file, or the reason why
+    /// it could not be written.
     Exported(Result<String, String>),
-    /// The events from a class on the pupils' devices since the last input, in order.
+    /// The events from a class on the pupils' devices since the last such input, in order.
     Hosted(Vec<HostNews>),
     /// An event from the host of the class.
     Joined(JoinNews),
@@ -63,7 +64,7 @@ impl Mouse {
     }
 
     /// A mouse event at a position on the screen, in columns and rows from the upper left corner; a
-    /// position outside the screen is moved to the edge.
+    /// position to the left of the screen or above it is moved to the edge.
     pub fn at(kind: MouseKind, place: DVec2) -> Self {
         let place = place.max(DVec2::ZERO);
         let within = 256.0 * place.fract();

@@ -146,12 +146,12 @@ fn slowed(rates: &'static [f64]) -> impl Fn(&mut Pcg64Mcg) -> Film {
 #[test]
 fn intervals_contain_the_truth_as_often_as_they_say() {
     let (all, _) = coverage(300, 1, SlowingDown::Never, film);
-    // The limit is three standard deviations of the count for 300 measurements.
+    // The limit is about three standard deviations of a 68 % share of 300 measurements.
     assert_eq!(wrong(&all, 8.2), Vec::<&str>::new(), "{}", table(&all));
 }
 
 /// `Auto` is tested with surfaces that slow the bodies clearly or not at all. A deceleration that
-/// hardly shows in the data distorts the velocities by more than their uncertainties; the guide
+/// hardly shows in the data may distort the velocities by more than their uncertainties; the guide
 /// mentions this, and `Always` prevents it.
 #[test]
 #[ignore = "forty thousand measurements take minutes"]
