@@ -21,7 +21,8 @@ pub(crate) fn short(x: f64, decimals: usize) -> String {
     trimmed(&fixed(x, decimals)).to_owned()
 }
 
-/// `x` to three significant figures, with trailing zeros: "15.0", "5.50", "0.707".
+/// `x` to three significant figures, with trailing zeros: "15.0", "5.50", "0.707"; from 1000 on, as
+/// an integer: "1234".
 pub(crate) fn significant(x: f64) -> String {
     fixed(x, decimals_for(x, 3))
 }

@@ -91,7 +91,7 @@ impl Key {
 }
 
 impl fmt::Display for Key {
-    /// Writes the name in ASCII, as shown in the bottom line of a screen.
+    /// Writes the character, or the name of the key as in a tape (`Space` for the space bar).
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Char(' ') => f.write_str("Space"),

@@ -56,7 +56,7 @@ pub enum StoreRequest {
     Recall(Option<String>),
     /// List the levels that this player has won.
     Stars(String),
-    /// List everyone who has done something on this device.
+    /// List everyone about whom something is saved on this device.
     Players,
     /// List this player's bookmarks.
     Marks(String),
@@ -120,8 +120,8 @@ pub struct StoreAnswer {
     pub ticket: u64,
     /// The reply to the request.
     pub done: StoreReply,
-    /// The number of answers, stars, bookmarks and hits that have not been saved yet because saving
-    /// failed. They will be saved in order as soon as possible.
+    /// The number of players' actions that have not been saved yet because saving failed. They will
+    /// be saved in order as soon as possible.
     pub unsaved: usize,
     /// Any other information that the player should see.
     pub notice: Option<String>,
@@ -148,12 +148,12 @@ pub enum StoreReply {
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The class round that was loaded.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars, the bookmark, the hit or the settings have been saved, along with
-    /// everything that was pending before.
+    /// The settings have been saved; or, after a player's action or a retry, everything that was
+    /// pending.
     Noted(Result<(), String>),
     /// The answers and observations so far.
     Recalled(Result<Box<History>, String>),
-    /// The hits in the notebook, in the order in which they were made.
+    /// The latest hits in the notebook, in the order in which they were made.
     Notebook(Result<Vec<NotedHit>, String>),
     /// The levels that the player has won.
     Stars(Result<Vec<Starred>, String>),
@@ -203,7 +203,8 @@ pub struct GatheredBook {
     pub notes: Vec<String>,
 }
 
-/// A person who has answered, read or won something on this device.
+/// A person about whom something is saved on this device: an answer, a star, a bookmark, a hit or
+/// an observation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KnownPlayer {
     /// The name.
@@ -212,7 +213,7 @@ pub struct KnownPlayer {
     pub last: Option<Date>,
 }
 
-/// A player's answers and observations so far.
+/// The answers and observations of one player, or of everyone, so far.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     /// All answers, in the order in which they were given.

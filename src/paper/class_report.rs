@@ -18,7 +18,7 @@ use crate::quiz::{Form, Misconception, Question, Response};
 use crate::widgets::text::unbroken;
 
 const STYLE: &str = include_str!("class_report.css");
-/// The maximum number of letters in a name.
+/// The maximum number of columns in a name.
 const NAME: usize = 44;
 /// The number of misconceptions for which the report gives the next step in full.
 const NEXT: usize = 3;
@@ -89,7 +89,7 @@ fn facts(round: &ClassRound, about: &About, voted: usize) -> String {
     facts.join(" · ")
 }
 
-/// A table with the results of all questions.
+/// A table with the results of all questions that were voted on.
 fn glance(round: &ClassRound, voted: &[&ItemAnalysis]) -> Markup {
     let note = |item: &ItemAnalysis| match Advice::of(round, item.question) {
         _ if needs_more(item) => "come back to this question",

@@ -28,13 +28,16 @@ pub fn clean(text: &str, columns: usize) -> String {
             continue;
         }
         width += taken;
-        // Letters that join may be wider together than separately.
         if width > columns || line.len() > 16 * columns {
             return cut(line, columns);
         }
         line.push(letter);
     }
     line.truncate(line.trim_end().len());
+    // Letters that join may be wider together than separately.
+    if line.width() > columns {
+        return cut(line, columns);
+    }
     line
 }
 
@@ -89,6 +92,7 @@ mod tests {
             format!("e{}", "\u{301}".repeat(10_000)),
             "e\u{301}\u{302}".repeat(10_000),
             "👩‍👩‍👧‍👦".repeat(5_000),
+            "☺\u{fe0f}".repeat(9),
             "\u{202e}".repeat(10_000),
         ] {
             for columns in [0, 1, 2, 9, 40] {

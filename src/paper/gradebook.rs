@@ -11,18 +11,19 @@ use crate::progress::Mastery;
 use crate::progress::words::percent;
 
 const STYLE: &str = include_str!("gradebook.css");
-/// The maximum number of letters in a name, and in the name of a round or topic at the head of a
-/// column.
+/// The maximum width, in characters, of a name, and of the name of a round or topic at the head of
+/// a table column. A wide letter counts as two.
 const NAME: usize = 44;
 const HEAD: usize = 40;
-/// The maximum number of letters in a question in a table. Only damaged files contain longer
+/// The maximum width, in characters, of a question in a table. Only damaged files contain longer
 /// questions.
 const QUESTION: usize = 400;
 /// The maximum number of round or topic columns in a table; the rest go into further tables.
 const COLUMNS: usize = 6;
 
-/// The gradebook as an HTML document: the results by pupil, the results by question, the class's
-/// misconceptions, then one page per pupil.
+/// The gradebook as an HTML document: the results by pupil, what the class has learnt (if anyone
+/// has begun a form before or after a unit), the results by question, the class's misconceptions,
+/// then one page per pupil.
 pub fn html(results: &ClassResults<'_>) -> String {
     let forms = learning(results);
     let mut sheets = vec![sheet("Gradebook", &overview(results))];

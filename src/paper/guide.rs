@@ -133,7 +133,7 @@ fn page_link(mut event: Event<'_>, is_linked: bool) -> Option<Event<'_>> {
     is_page.then_some(event)
 }
 
-/// The text of the first heading.
+/// The text of the first top-level heading.
 fn title(events: &[Event]) -> String {
     let is_before = |event: &&Event| match event {
         Event::Start(Tag::Heading { level, .. }) => *level != HeadingLevel::H1,

@@ -122,7 +122,7 @@ fn escape(text: &str) -> String {
         let address = lower.contains("://") || lower.contains('@') || lower.contains("www.");
         let mut letters = word.chars().peekable();
         while let Some(letter) = letters.next() {
-            // Many programs format the text between two of these characters.
+            // Many programs format the text between doubled characters, as in `==text==`.
             let is_double = before == Some(letter) || letters.peek() == Some(&letter);
             let special = match letter {
                 '\\' | '`' | '*' | '_' | '[' | ']' | '{' | '}' | '<' | '>' | '&' | '|' | '~'

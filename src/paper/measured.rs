@@ -15,7 +15,7 @@ const MOST_ROWS: u16 = 36;
 /// The maximum width of a file name, in columns.
 const NAME: usize = 80;
 
-/// The report on a measurement of these files as HTML.
+/// The report, in HTML, on a measurement made from these files.
 pub fn measured_html(measurement: &Measurement, files: &[String]) -> String {
     let rows = measured_rows(COLUMNS, measurement).clamp(FEWEST_ROWS, MOST_ROWS);
     let area = Rect::new(0, 0, COLUMNS, rows);

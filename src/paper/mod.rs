@@ -2,8 +2,9 @@
 //!
 //! A document is written as HTML by [`html_page()`] (self-contained, for A4 or US letter paper,
 //! with nothing to load or run) or as [`Markdown`] with its pictures in files beside it. The
-//! pictures on the screen are drawn as vectors, each as an `Svg`. They work in black and white too:
-//! every mark with a meaning has a name, a dash pattern or a width in addition to its colour.
+//! pictures look as they do on the screen, but are drawn as vectors, each as an `Svg`. They work in
+//! black and white too: every mark with a meaning has a name, a dash pattern or a width in addition
+//! to its colour.
 //!
 //! External text is safe everywhere: HTML is written with [`maud::html!`], which escapes its
 //! input, and [`Markdown`] and pictures do the same. [`clean()`] deals with what escaping cannot
@@ -51,7 +52,7 @@ const LOOK: Look = Look {
     blocks: Blocks::Quadrants,
     theme: Theme::new(Palette::Light, Depth::True),
 };
-/// The scale of pictures: letters are 10.5 CSS pixels (8 points) high.
+/// The scale of pictures: letters are 10.5 CSS pixels (about 8 points) high.
 const SCALE: f64 = 0.75;
 
 /// A picture for paper. `words` is its text alternative.

@@ -235,8 +235,8 @@ impl<'a> PathSoFar<'a> {
         asked.peek().is_some() && asked.all(|known| *known == Some(true))
     }
 
-    /// Whether at least four in five quiz answers are right. If so, the path leads only to the
-    /// chapters that teach missed topics, not to every chapter in order.
+    /// Whether at least four in five quiz answers are right. If so, the path leads straight to the
+    /// chapters that teach missed topics, and asks about the others if there are questions on them.
     fn knows_most(&self) -> bool {
         let all = Tally::of(self.quiz_answers());
         5 * all.right >= 4 * all.attempts

@@ -1,8 +1,8 @@
 //! A collision as a problem, and its outcome.
 //!
-//! The problem is two discs, their velocities and the offset at which they meet. The point of
-//! contact, the line of impact and the final velocities follow from that and are computed, never
-//! stored.
+//! The problem is two discs, their velocities and spins, the offset at which they meet, and how
+//! they rebound, rub or stick. The point of contact, the line of impact and the final velocities
+//! follow from that and are computed, never stored.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,8 +18,8 @@ use super::units::rad_from_deg;
 /// How the two surfaces behave at contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bond {
-    /// The discs leave each other. Unless their rims have friction, no force acts perpendicular to
-    /// the line of impact.
+    /// The discs do not stick. Unless their rims have friction, no force acts perpendicular to the
+    /// line of impact.
     #[default]
     Slip,
     /// The discs stick where they touch and move on as one body; restitution plays no part.
@@ -41,8 +41,8 @@ pub struct Collision {
     /// which the striker moves relative to the target.
     pub offset: f64,
     /// The rounding error of [`offset`](Self::offset), in metres, if that offset comes from an
-    /// impact angle within a degree of a graze: b is the offset plus this error. Near a graze,
-    /// cos α depends on digits of b that `offset` alone cannot represent. Otherwise 0.
+    /// impact angle within a degree of a graze, otherwise 0: b is the offset plus this error. Near
+    /// a graze, cos α depends on digits of b that `offset` alone cannot represent.
     pub offset_rest: f64,
     /// Coefficient of restitution e, 0 to 1; it has no effect on discs that stick.
     pub restitution: f64,
@@ -203,7 +203,8 @@ impl Collision {
     }
 
     /// The throw δ in radians: the angle from the line of impact to the velocity that the
-    /// collision gives the target, positive from n towards t; `None` without a hit.
+    /// collision gives the target, positive from n towards t; `None` for a miss, a graze or discs
+    /// that stick.
     pub(crate) fn throw(&self) -> Option<f64> {
         let outcome = self.outcome();
         (outcome.meeting == Meeting::Hit && self.bond == Bond::Slip)
@@ -301,7 +302,8 @@ impl Collision {
 
     /// Velocities of the two centres right after the contact, in m/s. For discs that slip, these
     /// are v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre
-    /// has V + ω × r, where r is its position relative to the centre of mass.
+    /// moves at V + ω × r, where V is the velocity of the centre of mass and r the position of the
+    /// centre relative to it.
     pub(crate) fn centres_after(&self) -> [DVec2; 2] {
         let outcome = self.outcome();
         let (centre1, centre2) = self.placed_at_contact();

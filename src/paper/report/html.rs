@@ -80,7 +80,7 @@ fn figures(report: &Report) -> Markup {
     }
 }
 
-/// Two columns: the answers on the left, the confidence and the chapters on the right.
+/// Two columns: the answers and the levels on the left, confidence and chapters on the right.
 fn columns(report: &Report) -> Markup {
     let pictures = report.pictures();
     let picture = |name: &str| {

@@ -31,7 +31,7 @@ const NAME: usize = 44;
 pub struct Sources<'a> {
     /// The player's name.
     pub player: &'a str,
-    /// All of the player's answers.
+    /// All of the player's answers and observations.
     pub history: &'a History,
     /// The player's bookmarks, by chapter id.
     pub marks: &'a BTreeMap<String, Bookmark>,

@@ -12,13 +12,14 @@ use crate::widgets::picture::{self, Pen, View};
 use crate::widgets::plot::{REACH, errors_picture, sureness_picture};
 use crate::widgets::svg::Svg;
 
-/// The minimum number of answers at one confidence level for which a share is calculated.
+/// Each share over time is calculated from the last answers at one confidence level: this number of
+/// them, or fewer at the start.
 const SHARED: usize = 10;
-/// Each share is calculated from [`SHARED`] answers; if there are many answers in all, from more:
-/// their total number divided by [`GROUPS`], rounded down to a multiple of ten.
+/// If there are many answers in all, each share is calculated from more than [`SHARED`] of them:
+/// their total number divided by this, rounded down to a multiple of ten.
 const GROUPS: usize = 40;
-/// The sizes, in columns and rows, of a picture across the whole page and of a picture in one of
-/// the two columns.
+/// The sizes, in columns and rows, of a picture in the wide left column of the page and of a
+/// picture in the narrow right one.
 const WIDE: Rect = Rect::new(0, 0, 60, 14);
 const NARROW: Rect = Rect::new(0, 0, 40, 14);
 /// The fill of the target range.

@@ -27,7 +27,7 @@ pub(super) enum ReportCell {
     /// Text to notice.
     Strong(String),
     Number(String),
-    /// A share from 0 to 1, drawn as a bar where that is possible, and the same in words.
+    /// A share from 0 to 1, drawn as a bar where that is possible, and the text beside it.
     Share(f64, String),
 }
 

@@ -5,7 +5,7 @@ use crate::numbers;
 use crate::paper::Markdown;
 use crate::quiz::{Confidence, Form, Measure, letter};
 
-/// A long line to write on, a short one, and a tick box.
+/// A short line to write on, a long one, and a tick box.
 const BLANK: &str = "____________";
 const LINE: &str = "________________________________";
 const BOX: char = '☐';

@@ -59,8 +59,8 @@ impl<'a> Worksheet<'a> {
         }
     }
 
-    /// The command that opens the same round on a screen; `None` for the other versions, which have
-    /// different numbers.
+    /// The command that opens the same round on a screen; `None` for versions other than A, which
+    /// have different numbers.
     fn command(&self) -> Option<String> {
         let is_first = self.version.is_none_or(|letter| letter == 'A');
         is_first.then(|| words::command(self.round.code(), &self.own))

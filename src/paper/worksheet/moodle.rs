@@ -254,7 +254,7 @@ fn size_deg(angle: Option<f64>) -> f64 {
 }
 
 /// For each of the [`SIDES`], whether it is right for a ray. Straight ahead and straight back are
-/// on neither side, so both are accepted.
+/// on neither side, so left and right are both accepted.
 fn sides(ray: Ray, angle: Option<f64>) -> [bool; 3] {
     let Some(angle) = angle else {
         return [false, false, true];
@@ -317,7 +317,7 @@ impl KnownAnswer {
     }
 }
 
-/// A number with enough figures that rounding does not affect any tolerance.
+/// A number with enough figures that its rounding is negligible beside any tolerance.
 fn exact(x: f64) -> String {
     figures(x, 5)
 }
