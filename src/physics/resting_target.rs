@@ -197,7 +197,7 @@ pub(crate) fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
 }
 
 /// The ratio of the masses from the angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is sin(θ₁+2θ₂) /
-/// sin θ₁; `None` if the angles do not determine it.
+/// sin θ₁; `None` if the angles do not determine it or are impossible at this e.
 pub(crate) fn mass_ratio_from_angles(theta1: f64, theta2: f64, restitution: f64) -> Option<f64> {
     let ratio = (1.0 + restitution) / k_from_angles(theta1, theta2)? - 1.0;
     (ratio > 0.0).then_some(ratio)
@@ -378,8 +378,8 @@ mod tests {
         assert_eq!(p.alpha_for_energy_passed(f64::NAN), None);
     }
 
-    /// A full and a thin hit can deflect a heavy striker by the same angle; for a lighter striker
-    /// or one of equal mass, the thinner the hit, the smaller the deflection.
+    /// If m₁ > e m₂, a full and a thin hit can deflect the striker by the same angle; otherwise,
+    /// the thinner the hit, the smaller the deflection.
     #[test]
     fn only_a_heavy_striker_has_two_impact_angles_for_one_deflection() {
         for p in pairs() {
