@@ -8,8 +8,8 @@ impl Collision {
     /// approach) and lasts `duration` seconds, with the contact point at the origin. The engine
     /// plays smooth discs; friction at the rims changes the velocities with which they leave.
     ///
-    /// `None` if the numbers do not describe a shot: a value is not finite, or `lead` is negative,
-    /// so the discs would overlap at the start.
+    /// `None` if the numbers do not describe a shot: for example, if `lead` is not finite, or if it
+    /// is negative and the discs would overlap at the start.
     pub fn shot(&self, lead: f64, duration: f64) -> Option<Shot> {
         let (p1, p2) = self.positions_before(lead);
         let discs = [self.striker, self.target];

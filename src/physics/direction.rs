@@ -12,8 +12,8 @@ struct Twofold(f64, f64);
 
 /// π/2 to twice the precision.
 const QUARTER: Twofold = Twofold(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
-/// The number of terms of a series. For angles up to an eighth of a turn, the next term is below
-/// the last digit.
+/// The number of terms of a series after the first. For angles up to an eighth of a turn, the next
+/// term is below the last digit.
 const TERMS: u32 = 14;
 
 impl Twofold {

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// A smooth rigid disc, without its position and velocity.
+/// A rigid disc, without its position and velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disc {
     /// Mass in kilograms, finite and positive.
@@ -36,7 +36,6 @@ impl Motion {
         Self { position, velocity }
     }
 
-    /// A disc at rest at `position`.
     pub(crate) const fn at_rest(position: DVec2) -> Self {
         Self::new(position, DVec2::ZERO)
     }

@@ -48,10 +48,11 @@ impl Collision {
     /// Scattering angle Θ in radians of discs that do not stick, in the centre-of-mass frame;
     /// `None` for a miss, or if both discs stop.
     pub(crate) fn cm_deflection(&self) -> Option<f64> {
+        let alpha = self.alpha()?;
         if self.rims.friction > 0.0 {
             return Frame::CentreOfMass.view(self).outcome().theta1;
         }
-        cm_scattering_angle(self.alpha()?, self.restitution)
+        cm_scattering_angle(alpha, self.restitution)
     }
 }
 
@@ -142,7 +143,7 @@ mod tests {
         assert_eq!(cm_scattering_angle(0.0, 0.0), None);
     }
 
-    /// Adding V back gives the outcome in the laboratory frame.
+    /// Adding the frame's velocity back gives the outcome in the laboratory frame.
     #[test]
     fn every_frame_gives_the_same_collision() {
         let lab = both_moving();

@@ -107,7 +107,7 @@ mod tests {
         }
     }
 
-    /// Checks the textbook's formulas for the components, one by one.
+    /// Checks the textbook formulas for the components, one by one.
     #[test]
     fn components_follow_the_textbook() {
         for e in [0.0, 0.4, 1.0] {

@@ -1,9 +1,9 @@
 //! Discs, one impact, closed forms, frames, scattering, the event-driven engine
 //! and the exact record of a shot.
 //!
-//! This module does not depend on the game, the terminal, a clock or random numbers. It uses SI
-//! units throughout (m, s, kg, rad); x points right and y up. Body 1 is the striker, body 2 the
-//! target; u is a velocity before the impact, v after it.
+//! This module does not depend on the game, the terminal, a clock or random numbers. It calculates
+//! in SI units (m, s, kg, rad); x points right and y up. Body 1 is the striker, body 2 the target;
+//! u is a velocity before the impact, v after it.
 
 pub mod angle;
 pub mod beam;

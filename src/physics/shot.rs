@@ -207,8 +207,8 @@ impl Shot {
         &self.discs
     }
 
-    /// Seconds until everything is at rest. Without friction, this is the horizon, or the time of
-    /// the last event if the horizon is infinite.
+    /// Seconds until everything is at rest, or until the horizon if that is earlier. Without
+    /// friction and with an infinite horizon, this is the time of the last event.
     pub(crate) fn duration(&self) -> f64 {
         self.duration
     }

@@ -1,9 +1,9 @@
-//! Finds the discs that a given disc could meet, by a quick test of every pair. The test never
-//! rules out a pair that meets, but rules out nearly all others. The given disc is called the
-//! seeker.
+//! Finds the discs that a given disc could meet, by a quick test of every other disc, or of those
+//! nearby if there is a grid. The test never rules out a disc that meets the given disc, but rules
+//! out nearly all others. The given disc is called the seeker.
 //!
 //! The test has two stages, each of which handles two discs at a time: the first compares the boxes
-//! of all discs, and the second compares the motion of the discs whose boxes overlap.
+//! of the discs, and the second compares the motion of the discs whose boxes overlap.
 
 use glam::DVec2;
 use wide::f64x2;
@@ -42,8 +42,8 @@ impl BroadPhase {
         self.partners.resize(discs + 2, 0);
     }
 
-    /// Stores the box of a disc, from a given time until the slide ends by itself. If a contact
-    /// ends the slide earlier, the box is kept, because a new box would cost more than it saves.
+    /// Stores the box of a disc, from a given time until the slide ends by itself. If an earlier
+    /// contact is then forecast, the box is kept, because a new box would cost more than it saves.
     #[inline]
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
@@ -196,7 +196,7 @@ impl TwoBoxes {
 #[inline]
 fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
     // Contacts slightly after the forecast are included. A path without an end is followed up to
-    // the finite time limit.
+    // the largest finite time.
     let until = (until + SAME_TIME).min(f64::MAX);
     let (a, b) = (body.at(from).position, body.at(until).position);
     let margin = body.radius + MARGIN;

@@ -31,7 +31,7 @@ pub enum EngineError {
     OffBoard {
         /// The index of the disc.
         disc: usize,
-        /// How far outside the frame the disc is, in millimetres.
+        /// How far the disc reaches beyond the frame, in millimetres.
         beyond_mm: f64,
     },
     /// Two discs overlap.

@@ -114,7 +114,7 @@ fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide
 
 /// The time until a point that moves at constant velocity and is now at `place`, relative to a
 /// centre, comes within `radius` of that centre; 0 if the point is already within `radius`, `None`
-/// if it passes by.
+/// if it never is.
 #[inline]
 fn time_to_circle(place: DVec2, velocity: DVec2, radius: f64) -> Option<f64> {
     let outside = place.length_squared() - radius * radius;

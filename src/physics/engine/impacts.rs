@@ -16,8 +16,8 @@ impl ShotInPlay<'_> {
     /// with it.
     pub(super) fn impact(&mut self, i: usize, k: usize, time: f64) {
         let pair = [i.min(k), i.max(k)];
-        // All discs that are in contact now have a forecast for the present time; usually there are
-        // just these two discs.
+        // All discs that collide now have a forecast for the present time; usually there are just
+        // these two discs.
         if self.schedule.due(time + SAME_TIME) > 2 {
             let pairs = self.gather(pair, time);
             if pairs.len() > 1 {

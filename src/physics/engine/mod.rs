@@ -77,9 +77,9 @@ impl Limits {
 
 /// Plays a shot and returns its record.
 ///
-/// The discs start with the motions `start`, in the same order. On a board with friction the shot
-/// ends when all discs are at rest. Without friction it ends at the horizon, or when nothing more
-/// can happen on an open sheet.
+/// The discs start with the motions `start`, in the same order. The shot ends when all discs are at
+/// rest, or at the horizon if that is earlier. Without friction and with an infinite horizon, it
+/// ends when nothing more can happen.
 ///
 /// # Errors
 ///
@@ -111,7 +111,8 @@ impl Engine {
     ///
     /// # Errors
     ///
-    /// The errors are those of [`play()`]. The record then contains the shot up to the error.
+    /// The errors are those of [`play()`]. If a limit is exceeded, the record contains the shot up
+    /// to that moment; after any other error it is unchanged.
     pub fn play_into(
         &mut self,
         shot: &mut Shot,

@@ -19,7 +19,6 @@ use super::{EngineError, Limits};
 /// stops them.
 const ELASTIC_BELOW: f64 = 2e-3;
 
-/// A shot that is being played.
 pub(super) struct ShotInPlay<'a> {
     pub(super) board: &'a Board,
     pub(super) limits: Limits,

@@ -1,7 +1,7 @@
 //! The first root of a quartic in an interval.
 
-/// The number of times that the interval is halved; what is then left, 2⁻⁵⁰ of the interval, counts
-/// as a graze without contact.
+/// The maximum number of times that the interval is halved; what is then left, 2⁻⁵⁰ of the
+/// interval, counts as a graze without contact.
 const DEPTH: u32 = 50;
 
 /// The first t in [0, `end`] at which c₀ + c₁t + c₂t² + c₃t³ + c₄t⁴ falls to zero, for c₀ > 0
@@ -10,8 +10,8 @@ const DEPTH: u32 = 50;
 /// In Bernstein form on an interval, the polynomial lies within the hull of its coefficients. If
 /// all coefficients are positive, there is no root in the interval; if they change sign once, there
 /// is exactly one root (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)
-/// 112). Otherwise the interval is halved and the left half is searched first, so no root is
-/// missed. A double root (a graze) does not count as a root.
+/// 112). Otherwise the interval is halved and the left half is searched first, so the first root is
+/// found. A double root (a graze) does not count as a root.
 #[inline]
 pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
     // These are the coefficients after rescaling the interval to length 1.

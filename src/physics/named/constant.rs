@@ -93,8 +93,8 @@ impl Constant {
     /// Sets a field from its text.
     ///
     /// # Errors
-    /// Returns a message that says what was expected if there is no such field or its value is out
-    /// of range.
+    /// If there is no such field, or the text is not a number in its range, returns a message that
+    /// says what was expected.
     pub(crate) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         let fields = &mut self.fields;
         let (slot, least, most) = match field {

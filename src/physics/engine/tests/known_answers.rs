@@ -339,14 +339,14 @@ fn an_impossible_shot_is_refused_with_a_reason() {
     assert!(says(&board, &good, few).starts_with("more than 0 events"));
 }
 
-/// In a touching pack whose masses span six powers of ten, nearly all the work is needed to find
-/// the impulses of simultaneous contacts. The record keeps the part of the shot that was played
-/// before the limit was reached.
+/// In a touching pack whose masses differ by a factor of 1000, nearly all the work is needed to
+/// find the impulses of simultaneous contacts. The record keeps the part of the shot that was
+/// played before the limit was reached.
 #[test]
 fn a_shot_that_takes_too_much_work_stops_and_keeps_its_record() {
     let mut table = rack(0.0, (0.3, 4.0));
     for (i, disc) in table.discs.iter_mut().enumerate() {
-        disc.mass = [1e-5, 1e-2, 10.0][i * i % 3];
+        disc.mass = [1e-5, 1e-2, 1e-2][i % 3];
     }
     let board = closed_board();
     let whole = table.play(&board);

@@ -3,7 +3,7 @@
 use super::tables::{closed_board, rack};
 use crate::physics::{Board, EventKind, Shot};
 
-/// The FNV-1a hash of all bits of a shot.
+/// The FNV-1a hash of the event times, impacts and final positions of a shot, with all their bits.
 fn fingerprint(shot: &Shot) -> u64 {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     let mut add = |value: f64| {
