@@ -55,7 +55,8 @@ impl StuckPair {
         )
     }
 
-    /// The path of a disc from the contact to `end` in chords of at most 3°.
+    /// The path of a disc from the contact to `end` in chords of at most 3°, or in 100,000 longer
+    /// chords if the pair rotates too far for that.
     pub(super) fn chords(&self, disc: usize, end: f64) -> impl Iterator<Item = Leg> + use<> {
         let pair = *self;
         let turned = (pair.omega * (end - pair.time)).abs();
@@ -76,9 +77,9 @@ impl StuckPair {
 }
 
 impl Shot {
-    /// The record, `duration` seconds long, of two discs that slide on a frictionless open sheet and
-    /// stick together when they meet. If the discs miss each other, this is the record of the miss. The
-    /// numbers must be valid for a shot, and the duration finite.
+    /// The record, `duration` seconds long, of two discs that slide on a frictionless open sheet
+    /// and stick together when they meet. If the discs miss each other, this is the record of the
+    /// miss. The numbers must be valid for a shot, and the duration finite.
     pub(in super::super) fn captured(
         board: &Board,
         discs: [Disc; 2],
