@@ -148,8 +148,8 @@ impl Attempt {
     }
 
     /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If the
-    /// misconceptions that an answer could have shown were not stored, only the one that it did show
-    /// is included.
+    /// misconceptions that an answer could have shown were not stored, only the one that it did
+    /// show is included.
     pub(crate) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
