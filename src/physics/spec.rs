@@ -255,7 +255,7 @@ impl CollisionSpec {
 }
 
 impl From<&Collision> for CollisionSpec {
-    /// The fields of a collision, with rounding noise removed from whole numbers.
+    /// The fields of a collision, with rounding noise removed.
     fn from(collision: &Collision) -> Self {
         let degrees = |v: DVec2| tidy(deg_from_rad(v.to_angle()));
         let moves = collision.u2 != DVec2::ZERO;

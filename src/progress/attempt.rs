@@ -46,7 +46,7 @@ pub struct Attempt {
     pub number: u32,
     /// The figures of the question. For quiz questions they include the code of the `round`, the
     /// `misconceptions` that an answer could have shown, by their names in files, and `by_chance`,
-    /// the probability that a guess fits one of these misconceptions.
+    /// the probability that a guess fits a given one of these misconceptions.
     pub question: Figures,
     /// The answer.
     pub answer: Figures,
@@ -147,9 +147,9 @@ impl Attempt {
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If it
-    /// was not stored which misconceptions an answer could have shown, only the misconception that
-    /// it did show is included.
+    /// The evidence for misconceptions in this answer. Unknown misconceptions are left out. If the
+    /// misconceptions that an answer could have shown were not stored, only the one that it did
+    /// show is included.
     pub(crate) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
@@ -258,7 +258,7 @@ pub(crate) const REVIEWED_BY: &str = "topic";
 /// The key of the misconceptions that an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
-/// The key of the probability that a guess fits one of these misconceptions.
+/// The key of the probability that a guess fits a given one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
 /// The probability that a guess at a number or one ray fits a misconception, as for quiz questions.
@@ -314,9 +314,9 @@ mod tests {
             };
             assert!(changed.fault().is_some(), "{credit} {error_deg:?}");
         }
+        // Each answer is out of range or not of the same kind as the correct answer.
         for answer in [
             "{\"choice\":99}",
-            // These answers are not of the same kind as the correct answer.
             "{\"choice\":\"B\"}",
             "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
             "{\"theta1_deg\":null}",

@@ -3,8 +3,8 @@
 use super::Attempt;
 use crate::quiz::{ChaptersRead, Clue, CourseKind, Evidence, Misconception, Passage, Topic};
 
-/// How many consecutive answers settle a misconception if each of them could have shown it but did
-/// not.
+/// A misconception is settled once this many answers after the last one that showed it could have
+/// shown it but did not.
 const SETTLED: usize = 2;
 
 /// A misconception that the answers show, with the evidence from the first half and from the second
@@ -23,7 +23,7 @@ pub struct HeldBelief {
 /// How a misconception develops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trend {
-    /// The misconception did not show in the first half.
+    /// In the first half the answers are not evidence for the misconception.
     New,
     /// The misconception still shows in the second half.
     Held,
@@ -103,8 +103,7 @@ pub(crate) fn page_about<'a>(
     pages.min_by_key(|page| ChaptersRead::order_of(page.chapter))
 }
 
-/// The named misconceptions that are not settled, and the number of misconceptions that were ever
-/// named.
+/// The named misconceptions that are not settled, and the number of all named misconceptions.
 pub(crate) fn unsettled(attempts: &[Attempt]) -> (Vec<UnsettledBelief<'_>>, usize) {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
     let named = beliefs(attempts);

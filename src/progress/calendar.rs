@@ -30,7 +30,7 @@ impl Calendar {
         Self::new(now_s, TimeZone::UTC)
     }
 
-    /// The day on which a time falls, given in seconds since the start of 1970; `None` outside the
+    /// The day on which a time, given in seconds since the start of 1970, falls; `None` outside the
     /// years -9999 to 9999.
     pub fn day(&self, time_s: i64) -> Option<Date> {
         let time = Timestamp::from_second(time_s).ok()?;

@@ -53,7 +53,7 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
 /// The fraction of right answers over time, for each confidence level, the least sure level first.
 /// Each point has the number of an answer with that level (counted from 1 among all attempts), and
 /// the fraction of right answers among the last `reach` answers with that level. The first point is
-/// at answer [`ENOUGH`].
+/// at answer number [`ENOUGH`] with that level.
 pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize, f64)>; 3] {
     let reach = reach.max(ENOUGH);
     Confidence::ALL.map(|confidence| {

@@ -80,8 +80,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     csv_table(heads, &rows)
 }
 
-/// The answer, with the numbers rounded to what was typed. An angle of 30° is stored in radians and
-/// would otherwise be printed as 29.999999999999996.
+/// An answer without rounding noise. An angle of 30° is converted to radians and back, and would
+/// otherwise be printed as 29.999999999999996.
 fn tidied(said: &Figures) -> Figures {
     let mut said = said.clone();
     for value in said.values_mut() {

@@ -1,9 +1,10 @@
 //! The player's record: all answers, and the conclusions that carrom draws from them.
 //!
-//! An [`Attempt`] is one answer with everything known about it. Everything else in this module is
-//! derived from the attempts of a player, in order, and is never stored: a [`Tally`] of any of
-//! them, the state of each topic, how well [`Confidence`](crate::quiz::Confidence) matches the
-//! answers, misconceptions and whether they fade, and what is [`Due`] for review.
+//! An [`Attempt`] is one answer with everything known about it. Each [`Observation`] and each
+//! [`NotedHit`] is stored as well. The conclusions are derived from the attempts of a player, in
+//! order, and are never stored: a [`Tally`] of any of them, the state of each topic, how well
+//! [`Confidence`](crate::quiz::Confidence) matches the answers, misconceptions and whether they
+//! fade, and what is [`Due`] for review.
 
 mod attempt;
 mod beliefs;

@@ -9,8 +9,8 @@ use super::figures_text;
 /// settings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NotedHit {
-    /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` if the
-    /// time is unknown.
+    /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` until
+    /// the hit is stored, or if the time is unknown.
     pub time_s: Option<i64>,
     /// The settings of the collision.
     pub setup: CollisionSpec,

@@ -15,8 +15,8 @@ use crate::quiz::Rays;
 /// An observation, with the prediction made before it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observation {
-    /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` if the
-    /// time is unknown.
+    /// The time in seconds since the start of 1970 (UTC), which is set by the store; `None` until
+    /// the observation is stored, or if the time is unknown.
     pub time_s: Option<i64>,
     /// The player's name.
     pub player: String,
@@ -69,14 +69,15 @@ impl Observation {
         self.said.gap(&self.truth) >= rad_from_deg(APART_DEG)
     }
 
-    /// Whether the observation is wrong, and closer to the prediction than to what happened.
+    /// Whether the prediction was at least 20° off, and the observation is wrong and closer to the
+    /// prediction than to what happened.
     pub fn follows_prediction(&self) -> bool {
         self.can_follow()
             && !self.is_right()
             && self.seen.gap(&self.said) < self.seen.gap(&self.truth)
     }
 
-    /// One or two sentences on the observation and the prediction.
+    /// One to three sentences on the observation and the prediction.
     pub(crate) fn words(&self) -> &'static str {
         match (self.was_expected(), self.is_right()) {
             (true, true) => "You predicted it, and you saw it.",
@@ -111,8 +112,7 @@ pub struct ObservationCounts {
     pub only_predicted: usize,
     /// The number of observations that are right even though the prediction was wrong.
     pub only_seen: usize,
-    /// The number of observations that are wrong and closer to the prediction than to what
-    /// happened.
+    /// The number of observations that [follow the prediction](Observation::follows_prediction).
     pub follow: usize,
     /// For the latest observations after predictions that were at least 20° off, up to ten of them:
     /// the number of these observations, and how many of them follow the prediction.

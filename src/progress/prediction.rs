@@ -24,15 +24,16 @@ pub(crate) struct Predicted<'a> {
     /// The family, which is [`TABLE`] or [`LEVEL`].
     pub(crate) family: &'static str,
     pub(crate) seed: u64,
-    /// The number of the stroke or of the level, from 1.
+    /// The number of the move or of the level, from 1.
     pub(crate) number: u32,
     /// The ray that was predicted, if only one was.
     pub(crate) only: Option<Ray>,
 }
 
 impl Attempt {
-    /// Grades the prediction of a collision as in the quiz; `None` if the quiz has no questions
-    /// about collisions like this one, because the target moves or the discs miss each other.
+    /// Grades the prediction of a collision as in the quiz; `None` if the quiz never asks for both
+    /// rays of such a collision, because the target moves or the discs miss or only graze each
+    /// other.
     pub(crate) fn of_prediction(
         predicted: &Predicted,
         collision: &Collision,
@@ -101,15 +102,15 @@ impl Attempt {
     }
 }
 
-/// The quiz's question about both rays of a collision; the quiz only has questions about hits on a
-/// target at rest.
+/// The quiz's question about both rays of a collision; the quiz asks for both rays only after hits
+/// on a target at rest.
 fn question_about(collision: &Collision) -> Option<Question> {
     let is_hit = collision.u2 == DVec2::ZERO && collision.outcome().meeting == Meeting::Hit;
     is_hit.then(|| Question::from(&Hit::from(collision)))
 }
 
-/// The predicted and the true direction of one disc: two angles or, if either is "at rest" and so
-/// has no angle, both in words.
+/// The predicted and the true direction of one disc: two angles or, if the disc is at rest in
+/// either case and so has no angle, both in words.
 fn one_ray(ray: Ray, said_and_true: [Option<f64>; 2]) -> [Figures; 2] {
     let kept: [Value; 2] = match said_and_true {
         [Some(said), Some(truth)] => {
@@ -163,7 +164,7 @@ mod tests {
             .map(|it| it.misconception)
             .collect();
         assert_eq!(named, [Misconception::HalfAndHalf]);
-        // A single ray is not evidence for a misconception.
+        // A single predicted ray is not counted as evidence for a misconception.
         assert!(beliefs(&[wrong(1, Some(Ray::Target)), wrong(2, Some(Ray::Target))]).is_empty());
     }
 

@@ -8,7 +8,7 @@ use crate::quiz::{
     evidence, named,
 };
 
-/// The minimum number of answers for a comment on calibration.
+/// The minimum number of answers for the comment "You judge your knowledge well."
 const ENOUGH_ANSWERS: usize = 5;
 
 /// The part of a round that has been answered.
@@ -140,7 +140,7 @@ impl<'a> Summary<'a> {
     }
 
     /// The findings on misconceptions, one paragraph each. The first paragraph names the
-    /// misconception, or says that there is none.
+    /// misconception, or says that none stands out or that there are no answers yet.
     pub fn finding(&self) -> Vec<String> {
         let Some(first) = self.named().first().copied() else {
             return self.nothing_found();
@@ -242,7 +242,7 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// Formats a log-likelihood ratio as "about 600 times", rounded to one digit. The ratio must exceed
+/// Formats a log-likelihood ratio as "about 600 times", rounded to one digit. The ratio must reach
 /// the threshold for naming a misconception.
 fn times_as(weight: f64) -> String {
     let odds = weight.exp();
@@ -324,7 +324,8 @@ mod tests {
         }
     }
 
-    /// If a single answer fits a misconception, the table of the round names that misconception.
+    /// The table of the round names a misconception even if only one answer fits it, so the finding
+    /// must name it, too.
     #[test]
     fn one_answer_that_fits_a_misconception_is_not_called_a_wrong_answer_without_a_pattern() {
         let question = Question::from(&HIT);

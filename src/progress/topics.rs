@@ -24,7 +24,7 @@ pub struct TopicStanding {
 pub(crate) enum Mastery {
     /// No question on the topic has been answered yet.
     New,
-    /// Less than half the answers were right.
+    /// Fewer than half the answers were right.
     NotYet,
     /// At least half the answers were right.
     Growing,

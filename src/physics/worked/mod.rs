@@ -150,8 +150,8 @@ fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     }
 }
 
-/// The angle of `name`, the body with velocity `to`, from its original direction `from`. Recoil
-/// angles count clockwise, all others anticlockwise.
+/// The line about the angle `name`, from the striker's original velocity `from` to a body's final
+/// velocity `to`. Recoil angles count clockwise, all others anticlockwise.
 fn angle_line(name: &str, angle: Option<f64>, from: DVec2, to: DVec2) -> String {
     let (body, sign) = match name {
         "θ₁" => ("striker", "v₁"),
@@ -254,7 +254,8 @@ mod tests {
     use crate::physics::{Disc, Rims};
     use proptest::prelude::*;
 
-    /// The value of a line of working with + − × / and brackets, evaluated from left to right.
+    /// The value of a line of working with + − × /, and with brackets only around negative numbers
+    /// and denominators.
     fn calculated(working: &str) -> f64 {
         let plain = working.replace('−', "-").replace(['(', ')'], " ");
         let words: Vec<&str> = plain.split_whitespace().collect();
@@ -340,7 +341,7 @@ mod tests {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
         /// The solution of any collision (light or heavy discs, moving or at rest, hit or miss) has
-        /// no NaN or infinity and no symbol that ASCII cannot express.
+        /// no NaN or infinity.
         #[test]
         fn every_solution_can_be_read(
             masses in (-15.0..9.0_f64, -15.0..9.0_f64),

@@ -1,5 +1,5 @@
-//! The working along t if the rims have friction: the slip, the impulse that stops the slip, and
-//! the changes that the impulse causes.
+//! The working along t if the rims have friction: the slip, the impulse of friction, and the
+//! changes that the impulse causes.
 
 use super::number::{NOISE, beside, factors, number};
 use super::{WorkedStep, speed_scale};

@@ -6,7 +6,7 @@ use super::number::{beside, degrees, number};
 use super::rough;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting, Rims};
 
-/// How close to 90° counts as a right angle, in radians.
+/// How close to 90° counts as a right angle, in degrees.
 const SQUARE: f64 = 1e-9;
 
 pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {

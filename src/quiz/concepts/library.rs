@@ -13,7 +13,8 @@ const LONGEST_SUBJECT: usize = 40;
 /// questions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Library {
-    /// The questions; no two have the same id, and none has the id of a built-in question.
+    /// The questions; no two have the same id, and none that was [added](Self::add) has the id of a
+    /// built-in question.
     pub concepts: Vec<Concept>,
     /// The errors in the files that were left out.
     pub problems: Vec<FileError>,

@@ -1,4 +1,4 @@
-//! Concept questions: each question asks in words about one idea in glancing collisions, and its
+//! Concept questions: each question asks in words about one idea in glancing collisions, and most
 //! wrong choices follow from misconceptions that students are known to have.
 //!
 //! The questions are data: they are in the files of `assets/concepts/`, one for each subject; a
@@ -141,7 +141,7 @@ pub fn all() -> &'static [Concept] {
     &READ
 }
 
-/// The questions in each family, in order: those above the blank line in `order.txt` belong to
+/// The questions in this family, in order: those above the blank line in `order.txt` belong to
 /// [`Family::Concept`], those below it to [`Family::Ideas`].
 pub fn of(family: Family) -> Vec<&'static Concept> {
     let all = all().iter();

@@ -31,9 +31,9 @@ pub struct Clue {
     pub could_show: Vec<Misconception>,
     /// The misconception that the answer shows, if any.
     pub shows: Option<Misconception>,
-    /// The probability, above 0 and below 1, that a guess fits one of these misconceptions as fully
-    /// as this answer does. If the answer fits none, this is the probability that a guess fits one
-    /// of them completely.
+    /// The probability, above 0 and below 1, that a guess fits a given one of these misconceptions
+    /// as fully as this answer does. If the answer fits none, this is the probability that a guess
+    /// fits a given one of them completely.
     pub(crate) by_chance: f64,
 }
 
