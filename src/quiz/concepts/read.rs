@@ -8,13 +8,13 @@ use crate::quiz::question::{Difficulty, Family, Misconception};
 
 /// The version of the format that this program reads.
 const FORMAT: u32 = 1;
-/// The maximum number of letters in a question.
+/// The maximum number of characters in a question.
 const ASK: usize = 240;
-/// The maximum number of letters in a choice.
+/// The maximum number of characters in a choice.
 const CHOICE: usize = 90;
-/// The maximum number of letters in the feedback for a wrong choice.
+/// The maximum number of characters in the feedback for a wrong choice.
 const SAYS: usize = 200;
-/// The maximum number of letters in the explanation.
+/// The maximum number of characters in the explanation.
 const WHY: usize = 320;
 /// The permitted number of wrong choices.
 const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -141,7 +141,7 @@ fn wrong(fields: &Fields, hit: Option<CollisionSpec>) -> Option<Wrong> {
     })
 }
 
-/// Reads a text of 1 to `most` letters and fills in its figures.
+/// Reads a text of 1 to `most` characters and fills in its figures.
 fn text(
     fields: &Fields,
     name: &'static str,
