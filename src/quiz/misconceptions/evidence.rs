@@ -2,8 +2,9 @@
 //!
 //! For every answer to a question that could show a misconception, the likelihood ratio compares
 //! somebody who holds the misconception with somebody who guesses. The logarithms of these ratios
-//! add up, whatever the questions were. This sum determines whether a misconception is named,
-//! how it is ranked, whether it is reported as fading, and which questions test for it.
+//! add up, whatever the questions were. This sum determines how a misconception is ranked, whether
+//! it is reported as fading, and which questions test for it. A misconception is named if the sum
+//! is large enough and enough different questions show the misconception.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -31,9 +32,9 @@ pub struct Clue {
     pub could_show: Vec<Misconception>,
     /// The misconception that the answer shows, if any.
     pub shows: Option<Misconception>,
-    /// The probability, above 0 and below 1, that a guess fits one of these misconceptions as fully
-    /// as this answer does. If the answer fits none, this is the probability that a guess fits one
-    /// of them completely.
+    /// The probability, above 0 and below 1, that a guess fits a given one of these misconceptions
+    /// as fully as this answer fits one. If the answer fits none, this is the probability that a
+    /// guess fits a given one completely.
     pub(crate) by_chance: f64,
 }
 
