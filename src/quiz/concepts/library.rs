@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{Concept, QuestionSet, read, with_id};
 use crate::files::{FileError, FileErrors, FileLibrary, escape_control};
 
-/// The maximum number of letters in a subject, which is the name of a file.
+/// The maximum number of characters in a subject, which is the name of a file.
 const LONGEST_SUBJECT: usize = 40;
 
 /// Questions read from files, in the order of the files and, within each file, in the order of its

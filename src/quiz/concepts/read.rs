@@ -141,7 +141,7 @@ fn wrong(fields: &Fields, hit: Option<CollisionSpec>) -> Option<Wrong> {
     })
 }
 
-/// Reads a text of 1 to `most` letters and fills in its figures.
+/// Reads a text of 1 to `most` characters and fills in its figures.
 fn text(
     fields: &Fields,
     name: &'static str,

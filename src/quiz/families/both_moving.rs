@@ -1,5 +1,5 @@
 //! Two equal discs that are both moving: the frame in which the angle between their paths is 90°,
-//! and the angle in the laboratory frame.
+//! and the angle and the speeds in the laboratory frame.
 
 use glam::DVec2;
 

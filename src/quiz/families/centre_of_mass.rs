@@ -88,8 +88,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
         .why(why_turn(alpha, angle))
 }
 
-/// Asks for Θ, given an offset that is a whole number of tenths of r₁ + r₂, which keeps the
-/// arithmetic easy.
+/// Asks for Θ, given an offset that is a whole number of tenths of r₁ + r₂, rounded to 0.1 mm.
 fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
     let reach_mm = hit.reach_mm();
     let offset_mm = (reach_mm * f64::from(tenths)).round() / 10.0;
@@ -113,8 +112,8 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
         ))
 }
 
-/// Asks for the speed of the centre of mass. The target is at rest or moves along the same line, in
-/// the same direction as the striker if `target_speed` is positive.
+/// Asks for the speed of the centre of mass. The target is at rest or moves parallel to the
+/// striker's path, in the striker's direction if `target_speed` is positive.
 fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let name = hit.pieces.target_name();
     let [m1, m2] = hit.masses_g();

@@ -32,7 +32,7 @@ fn percent(x: f64) -> String {
 }
 
 const HALVES: &str =
-    "You gave each disc half the energy. That is right only at 45°, and only for equal masses.";
+    "You gave each disc half the energy. With equal masses that requires α = 45° and no loss.";
 
 /// Asks for the fraction that the striker keeps, with equal masses.
 fn kept(hit: &Hit) -> Option<Question> {

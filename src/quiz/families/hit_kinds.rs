@@ -47,9 +47,9 @@ pub(super) const KINDS: [&[HitKind]; 3] = {
 };
 
 impl HitKind {
-    /// All hits of this kind that give a clear question, in a fixed order, with the target on the
-    /// right and the striker moving to the right at 1 m/s. The list is cached, because thousands of
-    /// hits have to be searched to find these.
+    /// All hits of this kind that give a clear question, in a fixed order, each with the direction
+    /// 0° and a speed of 1 m/s; unless the hit is head-on, the target lies on the right of the
+    /// striker's path. The list is cached, because hundreds of hits are searched to find these.
     pub(super) fn candidates(self) -> &'static [Hit] {
         const COUNT: usize = HitKind::VARIANTS.len();
         static FOUND: [OnceLock<Vec<Hit>>; COUNT] = [const { OnceLock::new() }; COUNT];
@@ -100,7 +100,7 @@ impl HitKind {
     }
 }
 
-/// A hit with the target on the right and the striker moving to the right at 1 m/s.
+/// A hit with the direction 0° and a speed of 1 m/s.
 fn plain(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
     Hit {
         pieces,
@@ -162,8 +162,8 @@ fn same_hit(a: &Hit, b: &Hit) -> bool {
 }
 
 /// Whether a hit can be used: it must be either head-on, or far enough from both head-on and a
-/// graze to be drawn clearly. It must not be at 45°, where "half and half" and a copied angle would
-/// be right by accident.
+/// graze to be drawn clearly. It must not be at 45°, where "half and half" and a copied angle give
+/// the same answer, which for equal masses without loss is even right.
 fn within_reason(hit: &Hit) -> bool {
     let alpha_deg = deg_from_rad(hit.alpha());
     let drawable = (9.5..80.5).contains(&alpha_deg) && (alpha_deg - 45.0).abs() > 0.5;
@@ -172,7 +172,7 @@ fn within_reason(hit: &Hit) -> bool {
 
 /// The smallest distance, in radians, between two outcomes of a hit, whether true or predicted.
 /// This is like [`Question::clearance`](crate::quiz::Question::clearance), but without generating
-/// the text of a question, because thousands of hits are searched.
+/// the text of a question, because hundreds of hits are searched.
 fn clearance(hit: &Hit) -> f64 {
     let held = OF_RAYS
         .into_iter()

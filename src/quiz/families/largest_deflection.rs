@@ -42,8 +42,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses at the greatest deflection; if the deflection has no limit, a hit at
-/// 30°.
+/// A hit with these masses: at the greatest deflection if [`turned`] finds one, otherwise at 30°.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,
@@ -66,7 +65,7 @@ fn most(hit: &Hit) -> LargestDeflection {
     RestingTarget::from(&hit.collision()).largest_deflection()
 }
 
-/// The largest θ₁ and the α at which it occurs, if there is a limit well below 90°.
+/// The largest θ₁ and the α at which it occurs, if θ₁ has a maximum below 90°.
 fn turned(hit: &Hit) -> Option<(f64, f64)> {
     match most(hit) {
         LargestDeflection::Turned { theta1, alpha } => Some((theta1, alpha)),

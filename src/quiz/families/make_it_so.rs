@@ -151,7 +151,7 @@ impl ShotTask {
             .why(self.why(&why, alpha))
     }
 
-    /// Converts an offset in millimetres for a coin on the right to an offset in metres for the
+    /// Converts an offset in millimetres for a target on the right to an offset in metres for the
     /// actual side.
     fn at(&self, offset_mm: f64) -> f64 {
         self.side * m_from_mm(offset_mm)

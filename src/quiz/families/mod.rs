@@ -3,8 +3,8 @@
 //! A family draws random numbers and builds a whole [`Question`] from them: the text, the picture,
 //! the right answer, the answer that each misconception leads to, and the explanation. A family
 //! need not check whether the answers are clearly different: [`Family::ask`] draws again until they
-//! are. To add a family, add a file, and a row in the table below; then list the family's topics in
-//! the table of topics.
+//! are. To add a family, add a file, a variant at the end of [`Family`], and a row at the end of
+//! the table below; then list the family's topics in the table of topics.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question};
 
@@ -27,7 +27,7 @@ mod weigh;
 pub(super) mod where_to;
 
 /// The maximum number of draws for a question, which guards against a family that has no clear
-/// questions. A test checks that no family needs even a twentieth of this number.
+/// questions. A test checks that no family needs more than a twentieth of this number.
 const DRAWS: usize = 20_000;
 
 /// Makes one draw, whether or not its answers are clearly different; returns `None` if the numbers
@@ -64,8 +64,8 @@ impl Family {
     }
 
     /// Generates a clear question of this family; also returns the number of draws. The same dice
-    /// always give the same question, because the codes of rounds depend on the draws of a family.
-    /// Returns `None` only if a family has no clear questions.
+    /// must always give the same question, because the codes of rounds depend on it. Returns `None`
+    /// only if a family has no clear questions.
     pub fn ask(self, difficulty: Difficulty, dice: &mut Dice) -> Option<(Question, usize)> {
         (1..=DRAWS).find_map(|draws| {
             let question = Question {

@@ -182,7 +182,8 @@ impl Outline {
     /// Adds the explanation and completes the question, without any wrong answers that cannot be
     /// given or happen to be right.
     pub(super) fn why(self, why: impl Into<String>) -> Option<Question> {
-        /// The largest difference between two numbers that can be caused by rounding alone.
+        /// The largest distance between two answers, in units of the largest tolerance, that can
+        /// be caused by rounding alone.
         const SAME: f64 = 1e-6;
         let mut question = self.question;
         question.why = why.into();

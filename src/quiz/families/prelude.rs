@@ -1,4 +1,4 @@
-//! Imports used in nearly every generated family.
+//! Imports used in nearly every family of calculated questions.
 
 pub(super) use super::hit_draws::{
     ALL, EQUAL, HitDraws, NO_LOSS, UNEQUAL, direction_deg, drawn, here_e, in_degrees, in_short,

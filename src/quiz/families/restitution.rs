@@ -229,15 +229,14 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .ask("What is e?")
         .number(Measure::Restitution, e)
         .wrong(EAsEnergy, outcome.energy_after / outcome.energy_before)
-        .says(
-            "That is the share of the energy that is left.",
-        )
+        .says("That is the share of the energy that is left.")
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
         .says("An e close to 1 means almost no loss. The angles would be different.")
         .why(format!(
-            "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
+            "The striker's component along the line of impact falls by the fraction k = sin θ₁ / \
+             (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",
             significant(m1 + m2),
             significant(m2),

@@ -153,8 +153,8 @@ fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .why(why(here_deg, there_deg, significant))
 }
 
-/// Asks for the ratio if both the energy and the angle change: d is proportional to 1 / E, and
-/// counts are proportional to d².
+/// Asks for the ratio if both the energy and the angle change: the closest approach head-on, d, is
+/// proportional to 1 / E, and counts are proportional to d².
 fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let to_energy_mev = f64::from(3 + dice.below(6));

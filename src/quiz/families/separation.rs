@@ -20,7 +20,7 @@ const LOSSLESS_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(10, 20, 10), (12, 18, 10), (20, 40, 10)],
 ];
 
-/// Equal masses, a heavier striker, and a lighter striker, all far from m₁ = e m₂.
+/// Equal masses, a heavier striker, and a lighter striker, none of them with m₁ = e m₂.
 const LOSSY_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(15, 15, 5), (15, 15, 8), (20, 20, 6)],
     &[(20, 10, 8)],

@@ -149,7 +149,8 @@ fn share(hit: &Hit) -> f64 {
     m1 / (m1 + m2)
 }
 
-/// The components of the striker's speed along the line of impact and perpendicular to it.
+/// The components of the striker's initial velocity along the line of impact and perpendicular to
+/// it.
 fn parts(hit: &Hit) -> (f64, f64) {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     (hit.speed * cos, hit.speed * sin)
@@ -282,7 +283,8 @@ fn loss(hit: &Hit) -> Option<Question> {
         )
         .wrong(MomentumLost, 100.0 * at_stake)
         .says(
-            "You assumed that all energy along the line of impact is lost. But momentum is conserved.",
+            "You assumed that all energy of motion along the line of impact is lost. But momentum \
+             is conserved.",
         )
         .wrong(UpsideDown, 100.0 * share * at_stake)
         .says("You swapped the two masses: with a heavier striker a smaller share is lost.")

@@ -73,7 +73,7 @@ pub(super) fn sine_for_cosine(name: &str) -> String {
     format!("You used the sine instead of the cosine. Head-on, the {name} gets the most.")
 }
 
-/// Feedback for an answer that is the lossless speed multiplied by e.
+/// Feedback for an answer that is, or follows from, the lossless speed multiplied by e.
 pub(super) const SHRUNK: &str = "Your answer fits e times the speed without loss. But e multiplies \
                                  the speed of separation, not each of the two speeds.";
 

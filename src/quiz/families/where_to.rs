@@ -55,7 +55,8 @@ pub(super) fn from_offset(difficulty: Difficulty, dice: &mut Dice) -> Option<Que
     of_kinds([&[EqualOffset], &[EqualOffset], unequal], difficulty, dice)
 }
 
-/// Asks for both rays, with a heavier striker or a heavier target.
+/// Asks for both rays, with a heavier striker or a heavier target; easy head-on hits may also be
+/// between equal masses.
 pub(super) fn unequal_masses(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let kinds: [&[HitKind]; 3] = [
         &[TournamentAngle, MarblesAngle, HeadOn],

@@ -21,7 +21,7 @@ struct Description {
 
 /// A page that corrects a misconception in questions about these topics. "centre-of-mass/turn"
 /// stands for the questions on the topic "centre-of-mass" that ask for Θ ("turn"), and
-/// "target-speed/unequal" for the questions on "target-speed" with unequal masses.
+/// "target-speed/unequal" for the questions on "target-speed" with unequal masses and no loss.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Elsewhere {

@@ -1,10 +1,10 @@
 //! Misconceptions about collisions: those about where both discs will go, and the others in the
 //! catalogue.
 //!
-//! A misconception about rays predicts the rays of any `Hit`; a family of questions that asks for
-//! anything else must define the answers that misconceptions lead to. A question is asked only if
-//! it can distinguish the misconceptions: their answers and the right answer must be so far apart
-//! that no answer could fit two of them.
+//! A misconception about rays predicts the rays of every `Hit` to which it applies; a family of
+//! questions that asks for anything else must define the answers that misconceptions lead to. A
+//! question is asked only if it can distinguish the misconceptions: their answers and the right
+//! answer must be so far apart that no answer could fit two of them completely.
 
 mod catalogue;
 mod evidence;

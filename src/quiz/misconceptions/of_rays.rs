@@ -76,11 +76,11 @@ impl Misconception {
                 degrees(alpha)
             ),
             Self::AlwaysSquare if hit.restitution < 1.0 => {
-                "Your paths are close to 90° apart, as if no energy were lost.".into()
+                "Your paths are close to 90° apart, as for equal masses without loss.".into()
             }
             Self::AlwaysSquare => "Your paths are close to 90° apart, as for equal masses.".into(),
             Self::HalfAndHalf => {
-                "Your angles are close to 45° each. That is right at only one offset.".into()
+                "Your angles are close to 45° each. That is right at one offset at most.".into()
             }
             Self::Swapped => match hit.truth() {
                 Rays {
@@ -99,7 +99,7 @@ impl Misconception {
                 "You sent the heavy striker straight on. But the coin pushes back.".into()
             }
             Self::HeavyUnmoved => {
-                "You left the heavy marble at rest. But equal forces act on both discs.".into()
+                format!("You left the heavy {name} at rest. But equal forces act on both discs.")
             }
             Self::StraightOn => {
                 format!("You sent the striker straight on. But the {name} pushes back.")

@@ -7,8 +7,9 @@ use crate::numbers::{degrees, fixed};
 use crate::physics::{Collision, Meeting, Rims};
 use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
 
-/// Explains where the two discs of a collision go, starting from the player's prediction if there
-/// is one. Returns a title, which may be empty, and a text.
+/// Explains where the two discs of a collision go. If the rims are smooth and the target is at
+/// rest, the explanation starts from the player's prediction, if there is one. Returns a title,
+/// which may be empty, and a text.
 pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) {
     if collision.outcome().meeting != Meeting::Hit {
         let text = "The discs only graze each other: no force acts, and both move on as before.";
@@ -59,7 +60,8 @@ fn rough(collision: &Collision) -> String {
     let throw = degrees(collision.throw().unwrap_or_default().abs());
     format!(
         "Friction acts along t, against the slip of {} m/s, and {stops}. It throws the coin off \
-         the line of impact by δ = {throw}, and it makes both discs spin in the same sense.{apart}",
+         the line of impact by δ = {throw}, and it exerts torques in the same sense on both \
+         discs.{apart}",
         fixed(collision.slip().unwrap_or_default().abs(), 2)
     )
 }

@@ -10,13 +10,13 @@ pub enum Family {
     WhereTo,
     /// Both rays from the impact angle, with equal masses.
     FromAngle,
-    /// Both rays from the offset, with equal masses.
+    /// Both rays from the offset; hard questions have unequal masses.
     FromOffset,
     /// Both rays from the picture alone, without numbers.
     FromPicture,
-    /// Both rays with unequal masses.
+    /// Both rays with unequal masses; easy head-on hits may also be between equal masses.
     UnequalMasses,
-    /// The final speed of each disc.
+    /// The final speed of one of the discs.
     Speeds,
     /// The angle between the paths.
     Separation,

@@ -13,9 +13,9 @@ use crate::quiz::question::{Dice, Question};
 
 /// The version of the format that this program reads.
 const FORMAT: u32 = 1;
-/// The maximum number of letters in a title.
+/// The maximum number of characters in a title.
 const TITLE: usize = 80;
-/// The maximum number of letters in a reason.
+/// The maximum number of characters in a reason.
 const REASON: usize = 400;
 
 /// The fields of a question.
