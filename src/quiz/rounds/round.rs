@@ -138,9 +138,9 @@ impl Round {
         Self::new(code.course, code.seed)
     }
 
-    /// Another version of the round, for pupils who sit side by side. Each question has the same
-    /// topic, difficulty and form, but different numbers as far as possible; a question in words is
-    /// replaced by another question about the same subject, or its choices are in a different
+    /// Another version of the round, for pupils who sit side by side. As far as possible, each
+    /// question has the same topic, difficulty and form, but different numbers; a question in words
+    /// is replaced by another question about the same subject, or its choices are in a different
     /// order. Versions are numbered from 1, which is the round itself; the same number always gives
     /// the same version.
     pub fn version(&self, number: u64) -> Self {
@@ -180,8 +180,7 @@ impl Round {
                 return concept::question(concept, dice);
             }
         }
-        // In a round of ten hits, a question may be listed with a difficulty that is not its
-        // difficulty in the family.
+        // Later draws may have any difficulty, in case no other question of this difficulty fits.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,
