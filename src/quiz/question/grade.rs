@@ -8,12 +8,12 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
-/// An answer earns full credit up to this fraction of the tolerance: 2° for an angle, which is
-/// about the accuracy with which the picture can be read.
+/// An answer earns full credit up to this fraction of the tolerance: 2° for a ray, which is about
+/// the accuracy with which the picture can be read.
 const FULL_CREDIT: f64 = 0.5;
 
-/// An answer whose error is at least this multiple of the tolerance earns no credit: 30° for an
-/// angle.
+/// An answer whose error is at least this multiple of the tolerance earns no credit: 30° for a
+/// ray.
 const NO_CREDIT: f64 = 7.5;
 
 /// The credit, from 0 to 1, for an answer whose error is `distance` in units of the tolerance. The

@@ -53,7 +53,7 @@ impl Markings {
         figures: true,
     };
 
-    /// All numbers, but no marks at the point where the discs will meet.
+    /// Numbers, but neither the impact parameter nor the impact angle.
     pub(crate) const FIGURES: Self = Self {
         offset: false,
         angle: false,

@@ -24,8 +24,8 @@ impl Form {
         })
     }
 
-    /// Whether any form could accept a stored answer, which must be of a known kind and in range as
-    /// for [`Form::accepts`].
+    /// Whether a stored answer is possible in the quiz: it must be of a known kind and in the
+    /// widest range for that kind.
     pub fn could_be_kept(answer: &Figures) -> bool {
         if let Some(rays) = Rays::of_figures(answer) {
             return answer.len() == 2 && rays.are_in_range();

@@ -105,7 +105,8 @@ impl Measure {
     /// percentage points or 0.04, because a large value can be read or calculated more accurately
     /// than that, and at least 1°, a fifth of a point or 0.01. A number with its own tolerance uses
     /// that. For all other quantities the larger of the two numbers may exceed the smaller by up to
-    /// a twentieth of the smaller; if a ratio is meaningless, the distance is infinite.
+    /// a twentieth of the smaller; if they differ and their ratio is not a positive number, the
+    /// distance is infinite.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }
@@ -134,8 +135,8 @@ impl Measure {
         largest * self.width(truth)
     }
 
-    /// The difference between two numbers in units of the largest tolerance, which is never more
-    /// than [`distance`](Self::distance). This value is used to choose questions whose answers are
+    /// The difference between two numbers in units of the largest tolerance. It is never more than
+    /// their [`distance`](Self::distance). This value is used to choose questions whose answers are
     /// clearly different, so the codes of rounds depend on it and it must not change.
     pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {

@@ -3,8 +3,7 @@
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
 /// A misconception that students may have. The first misconceptions are about the directions of
-/// both discs. The others affect other answers (a speed, a fraction, a ratio, a choice in words)
-/// and are in the order in which their subjects are taught.
+/// both discs. The others affect other answers (a speed, a fraction, a ratio, a choice in words).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Misconception {

@@ -88,7 +88,8 @@ impl Rays {
         })
     }
 
-    /// Reads what [`Rays::json`] writes; `None` for anything else.
+    /// Reads what [`Rays::json`] writes; `None` if a field is missing or invalid. Other fields are
+    /// ignored.
     pub(crate) fn of_figures(figures: &Figures) -> Option<Self> {
         let ray = |name| match figures.get(name)? {
             Value::Null => Some(None),

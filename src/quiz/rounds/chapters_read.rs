@@ -50,8 +50,8 @@ impl ChaptersRead {
         found.unwrap_or(LETTERS.len())
     }
 
-    /// The set of chapters for the letters in a code; `None` if there are no letters or if they are
-    /// not in alphabetical order.
+    /// The set of chapters for the letters in a code; `None` if a letter is unknown or repeated, if
+    /// the letters are not in alphabetical order, or if there are no questions about the chapters.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;
         (chapters.to_string() == letters).then_some(chapters)
@@ -70,8 +70,8 @@ impl ChaptersRead {
         ids.flat_map(|(_, id)| Topic::taught_in(id))
     }
 
-    /// At most `count` questions about the topics that these chapters teach. Every topic comes once
-    /// before any topic is repeated, and easy questions come first.
+    /// At most `count` different questions about the topics that these chapters teach. Every topic
+    /// is chosen once before any is chosen again. As far as possible, easy questions come first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
         let mut questions = review::in_turn(&topics, count, Topic::families_in_codes, dice);

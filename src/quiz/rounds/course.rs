@@ -35,8 +35,8 @@ pub enum CourseKind {
     Quick,
     /// All kinds of questions, mixed by an older rule, for existing codes.
     Mixed,
-    /// All kinds of questions, mixed so that every misconception is tested often enough to be
-    /// detected.
+    /// All kinds of questions, mixed so that the common misconceptions are tested often enough to
+    /// be detected.
     Even,
     /// A round that finds out what a student believes: each question depends on the answers so far.
     /// The round begins with a question about equal masses.
@@ -71,8 +71,8 @@ pub enum CourseKind {
 }
 
 impl CourseKind {
-    /// The kinds that are always available to everyone; rounds on a single topic and the review are
-    /// listed after these.
+    /// The kinds in the menu that are always available to everyone, apart from rounds on a single
+    /// topic.
     pub const ALWAYS: [Self; 5] = [
         Self::FindOut,
         Self::Quick,
@@ -166,8 +166,8 @@ impl Course {
     }
 
     /// Creates a course of `count` questions, clamped to the range from 1 to [`Course::MOST`]; a
-    /// round of ten hits always has ten, a review has one question per topic, and a set has all of
-    /// its questions.
+    /// round of ten hits always has ten, a review has one question per topic but at most
+    /// [`Course::REVIEWED`], and a set has all of its questions.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
             CourseKind::Hits | CourseKind::Review(_) | CourseKind::Set(_) => kind.length(),
@@ -195,7 +195,8 @@ impl Course {
 ///
 /// Examples: `even-7`; with a count, `even12-7`; for a topic, `speeds-7`; for a misconception,
 /// `copied-angle-7`; for what some chapters teach, `read-abd-7`; for ten hits, `hits-7` or simply
-/// `7`. Only `own-7` and the code of a set, `set-7`, depend on anything else: the teacher's files.
+/// `7`. Only `own-7` and the code of a set, `set-7`, also depend on the teacher's files, and only
+/// `beliefs-7` and `find-out-7` on the answers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
     /// The definition of the round.
@@ -267,7 +268,7 @@ impl Code {
                 let fixed = kind == CourseKind::Hits;
                 let course = (count.parse().ok())
                     .map(|count| (count, Course::of(kind, count)))
-                    // A code is invalid if its number of questions would be clamped.
+                    // A code is invalid if its number of questions would be changed.
                     .filter(|(count, course)| course.count == *count);
                 let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
                 course.ok_or(no_count)?.1

@@ -1,4 +1,4 @@
-//! Mixed questions that test every misconception often enough to detect it.
+//! Mixed questions that test the common misconceptions often enough to detect them.
 //!
 //! In the older mixed rounds all families are equally frequent, so some misconceptions could show
 //! up in every second question and others in none of twenty. In newer rounds several candidates are
@@ -21,7 +21,7 @@ const PREFERRED: u32 = 8;
 /// The misconceptions that a question can show, and how strongly: roughly the base-3 logarithm of
 /// how many times as likely a fitting answer is from a student who holds the misconception as from
 /// one who guesses. Whole numbers are used, so that no choice depends on the last digit. If the
-/// tolerance is less than half the largest tolerance, even a student who holds the misconception
+/// tolerance is at most half the largest tolerance, even a student who holds the misconception
 /// rarely calculates the answer accurately enough, so that misconception is left out.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {
@@ -53,7 +53,7 @@ fn gain(question: &Question, tested: &[(Misconception, u32)], count: usize) -> u
 const LONG: usize = 16;
 
 /// Questions from these families, with rising difficulty. No family comes twice in a row, and none
-/// makes up much more than a quarter of the questions.
+/// has more than a quarter of the questions plus one.
 pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
     let mut tested = Vec::new();
     let mut questions: Vec<Question> = Vec::with_capacity(count);

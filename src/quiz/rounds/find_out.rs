@@ -20,7 +20,7 @@ const CLEAR: f64 = 0.95;
 const NONE_LEFT: f64 = 0.9;
 /// The minimum number of questions before the round can end.
 const FEWEST: usize = 3;
-/// The number of questions that are asked before the first hard one.
+/// The minimum number of questions before the first hard one.
 const BEFORE_HARD: usize = 3;
 
 /// The candidates drawn for each question: the families, and how many questions of each difficulty
@@ -150,7 +150,8 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The first question of a round: the most informative of several about collisions of equal masses.
+/// The next question of a round: the most informative of the candidates drawn from these families,
+/// except questions that have already been asked.
 pub(super) fn ask(
     candidates: &[(Family, usize)],
     asked: &[Question],

@@ -13,8 +13,8 @@ const DRAWS: usize = 1500;
 const TRIES: usize = 30;
 
 /// The questions of both forms. The questions are mixed, so that every common misconception is
-/// tested. Only families whose questions have numbers are included, because most of their questions
-/// have many parallel ones.
+/// tested. The family of questions in words is left out; most questions of the other families have
+/// many parallel ones.
 pub(super) fn pairs(families: &[Family], count: usize, dice: &mut Dice) -> [Vec<Question>; 2] {
     let mut families = families.to_vec();
     families.retain(|family| *family != Family::Concept);
@@ -64,7 +64,8 @@ fn parallel(asked: &Question, forms: &[Vec<Question>; 2], dice: &mut Dice) -> Op
     })
 }
 
-/// Whether two questions have the same text, or the same answer apart from its side.
+/// Whether two questions have the same text, or the same family, topic, quantity and answer (within
+/// the tolerance and apart from its side).
 fn is_alike(one: &Question, other: &Question) -> bool {
     if one.text == other.text {
         return true;

@@ -6,8 +6,8 @@ use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
-/// `count` questions about these topics. Every topic comes once before any topic is repeated, and
-/// easy questions come first.
+/// `count` questions about these topics, or fewer if a topic has no questions. Every topic is
+/// chosen once before any is chosen again. As far as possible, easy questions come first.
 pub(super) fn in_turn(
     topics: &[Topic],
     count: usize,
@@ -20,8 +20,8 @@ pub(super) fn in_turn(
 
 /// A question about each of these topics, from the families that `families` returns for the topic,
 /// in random order but with easy questions first as far as possible. No family comes twice in a row
-/// if this can be avoided, because it is best to return to an idea after doing something else. A
-/// topic without questions is left out.
+/// as long as a remaining topic has another family, because it is best to return to an idea after
+/// doing something else. A topic without questions is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,

@@ -11,11 +11,11 @@ use crate::quiz::question::{Answer, Dice, Difficulty, Family, Misconception, Que
 
 /// The questions of a round.
 ///
-/// They depend only on the round's [`Code`], which players share. So the dice, the lists in this
-/// file, the numbers that each family draws from and the order of the questions in words must not
-/// change; a test pins the text of several rounds. A family that is added later must not change the
-/// questions of an existing code: add the family to a new kind of course, or give it a separate
-/// topic.
+/// They depend only on the round's [`Code`], which players share, and in some rounds on the answers
+/// so far. So the dice, the lists in this file, the numbers that each family draws from and the
+/// order of the questions in words must not change; a test pins the text of several rounds. A
+/// family that is added later must not change the questions of an existing code: add the family to
+/// a new kind of course, or give it a separate topic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Round {
     code: Code,
@@ -27,10 +27,11 @@ pub struct Round {
 /// [`Family::ALL`].
 const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
-/// How many times a question that repeats an earlier one is drawn again before it is accepted.
+/// The maximum number of draws for a question; the last one is accepted even if it repeats an
+/// earlier question.
 const REDRAWS: usize = 50;
 
-/// How many questions from all families are drawn in search of a question that can show a
+/// How many questions from the families of mixed rounds are drawn in search of one that can show a
 /// misconception. After that the search continues among the questions in words, which together can
 /// show every misconception.
 const SHOWING_DRAWS: usize = 400;
@@ -137,11 +138,11 @@ impl Round {
         Self::new(code.course, code.seed)
     }
 
-    /// Another version of the round, for pupils who sit side by side. Each question has the same
-    /// topic, difficulty and form, but different numbers; a question in words is replaced by
-    /// another question about the same subject, or its choices are in a different order. Versions
-    /// are numbered from 1, which is the round itself; the same number always gives the same
-    /// version.
+    /// Another version of the round, for pupils who sit side by side. As far as possible, each
+    /// question has the same topic, difficulty and form, but different numbers; a question in words
+    /// is replaced by another question about the same subject, or its choices are in a different
+    /// order. Versions are numbered from 1, which is the round itself; the same number always gives
+    /// the same version.
     pub fn version(&self, number: u64) -> Self {
         let Code { course, seed } = &self.code;
         if number < 2 {
@@ -179,8 +180,7 @@ impl Round {
                 return concept::question(concept, dice);
             }
         }
-        // In a round of ten hits, a question may be listed with a difficulty that is not its
-        // difficulty in the family.
+        // Later draws may have any difficulty, in case no other question of this difficulty fits.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,
@@ -233,8 +233,7 @@ fn rising(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
     questions
 }
 
-/// Questions from any family that can show this misconception, with easy questions first as far as
-/// possible.
+/// Questions that can show this misconception, with easy questions first as far as possible.
 fn showing(misconception: Misconception, count: usize, dice: &mut Dice) -> Vec<Question> {
     // The code of a misconception still gives the same questions even if the misconception was
     // split later.
