@@ -33,7 +33,7 @@ impl Ahead {
     }
 
     /// Requests the record again, because the player has done something; until it arrives, the
-    /// earlier record is shown.
+    /// earlier record of the same player is shown.
     pub(super) fn ask_again(&mut self, cx: &mut Context) {
         let fresh = Self::ask(cx);
         match fresh.player == self.player {

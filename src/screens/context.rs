@@ -95,7 +95,7 @@ impl Context {
         self.ask(StoreRequest::Note(action));
     }
 
-    /// Records that a level was won, and saves the record.
+    /// Records that a level was won, and saves the stars if there are more of them than before.
     pub fn won(&mut self, number: usize, win: Win) {
         if let Some(starred) = self.shelf.won(number, win) {
             let player = self.settings.player.clone();

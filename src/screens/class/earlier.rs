@@ -14,7 +14,7 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, SplitLayout, text};
 
-/// The maximum width, in columns, of the names in the row of a round.
+/// The maximum width, in columns, of the names in the description of a round.
 const NAMES: usize = 180;
 
 pub(super) const ROUNDS: KeptKind = KeptKind {

@@ -153,7 +153,7 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     );
 }
 
-/// "A: 4 then 2; B: 17 then 28. gain 60 %. changed to right 5, to wrong 1"
+/// "A: 4 then 2; B: 17 then 19. gain 50 %. changed to right 3, to wrong 1"
 fn summary(question: &Question, item: &ItemAnalysis) -> String {
     let counts = item.counts.iter().map(|(said, [first, second])| {
         let name = answer_name(question, said);

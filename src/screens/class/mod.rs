@@ -1,4 +1,5 @@
-//! A round for a class in front of one screen: one keyboard, a projector, teams.
+//! A round for a class in front of one screen: with teams at one keyboard, with hands or cards, or
+//! with pupils on their own devices.
 //!
 //! A question goes through the `ClassStep`s of [`crate::class`]; `play` runs them, and each step
 //! with its own actions has its own module.

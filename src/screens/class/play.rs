@@ -58,7 +58,7 @@ enum ClassPhase {
 }
 
 impl ClassPlay {
-    /// A round at the step where it was left, which is saved with this ticket.
+    /// A round, at the step where it was left; it is saved with this ticket.
     pub(super) fn new(round: ClassRound, ticket: u64, cx: &mut Context) -> Self {
         let place = round.place();
         let furthest = place.question.max(round.begun().saturating_sub(1));
@@ -213,7 +213,7 @@ impl ClassPlay {
     }
 
     /// The index of the question `by` questions after the current one; the end of the round comes
-    /// after the last question. `None` if that position has not been reached yet.
+    /// after the last question. `None` if there is no such position or it has not been reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
         let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
@@ -342,7 +342,7 @@ impl ClassPlay {
         table.with(keys, ClassAction::Round)
     }
 
-    /// The key that continues from a step at which there is nothing else to do.
+    /// The keys that continue from a step without actions of its own.
     fn keys_to_look(&self) -> KeyTable<RoundAction> {
         let is_last = self.stage.number() + 1 == self.stage.round().questions().len();
         let keys = forward(match self.stage.step() {
@@ -451,7 +451,7 @@ impl ClassPlay {
         }
     }
 
-    /// The question while it is read out; on devices, pupils vote at the same time.
+    /// The question while it is read out or predicted; on devices, also while pupils vote.
     fn reading<'s>(&'s self, step: ClassStep, question: &'s Question) -> View<'s, ClassAction> {
         let turnout = |vote| self.stage.session.turnout(vote);
         let heading = match step {

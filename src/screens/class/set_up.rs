@@ -147,7 +147,8 @@ impl SetUp {
         })
     }
 
-    /// All rows, from the top of the left side to the bottom of the right side.
+    /// All rows, in the order in which the mark moves through them: the first ones on the left, the
+    /// kinds of round on the right, then the others on the left.
     pub(super) fn rows(&self) -> Vec<SetUpRow> {
         let mut rows: Vec<SetUpRow> = (0..self.teams.len()).map(SetUpRow::Team).collect();
         if self.teams.len() < MOST_TEAMS {
@@ -297,7 +298,7 @@ impl SetUp {
         }
     }
 
-    /// Handles pasted text; in the row of a name, each line is one name.
+    /// Handles pasted text; in the row of a team, each line is one name.
     pub(super) fn paste(&mut self, pasted: &str) {
         let mut lines = pasted.lines();
         let first = lines.next().unwrap_or_default();

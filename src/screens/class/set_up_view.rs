@@ -1,5 +1,7 @@
 //! The view of the set-up page.
 
+use std::collections::BTreeSet;
+
 use super::ClassAction;
 use super::set_up::{RoundKind, SetUp, SetUpAction, SetUpRow};
 use crate::class::MOST_TEAMS;
@@ -116,7 +118,10 @@ fn words(set_up: &SetUp, kind: RoundKind, chosen: bool) -> (String, String) {
         }
         RoundKind::Own => {
             let count = set_up.own.concepts.len();
-            let left = match set_up.own.problems.len() {
+            // A file can have several errors.
+            let problems = set_up.own.problems.iter();
+            let files: BTreeSet<&str> = problems.map(|it| it.file.as_str()).collect();
+            let left = match files.len() {
                 0 => String::new(),
                 1 => ", one file left out".into(),
                 left => format!(", {left} files left out"),

@@ -26,7 +26,7 @@ impl ClassReveal {
     /// The explanation of a question, starting from the class's answers.
     pub(super) fn new(round: &ClassRound, number: usize, pace: HitPace) -> Option<Self> {
         let question = round.questions().get(number)?;
-        // The votes after the discussion or, if there are none, before it.
+        // The wrong votes after the discussion or, if there are none, those before it.
         let held = commonest(round, number, Vote::Second)
             .or_else(|| commonest(round, number, Vote::First));
         let said = held.as_ref().map(|shared| shared.said);
@@ -68,8 +68,8 @@ fn right_in_words(play: &Stage) -> String {
     format!("Right at first: {first}, after talking: {second}")
 }
 
-/// Writes the text of the shot: the steps of the explanation; then the right answer with the most
-/// important sentence and, on further pages, the whole explanation.
+/// Writes the text of the shot: the steps of the explanation; then the right answer, the most
+/// frequent wrong one, the first sentence of the feedback and, on further pages, the rest of it.
 fn write(play: &Stage, question: &Question, shown: &ClassReveal, panel: &mut Panel<ClassAction>) {
     if let Some(watch) = shown.reveal.watch()
         && shown.reveal.is_explaining()
@@ -103,7 +103,7 @@ fn first_sentence(text: &str) -> (&str, &str) {
     (first, rest.trim_start())
 }
 
-/// The common answer of a group of wrong votes.
+/// A group of wrong votes that fit one misconception or are for one choice.
 struct SharedAnswer {
     name: String,
     count: usize,

@@ -1,6 +1,7 @@
 //! The distribution of the first votes, without the right answer and without names, for the
 //! discussion.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use glam::dvec2;
@@ -106,7 +107,8 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
     draw_line(unit, votes, line, buf, look);
 }
 
-/// The most frequent angles for a ray, in order, with the number of equal votes: "30.0, 45.0 (2)".
+/// The most frequent angles for a ray, in ascending order, with the number of equal votes:
+/// "30.0, 45.0 (2)".
 fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     let index = usize::from(ray == Ray::Target);
     let mut angles: Vec<Option<f64>> = votes
@@ -121,18 +123,14 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
         value(a).total_cmp(&value(b))
     });
     let shown: Vec<String> = angles.into_iter().map(brief).collect();
-    let mut same: Vec<&[String]> = shown.chunk_by(|a, b| a == b).collect();
-    let mut counts: Vec<usize> = same.iter().map(|same| same.len()).collect();
-    counts.sort_unstable_by(|a, b| b.cmp(a));
-    let least = counts.get(MOST_ANGLES - 1).copied().unwrap_or(0);
-    same.retain(|same| same.len() >= least);
+    let same = shown.chunk_by(|a, b| a == b);
+    let mut same: Vec<(usize, &[String])> = same.enumerate().collect();
+    let more = if same.len() > MOST_ANGLES { " …" } else { "" };
+    // The sort is stable, so of equally frequent angles the smallest are listed.
+    same.sort_by_key(|(_, same)| Reverse(same.len()));
     same.truncate(MOST_ANGLES);
-    let more = if counts.len() > MOST_ANGLES {
-        " …"
-    } else {
-        ""
-    };
-    let words = same.into_iter().map(|same| match same {
+    same.sort_unstable_by_key(|(at, _)| *at);
+    let words = same.into_iter().map(|(_, same)| match same {
         [one] => one.clone(),
         _ => format!("{} ({})", same[0], same.len()),
     });
@@ -140,10 +138,10 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
 }
 
 /// If the votes for a disc have at most this many directions, all of them are labelled; otherwise
-/// only the most frequent one is.
+/// only the most frequent ones are.
 const MANY_WAYS: usize = 8;
 
-/// Draws all rays, from the position where the two discs will collide.
+/// Draws all rays, each from the position of its disc at contact.
 fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let stage = HitLayout::new(area, collision);
     let mut picture = Picture::new(stage.view);
@@ -203,7 +201,7 @@ fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look:
         }
     }
     let highest = heaps.iter().map(|(_, count)| *count).max().unwrap_or(1);
-    let y = Axis::linear("teams", 0.0, (highest + 1) as f64).every(1.0);
+    let y = Axis::linear("votes", 0.0, (highest + 1) as f64).every(1.0);
     let mut plot = Plot::new(area, *look, x, y);
     // Each bar is wide enough to be seen from the back row.
     let half = 0.012 * (largest - least + 2.0 * margin);

@@ -52,7 +52,7 @@ impl Tally {
         }
     }
 
-    /// Handles a key that edits the counts: digits and separators.
+    /// Handles a key that edits the counts; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let is_own = match key {
             Key::Char(c) => c.is_ascii_digit() || (matches!(c, ' ' | ',') && !self.is_empty()),

@@ -23,8 +23,8 @@ const STEPS: [ClassStep; 6] = [
     ClassStep::Shot,
 ];
 
-/// Every step of every question of three rounds has letters large enough for the back row, and a
-/// short text fits on one or two pages.
+/// Every step before the scores, of every question of three rounds, has letters large enough for
+/// the back row; on 24 rows, a short text fits on one or two pages.
 #[test]
 fn the_back_row_can_read_every_step_of_every_question() {
     let teams: Vec<String> = (1..=8).map(|team| format!("Team {team}")).collect();
@@ -139,8 +139,8 @@ fn a_long_scoreboard_can_be_scrolled_to_its_end() {
 /// The screen sizes for which the test counts the questions that show all choices at once.
 const SCREENS: [(u16, u16); 3] = [(80, 24), (100, 30), (120, 40)];
 
-/// How many questions were laid out, and how many of them show all choices with their bars on the
-/// first page, in both votes (`vote`) and in the discussion (`talk`).
+/// How often questions were laid out (once for each way to vote), and how often all choices were on
+/// the first page: in both votes (`vote`), and with their bars in the discussion (`talk`).
 #[derive(Debug, Clone, Copy, Default)]
 struct OnePage {
     asked: usize,

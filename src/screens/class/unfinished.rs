@@ -22,7 +22,7 @@ pub(super) struct Unfinished {
     code: Option<Code>,
     name: String,
     nicknames: bool,
-    /// The interrupted round; `None` while it is being loaded.
+    /// The interrupted round; `None` until it has been found.
     stopped: Option<Kept<ClassRound>>,
     list: ListView,
     /// The ticket for loading it.
@@ -120,7 +120,8 @@ impl Unfinished {
         let mut beside = Panel::new("the round");
         let stopped = self.stopped.as_ref();
         if let Some((kept, round)) = stopped.and_then(|it| Some((it, it.content.as_ref().ok()?))) {
-            // The code is not shown, because pupils could use it to play the round in advance.
+            // The code of the questions is not shown, because pupils could use it to play the round
+            // in advance.
             let called = match round.class() {
                 "" => "A class",
                 class => class,

@@ -78,7 +78,8 @@ impl TeamVotes {
         self.teams.chosen(round.participants().len() + 1)
     }
 
-    /// Moves the mark to the next team without a vote, or to the row that continues the round.
+    /// Moves the mark to the first team without a vote; at the second vote, or if all have voted,
+    /// to the row that continues the round.
     fn choose_next(&mut self, round: &ClassRound) {
         let count = round.participants().len();
         let waits = |team: &usize| {
@@ -165,7 +166,7 @@ impl TeamVotes {
         }
     }
 
-    /// Records the vote, and goes to the next team.
+    /// Records the vote, and moves the mark on.
     fn give(&mut self, session: &mut Session) {
         let round = session.round();
         let team = self.at(round);

@@ -67,7 +67,7 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
             plot.bar(degrees(bin), degrees(bin + 1), height, Role::Trail);
         }
         // Where almost no counts are expected there is no line, because it would coincide with the
-        // axis. Near 0° the law exceeds the top of the plot.
+        // axis. Near 0° the law can exceed the top of the plot.
         let least = plot.least_clear();
         let thrown = run.thrown();
         let expected = |at| {

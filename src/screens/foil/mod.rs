@@ -40,7 +40,7 @@ pub(crate) enum FoilAction {
     Open(FoilPage),
     /// change a setting
     Set(FormAction),
-    /// start a whole beam of these particles
+    /// open the page for a whole beam of these particles
     WholeBeam,
     /// start a beam, let it continue, or start another
     Throw,
@@ -56,7 +56,7 @@ pub(crate) enum FoilAction {
     OtherPlot,
     /// export the plot as an SVG picture
     Export,
-    /// predict what will happen first, or just watch
+    /// predict before the beam starts, or just watch
     Predict,
     /// restore the initial settings
     Reset,
@@ -187,7 +187,7 @@ impl FoilScreen {
     }
 
     /// Computes the particles for the next frame. Their number does not depend on the time that has
-    /// passed, so a beam never delays a frame.
+    /// passed, so a slow frame does not make the next one slower.
     fn throw_on(&mut self) {
         if let BeamPhase::Thrown(run) = &mut self.beam {
             run.advance();

@@ -26,7 +26,7 @@ enum PersonRow {
     Removed(String),
 }
 
-/// The action in progress on the chosen row.
+/// The action in progress on a participant.
 #[derive(Debug, Clone, Default)]
 enum PersonEdit {
     #[default]
@@ -67,8 +67,8 @@ impl People {
         people
     }
 
-    /// Keeps the mark on the same participant, or moves it to the next one if that participant has
-    /// left.
+    /// Keeps the mark on the same row; if that row is gone, the mark moves to the next one, or to
+    /// the last.
     pub(super) fn renew(&mut self, session: &Session) {
         let rows = rows(session);
         let marked = self.marked.as_ref();
@@ -87,7 +87,7 @@ impl People {
         }
     }
 
-    /// The marked participant, if they are on the list.
+    /// The marked participant, unless they have been removed.
     fn at(&self) -> Option<&str> {
         match self.marked.as_ref()? {
             PersonRow::Person(name) => Some(name),
