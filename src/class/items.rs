@@ -16,7 +16,7 @@ pub struct ItemAnalysis {
     /// The votes of the teams before and after the discussion; a team that did not change its vote
     /// is counted in both.
     pub votes: [Tally; 2],
-    /// How well the question separates the better teams from the others.
+    /// How well the question separates those with the better results from the others.
     pub discrimination: Option<f64>,
     /// Of the misconceptions that first votes fit, the one with the strongest evidence, and the
     /// number of first votes that fit it.

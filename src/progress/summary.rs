@@ -251,6 +251,7 @@ fn times_as(weight: f64) -> String {
     }
     let digit = 10_f64.powf(odds.log10().floor());
     match (odds / digit).round() * digit {
+        odds if odds >= 1e6 => "about a million times".into(),
         odds if odds >= 1e3 => format!("about {:.0},000 times", odds / 1e3),
         odds => format!("about {odds:.0} times"),
     }
@@ -341,6 +342,21 @@ mod tests {
         assert!(!half.contains("no known"), "{half}");
         let nonsense = of(-120.0, 120.0);
         assert!(nonsense.contains("no known misconception"), "{nonsense}");
+    }
+
+    #[test]
+    fn odds_are_rounded_to_one_digit() {
+        let said = [4.4e2, 4.4e3, 9.4e5, 9.6e5].map(|odds: f64| times_as(odds.ln()));
+        assert_eq!(
+            said,
+            [
+                "about 400 times",
+                "about 4,000 times",
+                "about 900,000 times",
+                "about a million times"
+            ]
+        );
+        assert_eq!(times_as(20.0), "more than a million times");
     }
 
     #[test]

@@ -41,15 +41,17 @@ impl ShotInPlay<'_> {
             if time > self.limits.horizon {
                 return Ok(self.limits.horizon);
             }
-            last = time;
             match self.schedule.forecast(disc) {
-                Forecast::Alone(end) => self.finish(disc, time, end),
-                Forecast::Meet { partner, version } => {
-                    if self.bodies[partner].version == version {
-                        self.impact(disc, partner, time);
-                    } else {
-                        self.forecast(&[disc], time);
-                    }
+                Forecast::Meet { partner, version } if self.bodies[partner].version != version => {
+                    self.forecast(&[disc], time);
+                }
+                Forecast::Meet { partner, .. } => {
+                    last = time;
+                    self.impact(disc, partner, time);
+                }
+                Forecast::Alone(end) => {
+                    last = time;
+                    self.finish(disc, time, end);
                 }
             }
             if self.events > self.limits.events {

@@ -146,9 +146,9 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     panel.gap();
     panel.paragraph(
         "\"right\": how many votes were right. \"degrees off\": the mean error of angles; for two \
-         rays the larger error counts. \"tells apart\": how well a question separates the better \
-         teams from the others, -1 to 1; it requires ten teams. \"gain\": the share of the \
-         possible improvement that the discussion achieved.",
+         rays the larger error counts. \"tells apart\": how well a question separates those \
+         with the better results from the others, -1 to 1; it requires ten teams or pupils. \
+         \"gain\": the share of the possible improvement that the discussion achieved.",
         Role::Dim,
     );
 }

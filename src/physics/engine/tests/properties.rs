@@ -118,6 +118,7 @@ fn assert_balanced(shot: &Shot) {
             }
         }
     }
+    assert!(gained <= 1e-13 * shot.energy_before(), "{gained} J");
     let mut energy = shot.energy_before();
     let slack = 1e-13 * energy;
     for time in times(shot) {
