@@ -89,7 +89,7 @@ pub trait AnyScreen {
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
-    /// The areas of the panels that react to a click, from top to bottom.
+    /// The areas that react to a click, panel by panel.
     fn targets(&self, cx: &Context) -> Vec<Rect>;
     /// Carries out the action of the target with this number, as a click on it would.
     fn choose(&mut self, target: usize, cx: &mut Context) -> Next;
@@ -118,7 +118,7 @@ pub struct Hosted<S: Screen> {
     scrolled: Vec<Scrolled>,
 }
 
-/// How far the player has scrolled a panel, in rows.
+/// How far the player has scrolled a panel, in rows or, if the panel has pages, in pages.
 struct Scrolled {
     /// The panel's title and subject.
     of: (String, usize),
@@ -156,7 +156,7 @@ impl<S: Screen> Hosted<S> {
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
         let own = self.screen.keys(cx).map(Pressed::Own);
         let own = own.with(view_keys(), Pressed::Shared);
-        // Escape goes back on every screen.
+        // The same id on every screen, so that the player changes this key on all of them at once.
         own.with(shared_keys(), Pressed::Shared)
             .identified(Key::Escape, "everywhere.back")
             .distinct()
@@ -206,7 +206,7 @@ impl<S: Screen> Hosted<S> {
         take(&placed, &writing)
     }
 
-    /// How far a panel is scrolled, in rows.
+    /// How far a panel is scrolled, in rows or, if the panel has pages, in pages.
     fn scrolled(&self, panel: &Panel<S::Action>, placed: &Placed) -> u16 {
         match self.scrolled.iter().find(|it| it.is_of(panel)) {
             Some(it) if it.chosen == placed.chosen => it.rows.min(placed.overflow()),
@@ -270,7 +270,7 @@ impl<S: Screen> Hosted<S> {
         })
     }
 
-    /// The areas of the panels that react to a click, and their actions.
+    /// The areas that react to a click, panel by panel, and their actions.
     fn actions(&self, cx: &Context) -> Vec<(Rect, S::Action)> {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |view, _| {

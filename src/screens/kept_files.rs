@@ -167,8 +167,8 @@ impl<T> KeptFiles<T> {
         }
     }
 
-    /// Writes the description of the chosen file: the notice, why it cannot be read, or the text
-    /// of `about`.
+    /// Writes the notice, if there is one, then the text of `about` or why the chosen file cannot
+    /// be read.
     pub(super) fn write_chosen<A>(
         &self,
         panel: &mut Panel<A>,

@@ -1,4 +1,4 @@
-//! The link to the page that explains a wrong answer.
+//! The link to the page that explains a wrong answer or introduces a term.
 
 use super::{Context, Next, Route};
 use crate::lessons::Book;

@@ -2,7 +2,8 @@
 
 use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 
-/// The number of frames that a beam lasts: about four seconds, so that the counts grow visibly.
+/// The number of frames that a beam lasts, unless [`MOST`] makes it longer: about four seconds, so
+/// that the counts grow visibly.
 const PICTURES: u64 = 240;
 
 /// The maximum number of particles per frame; computing them takes less than ten milliseconds.

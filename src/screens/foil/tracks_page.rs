@@ -119,7 +119,7 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
         picture.curve(beside.points, Pen::new(Role::Trail).dotted());
     }
-    // A nucleus is smaller than any cell, so a mark shows its position.
+    // For a hard target the disc has radius R; for a nucleus it only marks the position.
     let role = match setup.obstacle {
         Obstacle::Hard => Role::Coin,
         Obstacle::Nucleus => Role::Marble,

@@ -13,7 +13,7 @@ pub(super) fn count(number: u64) -> String {
     text
 }
 
-/// A fraction to three figures: as a percentage or, if it is small, as in "1 in 117,000".
+/// A fraction: as a percentage or, if it is below 0.1, as in "1 in 117,000".
 pub(super) fn share(share: f64) -> String {
     if share >= 0.1 {
         return format!("{:.1} %", 100.0 * share);

@@ -48,7 +48,7 @@ impl Home {
         home
     }
 
-    /// The lines: the next step, then the menu.
+    /// The lines: the class that the pupil left, the next step, then the menu.
     fn lines(&self, cx: &Context) -> Vec<HomeLine> {
         let class = cx.class.iter().map(|_| HomeLine::Class);
         let step = self.ahead.step().map(|_| HomeLine::Next);

@@ -74,7 +74,8 @@ impl JoinedClass {
         };
     }
 
-    /// The true collision, with the pupil's answer.
+    /// The true collision, with the pupil's answer; if the answer is a shot, the collision that it
+    /// causes.
     fn watch(&self, question: &Question, pace: HitPace) -> Option<Watch> {
         let said = self.said().map(|said| said.response);
         match (&question.form, said) {

@@ -12,7 +12,8 @@ use crate::class::{Said, SeatToken, Vote, is_nickname};
 use crate::messages::{JoinCall, JoinNews};
 use crate::screens::Context;
 
-/// The shortest and the longest wait before reconnecting, in milliseconds.
+/// The longest wait before the first attempt to reconnect and before any later one, in
+/// milliseconds.
 const BACK_OFF: [u64; 2] = [300, 5000];
 
 /// The connection to the host.
@@ -22,7 +23,7 @@ pub(super) struct Link {
     /// The token that returns the pupil to their seat.
     seat: Option<SeatToken>,
     state: LinkState,
-    /// The number of failed attempts since the last message from the host.
+    /// How often the connection has failed since the host last sent a state.
     tries: u32,
     /// Why the host has not let the pupil in yet, if the host has given a reason.
     pub(super) held_up: Option<Refusal>,
@@ -33,7 +34,7 @@ pub(super) struct Link {
     said: bool,
     /// The number of the last hand-in on this device.
     handed: u64,
-    /// A hand-in that the host has not saved yet.
+    /// A hand-in to which the host has not replied yet.
     handing_in: Option<ClientMessage>,
 }
 
@@ -83,7 +84,7 @@ impl Link {
         self.pending.is_some()
     }
 
-    /// Whether a hand-in has not been confirmed yet.
+    /// Whether the host has not replied to a hand-in yet.
     pub(super) fn is_handing_in(&self) -> bool {
         self.handing_in.is_some()
     }
@@ -179,8 +180,8 @@ impl Link {
         }
     }
 
-    /// Processes the result of a hand-in. An unconfirmed hand-in is sent again after a loss of the
-    /// connection.
+    /// Processes the result of a hand-in. A hand-in without a reply is sent again after a loss of
+    /// the connection.
     fn hear_of_hand_in(&mut self, handed: Option<HandedIn>, first: bool, cx: &mut Context) {
         let heard = handed.map_or(0, |it| it.n);
         if heard >= self.handed {

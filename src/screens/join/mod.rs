@@ -105,7 +105,7 @@ impl Join {
         joined.is_some_and(|joined| joined.state.step == PupilStep::End)
     }
 
-    /// The number of answers that can be handed in now: none during a vote or an explanation.
+    /// The number of answers that can be handed in now: none during a question.
     fn answers(&self) -> usize {
         let is_free = self.joined.as_ref().is_some_and(|joined| {
             let is_beside = matches!(joined.state.step, PupilStep::Lobby | PupilStep::End);

@@ -52,7 +52,7 @@ pub(super) fn view<'s>(
     }
 }
 
-/// Draws the picture of the question, with the vote or the true result.
+/// Draws the picture of the question, with the vote or the result.
 fn draw(joined: &JoinedClass, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
     match &joined.doing {
         Doing::Watch(reveal) => match reveal.watch() {
@@ -174,7 +174,8 @@ fn write_step(
         }
         (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_result(joined, question, panel),
         (Doing::Look, step) => {
-            // Text that is too long is truncated at its end, so the instruction comes first.
+            // The end of a long text is visible only after scrolling, so the instruction comes
+            // first.
             let words = match step {
                 ClassStep::Describe => "Read it with the class. The vote comes soon.",
                 ClassStep::Predict => "Decide in silence. The vote comes soon.",

@@ -12,7 +12,7 @@ pub(crate) struct LabSettings {
 }
 
 impl LabSettings {
-    /// A setting with its value, or the reason why it cannot be changed.
+    /// A setting with its value and, if it cannot be changed, the reason.
     pub(super) fn field(&self, field: CollisionField) -> Field {
         self.fields().swap_remove(field as usize)
     }
@@ -42,7 +42,7 @@ impl FormFields for LabSettings {
         fields
     }
 
-    /// If the mass of a weighed mystery coin is changed, it becomes an ordinary coin.
+    /// A weighed mystery coin becomes an ordinary coin once its mass is changed.
     fn set(&mut self, at: usize, value: f64) {
         let before = self.setup.m2_g;
         set_at(at, &mut self.setup, value);

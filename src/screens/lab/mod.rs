@@ -37,7 +37,7 @@ pub(crate) struct Lab {
     phase: LabPhase,
     /// Whether the picture shows the outcome of the settings at once.
     live: bool,
-    /// Whether the set-up comes from another screen and is not saved for the next visit.
+    /// Whether the set-up comes from a link or another screen and is not saved for the next visit.
     lent: bool,
     /// Whether the outcome is hidden, at the request of a link, until the player has predicted it.
     hidden: bool,
@@ -69,7 +69,7 @@ pub(crate) enum LabAction {
     Set(FormAction),
     /// next set of pieces
     NextSet,
-    /// choose smooth discs that slip, or discs that stick together
+    /// choose discs that slip, or discs that stick together
     Contact,
     /// a mystery coin: find its mass from the two angles
     MysteryCoin,

@@ -1,4 +1,4 @@
-//! The view of the lab: the picture, and beside it the settings, the prediction, and the shot in
+//! The view of the lab: the picture, and beside it the settings, the prediction or the shot in
 //! numbers.
 
 use glam::DVec2;
@@ -83,7 +83,7 @@ fn has_curves(lab: &Lab, picture: Rect) -> bool {
     plain && collision.alpha().is_some() && picture.height >= ROOM_FOR_CURVES
 }
 
-/// Draws the collision and, if there is room, both speeds against the impact angle.
+/// Draws the collision and, if [`has_curves`] allows it, both speeds against the impact angle.
 fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
     let hit = hit_area(lab, picture, cx);
     live_hit(lab).picture(hit).draw(buf, look);
@@ -127,7 +127,7 @@ fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     panel
 }
 
-/// b/(r₁+r₂), with a note if the discs miss.
+/// b/(r₁+r₂), with a note if the discs do not collide.
 fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
     let setup = &lab.settings.setup;
     let ratio = setup.offset_mm().abs() / setup.contact_distance_mm();

@@ -12,8 +12,8 @@ use crate::widgets::{Charset, SplitLayout, formula, text};
 /// The body of a screen of 80×24, below the title and above the keys.
 const BODY: Rect = Rect::new(0, 1, 80, 22);
 
-/// An error for each page that would be truncated or have to be scrolled at 80×24, in either
-/// charset; empty if the chapter fits.
+/// An error for each page, hint, feedback or formula that does not fit at 80×24 without scrolling,
+/// in either charset; empty if the chapter fits.
 pub fn check(chapter: &Chapter) -> Vec<FileError> {
     let mut faults = Vec::new();
     for (at, page) in chapter.pages.iter().enumerate() {
@@ -45,7 +45,7 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
     faults
 }
 
-/// One answer for each possible feedback.
+/// The answers whose feedback is checked.
 fn answers(asked: &CheckpointKind) -> Vec<Response> {
     match asked {
         // Straight ahead, at 45° and backwards: each has a long explanation.

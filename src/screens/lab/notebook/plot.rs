@@ -15,8 +15,8 @@ use crate::widgets::{Charset, Look, Role};
 /// The number of pieces of the curve.
 const PIECES: u32 = 360;
 
-/// The plot of the chosen columns: a point for each hit, over the exact curve for the other
-/// settings of the chosen hit.
+/// The plot of the chosen columns: a point for each hit, over the exact curve, along which one
+/// setting varies and the others are those of the chosen hit.
 pub(super) fn picture(notebook: &Notebook, area: Rect, look: &Look) -> Picture {
     let hits = notebook.hits();
     let axes = notebook.axes();
@@ -67,9 +67,10 @@ fn curve(axes: [&NotebookColumn; 2], setup: &CollisionSpec, hits: &[NotedHit]) -
     (0..=PIECES).map(at).collect()
 }
 
-/// The range over which the curve varies a setting: all values of an angle, an offset and e (to the
-/// left only if one of the hits is), up to 1 for the friction between the rims, and for any other
-/// setting up to 1.5 times the largest value in the hits (at least 100 for a spin).
+/// The range over which the curve varies a setting: all values of an angle, an offset and e (an
+/// impact angle or an offset to the left only if one of the hits has one), up to 1 for the friction
+/// between the rims, and for any other setting up to 1.5 times the largest value in the hits (at
+/// least 100 for a spin).
 fn range(field: CollisionField, setup: &CollisionSpec, hits: &[NotedHit]) -> (f64, f64) {
     let FieldValue::Number { range, .. } = field.field(setup).value else {
         return (0.0, 0.0);

@@ -103,7 +103,7 @@ fn table(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     ]);
 }
 
-/// The axes, and everything about the chosen hit.
+/// The axes, the chosen hit's values on them, an explanation of the curve, and a link to the hit.
 fn beside_plot(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     let [x, y] = notebook.axes();
     for (axis, column, other) in [
@@ -134,7 +134,7 @@ fn beside_plot(notebook: &Notebook, panel: &mut Panel<NotebookAction>) {
     });
 }
 
-/// The commands and links that open exactly this hit.
+/// The command and the link that open exactly this hit.
 fn share(setup: &CollisionSpec, panel: &mut Panel<NotebookAction>) {
     let settings = setup.to_link().replace(':', "=");
     let set = match settings.as_str() {

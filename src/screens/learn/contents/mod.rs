@@ -32,7 +32,7 @@ pub(crate) enum ContentsAction {
 #[derive(Debug, Clone)]
 pub(crate) struct Contents {
     ahead: Ahead,
-    /// Whether the player has moved the mark.
+    /// Whether the player has moved the mark or returned from another screen: the mark then stays.
     moved: bool,
 }
 

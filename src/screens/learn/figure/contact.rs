@@ -67,7 +67,7 @@ impl ContactForce {
         ]
     }
 
-    /// The plot, without numbers while the outcome is hidden.
+    /// The plot; while the outcome is hidden, without the average force and the text below.
     pub(super) fn lay_out(&self, figure: FigureArea) -> Picture {
         let (hidden, look) = (figure.hidden, *figure.look);
         let (area, mut lines) = figure.split(2);

@@ -118,8 +118,8 @@ impl FilmFigure {
         }
     }
 
-    /// The points, the fitted and the predicted paths and the results; the points alone while the
-    /// outcome is hidden.
+    /// The points, the fitted and the predicted paths and the results; the paths and the results
+    /// are left out while the outcome is hidden.
     pub(super) fn lay_out(&self, figure: FigureArea) -> Picture {
         let hidden = figure.hidden;
         let (area, mut lines) = figure.split(ROWS);

@@ -39,7 +39,7 @@ use dial::FigureDial;
 use film::FilmFigure;
 use worked::WorkedFigure;
 
-/// The number of steps (of degrees, for an angle) by which `<` and `>` change a setting.
+/// The number of steps (of degrees, for α) by which `<` and `>` change a setting.
 const LEAP: i8 = 10;
 
 /// What the keys do to the figure of a page.
@@ -128,7 +128,7 @@ impl LiveFigure {
         shown
     }
 
-    /// Resets the state to the beginning of the collision.
+    /// Sets up the state anew for the current collision.
     fn set_up(&mut self, said: Option<Rays>, pace: HitPace) {
         use FigureState::{Film, Foil, Hits, Plain, Worked};
         let watch = || match said {
@@ -167,12 +167,13 @@ impl LiveFigure {
     }
 
     /// The question of where both discs will go, if the shot is given by the impact angle and suits
-    /// the quiz: smooth discs, one of them at rest.
+    /// the quiz: smooth discs, the coin at rest.
     pub(super) fn question_by_angle(&self) -> Option<Hit> {
         let collision = &self.collision;
         let hit = collision.outcome().meeting == Meeting::Hit;
         let at_rest = collision.u2 == glam::DVec2::ZERO && collision.bond == Bond::Slip;
-        let by_angle = hit && at_rest && !self.figure.shot.is_by_offset();
+        let is_smooth = collision.rims.friction <= 0.0;
+        let by_angle = hit && at_rest && is_smooth && !self.figure.shot.is_by_offset();
         by_angle.then(|| Hit {
             given: ImpactPoint::Angle {
                 alpha_deg: self.alpha_deg(),
@@ -181,7 +182,7 @@ impl LiveFigure {
         })
     }
 
-    /// The page of the foil's own screen that shows more, if the figure is the foil.
+    /// The page of the foil's own screen that shows more, if the figure is one of its pages.
     pub(super) fn foil_page(&self) -> Option<FoilPage> {
         let FigureKind::Foil { page, .. } = self.figure.kind else {
             return None;
@@ -199,7 +200,7 @@ impl LiveFigure {
     }
 
     /// Shows the outcome. After a prediction it is played from the start, unless motion is reduced;
-    /// otherwise its end is shown.
+    /// otherwise the moment of contact is shown.
     pub(super) fn reveal(&mut self, said: Option<Rays>, pace: HitPace) {
         self.hidden = false;
         if self.figure.shot != self.figure.after {
@@ -313,7 +314,7 @@ impl LiveFigure {
         }
     }
 
-    /// Whether a hidden outcome is replaced by the picture before the collision.
+    /// Whether a hidden outcome is replaced by a picture of the discs before the collision.
     fn covers_outcome(&self) -> bool {
         let kind = self.figure.kind;
         kind.is_hit() || matches!(kind, FigureKind::Triangle { .. } | FigureKind::Frames)
@@ -342,7 +343,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // If the collision is shown in two frames, both frames are fixed.
+                // If the collision is shown in two frames, neither can be changed.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha().with(watched, FigureAction::Watch)
