@@ -76,7 +76,8 @@ pub enum Route {
     Teacher,
     /// A pupil's device in a class.
     Join {
-        /// The address of the class, if it is known; `None` if its host has served the page.
+        /// The address of the class, empty if it is unknown; `None` if its host has served the
+        /// page.
         address: Option<String>,
         /// The class's join code, if it is known.
         code: Option<JoinCode>,

@@ -64,7 +64,7 @@ pub(super) fn confidence(
     });
 }
 
-/// The step that the picture is showing.
+/// The question, and the step that the picture is showing.
 pub(super) fn watching(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
     panel.paragraph(&watched.question.text, Role::Dim);
     panel.gap();
@@ -74,7 +74,7 @@ pub(super) fn watching(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>
 }
 
 /// The points, the answer beside the true one, and the explanation, which is never cut: if
-/// there is not enough room, the other parts are dropped.
+/// there is not enough room, less important parts are dropped.
 pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Panel<QuizAction>) {
     let question = &watched.question;
     let grade = Grade::new(question, &watched.answer);

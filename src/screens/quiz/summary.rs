@@ -16,7 +16,8 @@ pub(super) const WIDEST: u16 = 108;
 const WIDE: u16 = 104;
 
 /// The summary: the score, one row per question with a mark at question `at`, how well
-/// confidence matched the answers, and what to try next.
+/// confidence matched the answers, and what to try next. In a round that looks for a
+/// misconception, the finding replaces the score and the words on confidence.
 pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     let summary = quiz.summary();
     let finds_out = quiz.round.course().follows_answers();

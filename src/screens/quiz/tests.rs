@@ -179,7 +179,7 @@ fn after_a_wrong_shot_the_right_one_is_shown() {
     sitting.press("-5\n3$");
     let screen = sitting.screen();
     assert!(screen.contains("offset 5.00 mm left"), "{screen}");
-    // The answers fill two rows of the panel.
+    // The true answer fills two rows of the panel.
     assert!(
         screen.contains("offset 15.0 mm") && screen.contains("||        right "),
         "{screen}"
@@ -256,7 +256,7 @@ fn enter_right_after_the_digit_of_the_confidence_does_not_skip_the_verdict() {
     assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
 }
 
-/// A ray that is 4.2° off is not right, but earns nearly all the points.
+/// Rays that are 4.2° off are not right, but earn nearly all the points.
 #[test]
 fn a_sure_answer_that_is_nearly_right_is_not_marked_as_wrong() {
     let question = Quiz::new(Code::hits(7)).round.questions()[0].clone();

@@ -15,7 +15,7 @@ const LARGEST: usize = 64 * 1024;
 const LONGEST: usize = 200;
 const PLAYER_ID: &str = "player";
 
-/// The settings that a player has changed. The others get their defaults at each start.
+/// The settings that a player has changed. The others are determined anew at each start.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct KeptSettings {
     /// The index of the value of each changed setting, by its name.
@@ -126,7 +126,7 @@ mod tests {
         assert!(kept.note(&before, &now));
         let read = KeptSettings::read("settings.toml", kept.text().as_bytes()).unwrap();
         assert_eq!(read, kept);
-        // Settings that were not changed keep their defaults.
+        // Settings that were not changed keep the given values.
         let found = Settings {
             charset: Charset::Unicode,
             ..Settings::default()

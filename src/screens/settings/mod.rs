@@ -63,7 +63,8 @@ impl SettingsScreen {
         Self::default()
     }
 
-    /// Opens the list of players, or goes to a setting's next value.
+    /// Opens the list of players (or, if it is empty, the field for a new name), or goes to a
+    /// setting's next value.
     fn enter(&mut self, cx: &mut Context) {
         if !self.is_at_player(cx) {
             self.form.act(FormAction::Step(1), &mut cx.settings);

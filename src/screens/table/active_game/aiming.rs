@@ -36,7 +36,7 @@ pub enum AimAction {
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
-    /// aim at the next coin of your own to the right, or to the left, so that it goes into the nearest open pocket; Tab works, too
+    /// aim at the next coin for you to pocket, to the right or to the left, so that it goes into the nearest open pocket; Tab works, too
     NextShot(i8),
     /// change the strength by 0.1 m/s or by 1 m/s; the wheel works, too
     Strength(i8),
@@ -48,7 +48,7 @@ pub enum AimAction {
     Number(EntryAction),
     /// turn the aim line, the ghost or the predicted paths on or off
     Aid(AimAid),
-    /// turn calls on or off: before each stroke, predict the directions of the two discs in the first collision
+    /// turn calls on or off: before each stroke, predict the directions of the two discs after the first collision
     Call,
     /// hint: where to look; again: the whole stroke; a third time: set it
     Hint,
@@ -63,9 +63,9 @@ pub enum AimAction {
 pub enum AimAid {
     /// The striker's path to the first coin.
     Line,
-    /// The position of the striker at that contact.
+    /// The position of the striker at its first contact.
     Ghost,
-    /// The paths of both discs after that collision.
+    /// The paths of both discs after the first collision.
     Rays,
 }
 
@@ -320,7 +320,7 @@ impl ActiveGame {
         score::write(self, charset, panel);
     }
 
-    /// Why the last action had no effect, or why no stroke is possible.
+    /// The notice about the last action, or why no stroke is possible.
     fn refusal(&self, aim: &Aim) -> Option<String> {
         let blocked = || {
             let why = self.game().check_place(aim.place).err()?;
@@ -368,7 +368,7 @@ impl ActiveGame {
             return;
         };
         match &preview.end {
-            // During a call the impact angle would reveal the coin's direction.
+            // Before a call the impact angle would reveal the coin's direction.
             WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.company.call, panel),
             WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
             WayEnd::Stops => panel.line("no hit", Role::Dim),

@@ -50,8 +50,8 @@ impl Calling {
         Some(phase)
     }
 
-    /// Whether the aim can still be changed. If the hand is unsteady, the picture has already
-    /// revealed the error of this stroke.
+    /// Whether the player can go back. Before a stroke of their own with an unsteady hand they
+    /// cannot, because the picture has already revealed the error of that stroke.
     pub(super) fn can_be_left(&self, game: &ActiveGame) -> bool {
         self.of.is_some() || game.hand().errors().is_none()
     }

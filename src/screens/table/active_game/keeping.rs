@@ -14,12 +14,12 @@ pub(super) struct GameKeeping {
     /// Whether the current game can be resumed later; `None` until the result of the first
     /// save is known.
     pub(super) saved: Option<bool>,
-    /// A message, shown until the next stroke, that says why the game cannot be saved.
+    /// A message, shown until the next move, that says why the game cannot be saved.
     pub(super) trouble: Option<String>,
 }
 
 impl ActiveGame {
-    /// Resumes a saved game, and saves it with the ticket it was loaded with.
+    /// Resumes a saved game; it will be saved again with the ticket it was loaded with.
     ///
     /// # Errors
     /// If the saved game cannot be played through.
@@ -68,7 +68,7 @@ impl ActiveGame {
     pub(crate) fn take_answer(&mut self, answer: &StoreAnswer) {
         match &answer.done {
             StoreReply::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {
-                // A failure is reported once, not after each stroke.
+                // A failure is reported once, not after each move.
                 if let Err(reason) = result
                     && self.keeping.saved != Some(false)
                 {

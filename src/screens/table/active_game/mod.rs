@@ -57,7 +57,7 @@ pub(super) struct ActiveGame {
     pub(super) hint: Option<Hinted>,
     /// What the mouse is dragging.
     grip: Grip,
-    /// A notice that says why something cannot be done.
+    /// A notice about the last action, such as why it had no effect.
     notice: Option<String>,
     guard: StrikeGuard,
     keeping: GameKeeping,
@@ -92,7 +92,7 @@ pub enum GameAction {
     Export,
     /// let the computer strike at once
     StrikeShown,
-    /// call: predict the directions of the two discs in the computer's collision
+    /// call: predict the directions of the two discs after the first collision of the computer's stroke
     CallShown,
     /// start the next board, or end the match
     NextBoard,
@@ -210,7 +210,7 @@ impl ActiveGame {
     }
 
     /// The next phase after earlier strokes have been watched. If it is the computer's turn, the
-    /// end of the last stroke is shown until the player continues.
+    /// end of the last stroke is shown until the game continues.
     fn turn_after_replay(&mut self, cx: &Context) -> GamePhase {
         if self.game().stage() == GameStage::Playing
             && self.is_computers_turn()
@@ -304,7 +304,7 @@ impl ActiveGame {
         aim
     }
 
-    /// Computes the first contact of the aim, if it or the game has changed.
+    /// Computes the first contact if the aim or the game has changed.
     fn look_ahead(&mut self) {
         let aim = (self.aimed(), self.history.len());
         if self.previewed.replace(aim) != Some(aim) {

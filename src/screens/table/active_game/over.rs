@@ -26,8 +26,8 @@ impl ActiveGame {
         self.look_at(best, cx.settings.reduced_motion, cx)
     }
 
-    /// A click on the board continues. The end of a match is left only with a key: after an
-    /// accidental click, nobody could read the result.
+    /// A click on the board continues, but not at the end of a match: after an accidental click,
+    /// nobody could read the result.
     pub(super) fn click_on_end(&mut self, cx: &Context) -> After {
         match self.game().stage() {
             GameStage::MatchOver(_) => After::Same,

@@ -81,7 +81,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     picture
 }
 
-/// Draws the striker pulled back, and the speed of the stroke.
+/// Draws a line from the striker to the mouse that pulls it, and the speed of the stroke.
 fn pulled(picture: &mut Picture, active: &ActiveGame, to: DVec2) {
     let place = active.aim.place;
     let pen = Pen::new(Role::Key).on(DrawLayer::Trail);
@@ -163,7 +163,7 @@ fn point_out(picture: &mut Picture, pointer: &Pointer) {
 }
 
 /// Draws the paths of both discs after the first collision, as far as each would slide if it hit
-/// nothing.
+/// nothing, but at most [`LONGEST_RAY`].
 fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
     let outcome = hit.impact.collision.outcome();
     let deceleration = Board::default().deceleration();

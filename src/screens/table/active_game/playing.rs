@@ -194,8 +194,8 @@ impl Playing {
         }
     }
 
-    /// Lets the computer decide if it has not done so yet: at the beginning of a game, and after
-    /// the computer has passed.
+    /// Lets the computer decide if it has not done so yet: when a game begins or is resumed, and
+    /// after the computer has passed.
     fn hand_over(&mut self, cx: &Context) {
         if matches!(self.phase, GamePhase::Aim) && self.game.is_computers_turn() {
             self.phase = self.game.turn(cx);
@@ -343,7 +343,7 @@ fn parting(game: &ActiveGame) -> Confirmation {
     Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
 }
 
-/// The number of the board, and the score.
+/// The title of the board's picture, such as the number of the board and the score.
 fn board_title(active: &ActiveGame) -> String {
     let game = active.game();
     let score = active.options.score(game);

@@ -12,7 +12,8 @@ use crate::screens::table::aim::SPEEDS;
 const HOLD: f64 = 1.6;
 /// The shortest pull that makes a stroke, in radii of the striker.
 const LEAST_PULL: f64 = 1.5;
-/// The additional pull for the hardest stroke, in metres; a full pull ends beside the board.
+/// The additional pull for the hardest stroke, in metres. With an aim straight across the board, a
+/// full pull ends outside the board.
 const FULL_PULL: f64 = 0.15;
 /// How much harder a stroke becomes if the mouse is to the right of the aim, and how much softer if
 /// the mouse is to the left: the additional pull divided by the square of the distance, in 1/m.
@@ -20,8 +21,8 @@ const FULL_PULL: f64 = 0.15;
 /// A terminal reports only the cell of the mouse, so a pull straight down offers only as many
 /// strengths as there are rows below the striker. The square is needed because, if the additional
 /// pull were proportional to the distance, a step to the next column would not change the strength
-/// for some aims. With this value every aim has at least 25 strengths at 80x24 (checked for each
-/// degree and centimetre).
+/// for some aims. With this value every aim has at least 25 strengths at 80x24 if its direction is
+/// a whole degree and its position a whole centimetre.
 const SIDEWAYS: f64 = 1.5;
 /// The tangent of the largest angle (60°) by which a pull can differ from the aim without turning
 /// the aim.
@@ -127,8 +128,8 @@ impl ActiveGame {
         }
     }
 
-    /// Whether a drag of the striker to this point goes straight back from where the drag began. In
-    /// a practice game such a drag always pulls.
+    /// Whether a drag of the striker to this point goes straight back from where the drag began.
+    /// Never in a practice game, where only [`Self::pulls`] decides, and never with a flat aim.
     fn is_straight_back(&self, at: DVec2, before: &Aim) -> bool {
         let seat = self.seat();
         let heading = before.heading(seat);

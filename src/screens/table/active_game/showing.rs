@@ -35,7 +35,7 @@ pub(super) struct ShownStroke {
 }
 
 impl ShownStroke {
-    /// The computer's next stroke, with its first part visible.
+    /// The computer's next stroke, with its first part visible or, with reduced motion, all parts.
     pub(super) fn new(stroke: ComputerStroke, options: &Options, cx: &Context) -> Self {
         let parts = match cx.settings.reduced_motion {
             true => PARTS_MS.len(),
@@ -148,7 +148,8 @@ impl ActiveGame {
         GamePhase::Aim
     }
 
-    /// Shows the computer's stroke before it is played.
+    /// Lets the computer decide, and shows its stroke before it is played; without a stroke, the
+    /// computer passes.
     pub(super) fn think(&mut self, cx: &Context) -> GamePhase {
         let strength = self.options.company.strengths[self.seat() as usize];
         match opponent::think(self.game(), strength, self.next_seed()) {

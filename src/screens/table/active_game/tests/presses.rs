@@ -1,6 +1,6 @@
 //! Counts the key presses that set a stroke.
 //!
-//! A computer player chooses each stroke of whole games. A person who intends the same stroke
+//! A computer player chooses each stroke of whole boards. A person who intends the same stroke
 //! begins with the aim that the screen shows at the start of the turn, and sets the position, the
 //! direction and the strength, in this order, with the keys that need the fewest presses. The
 //! screen carries out every press, and the stroke that was set is played.
@@ -14,8 +14,9 @@ use crate::screens::Settings;
 use crate::screens::table::aim::{SPEEDS, along_the_screen};
 use crate::widgets::input::EntryAction;
 
-/// The tolerances within which a stroke counts as set: in metres, degrees and m/s. The intended
-/// direction is from the position that was set to the striker's position at its first contact.
+/// The tolerances within which a stroke counts as set: in metres, degrees and m/s. On a straight
+/// path to a disc, the intended direction is from the position that was set to the striker's
+/// position at its first contact.
 const NEAR: (f64, f64, f64) = (0.001, 0.1, 0.05);
 /// A margin for rounding errors in the tolerances.
 const ROUNDING: f64 = 1e-9;
@@ -158,7 +159,7 @@ fn presses(game: &mut ActiveGame, meant: &Strike, cx: &Context) -> [usize; 3] {
     [place, direction, strength]
 }
 
-/// The strokes of whole boards between computer players, with the presses for each.
+/// The presses for each stroke of whole boards between computer players.
 fn script() -> Vec<[usize; 3]> {
     let cx = Context::new(Settings::default(), 1);
     let mut script = Vec::new();
@@ -172,7 +173,7 @@ fn script() -> Vec<[usize; 3]> {
                 game.pass();
                 continue;
             };
-            // Next to a coin or a base circle, carrom can place the striker between two steps.
+            // Next to a coin or a base circle, the computer can put the striker between two steps.
             let lines = game.game().base_lines();
             let meant = Strike {
                 place: lines.nearest_on_steps(decision.meant.position).unwrap(),
