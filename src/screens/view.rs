@@ -1,4 +1,4 @@
-//! The view of a screen: a picture or a panel, with a panel beside it, or one panel alone.
+//! The view of a screen: a picture or a panel, alone or with a panel beside it.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

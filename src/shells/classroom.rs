@@ -104,7 +104,7 @@ impl Classroom {
         self.code
     }
 
-    /// Disconnects a pupil's device from the host, or connects it again.
+    /// Disconnects a pupil's device from the host, or lets it connect again.
     pub fn reach(&mut self, who: Who, reaches: bool) {
         let Who::Pupil(at) = who else { return };
         let Some(pupil) = self.pupils.get_mut(at) else {

@@ -19,8 +19,8 @@ use crate::messages::{JoinCall, JoinNews};
 
 /// How long the host may take to accept a connection.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// The length of silence after which the host counts as lost; the host sends something every 20
-/// seconds.
+/// The length of silence after which the host counts as lost; the host sends something at least
+/// every 20 seconds.
 const GONE: Duration = Duration::from_secs(65);
 /// The maximum size of one message from the host, in bytes.
 const LARGEST_STATE: usize = 1 << 20;

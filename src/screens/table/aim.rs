@@ -85,8 +85,8 @@ impl Aim {
         self.direction_deg = hundredths / 100.0;
     }
 
-    /// Turns to the next of these directions on the board: the nearest one to the right on the
-    /// screen, or to the left if `sense` is negative.
+    /// Turns to the next of these directions on the board: the nearest one in the direction of
+    /// [`rightwards`], or in the opposite direction if `sense` is negative.
     pub(super) fn turn_to_next(&mut self, ways: &[DVec2], sense: i8, seat: Seat) {
         let right = f64::from(sense) * rightwards(seat);
         let turns = ways.iter().map(|way| {
@@ -110,15 +110,15 @@ impl Aim {
         }
     }
 
-    /// Sets the speed, limited to what a finger can achieve.
+    /// Sets the speed, rounded to tenths of a metre per second and limited to [`SPEEDS`].
     pub(super) fn set_speed(&mut self, speed: f64) {
         let tenths = (speed * 10.0).round() / 10.0;
         self.speed = tenths.clamp(SPEEDS.0, SPEEDS.1);
     }
 
-    /// Moves the striker by `step`, in metres on the board. In a game the striker moves only along
-    /// the base lines, in steps, and skips positions that are not legal. It stays where it is if
-    /// there is no further legal position.
+    /// Moves the striker by `step`, in metres on the board. Except in a practice game, the striker
+    /// moves only along the base lines, in steps, and skips positions that are not legal. It stays
+    /// where it is if there is no further legal position.
     pub(super) fn move_by(&mut self, step: DVec2, game: &Game) {
         if game.setup().rules == Rules::Practice {
             self.put(self.place + step, game);
@@ -130,8 +130,8 @@ impl Aim {
         }
     }
 
-    /// Puts the striker at a point, or in a game at the nearest point of the base lines. The
-    /// position may be illegal.
+    /// Puts the striker at a point or, except in a practice game, at the nearest point of the base
+    /// lines. The position may be illegal.
     pub(super) fn put(&mut self, at: DVec2, game: &Game) {
         let board = Board::default();
         if game.setup().rules == Rules::Practice {
@@ -171,8 +171,9 @@ pub(super) fn along_the_screen(seat: Seat, rules: Rules) -> DVec2 {
     }
 }
 
-/// The sign of the change in direction for a turn to the right on the screen: clockwise for
-/// players who look up or left, anticlockwise for the others.
+/// The sign of the change in direction for a turn to the right on the screen or, for players who
+/// look left or right, up the screen: clockwise for players who look up or left, anticlockwise for
+/// the others.
 pub(super) fn rightwards(seat: Seat) -> f64 {
     match seat {
         Seat::South | Seat::East => -1.0,

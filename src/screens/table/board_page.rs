@@ -19,7 +19,8 @@ const LISTED: usize = 7;
 
 #[derive(Debug, Clone, Default)]
 pub(super) struct BoardPage {
-    /// The code of the board that is shown; `None` until today's date is known.
+    /// The code of the board that is shown; `None` until a code is given or today's date is
+    /// known.
     pub(super) code: Option<BoardCode>,
     pub(super) par: Option<usize>,
     today: Option<Date>,

@@ -8,7 +8,8 @@ use crate::physics::units::deg_from_rad;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BoardReport {
     pub(super) teams: ByTeam<TeamReport>,
-    /// The move number of the best stroke; `None` if nothing was pocketed.
+    /// The move number of the best stroke; `None` if no stroke counts for
+    /// [`TeamReport::pocketing`].
     pub(super) best: Option<usize>,
     /// The points of both teams after each board of this game.
     pub(super) run: Vec<ByTeam<u8>>,
@@ -18,7 +19,7 @@ pub(super) struct BoardReport {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct TeamReport {
     pub(super) strokes: u32,
-    /// Strokes that pocketed one of the team's pieces but not the striker.
+    /// Strokes that pocketed a piece that the team wanted, but not the striker.
     pub(super) pocketing: u32,
     /// Strokes that pocketed the striker.
     pub(super) fouls: u32,
@@ -28,7 +29,7 @@ pub(super) struct TeamReport {
 }
 
 impl TeamReport {
-    /// The percentage of strokes that pocketed a piece of the team, as shown.
+    /// [`Self::pocketing`] as a percentage of all strokes, as shown.
     pub(super) fn share(&self) -> String {
         let share = (100 * self.pocketing + self.strokes / 2).checked_div(self.strokes);
         share.map_or_else(|| "none".into(), |percent| format!("{percent} %"))
@@ -74,8 +75,8 @@ impl BoardReport {
     }
 }
 
-/// The rank of a stroke: first by what it pocketed, then by how difficult that was; 0 if it
-/// pocketed nothing, or if it also pocketed the striker.
+/// The rank of a stroke: first by how many wanted pieces it pocketed, then by how difficult that
+/// was; 0 if it pocketed none of them, or if it also pocketed the striker.
 fn rank(past: &Past) -> f64 {
     let Some(Story {
         first_hit: Some(hit),

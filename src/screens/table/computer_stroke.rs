@@ -18,7 +18,8 @@ pub(super) struct ComputerStroke {
     pub(super) aim: Aim,
     /// The first contact of the intended stroke.
     pub(super) preview: Option<Preview>,
-    /// The coin that the stroke was meant to pocket, and the pocket.
+    /// The coin that the stroke was meant to pocket, with the pocket, or else the coin that it was
+    /// meant to hit first.
     pub(super) pointer: Option<Pointer>,
 }
 

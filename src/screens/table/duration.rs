@@ -19,11 +19,11 @@ const GAMES: f64 = 2.5;
 const SECONDS: f64 = 15.0;
 
 impl Options {
-    /// The estimated length of this game in minutes, rounded to the accuracy of the estimate;
-    /// `None` in a practice game.
+    /// The estimated length of this game in minutes, or of one board if the game is open-ended,
+    /// rounded to the accuracy of the estimate; `None` if there is only one player.
     ///
-    /// Both sides are assumed to be as strong as the computer, or as a regular player if no computer
-    /// takes part.
+    /// Both sides are assumed to be as strong as the computer, or as a regular player if no
+    /// computer takes part.
     pub(super) fn minutes(&self) -> Option<u32> {
         let computer = { self.seats() }.find(|seat| self.player(*seat) == Player::Computer);
         let strength = computer.map(|seat| self.company.strengths[seat as usize]);

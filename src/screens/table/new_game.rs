@@ -61,7 +61,7 @@ pub enum NewGameAction {
 }
 
 impl NewGame {
-    /// Opens the page, and requests the saved games: they contain the player's results and, if
+    /// Opens the page, and requests the saved games: they provide the player's results and, if
     /// `options` is `None`, the options to start from.
     pub(super) fn ask(options: Option<Options>, cx: &mut Context) -> Self {
         Self {

@@ -93,8 +93,8 @@ impl Options {
         }
     }
 
-    /// The team whose human players call the strokes from a seat: their own strokes, and those of a
-    /// computer that plays against them.
+    /// The team whose human players call the strokes from a seat: the strokes of their own team,
+    /// and those of opponents who are all computers.
     pub(super) fn caller(&self, game: &Game, seat: Seat) -> Team {
         let own = game.team(seat);
         let has_person = |team: Team| {
@@ -129,7 +129,7 @@ impl Options {
         self.setup.hands == Hands::Two && self.is_shared()
     }
 
-    /// The name of the player at a seat, which is "you" if nobody else is at the keyboard.
+    /// The name of the player at a seat: "you" for a person if nobody else is at the keyboard.
     pub fn seat_name(&self, seat: Seat) -> &str {
         match self.player(seat) {
             Player::Person if !self.is_shared() => "you",
@@ -169,7 +169,7 @@ impl Options {
         format!("{first} {a} : {b} {second}")
     }
 
-    /// The word for what the last board decides: a board, a game or a match.
+    /// The word for what is won at the end: a board, a game or a match.
     pub(super) fn whole(&self) -> &'static str {
         match (self.setup.length, self.setup.rules) {
             (Length::Match, Rules::Tournament) => "match",

@@ -43,7 +43,7 @@ pub(super) fn of_pack(coins: &[Coin], set: PieceSet, area: Rect) -> Picture {
     picture
 }
 
-/// Draws a hand over the board.
+/// Draws a cross at the position of the hand.
 pub(super) fn hand(picture: &mut Picture, at: DVec2) {
     let arm = 2.5 * picture.view().per_row();
     let gap = 0.8 * picture.view().per_row();

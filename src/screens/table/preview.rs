@@ -19,9 +19,9 @@ pub(super) struct Preview {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum WayEnd {
     Meets(FirstHit),
-    /// The striker falls into a pocket without touching anything.
+    /// The striker falls into a pocket without hitting a coin.
     Falls,
-    /// The striker comes to rest without touching anything.
+    /// The striker comes to rest without hitting a coin.
     Stops,
     /// The striker comes to rest before reaching the coin with this index, which it would hit if it
     /// were struck harder.

@@ -6,7 +6,7 @@ use crate::game::{BoardCode, Game, Piece, PieceSet, Team};
 use crate::widgets::Role;
 use crate::widgets::hit::Face;
 
-/// The appearance of a piece in a picture of one impact.
+/// The appearance of a piece in a picture.
 pub(super) const fn face(piece: Piece) -> Face {
     let (role, letter) = match piece {
         Piece::Striker => (Role::Striker, 'S'),

@@ -82,7 +82,7 @@ pub(crate) struct Teacher {
     round: usize,
     /// The index in [`GUIDES`].
     guide: usize,
-    /// The files written since the task was chosen, or the reasons why they were not written.
+    /// The files last written for the chosen task, or the reasons why they were not written.
     written: Vec<(String, Role)>,
 }
 

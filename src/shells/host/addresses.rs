@@ -28,7 +28,7 @@ pub(super) fn own(port: u16, before: Option<SocketAddrV4>) -> Vec<SocketAddrV4> 
         .collect()
 }
 
-/// The address of this computer that other devices see.
+/// The address of this computer on the outgoing interface.
 fn outward() -> Option<Ipv4Addr> {
     let socket = UdpSocket::bind((Ipv4Addr::UNSPECIFIED, 0)).ok()?;
     socket.connect(ELSEWHERE).ok()?;

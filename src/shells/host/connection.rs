@@ -24,7 +24,8 @@ use crate::shells::lock;
 /// The time limit for the head of a request.
 const HEAD_TIME: Duration = Duration::from_secs(5);
 const JOIN_TIME: Duration = Duration::from_secs(10);
-/// How long a device may be silent before it is pinged, and before it counts as lost.
+/// How long the host sends nothing before it pings a device, and how long a device may be silent
+/// before it counts as lost.
 const PING: Duration = Duration::from_secs(20);
 const GONE: Duration = Duration::from_secs(65);
 /// The time limits for sending one part of the page, and for all of it.
@@ -42,7 +43,7 @@ const HAND_IN: f64 = 20.0;
 
 /// Serves a connection until it ends.
 pub(super) fn serve(board: &Arc<Switchboard>, connection: &Arc<Connection>) {
-    // An error here means that the connection is lost, so no reply is needed.
+    // An error here means that the connection is lost or too slow, so no reply is needed.
     let _ = answer(board, connection);
     hang_up(&connection.stream);
     board.remove(connection.id);
@@ -119,7 +120,7 @@ fn refuse(connection: &Connection, status: u16, words: &str) -> io::Result<()> {
     send(connection, head.as_bytes(), format!("{words}\n").as_bytes())
 }
 
-/// Sends a whole response, as long as the transfer makes progress.
+/// Sends a whole response, unless the transfer stalls or takes longer than [`PAGE_TIME`].
 fn send(connection: &Connection, head: &[u8], body: &[u8]) -> io::Result<()> {
     let end = Instant::now() + PAGE_TIME;
     (&connection.stream).write_all(head)?;
@@ -133,7 +134,7 @@ fn send(connection: &Connection, head: &[u8], body: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Waits until the device has closed the connection.
+/// Waits until the device has closed the connection, but no longer than `patience`.
 fn drain(connection: &Connection, patience: Duration) {
     let end = Instant::now() + patience;
     let mut piece = [0; 512];
@@ -145,7 +146,8 @@ fn drain(connection: &Connection, patience: Duration) {
     }
 }
 
-/// A connection for a WebSocket. Reads end at a deadline, and messages are written whole.
+/// A connection for a WebSocket. A read ends at the deadline or, if there is none, after [`GONE`];
+/// messages are written whole.
 struct ServerStream {
     connection: Arc<Connection>,
     deadline: Option<Instant>,
@@ -312,7 +314,8 @@ fn write_out(connection: &Connection) {
         let mut bytes = Vec::new();
         let made = frames.into_iter().try_for_each(|it| it.format(&mut bytes));
         if made.is_err() || write_whole(connection, &bytes).is_err() {
-            // A device that does not read for this long is lost; the reading thread notices that.
+            // A device that does not read for `WRITE_TIME` counts as lost; the reading thread
+            // notices that.
             return hang_up(&connection.stream);
         }
         if !goes_on {

@@ -8,7 +8,7 @@ use std::net::IpAddr;
 
 /// The maximum size of a head, in bytes.
 pub(super) const LONGEST: usize = 8 * 1024;
-/// The maximum number of lines in a head.
+/// The maximum number of headers in a head.
 const MOST_LINES: usize = 64;
 pub(crate) const TALK: &str = "/class";
 

@@ -43,7 +43,7 @@ const STACK: usize = 192 * 1024;
 /// How a class is served.
 #[derive(Clone, Default)]
 pub struct HostOptions {
-    /// The port; by default the first free one from `PORT` on.
+    /// The port; by default the one used before, or else the first free one from `PORT` on.
     pub port: Option<u16>,
     /// The page for browsers, or why there is none.
     pub page: Option<Result<Arc<PageFile>, String>>,
@@ -59,7 +59,7 @@ pub struct Host {
 }
 
 impl Host {
-    /// Creates a server that is not listening yet. `wake` is called when the first news arrives.
+    /// Creates a server that is not listening yet. `wake` is called when there is news to take.
     pub fn new(options: HostOptions, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
             options,
@@ -111,7 +111,7 @@ impl Host {
     /// given, the file is a SCORM package.
     ///
     /// # Errors
-    /// If there is no page.
+    /// If there is no page, or for the reasons given at [`PageFile::document`].
     pub(super) fn page_document(&self, round: Option<&Code>) -> Result<Vec<u8>, String> {
         let document = self.page()?.document(round);
         document.map_err(|error| error.to_string())
@@ -228,7 +228,7 @@ fn random() -> io::Result<u128> {
     Ok(u128::from_le_bytes(bytes))
 }
 
-/// Raises the limit on open files, because each pupil's connection needs one.
+/// Raises the limit on open files, because each pupil's connection needs an open file.
 fn raise_limit() {
     #[cfg(unix)]
     {
@@ -240,7 +240,7 @@ fn raise_limit() {
     }
 }
 
-/// Closes a connection from another thread; the reading thread notices that.
+/// Closes a connection; a thread that is reading from it notices that.
 fn hang_up(stream: &TcpStream) {
     let _ = stream.shutdown(std::net::Shutdown::Both);
 }

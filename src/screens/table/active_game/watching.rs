@@ -43,8 +43,8 @@ pub(super) struct FallingPiece {
 pub(super) struct StrokeReplay {
     /// The number of the stroke's move in the game.
     pub(super) number: usize,
-    /// Whether the stroke was just made: then the game waits for its end, and going back means
-    /// leaving the game.
+    /// Whether the game waits for the end of this replay; going back then means leaving the game,
+    /// unless the game is over.
     pub(super) live: bool,
     /// How long the end has been visible; counted only while carrom does not wait for a key.
     end_seen: Duration,
@@ -89,7 +89,7 @@ impl StrokeReplay {
             _ => None,
         });
         let falls: Vec<_> = falls.collect();
-        // The replay lasts until the last piece has reached its tray.
+        // The replay lasts at least until the last piece has reached its tray.
         let last = falls.last().map_or(0.0, |fall| fall.time + FALL);
         let clock = ShotClock::new(shot.duration().max(last), rate, at_end);
         let called = past.called.as_ref().map(|called| called.said);
@@ -165,7 +165,7 @@ impl StrokeReplay {
         watching.unwrap_or_else(|| game.turn(cx))
     }
 
-    /// Handles a click on the picture, which continues if the replay is at its end.
+    /// Handles a click on the picture. At the end of the replay, a click continues.
     pub(super) fn click(&mut self, game: &mut ActiveGame, cx: &mut Context) -> After {
         match self.player.clicked() {
             Some(action) => self.work(action, cx).into(),
