@@ -10,7 +10,7 @@ const LONGEST: usize = 1000;
 
 /// The help on the words that are understood at any time.
 const ALWAYS: &str = "At any time: repeat reads the question again, help explains how to answer, \
-                      quit saves your answers and ends carrom.";
+                      quit ends carrom.";
 
 /// A dialogue in lines.
 pub struct Talk<'a> {
