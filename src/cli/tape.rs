@@ -68,7 +68,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let screenshots = play(&tape, open).map_err(|error| {
         let message = anyhow!("{file}:{error}");
         match error {
-            PlayError::Run { .. } => Failure::Input(message),
+            PlayError::Run { .. } | PlayError::Pupil { .. } => Failure::Input(message),
             _ => Failure::Work(message),
         }
     })?;

@@ -1,4 +1,4 @@
-//! The programs around the app: a terminal, plain lines, a tape and a test.
+//! The shells that run the app: in a terminal, in plain lines, from a tape or in a test.
 //!
 //! Each shell supplies time, translates its own inputs into [`Input`](crate::messages::Input)s and
 //! carries out effects. All of them drive the same [`App`](crate::app::App) in the same way: they

@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
-/// The policy of the file, and that of the served copy.
+/// The part on connections in the policy of the file, and in that of the served copy.
 const CONNECT: [&str; 2] = ["connect-src 'none'", "connect-src 'self'"];
 /// The root element of the file, and that of the served copy, in which an attribute shows that the
 /// page is served to a class.

@@ -8,7 +8,7 @@ pub(super) fn aloud(formula: &Formula) -> String {
     spoken_formula(&linear(formula))
 }
 
-/// A formula on one line, with fractions in words and with Unicode symbols.
+/// A formula on one line, with fractions, roots and vectors in words and with Unicode symbols.
 fn linear(formula: &Formula) -> String {
     let mut line = String::new();
     let (mut after_fraction, mut after_factor) = (false, false);
@@ -53,7 +53,7 @@ fn is_factor(node: &Node) -> bool {
 
 fn of_node(node: &Node) -> String {
     match node {
-        // A word with more than one letter is a unit.
+        // Only a word with more than one letter can be a unit.
         Node::Word(word) if word.chars().count() > 1 => unit_name(word),
         Node::Word(word) => word.clone(),
         Node::Group(inside) => format!("({})", linear(inside)),
@@ -84,7 +84,7 @@ fn of_node(node: &Node) -> String {
     }
 }
 
-/// A formula in brackets, unless it is a single symbol.
+/// A formula in brackets, unless it is a single term.
 fn tight(formula: &Formula) -> String {
     let line = linear(formula);
     if formula.0.len() == 1 {

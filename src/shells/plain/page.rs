@@ -23,7 +23,7 @@ const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
 /// The id of the row of the key for the next question.
 pub(super) const ON: &str = "quiz.go-on";
 
-/// The placeholder in an empty text field.
+/// The mark after the digits typed so far in a number field.
 pub(super) const OPEN: char = '_';
 
 /// A screen, or a layer over it, in lines.
@@ -93,7 +93,7 @@ pub(super) enum Asked {
     Nothing,
     /// A number with this name and unit.
     Number(String, String),
-    /// An angle with this name, or none if the disc stays still.
+    /// An angle with this name, or the word "still".
     Angle(String),
     /// Text with this name.
     Text(String),
@@ -455,7 +455,7 @@ fn shown(words: &Words) -> Vec<String> {
     }
 }
 
-/// The text of something that cannot be chosen; `None` if it is empty.
+/// The text of something that cannot be chosen; `None` if it is left out.
 fn text(words: &Words, is_help: bool) -> Option<String> {
     Some(match words {
         Words::Gap | Words::Prompt { .. } => return None,

@@ -173,7 +173,7 @@ impl PlainReader {
         if is_text {
             return self.type_text(line, holder);
         }
-        // A single letter is not a name.
+        // A single letter is not taken for the name of an option.
         if let Some(option) = self.named(&lower).filter(|_| lower.len() > 1) {
             return self.choose(&option, holder);
         }
@@ -216,7 +216,8 @@ impl PlainReader {
         options.find(is).or_else(numbered).cloned()
     }
 
-    /// The option with this name, or the one whose words start with these words.
+    /// The option with this name, or the first whose name contains these words or longer forms of
+    /// them.
     fn named(&self, words: &str) -> Option<PlainOption> {
         let meant: Vec<_> = words.split_whitespace().collect();
         let name_of = |it: &PlainOption| read(&it.words).to_lowercase();
@@ -312,7 +313,7 @@ impl PlainReader {
         Ok(line.into_iter().collect())
     }
 
-    /// Presses Enter if Enter carries out one of these actions.
+    /// Presses Enter if Enter carries out one of these actions and the screen is still the same.
     fn enter(&mut self, holder: &mut dyn AppHolder, ids: &[&str]) {
         if enters(holder, ids) && self.is_the_same(holder) {
             holder.input(&Key::Enter.into());
@@ -412,7 +413,7 @@ impl PlainReader {
                 if now.to_lowercase().starts_with(&value) {
                     return Ok(Vec::new());
                 }
-                // The last value has been reached, or the values have started again from the first.
+                // The last value has been reached, or the values have begun to repeat.
                 if last.as_ref() == Some(&now) || key == Key::Right && seen.contains(&now) {
                     break;
                 }
@@ -524,7 +525,8 @@ impl PlainReader {
     }
 }
 
-/// The changes since the previous page; lines that were recently written (`said`) are not repeated.
+/// The changes since the previous page; on the same screen, lines that were recently written
+/// (`said`) are not repeated.
 fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     let is_new = before.title != now.title || before.layer != now.layer;

@@ -7,10 +7,10 @@ use super::working;
 use crate::physics::worked::{self, WorkedStep};
 use crate::physics::{CollisionSpec, ImpactPoint};
 
-/// Writes a worked solution, or asks for the collision first.
+/// Writes a worked solution; if none is given, asks for the collision first.
 ///
 /// # Errors
-/// If the player quits, or the input ends.
+/// If the player quits, the input ends, or a line cannot be written or read.
 pub fn solve(talk: &mut Talk, given: Option<Vec<WorkedStep>>) -> Result<(), Leave> {
     let steps = given.map_or_else(|| ask(talk), Ok)?;
     for (count, step) in (1..).zip(&steps) {

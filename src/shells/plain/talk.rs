@@ -10,7 +10,7 @@ const LONGEST: usize = 1000;
 
 /// The help on the words that are understood at any time.
 const ALWAYS: &str = "At any time: repeat reads the question again, help explains how to answer, \
-                      quit saves your answers and ends carrom.";
+                      quit ends carrom.";
 
 /// A dialogue in lines.
 pub struct Talk<'a> {
@@ -21,7 +21,7 @@ pub struct Talk<'a> {
 /// Why a dialogue ends early.
 #[derive(Debug)]
 pub enum Leave {
-    /// The player typed quit, or the input has ended.
+    /// The player typed quit, the input has ended, or nobody reads the output any more.
     Ended,
     /// A line could not be written or read.
     Failed(io::Error),
@@ -79,7 +79,7 @@ impl<'a> Talk<'a> {
     /// explains what was expected.
     ///
     /// # Errors
-    /// If the player quits, or the input ends.
+    /// If the player quits, the input ends, or a line cannot be written or read.
     pub(super) fn ask_for<T>(
         &mut self,
         question: &str,

@@ -1,4 +1,4 @@
-//! Checks that all questions and chapters can be read aloud.
+//! Checks how questions and formulas are read aloud, and how typed lines are handled.
 
 use super::by_words::by_words;
 use super::formula::aloud;
@@ -98,7 +98,7 @@ fn a_requested_text_is_accepted_unchanged() {
     }
 }
 
-/// A number is accepted exactly or refused, never changed, and no list of values is accepted.
+/// The value stays as it was, and the reply does not list the possible values.
 #[test]
 fn a_number_that_cannot_be_typed_is_refused_in_one_line() {
     let mut app = App::new(Route::Lab, Settings::default(), 1);

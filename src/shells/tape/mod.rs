@@ -29,8 +29,8 @@
 //! Refuse "NaN"                 fails if the screen shows this
 //! ```
 //!
-//! Nothing in a run depends on the clock or on chance, so the same tape always gives the same
-//! screens, byte for byte.
+//! Nothing in a run depends on the clock or on chance, so the same tape with the same stored data
+//! always gives the same screens, byte for byte.
 
 mod instruction;
 mod line;

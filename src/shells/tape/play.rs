@@ -23,6 +23,14 @@ pub enum PlayError {
         /// What is wrong with the arguments.
         message: String,
     },
+    /// No pupil has this name.
+    #[error("{line}: there is no pupil {}", quoted(name))]
+    Pupil {
+        /// Number of the line, from 1.
+        line: usize,
+        /// The name in the instruction.
+        name: String,
+    },
     /// The screen does not show the expected text.
     #[error(
         "{line}: Expect: the screen does not show {}\n\n{screen}",
@@ -88,9 +96,9 @@ pub fn play<G: Into<Headless>>(
                 }
             }
             Instruction::Reach(name, reaches) => {
-                let unknown = || PlayError::Run {
+                let unknown = || PlayError::Pupil {
                     line: *line,
-                    message: format!("there is no pupil {}", quoted(name)),
+                    name: name.clone(),
                 };
                 let pupil = class.pupil(name).ok_or_else(unknown)?;
                 class.reach(pupil, *reaches);

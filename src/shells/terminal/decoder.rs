@@ -337,7 +337,8 @@ fn numbered_key(number: u8) -> Option<KeyCode> {
     })
 }
 
-/// The modifiers of a key, as a bit set plus one, and whether it was released: `5`, `1:3`.
+/// The modifiers of a key, as a bit set plus one, and whether it was pressed, repeated or released:
+/// `5`, `1:3`.
 fn held(number: &str) -> (KeyModifiers, KeyEventKind) {
     const BITS: [KeyModifiers; 6] = [
         KeyModifiers::SHIFT,

@@ -46,8 +46,8 @@ impl Guard {
         restore();
     }
 
-    /// Sets the terminal up again, whatever its state: a process stopped by another process could
-    /// not restore it first.
+    /// Sets the terminal up again, whatever its state: if another process stopped carrom, carrom
+    /// could not restore the terminal first.
     #[cfg(unix)]
     pub(super) fn take_again(&self) -> io::Result<()> {
         restore();

@@ -9,8 +9,8 @@ use crate::messages::{Input, Key};
 #[cfg(unix)]
 use crate::widgets::Blocks;
 
-/// The largest number of keys that may wait to be handled. Nobody types that many between two
-/// frames.
+/// The largest number of inputs from the user that may wait to be handled. Nobody makes that many
+/// between two frames.
 const MOST_WAITING: usize = 1000;
 
 /// Sends messages from the keyboard and from signals, and counts those not yet received.
@@ -19,7 +19,7 @@ pub(super) struct Inbox {
     sender: Sender<Message>,
     /// The number of waiting inputs from the user.
     waiting: Arc<AtomicUsize>,
-    /// The number of waiting messages that make carrom quit. Keys typed before such a message are
+    /// The number of waiting requests to quit. Inputs from the user before such a request are
     /// discarded.
     leaving: Arc<AtomicUsize>,
 }
@@ -33,8 +33,8 @@ impl Inbox {
         }
     }
 
-    /// Sends a message; returns whether anybody still receives it. Keys are dropped if too many
-    /// wait.
+    /// Sends a message; returns whether anybody still receives it. Inputs from the user are dropped
+    /// if too many wait.
     pub(super) fn send(&self, message: Message) -> bool {
         if message.leaves() {
             self.leaving.fetch_add(1, Ordering::SeqCst);
@@ -94,7 +94,7 @@ impl Message {
         )
     }
 
-    /// Whether the message requires carrom to quit at once.
+    /// Whether the message is a request to quit.
     fn leaves(&self) -> bool {
         match self {
             Self::Input(Input::Key(Key::Ctrl('c'))) => true,

@@ -1,9 +1,10 @@
 //! The app in a terminal, through crossterm.
 //!
 //! The thread that called [`run`] owns the app and draws. One thread reads the keyboard and the
-//! mouse (on Unix two: one reads bytes, the other decodes them), one waits for signals, and one
-//! carries out requests to the store. Each connection of a class has its own thread. These threads
-//! only send messages; while nothing moves, all of them are blocked.
+//! mouse (on Unix two: one reads bytes, the other decodes them), one waits for signals (on Unix),
+//! and one carries out requests to the store. The host of a class has a thread that accepts
+//! connections, and each connection has threads of its own. These threads change the app only
+//! through messages; while nothing moves, all of them are blocked.
 
 mod crash;
 #[cfg(unix)]
@@ -53,7 +54,7 @@ use store_worker::StoreWorker;
 /// Why the terminal could not be used.
 #[derive(Debug, Error)]
 pub enum TerminalError {
-    /// The terminal could not be switched to raw mode or the alternate screen.
+    /// The terminal could not be set up, or a thread could not be started.
     #[error("cannot set up the terminal: {0}")]
     SetUp(#[source] io::Error),
     /// A frame could not be written to the terminal.
@@ -80,11 +81,11 @@ pub enum Ending {
 /// too, and panic.
 type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
-/// The largest screen that is drawn, in columns and rows. This limits the memory, because a
+/// The largest screen that is drawn, in columns and rows. This limits the memory used: a
 /// terminal may report any size. The rest of a larger terminal stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
-/// The longest time for which keys are processed without a new frame.
+/// The longest time for which messages are processed without a new frame.
 const UNSEEN: Duration = Duration::from_millis(50);
 
 /// The area that is drawn in a terminal of this size.
@@ -99,8 +100,9 @@ pub(super) fn spawn(
     thread::Builder::new().name(name.into()).spawn(work)
 }
 
-/// Runs `app` in the terminal until the player quits. The app's data is kept in `store`, and `host`
-/// contains the options for serving a class. The terminal is restored however the run ends.
+/// Runs `app` in the terminal until the player quits or a signal ends it. The app's data is kept
+/// in `store`, and `host` contains the options for serving a class. The terminal is restored
+/// however the run ends.
 ///
 /// # Errors
 /// If the terminal cannot be used, or can no longer be used.
@@ -147,7 +149,7 @@ struct TerminalRun {
     guard: Guard,
     messages: Receiver<Message>,
     inbox: Inbox,
-    /// The sender for the store's results.
+    /// The sender for the results of the store and of exports.
     sender: Sender<Message>,
     store_worker: StoreWorker,
     /// The server of a class that this carrom hosts.
@@ -250,7 +252,7 @@ impl TerminalRun {
         self.fit(size.width, size.height)
     }
 
-    /// Fits the picture to a terminal of this size and draws all of it again.
+    /// Fits the picture to a terminal of this size, so that all of it is drawn again.
     fn fit(&mut self, columns: u16, rows: u16) -> Result<(), TerminalError> {
         let area = drawn(columns, rows);
         // `clear` cannot be used: it requests the cursor's position, and the reply goes to the

@@ -1,4 +1,4 @@
-//! Functions of an angle, in spoken form.
+//! Trigonometric functions, including the arc sine, in spoken form.
 
 use super::signs::power;
 

@@ -62,8 +62,8 @@ fn spelt(text: &str) -> String {
     tidy(&signs::spell(&units::spell(text)))
 }
 
-/// Leaves one space between two words and none before punctuation. A space at either end stays,
-/// because more text may follow there.
+/// Leaves one space between two words, and none just inside brackets or before a comma or a full
+/// stop. A space at either end stays, because more text may follow there.
 fn tidy(text: &str) -> String {
     let words: Vec<&str> = text.split_whitespace().collect();
     let mut line = words.join(" ");

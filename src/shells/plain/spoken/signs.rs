@@ -4,7 +4,7 @@ use super::functions;
 use crate::numbers::greek;
 use crate::widgets::signs::superscript;
 
-/// Replaces symbols with words, with spaces around them.
+/// Replaces symbols with words, and adds the spaces that these need.
 pub(super) fn spell(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let mut plain = String::with_capacity(2 * text.len());
@@ -120,7 +120,7 @@ fn is_word<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
     letters.take(2).filter(|c| c.is_ascii_alphabetic()).count() == 2
 }
 
-/// Whether the text starts with a letter, after any spaces or subscript digits.
+/// Whether the text starts with a letter, after any spaces or subscripts.
 fn is_quantity<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
     let mut letters = letters.skip_while(|c| matches!(**c, ' ' | '₀'..='₉' | 'ₙ' | 'ₜ'));
     letters.next().is_some_and(|c| c.is_alphabetic())
@@ -138,7 +138,7 @@ fn is_exponent(letters: &[char]) -> bool {
     matches!(letters, ['-' | '−' | '+', c, ..] | [c, ..] if c.is_ascii_digit())
 }
 
-/// The spoken form of a symbol; `None` for a letter, including Greek ones.
+/// The spoken form of a symbol; `None` for other characters, including most Greek letters.
 const fn spelling(letter: char) -> Option<&'static str> {
     Some(match letter {
         'µ' => "mu",
