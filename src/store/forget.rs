@@ -1,8 +1,8 @@
 //! Deletes everything that is stored about a class.
 //!
 //! Files are recognized by their contents, not by their names, so that copies made by an editor,
-//! tables and gradebooks that a teacher has written into the data folder, and unfinished files left
-//! when carrom was killed are deleted too.
+//! and tables and gradebooks that a teacher has written into the data folder, are deleted too. So
+//! are unfinished files that were left when carrom was killed.
 
 use std::fs;
 use std::path::{Path, PathBuf};

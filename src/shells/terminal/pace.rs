@@ -53,8 +53,8 @@ impl Pace {
         self.earliest = now + FRAME;
     }
 
-    /// When to check again if nothing happens before then; `wake` is the time that the app
-    /// requested.
+    /// When to check again if nothing happens before then; `wake` is the time until the app must
+    /// be advanced.
     pub(super) fn next(&self, wake: Option<Duration>) -> Option<Instant> {
         if self.outdated {
             return Some(self.earliest);

@@ -15,7 +15,7 @@ use super::message::{Inbox, Message};
 use super::{guard, spawn};
 use crate::messages::Input;
 
-/// How long the drawing thread may take to quit.
+/// How long the drawing thread may take to quit, and how long restoring the terminal may take then.
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Starts the thread that waits for signals.
@@ -49,7 +49,8 @@ pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     spawn("signals", wait).map(drop)
 }
 
-/// Ends the process with the exit status of a process that was ended by a signal.
+/// Restores the terminal, and ends the process with the exit status that a shell reports for a
+/// process ended by this signal.
 fn end(signal: i32) -> ! {
     // Writing to a stuck terminal would hold up this thread as well.
     let (done, restored) = mpsc::channel();

@@ -130,7 +130,6 @@ mod tests {
     use crate::progress::Attempt;
     use crate::quiz::Figures;
 
-    /// A locked database delays neither the keys nor the next frame for long.
     #[test]
     fn a_locked_database_delays_the_screen_only_briefly() {
         let folder = env::temp_dir().join(format!("carrom-store-worker-{}", process::id()));

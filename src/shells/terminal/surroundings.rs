@@ -25,7 +25,8 @@ pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), String> {
     })
 }
 
-/// The value of `TERM` if carrom cannot be played with it. Windows neither sets nor needs `TERM`.
+/// The value of `TERM`, or "not set", if carrom cannot be played with it. Windows neither sets nor
+/// needs `TERM`.
 fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
     match env("TERM").filter(|term| !term.is_empty()) {
         None => cfg!(unix).then(|| "not set".into()),
@@ -38,7 +39,7 @@ fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
 /// `TERM_PROGRAM` find a font for every glyph, but the old console has no braille. `env` reads an
 /// environment variable.
 pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
-    // POSIX: the first of these variables that is set decides.
+    // POSIX: the first of these variables that is set and not empty decides.
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| env(name).filter(|value| !value.is_empty()));
@@ -70,7 +71,7 @@ pub fn depth(env: impl Fn(&str) -> Option<String>) -> Depth {
     }
 }
 
-/// How many colours this terminal shows, judged by its name.
+/// How many colours this terminal shows, judged by `COLORTERM` and `TERM`.
 fn depth_by_name(env: impl Fn(&str) -> Option<String>) -> Depth {
     let named = |name| env(name).unwrap_or_default();
     if matches!(named("COLORTERM").as_str(), "truecolor" | "24bit") {

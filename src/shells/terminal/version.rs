@@ -1,12 +1,12 @@
 //! The block elements that the terminal draws, judged by the name and version that it reports.
 //!
-//! tmux answers for itself, because it decides what reaches the terminal around it. Variables such as
-//! `TERM_PROGRAM`, `VTE_VERSION` and `KITTY_WINDOW_ID` are not used: a terminal that is started
+//! tmux answers for itself, because it decides what reaches the terminal around it. Variables such
+//! as `TERM_PROGRAM`, `VTE_VERSION` and `KITTY_WINDOW_ID` are not used: a terminal that is started
 //! within another one inherits them.
 
 use crate::widgets::Blocks;
 
-/// The request for the name and version (XTVERSION). Terminals that do not know it ignore it.
+/// The request for the name and version (XTVERSION). Most terminals that do not know it ignore it.
 pub(super) const REQUEST: &str = "\x1b[>q";
 
 /// The first two numbers of a version.
@@ -24,20 +24,22 @@ const TERMINALS: [(&str, Version, Version); 5] = [
     // ghostty-org/ghostty, pull request 5433 of January 2025, adds octants to the existing
     // sextants; for the version, see breferrari/vigia, issue 324.
     ("ghostty", [1, 1], [1, 2]),
-    // Sextants: foot's author in pull request 1403 of notcurses. Octants: breferrari/vigia, issue 324.
+    // Sextants: foot's author in pull request 1403 of notcurses. Octants: breferrari/vigia, issue
+    // 324.
     ("foot", [1, 7], [1, 20]),
     // VTE reports one number: 8002 is 0.80.2. Sextants: notcurses in 2021. Octants:
     // breferrari/vigia, issue 324, names 0.78. VTE itself does not confirm this, so the version
     // after that is listed here.
     ("VTE", [6600, 0], [8000, 0]),
-    // WezTerm reports the day of the build. Sextants: notcurses. Octants: wezterm/wezterm, pull
-    // request 6502 of December 2024, which the changelog lists after the release of 2024. The day
-    // of the merge is not known, so a day about a year later is listed here.
+    // WezTerm's version begins with the day of its commit. Sextants: notcurses. Octants:
+    // wezterm/wezterm, pull request 6502 of December 2024, which the changelog lists after the
+    // release of 2024. The day of the merge is not known, so a day about a year later is listed
+    // here.
     ("WezTerm", [20_210_610, 0], [20_260_101, 0]),
 ];
 
-/// The finest block elements that a terminal with this name and version draws, such as
-/// `kitty(0.40.0)` or `ghostty 1.2.0`; quadrants if this is not known.
+/// The finest block elements drawn by the terminal with this name and version, such as
+/// `kitty(0.40.0)` or `ghostty 1.2.0`; quadrants if they are not known.
 pub(super) fn blocks(reported: &str) -> Blocks {
     let known = || {
         let (name, numbers) = reported.split_once(['(', ' '])?;

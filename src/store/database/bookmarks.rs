@@ -1,7 +1,8 @@
 //! The tables of bookmarks.
 //!
 //! Only changes are written, row by row. So if several copies of carrom run at once, all pages seen
-//! and all answers are kept, and the last copy to turn a page decides where the chapter opens.
+//! are kept, each with its latest answer, and the last copy to turn a page decides where the
+//! chapter opens.
 
 use std::collections::BTreeMap;
 
@@ -92,7 +93,7 @@ impl Database {
     }
 }
 
-/// Deletes everything about one chapter, or about all of them.
+/// Deletes a player's bookmark in one chapter, or in all of them.
 fn forget_all(
     transaction: &Transaction,
     player: &str,
@@ -106,7 +107,7 @@ fn forget_all(
     Ok(forget("bookmark")? + forget("page_seen")?)
 }
 
-/// The answer in a row; `None` if it cannot be read.
+/// The answer in a row; `None` if there is none or it cannot be read.
 fn given(row: &Row) -> rusqlite::Result<Option<GivenAnswer>> {
     let (asked, answer): (Option<String>, Option<String>) = (row.get("asked")?, row.get("answer")?);
     let right: Option<bool> = row.get("is_right")?;

@@ -22,10 +22,10 @@ pub(super) enum DatabaseError {
     /// Something that is not a file has the name of the database.
     #[error("{0}")]
     NoFile(String),
-    /// A newer version of carrom, with this format number, has written the database.
+    /// A newer version of carrom has written the database, in the format with this number.
     #[error(
-        "a newer version of carrom wrote it (format {0}; this one knows formats up to {VERSION}), so \
-         it is left unchanged"
+        "a newer version of carrom wrote it (format {0}; this one knows formats up to {VERSION}), \
+         so it is left unchanged"
     )]
     Newer(i64),
     /// Part of the data is in the database's log, and nothing can be written.
@@ -52,7 +52,7 @@ impl DatabaseError {
         self.is_any_of(&[ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked])
     }
 
-    /// Whether the file is not a carrom database, or not a file.
+    /// Whether another file, or something that is not a file, has the name of the database.
     pub(super) fn is_strange(&self) -> bool {
         matches!(self, Self::NotOurs(_) | Self::NoFile(_))
     }
@@ -77,7 +77,7 @@ impl DatabaseError {
         self.is_any_of(&[ErrorCode::SystemIoFailure, ErrorCode::CannotOpen])
     }
 
-    /// Whether carrom may not write to the file or its folder.
+    /// Whether carrom is not allowed to write to the file or its folder.
     pub(super) fn is_forbidden(&self) -> bool {
         match self {
             Self::Folder(error) => matches!(

@@ -1,5 +1,5 @@
-//! Limits for an untrusted database: its schema cannot run code, and no statement can do more work
-//! than a file of its size requires.
+//! Limits for an untrusted database: its schema cannot run code, and a connection can do only a
+//! limited amount of work, which depends on the database's size.
 
 use rusqlite::Connection;
 use rusqlite::config::DbConfig;

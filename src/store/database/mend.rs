@@ -16,7 +16,7 @@ use crate::files::fsync_dir;
 
 /// The temporary name of the unfinished new file.
 const DRAFT: &str = ".progress-mended.db";
-/// A copy of the damaged file that can be changed.
+/// The temporary name of a copy of the damaged file that can be changed.
 const COPY: &str = ".progress-copy.db";
 /// The first bytes of every carrom database: the name of the format, pages of 4,096 bytes, a
 /// write-ahead log, no reserved space, and three fixed numbers. (Database File Format, section
@@ -88,7 +88,7 @@ fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseEr
     Ok((saved, kept))
 }
 
-/// Copies a damaged database, and corrects its first bytes.
+/// Copies a damaged database, and corrects the first bytes of the copy.
 fn copy_damaged(from: &Path, to: &Path) -> io::Result<()> {
     for ending in ["", "-wal"] {
         if_there(fs::copy(with_ending(from, ending), with_ending(to, ending)))?;

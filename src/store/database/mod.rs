@@ -1,5 +1,5 @@
-//! Stores every answer, every level won, every bookmark and every hit of the lab's notebook in an
-//! SQLite database.
+//! Stores every answer, every level won, every bookmark, every observation and every hit of the
+//! lab's notebook in an SQLite database.
 //!
 //! Several copies of carrom may use the database at once, any of them may be killed at any moment,
 //! and the file may be damaged or of another version. So:
@@ -57,9 +57,10 @@ pub(super) struct Database {
     only_looks: bool,
     /// The current day, if it is known.
     today: Option<Date>,
-    /// The day on which this process last checked the database; `None` before the first check.
+    /// The day on which this process last checked the database; `None` before the first check, and
+    /// after damage was found.
     checked: Option<Option<Date>>,
-    /// Whether the last request failed because the database was busy.
+    /// Whether the last attempt failed because the database was busy.
     was_busy: bool,
     notice: Option<String>,
     /// Whether the player has been notified of invalid rows.
@@ -288,14 +289,15 @@ impl Database {
 }
 
 /// Whether the first call was less than `patience` ago; `since` keeps the time of that call. Only
-/// this function reads the clock, because Rust's standard library has no clock in a browser.
+/// this function reads the clock, and only while the database is busy. In a browser it is never
+/// busy, and Rust's standard library has no clock there.
 fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
     since.get_or_insert_with(Instant::now).elapsed() < patience
 }
 
-/// Fails if the path leads to something that this version of carrom cannot use as a database. The
-/// file is read as an ordinary file, because SQLite would wait for a pipe, and would create files
-/// beside a file that is not a database.
+/// Fails if the path leads to something that this version of carrom cannot use as a database. This
+/// is checked before SQLite opens the file for writing, because SQLite would wait for a pipe, and
+/// would create files beside a file that is not a database.
 fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
     match fs::metadata(path) {
         Ok(about) if !about.is_file() => {

@@ -1,8 +1,8 @@
 //! Reads the pages of a database file one by one, and skips damaged ones.
 //!
 //! SQLite ends a scan at the first unreadable page, and later rows can only be found by their keys.
-//! Walking the tree finds every page, without using keys. The numbers are those of the Database
-//! File Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
+//! Walking the tree continues after such a page, without using keys. The numbers in this module are
+//! those of the Database File Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
 
 use std::collections::{BTreeSet, HashSet};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 
 use rusqlite::types::ValueRef;
 
-/// The size of a page in bytes; carrom's databases have no other size.
+/// The size of a page in bytes; carrom's databases have no pages of another size.
 const PAGE: usize = 4096;
 /// The size of the file's header, which precedes the header of the first page.
 const FILE_HEADER: usize = 100;
@@ -38,7 +38,7 @@ pub(super) struct Tree {
 }
 
 pub(super) struct BtreeCell {
-    /// The row's id, in a table that has them.
+    /// The row's id, in a table whose rows have ids.
     pub(super) id: Option<i64>,
     /// The row; `None` if it cannot be read.
     pub(super) record: Option<Vec<u8>>,
@@ -112,7 +112,7 @@ impl<F: Read + Seek> Pages<F> {
         Tree { pages, is_whole }
     }
 
-    /// The contents of a page; `None` if it does not belong to a tree.
+    /// The contents of a page; `None` if it cannot be read or does not belong to a tree.
     pub(super) fn contents(&mut self, number: u32) -> Option<PageContents> {
         let page = self.page(number)?;
         let mut contents = PageContents {
@@ -226,7 +226,7 @@ impl Page {
         })
     }
 
-    /// The number of each page below this one; `None` if the number cannot be read.
+    /// The number of each page directly below this one; `None` if the number cannot be read.
     fn children(&self) -> impl Iterator<Item = Option<u32>> {
         let below = self
             .starts()
@@ -308,8 +308,8 @@ fn integer(bytes: &[u8]) -> i64 {
     { bytes.iter() }.fold(sign, |number, byte| number << 8 | i64::from(*byte))
 }
 
-/// Reads a number of one to nine bytes, each with seven bits, except the ninth with eight; also
-/// returns the remaining bytes.
+/// Reads a number of one to nine bytes, which hold seven bits each, except that the ninth holds
+/// eight; also returns the remaining bytes.
 fn varint(bytes: &[u8]) -> Option<(i64, &[u8])> {
     let mut number = 0;
     for (place, byte) in bytes.iter().enumerate().take(9) {
@@ -360,8 +360,8 @@ mod tests {
         }
     }
 
-    /// The page has 1,200 cell pointers, which all lead to the same row. The row is as long as the
-    /// file, and the page on which it continues refers to itself.
+    /// The page has 1,200 cell pointers, which all lead to the same row. The row is nearly as long
+    /// as the file, and the page on which it continues refers to itself.
     #[test]
     fn overlapping_cells_and_endless_chains_do_not_multiply_the_work() {
         let mut bytes = vec![0; 256 * PAGE];

@@ -227,8 +227,8 @@ impl Columns {
 }
 
 impl Saved {
-    /// Counts the lost answers: those that are only in the list, and, if the list cannot be read
-    /// either, the gaps between the ids of the saved ones.
+    /// Counts the lost answers: those that are only in the list, and, if part of the list cannot be
+    /// read either, all missing ids up to the largest known one.
     fn count_lost_answers<F: Read + Seek>(
         &mut self,
         list: &Tree,

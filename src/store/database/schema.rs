@@ -67,9 +67,10 @@ fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     Ok(())
 }
 
-/// The version of a database, if this version of carrom can read it. The number must fit the schema,
-/// and the schema must be one that carrom creates, because a view instead of a table could make any
-/// query endless. The caller must begin a transaction, so that both are read at the same time.
+/// The version of a database, if this version of carrom can read it. The number must fit the
+/// schema, and the schema must be one that carrom creates, because a view instead of a table could
+/// make any query endless. The caller must begin a transaction, so that both are read at the same
+/// time.
 pub(super) fn examine(connection: &Connection) -> Result<i64, DatabaseError> {
     let found = version(connection)?;
     let items = items(connection)?;

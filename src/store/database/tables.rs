@@ -158,7 +158,7 @@ fn is_nonsense(error: &rusqlite::Error) -> bool {
     )
 }
 
-/// A string, even if its bytes are damaged.
+/// A string that can be read even if its bytes are not valid UTF-8.
 pub(super) struct LossyText(pub(super) String);
 
 impl FromSql for LossyText {

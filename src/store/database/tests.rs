@@ -433,7 +433,7 @@ fn a_damaged_database_behind_a_link_is_repaired_at_the_target() {
     );
 }
 
-/// A store that only reads also follows the link, and finds the log there.
+/// A store that only reads also follows the link, and finds the log beside the target.
 #[cfg(unix)]
 #[test]
 fn the_log_of_a_database_behind_a_link_is_read() {
@@ -541,7 +541,7 @@ fn a_file_that_is_not_a_carrom_database_is_refused_and_left_unchanged() {
 }
 
 /// Manipulations of a database of the current version. Each changes the schema so that reading,
-/// checking or writing would run hostile code.
+/// checking or writing could run foreign code.
 pub(super) const FOREIGN_SCHEMAS: [&str; 7] = [
     // The view is finite, so that this test fails instead of running for ever if the view is read.
     "ALTER TABLE attempt RENAME TO hidden;
@@ -621,7 +621,7 @@ fn a_flipped_bit_of_the_format_number_is_repaired() {
     }
 }
 
-/// The flipped byte is a letter of a column's name.
+/// The flipped bit is in a letter of a column's name.
 #[test]
 fn a_flipped_byte_of_the_schema_is_damage() {
     let (scratch, mut damaged) = filled("schema");
@@ -634,7 +634,7 @@ fn a_flipped_byte_of_the_schema_is_damage() {
     assert!(database.take_notice().unwrap().contains("damaged"));
 }
 
-/// The statistics that ANALYZE stores in the schema are ignored.
+/// The tables of statistics that ANALYZE adds to the schema are ignored.
 #[test]
 fn a_database_with_statistics_is_accepted() {
     let (scratch, _) = filled("analyzed");
@@ -647,7 +647,6 @@ fn a_database_with_statistics_is_accepted() {
     assert_eq!(database.take_notice(), None);
 }
 
-/// One invalid row does not hide the others.
 #[test]
 fn an_invalid_row_does_not_hide_the_others() {
     let (scratch, _) = filled("nonsense");
@@ -663,7 +662,7 @@ fn an_invalid_row_does_not_hide_the_others() {
     assert_eq!(found[2].topic, "a\u{fffd}");
 }
 
-/// Impossible answers are not counted, and the player is notified once. The rows are kept.
+/// Impossible answers are left out, and the player is notified once. The rows are kept.
 #[test]
 fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
     let (scratch, _) = filled("misfits");

@@ -1,4 +1,5 @@
-//! Databases that cannot be changed: on a read-only disk, or owned by another user.
+//! Databases that cannot or must not be changed, such as those on a read-only disk or owned by
+//! another user.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +12,8 @@ use super::mend::with_ending;
 use super::{limits, schema, size};
 use crate::files::percent_encoded;
 
-/// Opens a database for reading, without creating a file beside it; checks it first if `checked`.
+/// Opens a database for reading; checks it first if `checked`. The only file that SQLite may create
+/// is the index of an existing log.
 pub(super) fn open(path: &Path, checked: bool) -> Result<Connection, DatabaseError> {
     let log = with_ending(path, "-wal");
     let connection = connection(path)?;
@@ -36,7 +38,8 @@ pub(super) fn open(path: &Path, checked: bool) -> Result<Connection, DatabaseErr
     Ok(connection)
 }
 
-/// The version of a database that this version of carrom can read. No file is created or changed.
+/// The version of a database that this version of carrom can read. Neither the database nor its log
+/// is changed.
 pub(super) fn examine(path: &Path) -> Result<i64, DatabaseError> {
     schema::examine(&*connection(path)?.unchecked_transaction()?)
 }
