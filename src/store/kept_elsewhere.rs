@@ -16,9 +16,10 @@ const ASIDE: &str = "progress-damaged";
 const EXPORTS: &str = "exports/";
 
 impl Store {
-    /// Replaces all files of a store in memory with these, the latest last, because another copy of
-    /// carrom has changed them. Open games and rounds stay open. A damaged database is kept under
-    /// another name, and its readable rows are copied into a new one.
+    /// Replaces the saved games, class rounds and databases of a store in memory with these files,
+    /// the latest last, because another copy of carrom has changed them. Open games and rounds stay
+    /// open. A damaged database is kept under another name, and its readable rows are copied into a
+    /// new one.
     pub fn renew(&mut self, files: &[FileBytes]) {
         self.games.renew(Memory::holding(GAMES, TEXT, files));
         self.classes.renew(Memory::holding(CLASSES, TEXT, files));
@@ -47,7 +48,7 @@ impl Store {
         }
     }
 
-    /// All files except the exported ones.
+    /// The saved games, the class rounds, the database and any damaged databases.
     ///
     /// # Errors
     /// The reason why they cannot be read.
@@ -86,7 +87,7 @@ impl Store {
     /// Adds a saved game or a class's round from a file with this name.
     ///
     /// # Errors
-    /// The reason why the file is not of this kind.
+    /// The reason why the file cannot be used.
     pub fn take_in(&mut self, kind: FileKind, (name, bytes): &FileBytes) -> Result<(), String> {
         match kind {
             FileKind::Game => self.games.take_in(name, bytes),

@@ -47,7 +47,7 @@ use memory::Memory;
 use open_files::OpenFiles;
 use text_store::TextStore;
 
-/// The suffix of the texts that carrom reads back.
+/// The suffix of saved games and class rounds.
 const TEXT: &str = ".toml";
 /// The error if no data folder is known.
 const NOWHERE: &str = "no data folder is known; set one with --data-dir";
@@ -110,7 +110,7 @@ impl Store {
                 ending,
                 largest,
                 // Seat tokens and pupils' answers are for the teacher alone, and so are the tables
-                // made from them.
+                // and reports made from them.
                 private: [CLASSES, HANDED_IN].contains(&name) || [TABLE, PAGE].contains(&ending),
             })
         });
@@ -339,8 +339,8 @@ impl Store {
         Ok(folder.unwrap_or_default().display().to_string())
     }
 
-    /// Stores an action of the player, after all earlier ones that are not stored yet. An answer, an
-    /// observation and a hit get the current time.
+    /// Stores an action of the player, after all earlier ones that are not stored yet. An answer,
+    /// an observation and a hit get the current time.
     fn note(&mut self, action: &PlayerAction) -> Result<(), String> {
         let mut action = action.clone();
         let now_s = self.calendar().now_s;
@@ -437,7 +437,7 @@ impl Store {
         (self.clock == Clock::Computer).then(|| self.calendar())
     }
 
-    /// The current time, and the calendar of this computer's time zone.
+    /// The current time and the time zone of the store's clock.
     fn calendar(&self) -> Calendar {
         match self.clock {
             Clock::None => Calendar::default(),
@@ -453,7 +453,7 @@ impl Store {
 /// A folder outside the store; `None` for the store's own folder of hand-ins.
 ///
 /// # Errors
-/// If this platform has no such folder.
+/// If the home folder is unknown.
 fn common_folder(folder: HandInFolder) -> Result<Option<PathBuf>, String> {
     let name = match folder {
         HandInFolder::Devices => return Ok(None),

@@ -7,7 +7,7 @@ use crate::files::FileErrors;
 use crate::messages::Kept;
 use crate::progress::Calendar;
 
-/// Items of one kind that are saved repeatedly, each identified by a ticket.
+/// Items of one kind that are saved repeatedly; each open item is identified by a ticket.
 pub(super) struct OpenFiles<T> {
     texts: Box<dyn TextStore>,
     /// The start of the names.

@@ -153,8 +153,8 @@ impl AnswerInput {
     }
 
     /// Handles the mouse button at a cell of the question's picture, where it has just been pressed
-    /// (`pressed`) or is held down: turns a ray, or moves the coin sideways. Returns whether the
-    /// picture can be used for the answer.
+    /// (`pressed`) or is held down: turns a ray, or moves the coin sideways. Returns `false` if the
+    /// cell is outside the picture or the picture cannot be used for the answer.
     pub(crate) fn point(
         &mut self,
         question: &Question,
@@ -228,7 +228,7 @@ impl AnswerInput {
         (words, action)
     }
 
-    /// One or two sentences on how to enter the answer.
+    /// A sentence on how to enter the answer.
     pub(crate) fn about(&self, form: &Form) -> String {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => rays.about(target),

@@ -14,7 +14,7 @@ use crate::widgets::picture::{Pen, Picture};
 /// every speed.
 const ARROW: f64 = 2.1;
 
-/// The paths of a striker and a coin after a collision, with both angles.
+/// The paths of a striker and a coin before and after a collision, with both angles.
 pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
     let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let stage = sketch.stage;

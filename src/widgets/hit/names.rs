@@ -30,7 +30,7 @@ impl VelocityNames {
 }
 
 /// The name of the component of a velocity along n or t: u₁ₙ, (u − V)ₙ. As in the chapters, the
-/// name of a component has the number of the disc even if only one disc moves.
+/// components of u have the number of the striker, although u has none.
 pub(super) fn part_name(name: &str, axis: char) -> String {
     match name {
         "u" => format!("u₁{axis}"),

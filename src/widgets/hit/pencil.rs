@@ -31,7 +31,7 @@ fn along(collision: &Collision) -> DVec2 {
 
 /// Two discs that are about to collide, with an empty protractor around the position of the striker
 /// at contact. The student draws both final paths from the centre of the protractor, including the
-/// target's path, which lies on the line through both centres.
+/// target's.
 pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();

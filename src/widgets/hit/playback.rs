@@ -38,14 +38,14 @@ enum PlaybackStage {
     /// The discs are moving away from the contact; the value is the time on the screen since then,
     /// in seconds.
     Departure(f64),
-    /// The player has paused the playback at this time of the shot, before or after the contact.
+    /// The playback stands still at this time of the shot, before or after the contact.
     Halted(f64),
 }
 
 /// The clock of a collision.
 ///
 /// `contact` and `end` are times in the shot, in the shot's own seconds. The picture is always
-/// derived from the stage, so steps, scrubbing and slow motion only have to set one number. At the
+/// derived from the stage, so steps, scrubbing and slow motion only have to set the stage. At the
 /// contact the clock stops for the steps of the explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Playback {

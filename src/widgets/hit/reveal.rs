@@ -32,8 +32,8 @@ impl Reveal {
         self.revealed
     }
 
-    /// Whether the picture is showing the explanation step by step, whether for the first time or
-    /// in a replay.
+    /// Whether the outcome has not been revealed yet, or a replay is showing the explanation step
+    /// by step.
     pub(crate) fn is_explaining(&self) -> bool {
         let watch = self.watch.as_ref();
         let at_step = watch.is_some_and(|watch| watch.clock().has_met() && !watch.is_revealed());

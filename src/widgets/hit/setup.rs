@@ -69,8 +69,8 @@ fn setup(area: Rect, faces: [Face; 2], collision: &Collision, given: Markings) -
     sketch
 }
 
-/// Draws two discs before the contact, labelled with the given quantities. The offset is drawn at the
-/// distance `ahead` beyond the centre of the target at contact, and the line of impact extends
+/// Draws two discs before the contact, labelled with the given quantities. The offset is drawn at
+/// the distance `ahead` beyond the centre of the target at contact, and the line of impact extends
 /// beyond that centre by the distance `beyond`.
 pub(super) fn about_to_meet(
     sketch: &mut Sketch,

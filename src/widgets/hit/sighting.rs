@@ -43,7 +43,8 @@ pub(crate) enum SightingAction {
 }
 
 impl Sighting {
-    /// Creates a sighting that begins at the start of the collision.
+    /// Creates a sighting that begins at the start of the collision or, with reduced motion, at the
+    /// contact.
     pub(crate) fn new(collision: Collision, given: Markings, pace: HitPace) -> Self {
         let watch = Watch::new(collision, None, pace).at_once();
         Self {

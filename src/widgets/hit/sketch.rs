@@ -30,7 +30,7 @@ const SQUARE: f64 = 1e-9;
 const STILL: f64 = 1e-9;
 /// A speed below this, in m/s, is printed as 0.00.
 const LEAST_SPEED: f64 = 0.005;
-/// The width and height of the triangle of momenta, as fractions of those of the picture.
+/// The greatest width and height of the triangle of momenta, as fractions of those of the picture.
 const INSET: DVec2 = DVec2::new(0.26, 0.30);
 
 /// The scale of velocity arrows.
@@ -221,7 +221,7 @@ impl Sketch {
         let stage = &self.stage;
         let radius = stage.radius(body);
         let way = scale.per_speed * v;
-        // The label is beside the arrow, on the side away from the coin.
+        // The label is beside the arrow; the striker's is on the side away from the coin.
         let side = stage.collision.side();
         let across = DVec2::from_angle(side).rotate(direction).perp() * side;
         let (tip, anchor, across) = if stage.runs_ahead(body, v) {
@@ -314,7 +314,7 @@ impl Sketch {
                     self.picture.line(end(part.v), end(whole.v), closing);
                 }
                 // The longest arrow is drawn first, because all arrows share cells near the root.
-                // Its name is written last, because the name can be at either end.
+                // Its name is written last, so that the names of the components have priority.
                 let pen = Pen::new(whole.role).bold();
                 self.picture.arrow(tail, end(whole.v), pen);
                 for part in both {
@@ -406,7 +406,7 @@ impl Sketch {
         {
             picture.square_corner(joint, [tail - joint, tip - joint], side, Role::SquareCorner);
         }
-        // The name goes below the base, where there is no side of the triangle.
+        // The name goes below the lowest corner, where there is no side of the triangle.
         let below = tail.y.min(joint.y).min(tip.y);
         let caption = DVec2::new(middle.x, below);
         let sides = [LabelSide::Below, LabelSide::Above];

@@ -13,8 +13,9 @@ const STANDS: f64 = 1e-6;
 const LETTER_ASIDE: f64 = 0.55;
 
 impl Moment<'_> {
-    /// Draws a disc at its current position. During the explanation and at the end of the shot, the
-    /// disc hides nothing and its letter is moved aside.
+    /// Draws a disc at its current position. During the explanation, and while the playback stands
+    /// still after the disc has left the contact, the disc hides nothing and its letter is moved
+    /// aside.
     pub(super) fn disc(&self, picture: &mut Picture, body: usize, now: DVec2) {
         let face = self.watch.faces[body];
         let radius = self.stage.radius(body);
@@ -40,11 +41,11 @@ impl Moment<'_> {
         }
     }
 
-    /// The side of a disc's centre on which none of its velocity components is drawn.
+    /// The side of a disc's centre on which its velocity components are usually not drawn.
     fn aside(&self, body: usize) -> Option<DVec2> {
         let tangent = self.watch.outcome.tangent?;
         if self.split_step().is_some() && !self.target_rests() {
-            // All components are drawn on the side away from the contact.
+            // The components are usually drawn on the side away from the contact.
             return (-self.stage.centres[body]).try_normalize();
         }
         let collision = &self.stage.collision;
@@ -72,7 +73,7 @@ impl Moment<'_> {
                 continue;
             }
             let fresh = Pen::new(Role::Trail);
-            // A pair that moves on together also rotates, so its trails are curved.
+            // A pair that moves on together may also rotate, which curves its trails.
             let pieces = if self.sticks() { 48 } else { 1 };
             let point = |i: usize| {
                 let share = i as f64 / f64::from(pieces);

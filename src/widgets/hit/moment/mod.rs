@@ -94,7 +94,8 @@ impl Moment<'_> {
         self.watch.layers.shows(layer)
     }
 
-    /// Whether the completed picture shows only the components of u.
+    /// Whether the only velocities in the completed picture are the initial ones, with their
+    /// components.
     fn is_split_alone(&self) -> bool {
         self.shows(Overlay::Split) && !self.shows(Overlay::Velocities)
     }

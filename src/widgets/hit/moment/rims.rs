@@ -1,5 +1,5 @@
-//! Spins and friction at the rims: a mark on each disc, arrows for the spins, and the impulses along
-//! the tangent.
+//! Spins and friction at the rims: a mark on each disc, arrows for the spins, and the impulses
+//! along the tangent.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -34,7 +34,7 @@ impl Moment<'_> {
         let pen = self.pen(Role::Arc);
         if frame == Frame::CentreOfMass {
             // In this frame both discs are deflected by the same angle, so one arc is enough. Two
-            // discs that move on together rotate instead.
+            // discs that move on together rotate or are at rest instead.
             if !self.sticks() {
                 sketch.arc(0, [before[0], after[0]], "Θ = ", pen);
             }
@@ -66,7 +66,7 @@ impl Moment<'_> {
 
     fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2], at: [DVec2; 2]) {
         if self.sticks() && self.watch.frame != Frame::CentreOfMass {
-            // Discs that move on together have one velocity, drawn from their centre of mass.
+            // If the discs move on together, only the velocity of their centre of mass is drawn.
             if !scale.is_still(after[0]) {
                 let collision = &self.stage.collision;
                 let (m1, m2) = (collision.striker.mass, collision.target.mass);
@@ -97,7 +97,7 @@ impl Moment<'_> {
         }
     }
 
-    /// Draws the triangle of momenta, if there is room for it.
+    /// Draws the triangle of momenta.
     pub(super) fn triangle(&self, sketch: &mut Sketch, before: [DVec2; 2], after: [DVec2; 2]) {
         let collision = &self.stage.collision;
         let p1 = collision.striker.mass * after[0];
