@@ -56,8 +56,8 @@ fn is_within_reach(cell: DVec2) -> bool {
 
 impl Canvas {
     /// Writes labels after everything else has been drawn: first those that may be close to the
-    /// anchors of later labels, then those that avoid them. A label is shortened if there is no room
-    /// nearby; if it still does not fit, the full label is placed farther away, clear of other
+    /// anchors of later labels, then those that avoid them. A label is shortened if there is no
+    /// room nearby; if it still does not fit, the full label is placed farther away, clear of other
     /// anchors.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
