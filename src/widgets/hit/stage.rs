@@ -23,7 +23,7 @@ const LOW: u16 = 12;
 /// The length of the longest ray, in radii of the larger disc.
 const RAY: f64 = 2.9;
 
-/// The geometry of a collision as drawn, with the contact point in the middle.
+/// The geometry of a collision as drawn, with the contact point at the origin.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HitLayout {
     /// The mapping from the world to the screen.
@@ -144,8 +144,8 @@ impl HitLayout {
     }
 }
 
-/// How long both discs stay completely inside the picture after the contact, both in the laboratory
-/// frame and in the centre-of-mass frame.
+/// How long both discs stay completely within [`IN_SIGHT`] after the contact, both in the
+/// laboratory frame and in the centre-of-mass frame.
 pub(super) fn time_in_sight(collision: &Collision) -> f64 {
     let largest = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
@@ -183,8 +183,8 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    /// For all masses and angles, both discs stay completely inside the picture while they are
-    /// shown, in both frames, and in one of the frames a disc just reaches the edge.
+    /// For all masses and angles, both discs stay completely within [`IN_SIGHT`], in both frames,
+    /// and at the end a disc just reaches this limit in one of the frames.
     #[test]
     fn discs_are_shown_while_they_are_completely_inside_the_picture() {
         let disc = |mass, radius| Disc { mass, radius };

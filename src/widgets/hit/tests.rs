@@ -235,7 +235,7 @@ fn seen_along(
     near.map(|offset| offset.dot(along)).collect()
 }
 
-/// The steps of the explanation that have arrows, with their pictures, in the given frame.
+/// The six steps that explain a frictionless hit, with their pictures, in the given frame.
 fn steps(
     collision: &Collision,
     frame: Frame,
@@ -313,7 +313,7 @@ fn each_arrow_is_visible_from_end_to_end_in_the_colour_of_its_label() {
                         last > length - 2.0,
                         "{place}: {role:?} ends at {last} of {length}"
                     );
-                    // An incoming arrow begins outside the picture.
+                    // An incoming arrow may begin outside the picture.
                     if role != Role::Incoming || picture.view().cell_at(*from).is_some() {
                         let shared = f64::max(3.0, 0.5 * length);
                         assert!(first < shared, "{place}: {role:?} begins at {first}");

@@ -101,7 +101,7 @@ impl Watch {
             steps: ExplanationStep::of(&collision, &outcome),
             switched: None,
         };
-        // Each step lasts as long as it takes to read its text.
+        // Each step lasts long enough for its text to be read.
         let holds = watch.steps.iter().map(|step| watch.hold(*step)).collect();
         watch.clock = Playback::new(contact, end, holds, pace);
         watch
@@ -221,7 +221,7 @@ impl Watch {
         self.title(&format!("the hit, slowed {:.0}×", self.clock.slowed()))
     }
 
-    /// Writes the current step of the explanation and its text, until the explanation is complete.
+    /// Writes the current step of the explanation: its heading, if it has one, and its text.
     pub(crate) fn write_explanation<A>(&self, panel: &mut Panel<A>) {
         let (heading, words) = self.explanation();
         if let Some(heading) = heading {
@@ -339,7 +339,7 @@ impl Watch {
 }
 
 /// The times of the contact and of the end, in the shot's own seconds. They are chosen so that
-/// discs of any speed start and end near the edge of the picture.
+/// discs of any speed start well apart, and still count as inside the picture at the end.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();

@@ -13,8 +13,8 @@ const BOLD_HEAD_LENGTH: f64 = 4.0;
 const HEAD_SLIMNESS: f64 = 0.45;
 
 impl Canvas {
-    /// Draws an arrow from one point to another, with its tip exactly at `to` (in ASCII: in the
-    /// cell of `to`). Labels do not cover the tip.
+    /// Draws an arrow from one point to another, with its tip at `to` (in ASCII: in the cell of
+    /// `to`). Labels do not cover the tip.
     pub(super) fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         let (tail, tip) = self.snapped(self.paper(from), self.paper(to), pen);

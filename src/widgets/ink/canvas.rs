@@ -44,7 +44,8 @@ pub(in crate::widgets) struct Canvas {
     pub(super) is_mono: bool,
     pub(super) cells: Vec<Cell>,
     pub(in crate::widgets) labels: Vec<PlacedLabel>,
-    /// The cells of the points that labels refer to, counted from the corner of the area.
+    /// The cells of the points that other labels keep away from, counted from the corner of the
+    /// area.
     pub(super) expected: Vec<CellPlace>,
     pub(super) stroke: StrokeSamples,
 }
@@ -200,7 +201,8 @@ impl Canvas {
         }
     }
 
-    /// The character and style of a cell whose background is not changed.
+    /// The character and style of a cell, before [`Canvas::look`] adds a board's colour as the
+    /// background where there is none.
     fn look_on_paper(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let is_faint = cell.cover() != 0 && cell.is_faint();
         if let Some(glyph) = cell.glyph {

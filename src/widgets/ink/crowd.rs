@@ -6,7 +6,7 @@ use super::canvas::{Canvas, CellPlace, cell_of};
 use super::disc::{token, token_rows};
 use crate::widgets::{Charset, Role, picture::Body};
 
-/// The maximum distance between a token and its disc's true cell, in cells.
+/// The maximum distance between a token and its disc's true cell, in columns and in rows.
 const FARTHEST: i32 = 4;
 
 /// The width of an [`outline`], in columns.
@@ -29,8 +29,8 @@ impl Canvas {
     ///
     /// A round disc is at its true position, with its letter in the cell that contains its centre.
     /// Tokens and outlines never share cells: if two would overlap, the one farther from the middle
-    /// of the cell moves to the nearest free cell; the queen never moves. No stroke or arrow hides
-    /// a token, whatever the drawing order.
+    /// of its cell moves to the nearest free cell, but the queen never moves, and the striker only
+    /// for the queen. No stroke or arrow hides a token, whatever the drawing order.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         if self.are_round(bodies) {
             let real = bodies.iter().filter(|body| body.radius > 0.0);
@@ -65,8 +65,8 @@ impl Canvas {
         }
     }
 
-    /// Whether discs at one scale are drawn as circles or blocks, which is the case if the smallest
-    /// is high enough to be distinguished from its neighbours.
+    /// Whether discs at one scale are drawn as circles, blocks or outlines, which is the case if
+    /// the smallest is high enough to be distinguished from its neighbours.
     pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
         let fewest_rows = match self.charset {
             Charset::Ascii => token_rows(self.charset),
@@ -98,8 +98,8 @@ impl Canvas {
         self.places(bodies, width)
     }
 
-    /// Assigns separate cells to bodies that are one row high and as many columns wide as `width`
-    /// returns.
+    /// Assigns separate cells to bodies, each drawn one row high and as many columns wide as
+    /// `width` returns.
     fn places<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a Body>,

@@ -39,12 +39,7 @@ impl Canvas {
 
     /// Draws a disc in its true shape at its true position, even if it is small.
     pub(super) fn round(&mut self, body: &Body) {
-        self.round_at(self.paper(body.at), body);
-    }
-
-    /// Draws a disc in its true shape, centred on a point on paper.
-    pub(super) fn round_at(&mut self, place: DVec2, body: &Body) {
-        let (role, letter) = (body.role, body.letter);
+        let (place, role, letter) = (self.paper(body.at), body.role, body.letter);
         let reach = body.radius / self.view().per_column();
         self.cover(place, reach, (role, false));
         if self.charset == Charset::Ascii {
@@ -57,8 +52,8 @@ impl Canvas {
         }
     }
 
-    /// Draws a disc that hides nothing, with its letter at `letter`: in a faint colour if the
-    /// terminal has shades, otherwise as an outline.
+    /// Draws a disc that hides nothing, with its letter at `letter`: in a faint colour in Unicode
+    /// if the terminal has shades, otherwise as an outline.
     pub(super) fn ring(&mut self, body: &Body, letter: DVec2) {
         if self.is_token(body) {
             return self.disc(body);

@@ -55,9 +55,9 @@ fn is_within_reach(cell: DVec2) -> bool {
 }
 
 impl Canvas {
-    /// Writes labels after everything else has been drawn, in order of priority. Each label avoids
-    /// the surroundings of the other labels' anchors. A label is shortened if there is no room
-    /// nearby; if it still does not fit, the full label is placed farther away, clear of other
+    /// Writes labels after everything else has been drawn: first those that may be close to the
+    /// anchors of later labels, then those that avoid them. A label is shortened if there is no
+    /// room nearby; if it still does not fit, the full label is placed farther away, clear of other
     /// anchors.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
@@ -93,8 +93,8 @@ impl Canvas {
         places.any(|(at, sides)| self.label(text, *at, sides, label.role, clear))
     }
 
-    /// Writes `text` (in the canvas's charset) beside a point in the world: on the first of `sides`
-    /// that is free, at near positions before distant ones, and otherwise on another side. If
+    /// Writes `text` (in the canvas's charset) beside a point in the world: at near positions
+    /// before distant ones, and at each distance on one of `sides` before the other sides. If
     /// `clear` is set, not even the ends of the label touch an arrow.
     ///
     /// A label never extends beyond the area, and unless it is too wide, it keeps the first and the

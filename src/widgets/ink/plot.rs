@@ -111,8 +111,9 @@ impl Cells<'_> {
         }
     }
 
-    /// Fills a cell from below: to the nearest eighth in Unicode, but either completely or not at
-    /// all in ASCII and under a curve, where only the background can be filled.
+    /// Fills a cell from below: in Unicode to the nearest eighth, in ASCII either completely or not
+    /// at all. Under a curve, too, a cell is filled completely or not at all, because only its
+    /// background can be filled.
     fn fill(&self, buf: &mut Buffer, at: (u16, u16), share: f64, role: Role) {
         let theme = &self.look.theme;
         let share = match self.canvas.is_drawn(at.into()) {

@@ -88,8 +88,8 @@ impl StrokeSamples {
         }
     }
 
-    /// Adds a dot. A single sample near the edge of a cell has no glyph in ASCII, so the dot moves to
-    /// the nearest sample that has one.
+    /// Adds a dot. A single sample near the edge of a cell has no glyph in ASCII, so the dot moves
+    /// to the nearest sample that has one.
     pub(super) fn dot(&mut self, at: DVec2, pen: Pen) {
         let mut at = at / self.sample();
         if !at.is_finite() {

@@ -126,8 +126,7 @@ fn a_line_reaches_both_ends_and_no_further() {
                     let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
                     ((middle - cell) * dvec2(1.0, 2.0)).length()
                 });
-                // The nearest ink is at most in the next cell: half a diagonal plus half a cell
-                // away.
+                // The middle of the nearest cell with ink is less than the height of a cell away.
                 assert!(nearest.fold(f64::MAX, f64::min) < 1.9, "{charset:?} {turn}");
             }
             let (a, b) = (canvas.view().to_cell(from), canvas.view().to_cell(to));
@@ -320,7 +319,7 @@ fn a_disc_hides_the_board_below_it_in_any_order() {
     }
 }
 
-/// A canvas with a mark of every kind.
+/// A canvas with marks of many kinds.
 fn everything(view: View, charset: Charset, size: f64) -> Canvas {
     let mut it = Picture::new(view);
     it.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);

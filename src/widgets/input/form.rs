@@ -88,8 +88,8 @@ impl FieldValue {
         }
     }
 
-    /// The value after `steps` steps, rounded to a whole multiple of the step; a choice moves to
-    /// the next or the previous option.
+    /// The value after `steps` steps, rounded to a whole multiple of the step, or of the given
+    /// fraction of a step; a choice moves to the next or the previous option.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
             Self::Text(_) => 0.0,
@@ -124,7 +124,7 @@ pub(crate) struct FieldRow<S> {
     pub value: fn(&S) -> FieldValue,
     /// The value as text, with its unit.
     pub shown: fn(&S) -> String,
-    /// Sets a number, clamped to its range, or selects a choice by its index.
+    /// Sets a number, which must be in its range, or selects a choice by its index.
     pub put: fn(&mut S, f64),
 }
 
@@ -227,7 +227,7 @@ impl SettingsForm {
         self.at = at;
     }
 
-    /// The selected text with its cursor; `None` if another kind of field is selected.
+    /// The text of the selected field, with its cursor; `None` if that is not a text field.
     fn line(&self, form: &impl FormFields) -> Option<TextField> {
         let field = self.chosen(form)?;
         let FieldValue::Text(most) = field.value else {
@@ -243,7 +243,7 @@ impl SettingsForm {
     }
 
     /// Handles a key that edits the selected text field; returns whether the key was used. A
-    /// question mark opens the help.
+    /// question mark is never used, because it opens the help.
     pub(crate) fn typed(&mut self, key: Key, form: &mut impl FormFields) -> bool {
         let line = self.line(form).filter(|_| key != Key::Char('?'));
         line.is_some_and(|mut line| line.update(key) && self.put(line, form))
