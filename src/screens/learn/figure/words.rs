@@ -14,8 +14,8 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// Describes the figure of a page in sentences. The outcome is left out unless it is `revealed`; most
-/// figures of a collision also leave it out if one of the `later` pages asks for it.
+/// Describes the figure of a page in sentences. The outcome is left out unless it is `revealed`;
+/// most figures of a collision also leave it out if one of the `later` pages asks for it.
 pub(in crate::screens::learn) fn describe(
     figure: &Figure,
     later: &[ChapterPage],

@@ -54,7 +54,7 @@ enum ChoosingPage {
 }
 
 /// The largest number of characters that can be typed; every code is shorter.
-const LONGEST: usize = 40;
+const LONGEST: usize = 64;
 
 /// A kind of round that can be chosen.
 #[derive(Debug)]
