@@ -142,7 +142,7 @@ pub trait Screen {
     }
 }
 
-/// The consequence of an input or of time passing.
+/// The consequence of an input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Next {
     /// The input was not used here; the app may use it.
@@ -182,7 +182,7 @@ impl Next {
     }
 }
 
-/// The confirmation of an action that cannot be undone.
+/// A request to confirm an action, such as one that cannot be undone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Confirmation {
     /// The question, and the consequence of saying yes.

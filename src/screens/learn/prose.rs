@@ -56,7 +56,7 @@ impl Prose<'_> {
         let low = |formula| formula::set(formula, self.charset).len() == 1;
         match (before, after) {
             (TextBlock::Item(..), TextBlock::Item(..)) => true,
-            // A fraction right below another would look like one fraction with three rows.
+            // A fraction right below another would look like a part of it.
             (TextBlock::Formula(before), TextBlock::Formula(after)) => low(before) || low(after),
             (TextBlock::Paragraph(pieces), TextBlock::Item(..) | TextBlock::Formula(_)) => {
                 matches!(pieces.last(), Some(Inline::Text(text, _)) if text.ends_with([':', ',']))

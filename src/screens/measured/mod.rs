@@ -26,7 +26,7 @@ pub(crate) enum MeasuredAction {
     Scroll(i16),
     /// show every result with its uncertainty
     Everything,
-    /// set the masses, the radii, the scale and the predicted e
+    /// set the masses, the radii, the scale and the e for the prediction
     Settings,
     /// change the settings
     Set(FormAction),
@@ -77,6 +77,7 @@ impl MeasuredScreen {
         change(&mut self.form, &mut self.settings);
         let given = self.settings.given(&self.measurement.given);
         if given == self.measurement.given {
+            self.fault = None;
             return;
         }
         match self.measurement.again(given) {

@@ -1,4 +1,4 @@
-//! What a pupil sets after opening a file: masses, radii, the scale and the predicted e.
+//! What a pupil sets after opening a file: masses, radii, the scale and the e for the prediction.
 
 use crate::measure::Given;
 use crate::numbers::short;

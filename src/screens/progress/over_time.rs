@@ -14,7 +14,8 @@ use crate::widgets::{Look, Role};
 /// The number of recent answers that are shown.
 const SHOWN: usize = 100;
 
-/// Plots the error of each answer and a running mean, or returns the reason why there is no plot.
+/// Plots the errors of the recent answers that were angles, and their running mean; or returns the
+/// reason why there is no plot.
 pub(super) fn plot(history: &History, area: Rect, look: Look) -> Plotted {
     let picture = errors_picture(&history.attempts, SHOWN, area, look);
     let picture = picture.map(|(picture, _)| picture);

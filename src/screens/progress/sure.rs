@@ -11,7 +11,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
-/// The number of answers from which each share is calculated, all with the same confidence.
+/// The largest number of answers from which a share is calculated, all with the same confidence.
 const REACH: usize = 10;
 /// The number of recent answers that are shown.
 const SHOWN: usize = 200;

@@ -79,7 +79,8 @@ fn chapters(book: &Book, panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// Writes the number of solid topics, the topics that are due now, and the one due next.
+/// Writes the number of solid topics, the topics that are due now, the one due next, and the
+/// chapters to look at again.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let topics = topics_of_the_quiz(history).into_iter();
     let solid = topics.filter(|it| it.mastery() == Mastery::Solid).count();

@@ -29,8 +29,9 @@ use crate::widgets::hit::{Overlays, Reveal, Sighting, SightingAction, Watch, Wat
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
-/// If the verdict appears as soon as a confidence is chosen, Enter does not close it for this long:
-/// a player who presses a digit for the confidence and then Enter means to confirm the digit.
+/// If the verdict appears as soon as a confidence is chosen, the first Enter within this time does
+/// not close it: a player who presses a digit for the confidence and then Enter means to confirm
+/// the digit.
 const SETTLING: Duration = Duration::from_millis(500);
 
 /// Returns to choosing a round.
@@ -126,7 +127,7 @@ struct AnsweredQuestion {
     remedy: Option<Watch>,
     /// The question's index, if it was opened from the summary.
     opened: Option<usize>,
-    /// The time until Enter works again: see [`SETTLING`].
+    /// The rest of the time in which an Enter is ignored: see [`SETTLING`].
     settling: Duration,
     /// What the player saw, if they were asked.
     observed: Option<Observation>,

@@ -16,8 +16,8 @@ use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 /// An arrow that is shorter than this fraction of the longest one has no label.
 const SHORTEST: f64 = 0.05;
 
-/// The same discs, with the whole picture turned so that their centre of mass moves to the right and
-/// the first disc upwards.
+/// The same discs, with the whole picture turned and, if necessary, reflected so that their centre
+/// of mass moves to the right and the first disc upwards.
 pub(super) fn moving_to_the_right(mut collision: Collision) -> Collision {
     let drift = collision.centre_of_mass_velocity().normalize_or(DVec2::X);
     let back = DVec2::new(drift.x, -drift.y);

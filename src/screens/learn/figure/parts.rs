@@ -100,7 +100,7 @@ mod tests {
     use super::*;
     use crate::physics::CollisionSpec;
 
-    /// In a head-on collision the energy of the relative motion falls to e² times its value.
+    /// A head-on collision multiplies the energy of the relative motion by e².
     #[test]
     fn only_the_relative_part_is_lost() {
         for restitution in [0.0, 0.5, 1.0] {

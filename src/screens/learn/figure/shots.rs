@@ -94,7 +94,7 @@ fn on_board() -> Vec<DVec2> {
 }
 
 /// Offsets evenly spread over a disc: rings of equal area contain equal numbers of points, and the
-/// golden angle separates neighbours (H. Vogel, 1979, on sunflower heads).
+/// golden angle separates each point from the next (H. Vogel, 1979, on sunflower heads).
 fn in_space() -> Vec<DVec2> {
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let at = |i| {
@@ -105,7 +105,7 @@ fn in_space() -> Vec<DVec2> {
 }
 
 /// The path of a striker's centre: straight on until the rims touch, then at θ₁ = 90° − α from its
-/// original direction, away from the coin, where sin α = b.
+/// original direction, away from the coin; sin α is the magnitude of the offset.
 fn way(offset: f64) -> [DVec2; 3] {
     let far = 3.0 * ON_BOARD_EXTENT.length();
     let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);

@@ -58,7 +58,7 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
     is_inside.then(|| at.y.atan2(left.x).to_degrees())
 }
 
-/// The triangle up to a step of the proof, with the text of the step below it.
+/// The triangle at a step of the proof, with the text of the step below it.
 pub(super) fn lay_out(collision: &Collision, step: u8, figure: FigureArea) -> Picture {
     use LabelSide::{Above, Below, Over};
     let (area, mut lines) = figure.split(LINES);

@@ -14,8 +14,8 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// Describes the figure of a page in sentences. The outcome is left out unless it is `revealed`, and
-/// even then if one of the `later` pages asks for it.
+/// Describes the figure of a page in sentences. The outcome is left out unless it is `revealed`;
+/// most figures of a collision also leave it out if one of the `later` pages asks for it.
 pub(in crate::screens::learn) fn describe(
     figure: &Figure,
     later: &[ChapterPage],
@@ -90,8 +90,7 @@ fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<Strin
     }
 }
 
-/// The values that a figure plots against the impact angle, whether or not the page's question has
-/// been answered.
+/// The values that a figure plots, which it shows even before the page's question is answered.
 fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     match kind {
         FigureKind::Curves => every_ten(collision, |alpha_deg, outcome| {
@@ -134,8 +133,8 @@ fn shots(space: bool, beyond_deg: f64) -> GivenAndOutcome {
     (format!("shots evenly spread over {over}."), vec![counted])
 }
 
-/// The force during a contact as a function of time, and the average forces of shorter and longer
-/// contacts.
+/// The force during a contact as a function of time, and the average and greatest forces of shorter
+/// and longer contacts.
 fn force(collision: &Collision, time_ms: f64) -> GivenAndOutcome {
     let time = |ms: f64| with_unit(&significant(ms), "ms");
     let lasts = time(time_ms);
@@ -155,8 +154,8 @@ fn force(collision: &Collision, time_ms: f64) -> GivenAndOutcome {
     (given, outcome)
 }
 
-/// The given momenta and, for discs that coalesce, the final speed at several angles between the
-/// two momenta.
+/// The given momenta, the result and the energy; for discs that coalesce, also the final speed at
+/// several angles between the two momenta.
 fn momenta_in_words(kind: FigureKind, collision: &Collision) -> GivenAndOutcome {
     let [given, result, energy] = momenta::words(kind, collision);
     let about = match kind {
@@ -273,7 +272,7 @@ fn every_ten(
     (0..90).step_by(10).map(revealed).collect()
 }
 
-/// The lines at the contact and, unless only the `lines` are shown, the two components of the
+/// The lines at the contact if only the `lines` are shown, otherwise the two components of the
 /// striker's velocity.
 fn split(collision: &Collision, lines: bool) -> Vec<String> {
     let Collision { u1, .. } = collision;

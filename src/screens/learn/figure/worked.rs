@@ -102,12 +102,13 @@ impl WorkedFigure {
         // Tab and the page keys are left to the page.
         let page = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         let set = form.keys(&numbers(collision)).without_keys(&page);
-        // On a small screen the keys for the steps have priority over those for typing a number.
+        // On a small screen the keys for the solution's steps have priority over those for typing
+        // a number.
         let set = set.renamed("set", |action| matches!(action, FormAction::Step(_)));
         let set = set.renamed("", |action| matches!(action, FormAction::Number(_)));
         let set = set.map(FigureAction::Set);
         let steps_by = [',', '.'].map(Key::Char);
-        // While a number is being typed, a point belongs to the number.
+        // While a number is being typed, a point or a comma belongs to the number.
         let set = match form.is_typing() {
             true => set,
             false => set.without_keys(&steps_by),

@@ -172,8 +172,8 @@ impl Reading {
         self.open.as_ref()?.figure.as_ref()
     }
 
-    /// Handles an answer: marks and saves it. After a first wrong answer there is a hint, if the
-    /// page has one; otherwise the right answer is shown.
+    /// Handles an answer: marks and saves it. A first wrong answer may be followed by a hint and a
+    /// second try; otherwise the right answer is shown.
     fn answered(&mut self, answer: Response, cx: &mut Context) {
         let Some(open) = &mut self.open else {
             return;
@@ -230,7 +230,7 @@ impl Reading {
         }
     }
 
-    /// Goes to the next page, or from the last one to the contents.
+    /// Goes to the next page; leaves the chapter after the last one.
     fn on(&mut self, cx: &mut Context) -> Next {
         if self.at + 1 < self.chapter.pages.len() {
             self.open(self.at + 1, cx);
@@ -516,7 +516,7 @@ impl Screen for Reading {
         Next::after(used)
     }
 
-    /// Goes to another page when the text is scrolled beyond one of its ends.
+    /// Goes to another page when a page key scrolls the text beyond one of its ends.
     fn scrolled_out(&mut self, by: i16, cx: &mut Context) -> Next {
         match by {
             PAGE_ROWS => self.on(cx),

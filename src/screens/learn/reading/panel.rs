@@ -16,7 +16,7 @@ use crate::widgets::{AnswerAction, AnswerInput, Charset, Role};
 const NEXT: u8 = 1;
 const READ: u8 = 2;
 
-/// The panel of page `at`; a notice stays visible above it.
+/// The panel of page `at`; a notice stays visible at its top.
 pub(super) fn panel(
     open: &OpenPage,
     at: usize,

@@ -21,7 +21,7 @@ pub(crate) struct Levels {
 pub(crate) enum LevelsAction {
     /// choose a level, and play it
     List(ListAction),
-    /// go to the next level you have never won
+    /// go to the first level you have never won
     NextToWin,
     /// open the board of the day
     Board,

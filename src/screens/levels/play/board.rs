@@ -174,7 +174,7 @@ pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
     if level.is_of_the_first_hit()
         && let Some(impact) = player.impacts().first().filter(|impact| impact.time < now)
     {
-        // The arrows begin at the contact, because the discs soon leave the picture.
+        // The discs soon leave the picture, so their positions at the contact are drawn too.
         for disc in impact.discs {
             let at = shot.at(disc, impact.time).position;
             let radius = shot.discs().get(disc).map_or(0.0, |disc| disc.radius);

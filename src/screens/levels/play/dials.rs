@@ -113,8 +113,9 @@ impl Dials {
     }
 
     /// Handles the mouse at a point on the board, where the button was `pressed` or, if not, the
-    /// mouse was moved with the button down. Drags the disc along its line if the button was
-    /// pressed on the disc, otherwise aims the shot at that point.
+    /// mouse was moved with the button down. If the level lets the player set both the place and
+    /// the direction, drags the disc along its line if the button was pressed on the disc,
+    /// otherwise aims the shot at that point.
     pub(super) fn drag(&mut self, form: &mut SettingsForm, at: DVec2, near: f64, pressed: bool) {
         let scene = self.level.aimed(&self.aim);
         let Some(piece) = scene.pieces.get(scene.stroke.disc) else {

@@ -291,7 +291,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
-    // Nothing is hidden after a win, or after carrom has shown the solution.
+    // Nothing is hidden in a shot that won, or in one that carrom played to show a solution.
     let may_hide = made.win.is_none() && !made.is_shown;
     let unknown = &play.level().unknown_mass;
     let is_secret = impact.discs.map(|disc| may_hide && unknown.contains(&disc));

@@ -54,7 +54,7 @@ enum ChoosingPage {
 }
 
 /// The largest number of characters that can be typed; every code is shorter.
-const LONGEST: usize = 60;
+const LONGEST: usize = 64;
 
 /// A kind of round that can be chosen.
 #[derive(Debug)]
@@ -73,7 +73,7 @@ enum RoundChoice {
     Own,
 }
 
-/// The kinds of round, each with its letter; the number of its row is also a key.
+/// The kinds of round, each with its letter; the numbers of the first nine rows are also keys.
 static CHOICES: [(char, RoundChoice); 10] = [
     ('f', RoundChoice::Always(CourseKind::FindOut)),
     ('q', RoundChoice::Always(CourseKind::Quick)),
