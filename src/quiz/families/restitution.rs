@@ -235,7 +235,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .wrong(Lossless, 1.0)
         .says("An e close to 1 means almost no loss. The angles would be different.")
         .why(format!(
-            "Of its component along the line of impact the striker loses the fraction k = sin θ₁ / \
+            "Along the line of impact the striker loses the fraction k = sin θ₁ / \
              (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",
             significant(m1 + m2),

@@ -177,7 +177,7 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
         let mass = |k: f64| STRIKER * k / (1.0 + e - k);
         let k = Intermediate::new(k, |k| significant(mass(k)));
         let why = format!(
-            "Of its component along the line of impact the striker loses the fraction k = sin θ₁ / \
+            "Along the line of impact the striker loses the fraction k = sin θ₁ / \
              (cos θ₂ sin(θ₁ + θ₂)) = {k}. As k = (1 + e) m₂ / (m₁ + m₂), m₂ = {} × {k} / (1 + {} \
              − {k}) = {}.",
             significant(STRIKER),

@@ -128,15 +128,18 @@ impl ActiveGame {
         }
     }
 
-    /// Whether a drag of the striker to this point goes straight back from where the drag began.
-    /// Never in a practice game, where only [`Self::pulls`] decides, and never with a flat aim.
+    /// Whether a drag of the striker to this point goes straight back from where the drag began. In
+    /// a game, never with a flat aim.
     fn is_straight_back(&self, at: DVec2, before: &Aim) -> bool {
         let seat = self.seat();
         let heading = before.heading(seat);
         let off = signed_angle(at - before.place, -heading);
-        !self.is_practice()
-            && seat.turn_back(heading).y > STEEP
-            && off.is_some_and(|off| off.abs() < STRAIGHT_BACK)
+        let most = match self.is_practice() {
+            true => BACKWARDS,
+            false if seat.turn_back(heading).y > STEEP => STRAIGHT_BACK,
+            false => return false,
+        };
+        off.is_some_and(|off| off.abs() < most)
     }
 
     /// Whether a drag of the striker to this point pulls it back rather than moving it: in a game
@@ -182,7 +185,7 @@ impl ActiveGame {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::game::{Hands, Seat};
+    use crate::game::{Hands, Rules, Seat};
     use crate::messages::{Mouse, MouseKind};
     use crate::screens::Settings;
     use crate::screens::table::game_history::GameHistory;
@@ -230,6 +233,25 @@ mod tests {
         }
         assert!((game.aim.place.x - 0.06).abs() < 1e-9);
         assert!(game.is_pulling());
+    }
+
+    /// In small steps, the striker once moved along with the mouse and was never pulled.
+    #[test]
+    fn in_practice_a_slow_drag_backwards_pulls_in_any_direction() {
+        for direction in [0.0, 90.0, 200.0] {
+            let options = Options::default().with(|it| it.setup.rules = Rules::Practice);
+            let history = GameHistory::new(options.seeded(1));
+            let mut game = ActiveGame::with(options, history);
+            game.aim.put(DVec2::ZERO, game.history.game());
+            game.aim.set_shown(direction, Seat::South);
+            let aimed = game.aim;
+            game.take_hold(aimed.place);
+            for step in 1..24 {
+                game.lead(aimed.place - 0.005 * f64::from(step) * aimed.heading(Seat::South));
+                assert_eq!(game.aim.place, aimed.place, "{direction}°, step {step}");
+            }
+            assert!(game.is_drawn(), "{direction}°");
+        }
     }
 
     proptest! {
