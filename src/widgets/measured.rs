@@ -9,7 +9,7 @@ use crate::measure::{Leg, LineFrom, Measurement, line};
 
 /// At most twice this number of points of each track are drawn, because a track has two legs.
 const MOST_POINTS: usize = 150;
-/// The width of the margin, as a fraction of the diagonal of what is drawn.
+/// The width of the margin, as a fraction of the diagonal of the rectangle inside it.
 const MARGIN: f64 = 0.06;
 /// The roles for each body: for its points before the contact, for its points after the contact,
 /// and for the body itself.
@@ -26,7 +26,8 @@ pub(crate) fn measured_rows(columns: u16, measurement: &Measurement) -> u16 {
     (0.5 * f64::from(columns) * size.y / size.x).ceil() as u16
 }
 
-/// The lower left and the upper right corner of everything that is drawn, with a margin.
+/// The lower left and the upper right corner of the smallest rectangle that contains the measured
+/// points and the discs at contact, with a margin.
 fn corners(measurement: &Measurement) -> [DVec2; 2] {
     let points = measurement.tracks.iter().flat_map(|track| &track.points);
     let points = points.map(|point| (point.at, 0.0));

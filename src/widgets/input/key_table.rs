@@ -8,7 +8,7 @@ use crate::messages::Key;
 /// The actions of a screen or of part of a screen. The doc comment of each variant is its line on
 /// the help page, and its name in kebab-case is its name in `keys.toml`.
 pub trait KeyAction: Copy {
-    /// The name of the action in `keys.toml`, such as "next-set".
+    /// The name of the action in `keys.toml`, without the group before it, such as "next-set".
     fn id(self) -> &'static str;
     /// The description of the action, a phrase without a full stop.
     fn help(self) -> &'static str;
@@ -91,8 +91,9 @@ impl<A: Copy> KeyRow<A> {
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
-    /// Whether the latest call that adds keys has added a row. A call without keys adds no
-    /// row, and the methods that change the last row then have no effect.
+    /// Whether the latest call that adds keys has added a row of its own that `when` has not
+    /// removed. A call without keys adds no row, and `with` adds the rows of another table; the
+    /// methods that change the last row then have no effect.
     added: bool,
 }
 
@@ -218,8 +219,8 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// This table without keys that an earlier row already uses and without rows that have no keys
-    /// left; rows with the same id are merged into the first of them.
+    /// This table without keys that an earlier row already uses and without rows that have no shown
+    /// keys left; rows with the same id are merged into the first of them.
     pub(crate) fn distinct(mut self) -> Self {
         let mut taken = Vec::new();
         let mut rows: Vec<KeyRow<A>> = Vec::new();

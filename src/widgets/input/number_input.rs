@@ -16,7 +16,7 @@ pub struct NumberInput {
     range: (f64, f64),
     value: Option<f64>,
     entry: NumberEntry,
-    /// Whether the number entered last was out of range.
+    /// Whether the latest action entered a number that is out of range.
     refused: bool,
 }
 
@@ -119,7 +119,7 @@ impl NumberInput {
         (self.range.0..=self.range.1).contains(&value)
     }
 
-    /// Writes the number; if the last number entered was out of range, also writes the range.
+    /// Writes the number; if a number out of range has just been entered, also writes the range.
     pub(crate) fn write<A>(&self, name: &str, panel: &mut Panel<A>) {
         let name = match &self.quantity {
             Measure::Own { sign, .. } => format!("{sign} ="),

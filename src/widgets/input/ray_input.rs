@@ -17,9 +17,9 @@ const TOO_LARGE: &str = "Please give an angle from −180° to 180°.";
 
 /// A prediction being entered.
 ///
-/// On the screen, angles are in degrees from the striker's direction: the striker's angle is
-/// positive on the side away from the coin, the coin's angle on the coin's side. A ray is not set
-/// until it has been turned.
+/// On the screen, angles are in degrees from the striker's original direction: the striker's angle
+/// is positive on the side away from the coin, the coin's angle on the coin's side. A ray is not
+/// set until the player turns it, types its angle or marks its disc as staying still.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RayInput {
     /// The predicted angle of each disc; `Some(None)` for a disc that stays still.
@@ -29,7 +29,7 @@ pub struct RayInput {
     only: Option<Ray>,
     side: f64,
     entry: NumberEntry,
-    /// Whether the angle entered last was more than 180°.
+    /// Whether the latest action entered an angle of more than 180° to either side.
     refused: bool,
 }
 
@@ -93,7 +93,7 @@ impl RayInput {
         self.only.is_none_or(|only| only == ray)
     }
 
-    /// Whether Enter completes the prediction, because the last required ray is being turned.
+    /// Whether the last required ray is being turned.
     pub(crate) fn is_last(&self) -> bool {
         self.only.is_some() || self.turning == Ray::Target
     }
@@ -137,7 +137,7 @@ impl RayInput {
     }
 
     /// Carries out an action; returns `Done` once the prediction is complete. A typed angle of more
-    /// than 180° is refused.
+    /// than 180° to either side is refused.
     pub(crate) fn act(&mut self, action: RayAction) -> Outcome {
         self.refused = false;
         match action {
@@ -233,8 +233,8 @@ impl RayInput {
         }
     }
 
-    /// Writes the rays to set, a sentence on their signs, and the next prompt, which is `last` once
-    /// all rays are set.
+    /// Writes the rays to set, a sentence on the sign convention for the ray that the keys turn,
+    /// and the next prompt, which is `last` once all rays are set.
     pub(crate) fn write_all(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
         self.write(panel, target);
         panel.gap();
@@ -262,7 +262,8 @@ impl RayInput {
         self.said().is_some() && self.is_last()
     }
 
-    /// Switches to the other ray once this one is set.
+    /// Once this ray is set, switches to the other ray; returns `Done` if this ray is the last one
+    /// and all rays are set.
     fn next(&mut self) -> Outcome {
         if !self.is_said(self.turning) {
             return Outcome::Used;

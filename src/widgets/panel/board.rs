@@ -20,13 +20,13 @@ const NUMBER: usize = 6;
 /// A name with its score.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BoardRow {
-    /// The rank and the name, such as "1. Ants".
+    /// The rank and the name, such as "1. Ants", or a question, such as "Question 3".
     pub name: String,
-    /// The points, such as "27.5".
+    /// The points, such as "27.5", or the share of right votes, such as "75 %".
     pub points: String,
-    /// The points gained most recently, such as "+9.3".
+    /// The points gained most recently, such as "+9.3", or the change in the share.
     pub gain: String,
-    /// The points as a fraction of all possible points.
+    /// The points as a fraction of all possible points, or the share of right votes.
     pub share: f64,
 }
 

@@ -17,7 +17,7 @@ use crate::widgets::{Charset, Lines, Look, Role, Room, Words, areas, formula, te
 #[derive(Debug, Clone)]
 pub(crate) struct Writing {
     pub look: Look,
-    /// The labels of the keys that go back and forward one page, if the text has pages.
+    /// The labels of the keys that go back and forward one page, if there are such keys.
     pub pages: Option<[String; 2]>,
 }
 
@@ -130,7 +130,7 @@ impl<A: Copy> Panel<A> {
     }
 
     /// Lays the panel out on pages in large letters beside a picture, on a screen whose body has
-    /// `body_rows` rows; `None` if any letter has no large form.
+    /// `body_rows` rows; `None` if any letter has no large form or the text does not fit.
     pub(crate) fn paged(
         &self,
         beside: Beside,
@@ -260,7 +260,7 @@ impl<'p> Placed<'p> {
         }
     }
 
-    /// This panel in another area of the same size.
+    /// This panel, which must have no fixed blocks, in another area of the same width.
     #[must_use]
     pub(crate) fn moved(mut self, area: Rect) -> Self {
         self.body.area = area;
@@ -287,7 +287,7 @@ impl<'p> Placed<'p> {
     }
 
     /// The scroll position until the player scrolls: if not everything fits, the selected item is
-    /// in the middle.
+    /// as near to the middle as possible.
     pub(crate) fn following(&self) -> u16 {
         let above = self.body.area.height / 2;
         let first = self.chosen.unwrap_or(0).saturating_sub(above);
@@ -302,8 +302,8 @@ impl<'p> Placed<'p> {
         targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
 
-    /// Draws the panel, scrolled by `scrolled` rows. If the panel does not fit, the bottom of the
-    /// frame names the key that shows the rest.
+    /// Draws the panel, scrolled by `scrolled` rows. If the panel does not fit, a hint below it
+    /// names the key that shows more or, at the end, the key that goes back.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
         if let Some(pages) = &self.pages {
             return pages.draw(scrolled, buf, writing);
@@ -487,7 +487,7 @@ fn marked(run: &Run, chosen: Option<bool>) -> Run {
     }
 }
 
-/// Writes the names of several pages side by side.
+/// Writes the names of several tabs side by side.
 fn write_tabs(names: &[String], open: usize, lines: &mut Lines) {
     let row = lines.written();
     let mut column = 0;
@@ -507,8 +507,8 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines) {
     lines.unrecorded(|lines| lines.line("", Role::Text));
 }
 
-/// Writes names side by side, as closely together as possible. If there are too many rows, only
-/// some of them are shown, including the row of the selected name or, if there is none, the last.
+/// Writes names side by side, as many in a row as fit. If there are too many rows, only some of
+/// them are shown, including the row of the selected name or, if there is none, the last.
 fn write_grid(cells: &[[String; 2]], chosen: Option<usize>, lines: &mut Lines) {
     let widest = cells.iter().map(|[name, _]| text::width(name)).max();
     let widest = widest.unwrap_or(0) + BESIDE_NAME;
@@ -563,10 +563,10 @@ const SHARE: usize = 5;
 /// The width of a text field's label, including the space after it, in columns.
 const LABEL: usize = 8;
 
-/// The number of columns between the names of adjacent tabs.
+/// The number of columns between adjacent tabs.
 const BETWEEN_TABS: u16 = 2;
 
-/// The width of the letter and the name in a line of a menu, in columns.
+/// The width of the mark, the letter and the name in a line of a menu, in columns.
 const ENTRY: usize = 15;
 
 /// The minimum width, in columns, of a panel in which a table has gaps before its numbers.

@@ -47,8 +47,8 @@ pub(crate) struct Panel<A> {
 #[derive(Debug, Clone, PartialEq)]
 struct Block<A> {
     content: Content,
-    /// The actions triggered by clicks: none or one for most blocks, one per row for a table, and
-    /// one per prompt for prompts.
+    /// The actions triggered by clicks: none or one for most blocks, but one for each tab, each
+    /// name in a grid, each row of a table that can be selected, and each prompt.
     actions: Vec<A>,
     /// Whether this is the selected one of several items; `None` if it cannot be selected.
     chosen: Option<bool>,
@@ -69,7 +69,7 @@ enum Content {
     LargeText(LargeText),
     /// Starts a new page in a panel with [`LargeText`].
     PageBreak,
-    /// Names side by side, each with a sign, in as many rows as necessary.
+    /// Names side by side, each with a sign, in several rows if necessary.
     Grid {
         cells: Vec<[String; 2]>,
         chosen: Option<usize>,
@@ -157,7 +157,7 @@ struct LargeText {
 pub(crate) struct TableColumn {
     /// The heading above the cells.
     pub head: String,
-    /// The number of letters in the widest cell.
+    /// The minimum width of the column, in terminal cells.
     pub width: u16,
     /// Whether the cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
@@ -168,7 +168,7 @@ pub(crate) struct TableColumn {
 }
 
 impl TableColumn {
-    /// A column of text, with a heading and the number of letters in the widest cell.
+    /// A column of text, with a heading and a minimum width in terminal cells.
     pub(crate) fn words(head: &str, width: u16) -> Self {
         Self {
             head: head.into(),
@@ -179,7 +179,7 @@ impl TableColumn {
         }
     }
 
-    /// A column of numbers, with a heading and the number of letters in the widest cell.
+    /// A column of numbers, with a heading and a minimum width in terminal cells.
     pub(crate) fn numbers(head: &str, width: u16) -> Self {
         Self {
             flush_right: true,
@@ -492,7 +492,7 @@ impl<A> Panel<A> {
         self.push(Content::Flow(mark.into(), runs));
     }
 
-    /// Adds a formula on separate rows.
+    /// Adds a formula on rows of its own.
     pub(crate) fn formula(&mut self, formula: Formula, role: Role) {
         self.push(Content::Formula(formula, role));
     }

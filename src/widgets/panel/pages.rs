@@ -38,7 +38,7 @@ pub(crate) enum Beside {
     Nothing,
     /// A picture that the text does not depend on.
     Helps,
-    /// A picture that shows more than the text.
+    /// A picture that shows something that the text does not say.
     Needed,
 }
 
@@ -90,7 +90,7 @@ struct VotePageLayout {
 
 impl<'p> PlacedPages<'p> {
     /// Lays a panel out beside a picture, on a screen whose body has `body_rows` rows; `None` if
-    /// any letter has no large form.
+    /// any letter has no large form or the text does not fit.
     pub(crate) fn new<A>(
         panel: &'p Panel<A>,
         beside: Beside,
@@ -165,8 +165,9 @@ impl<'p> PlacedPages<'p> {
     }
 
     /// Whether these pages, which have a heading in large letters above them, are as good as
-    /// `other`, the layout without a heading: they are a single page, with letters of the same size
-    /// and a picture that is not much smaller.
+    /// `other`, the layout with a small heading: the first part of each is a single page, the
+    /// letters have the same size, which is one that headings can have, and the picture is not much
+    /// smaller.
     pub(crate) fn are_as_good_as(&self, other: &Self, look: &Look) -> bool {
         let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
             return false;
@@ -379,7 +380,7 @@ fn last_sentence(text: &str) -> &str {
 impl<'p> PagedText<'p> {
     /// Sets paragraphs in letters of one size on as few pages as possible, preferring larger
     /// letters and then a larger picture. Characters without a large form are spelt out; `None` if
-    /// that is not possible, or if there would be more than `most` pages.
+    /// that is not possible, if the text does not fit, or if there would be more than `most` pages.
     fn new(paragraphs: &[PagedParagraph<'p>], setting: PageSetting, most: usize) -> Option<Self> {
         let (beside, look) = (setting.beside, setting.look);
         let last = bar_below(paragraphs);

@@ -19,7 +19,7 @@ pub(crate) fn contact_distance<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("r₁ + r₂", format!("{apart:.1} mm"));
 }
 
-/// Writes the angle between the direction of motion and the line of impact; writes nothing for a
+/// Writes the angle between the relative velocity and the line of impact; writes nothing for a
 /// miss.
 pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     if let Some(alpha) = collision.alpha() {
@@ -28,7 +28,7 @@ pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     }
 }
 
-/// Writes the masses, except `secret` masses, and e if energy is lost.
+/// Writes the masses, except `secret` masses, and e if it is less than 1.
 pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Panel<A>) {
     let discs = [collision.striker, collision.target];
     let [striker, target] = [0, 1].map(|body| match secret[body] {
@@ -52,8 +52,8 @@ pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("separation", separation);
 }
 
-/// Writes the throw, and the spins before and after the collision, if the rims have friction or a
-/// disc spins.
+/// Writes the throw, if there is one, and the spins before and after the collision; writes nothing
+/// if the rims are smooth and no disc spins.
 pub(crate) fn rim_facts<A>(collision: &Collision, panel: &mut Panel<A>) {
     if collision.rims.is_plain() {
         return;
