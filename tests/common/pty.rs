@@ -46,12 +46,13 @@ fn size(columns: u16, rows: u16) -> PtySize {
     }
 }
 
-/// `carrom` with these arguments, in the same environment on every machine.
+/// `carrom` with these arguments, as in [`command`].
 pub(crate) fn carrom(arguments: &[&str]) -> CommandBuilder {
     command(env!("CARGO_BIN_EXE_carrom"), arguments)
 }
 
-/// A program with these arguments, in the same environment on every machine.
+/// A program with these arguments, in an environment that is the same on every machine except for
+/// its paths.
 pub(crate) fn command(program: &str, arguments: &[&str]) -> CommandBuilder {
     let mut command = CommandBuilder::new(program);
     command.args(arguments);

@@ -100,7 +100,7 @@ impl Pupil {
         sent.map_err(|error| io::Error::other(error.to_string()))
     }
 
-    /// Receives the next message from the host, which becomes the state.
+    /// Receives the host's next message, which becomes the state.
     pub(crate) fn hear(&mut self) -> io::Result<()> {
         loop {
             match self.socket.read() {

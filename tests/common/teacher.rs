@@ -28,8 +28,7 @@ pub(crate) struct Teacher {
 }
 
 impl Teacher {
-    /// Starts a round of two questions about rays, saved in `folder`, and continues to the first
-    /// vote.
+    /// Starts a round of two rays questions, saved in `folder`, and continues to the first vote.
     pub(crate) fn start(folder: &Folder, page: &str) -> Self {
         let teacher = Self::gathering(folder, page);
         teacher.press("<Enter><Enter>", "have voted");
@@ -149,7 +148,8 @@ fn teach(
         if has_news {
             game.input(&Input::Hosted(news));
         }
-        // Setting a question in large letters takes time, which the devices would have to wait.
+        // The screen is drawn only after a change: large letters take time, and the devices would
+        // have to wait.
         if pressed || has_news {
             *shown.lock().unwrap() = game.screen();
         }

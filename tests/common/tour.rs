@@ -14,7 +14,7 @@ use carrom::shells::{Classroom, Headless};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct TourStop {
     pub(crate) name: &'static str,
-    /// The screen, as on the command line: "quiz mixed-7".
+    /// The screen, much as on the command line: "quiz mixed-7".
     place: &'static str,
     /// The keys that lead to the moment, as for [`Headless::press`].
     keys: &'static str,

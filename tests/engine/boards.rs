@@ -45,8 +45,8 @@ fn a_hundred_days_have_the_same_boards_on_every_machine() {
     );
 }
 
-/// The engine plays the strokes of the search, which shows that every board can be cleared in its
-/// par.
+/// The engine plays the strokes of the search, which shows that each of these boards can be
+/// cleared in its par.
 #[test]
 fn the_search_clears_a_hundred_boards_with_the_same_strokes_on_every_machine() {
     let cleared: Vec<_> = hundred().map(cleared).collect();

@@ -85,8 +85,8 @@ proptest! {
         prop_assert!(after.energy_lost >= 0.0);
     }
 
-    /// A stricter test: in the centre-of-mass frame there is no large common energy that could hide
-    /// an error in a slow collision.
+    /// A stricter test: in this frame the centre of mass is at rest, so the energy of its motion
+    /// cannot hide an error in a collision with a small relative velocity.
     #[test]
     fn energy_balances_in_the_centre_of_mass_frame(c in both_moving()) {
         let cm = Frame::CentreOfMass.view(&c);
@@ -117,7 +117,8 @@ proptest! {
         prop_assert!((found.to_degrees() - alpha_deg).abs() <= 1e-9);
     }
 
-    /// Angles agree to a billionth of a degree, speeds to 10⁻¹² of the greatest possible speed.
+    /// Angles agree to a billionth of a degree, speeds to about 10⁻¹² of the greatest possible
+    /// speed.
     #[test]
     fn closed_forms_agree_with_the_vectors(c in target_at_rest(), alpha_deg in -89.9..=89.9_f64) {
         let alpha = alpha_deg.to_radians();

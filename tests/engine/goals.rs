@@ -1,6 +1,6 @@
 //! Each goal is checked against the closed forms for one known hit.
 //!
-//! The striker moves along +x at 2 m/s; the coin, of equal mass, lies half of r1 + r2 to the right
+//! The striker starts along +x at 2 m/s; the coin, of equal mass, lies half of r1 + r2 to the right
 //! of its path, so the impact angle is 30 degrees.
 
 use carrom::levels::{Finding, Level, Patience, judge};
@@ -93,7 +93,7 @@ fn circle_goals_are_met_by_paths_and_by_final_positions() {
     let a = 0.12 * 9.80665;
     let reach = 0.03655;
     let came_squared = 4.0 - 2.0 * a * (0.150 - reach * cos);
-    // The striker leaves at 60 degrees with half the speed and hits nothing.
+    // The striker leaves at 60 degrees with half its speed and hits nothing else.
     let slid = came_squared * sin * sin / (2.0 * a);
     let x = 1000.0 * (-reach * cos + slid * sin);
     let y = 1000.0 * (slid * cos);

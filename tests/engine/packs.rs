@@ -1,4 +1,4 @@
-//! The built-in levels can be won, but not by chance.
+//! The built-in levels can be won, but rarely by chance.
 
 use std::collections::BTreeSet;
 use std::process::Command;
@@ -82,8 +82,8 @@ fn the_stored_solution_can_be_reached_by_key_presses() {
     }
 }
 
-/// The share of aims that win measures the difficulty. Within a pack it falls from level to level,
-/// with few exceptions: the rank correlation is at least 0.9.
+/// The share of aims that win measures the difficulty. Within a pack the share falls from level
+/// to level, with few exceptions: the rank correlation is at least 0.9.
 #[test]
 fn the_share_of_winning_aims_is_small_and_falls_from_level_to_level() {
     for pack in LevelLibrary::embedded().packs {

@@ -9,7 +9,7 @@ use strum::{EnumString, VariantNames};
 )]
 #[strum(serialize_all = "lowercase")]
 pub enum Blocks {
-    /// Two columns and two rows in each cell. Every font has these characters.
+    /// Two columns and two rows in each cell. Most fonts have these characters.
     #[default]
     Quadrants,
     /// Two columns and three rows in each cell, from Unicode 13.
@@ -18,7 +18,8 @@ pub enum Blocks {
     Octants,
 }
 
-/// Quarters of a cell. The bits of the index are: upper left, upper right, lower left, lower right.
+/// Quarters of a cell. The bits of the index, from the lowest: upper left, upper right, lower left,
+/// lower right.
 pub(crate) const QUARTERS: [char; 16] = [
     ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
 ];
@@ -50,7 +51,7 @@ pub(crate) fn sextants() -> impl Iterator<Item = (char, u8)> {
 }
 
 /// The octants and their parts, like [`sextants`]. Octants that consist of quadrants are left out,
-/// as are those with older names (such as UPPER ONE QUARTER BLOCK) and the single corners, which
+/// as are those with other names, such as UPPER ONE QUARTER BLOCK and the single corners: all these
 /// have other code points.
 pub(crate) fn octants() -> impl Iterator<Item = (char, u8)> {
     const OTHERS: [u8; 10] = [0x01, 0x02, 0x03, 0x14, 0x28, 0x3f, 0x40, 0x80, 0xc0, 0xfc];

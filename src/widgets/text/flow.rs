@@ -150,7 +150,8 @@ fn within(word: FlowWord, columns: usize, charset: Charset) -> Vec<FlowWord> {
     parts.map(|part| spelt(part, charset)).collect()
 }
 
-/// A word in a charset. A degree sign in one piece still follows the number in the piece before.
+/// A word in a charset. In ASCII a degree sign is separated from its number by a space even if they
+/// are in different pieces.
 fn spelt(word: FlowWord, charset: Charset) -> FlowWord {
     let mut spelt: FlowWord = Vec::new();
     for run in word {

@@ -19,7 +19,7 @@ pub(crate) struct Lines<'a> {
     written: u16,
     scrolled: u16,
     /// The number of rows in the panel to which this text belongs, which determines the size of
-    /// letters.
+    /// large type.
     whole: u16,
     buf: &'a mut Buffer,
     look: Look,
@@ -162,7 +162,7 @@ impl<'a> Lines<'a> {
     }
 
     /// The cell of the screen at a column and a row counted from the top; `None` if the row is
-    /// scrolled away.
+    /// not visible.
     fn seen(&self, (column, row): (u16, u16)) -> Option<[u16; 2]> {
         let row = row.checked_sub(self.scrolled)?;
         (row < self.area.height).then(|| [self.area.x + column, self.area.y + row])

@@ -92,7 +92,7 @@ pub enum Words {
     },
     /// Text, which may have a mark before it.
     Text {
-        /// The mark, such as "1. " or "- "; empty for none.
+        /// The mark, such as "1." or "-"; empty for none.
         mark: String,
         /// The text in several styles.
         runs: Vec<Run>,
@@ -216,8 +216,8 @@ impl Sheet {
         }
     }
 
-    /// The section for an area: the section of the smallest frame around the area, or a new
-    /// section.
+    /// The section for an area: that of the smallest frame around the area, otherwise the unframed
+    /// section of exactly this area, which may be new.
     fn section(&mut self, area: Rect) -> &mut Section {
         let round = |frame: &Section| frame.is_framed && frame.area.union(area) == frame.area;
         let sections = self.sections.iter().enumerate();
@@ -301,7 +301,8 @@ pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
     (drawn, sheets.into_iter().map(tidied).collect())
 }
 
-/// The sheet without empty sections, and without gaps at the start and end of each section.
+/// The sheet without empty sections, without repeated gaps, and without gaps at the start and end
+/// of each section.
 fn tidied(mut sheet: Sheet) -> Sheet {
     for section in &mut sheet.sections {
         let is_gap = |item: &Item| matches!(item.words, Words::Gap);

@@ -1,4 +1,4 @@
-//! Symbols used in physics that are spelt out on ASCII screens and in plain mode.
+//! Superscript characters, which are spelt out on ASCII screens and in plain mode.
 
 use crate::numbers::RAISED_DIGITS;
 

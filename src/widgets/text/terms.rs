@@ -21,7 +21,7 @@ const NUMBERED: [&str; 8] = [
 ];
 
 /// How strongly a space keeps the words on its two sides together. A formula that is too long for a
-/// row is broken at its weakest space.
+/// row can be broken at its weakest spaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, VariantArray)]
 enum Hold {
     /// Not at all: between words of a sentence.
@@ -32,7 +32,7 @@ enum Hold {
     Term,
     /// Between the two numbers of a vector.
     Vector,
-    /// Between two factors of a term, or before a divisor.
+    /// Between two factors of a term, or before a division sign.
     Factor,
     /// Before a plus or a minus in brackets.
     Inner,
@@ -43,7 +43,7 @@ enum Hold {
 }
 
 /// Groups of words that belong together, as ranges of `words`, each short enough for a row of
-/// `columns` columns.
+/// `columns` columns unless it is a single word.
 pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     let holds = holds(words);
     let mut held = Vec::new();
@@ -71,7 +71,7 @@ pub(crate) fn unbroken(text: &str) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// The maximum number of letters between two places where [`unbroken`] allows a line break.
+/// The maximum width, in columns, of a group of words that [`unbroken`] holds together.
 const UNBROKEN: usize = 24;
 
 /// Splits a range of words until each part fits, starting with the weakest spaces.
@@ -160,7 +160,7 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     }
 }
 
-/// Whether a word is followed by a number, such as "law" or "chapter".
+/// Whether a word, such as "law" or "chapter", can be followed by its number.
 fn is_numbered(word: &str) -> bool {
     let name = word.trim_start_matches(['(', '[']);
     NUMBERED.iter().any(|it| it.eq_ignore_ascii_case(name))
@@ -205,8 +205,8 @@ fn is_indexed(word: &str) -> bool {
         || word.contains(['₁', '₂', '_'])
 }
 
-/// Whether a word can be an operand: a number, a letter, a symbol with a subscript, or a term in
-/// brackets.
+/// Whether a word can be an operand, such as a number, a letter, a symbol with a subscript, or a
+/// term in brackets.
 fn is_operand(word: &str) -> bool {
     let bare = bare(word);
     let one_letter = bare.chars().count() == 1 && bare.starts_with(char::is_alphabetic);
@@ -324,7 +324,7 @@ mod tests {
         );
     }
 
-    /// A law's number stays with the word "law"; the rest of the sentence can be broken.
+    /// A number stays with a word such as "law" before it; the rest of the sentence can be broken.
     #[test]
     fn a_reference_is_not_broken() {
         assert_eq!(

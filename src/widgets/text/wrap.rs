@@ -163,7 +163,7 @@ pub(crate) fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of `text`, at most `columns` columns wide, followed by ".." if it is truncated.
+/// `text` in at most `columns` columns: if it is too long, its beginning followed by "..".
 /// Zero-width marks are limited too: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =

@@ -3,11 +3,11 @@
 //! A picture specifies what a thing *is*, its [`Role`]; only the [`Theme`] knows how a role looks
 //! in the player's [`Palette`] and with the colours of the terminal ([`Depth`]). The colours are
 //! based on Okabe and Ito's set ("Color Universal Design", 2008), which can be distinguished with
-//! every kind of colour vision. A colour never carries meaning alone: a letter, a line style or a
-//! weight always repeats it.
+//! the common kinds of colour blindness. A colour never carries meaning alone: a letter, a line
+//! style or a weight always repeats it.
 //!
-//! The eye should find the collision first, so contrast decreases from the two discs and their
-//! final velocities, through the line of impact and the arcs, to the board and the frames.
+//! The eye should find the collision first, so contrast decreases from the velocities of the two
+//! discs, through the line of impact and the arcs, to the lines of the board and the frames.
 
 mod colour;
 mod role;
@@ -102,7 +102,8 @@ impl Theme {
             .bg(self.colour(Role::Background))
     }
 
-    /// The colour and weight of something with this role. The background is not changed.
+    /// The colour and weight of something with this role. Only [`Role::Selected`] changes the
+    /// background.
     pub fn style(self, role: Role) -> Style {
         if self.is_mono() {
             return Style::new().add_modifier(role.mono_modifier());

@@ -136,8 +136,7 @@ impl Role {
         }
     }
 
-    /// The role's colour in a palette (in monochrome the colour of the dark palette, which is not
-    /// used).
+    /// The role's colour in a palette (for monochrome, its colour in the dark palette).
     pub(super) const fn rgb(self, palette: Palette) -> Rgb {
         let (dark, light, ..) = self.colours();
         Rgb::hex(match palette {

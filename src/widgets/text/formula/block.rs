@@ -69,7 +69,7 @@ impl FormulaBlock {
         Self::of(rows, self.base)
     }
 
-    /// This block with one block above its right end and another below that end.
+    /// This block followed by a superscript above its first row and a subscript below its last row.
     pub(super) fn with_scripts(self, high: Option<&Self>, low: Option<&Self>) -> Self {
         if high.is_none() && low.is_none() {
             return self;

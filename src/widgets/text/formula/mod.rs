@@ -104,9 +104,9 @@ impl Setter {
         left.beside(&roofed)
     }
 
-    /// Sets superscripts and subscripts: on the row itself if Unicode has letters for them,
-    /// otherwise above and below that row. In ASCII a subscript after a letter also stays on the
-    /// row, spelt out.
+    /// Sets superscripts and subscripts. A subscript is on the row itself if Unicode has letters
+    /// for it (in ASCII they are spelt out), otherwise below. A superscript is on the row in
+    /// Unicode if there are letters for it and the base has a single row, otherwise above.
     fn scripted(
         &self,
         base: &FormulaBlock,
