@@ -49,7 +49,7 @@ fn a_worksheet_its_key_and_a_moodle_file_are_those_of_the_typed_code() {
     assert_eq!(written(&game, "moodle-speeds-3.xml"), moodle);
 }
 
-/// Letters belong to the code, and text that is not a code is refused with a reason.
+/// Typed letters go into the code, and text that is not a code is refused with a reason.
 #[test]
 fn text_that_is_not_a_code_is_refused_and_nothing_is_written() {
     let folder = Folder::new("teacher-refused");

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 const LONGEST: u64 = 1000;
 /// The largest number of commands between two frames.
 const PAINTED: u64 = 100;
-/// Keys that open other screens: a frame is drawn after each.
+/// Keys that often open or close a screen: a frame is drawn after each.
 const LEADING: [&str; 3] = ["Enter", "Esc", "Escape"];
 
 const FRAGMENTS: [&str; 10] = [
@@ -59,7 +59,7 @@ const KEYS: [&str; 24] = [
 ];
 const KINDS: [&str; 6] = ["down", "drag", "up", "scroll-up", "scroll-down", "wink"];
 
-/// A random text of up to `most` letters.
+/// A random text of up to `most` characters.
 fn text(chance: &mut impl Rng, most: usize) -> String {
     let length = chance.random_range(0..=most);
     (0..length).map(|_| chance.random::<char>()).collect()
@@ -158,7 +158,7 @@ fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
 /// Plays the session with this number; returns the number of commands.
 ///
 /// # Errors
-/// If a frame contains "NaN".
+/// If a picture contains "NaN".
 fn play(number: u64) -> Result<u64, Box<dyn Error>> {
     let mut chance = Pcg64Mcg::seed_from_u64(number);
     let Command::Open(opening) = serde_json::from_value(opening(&mut chance))? else {

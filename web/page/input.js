@@ -70,8 +70,8 @@ const input = (() => {
     key(name);
   }
 
-  // Input from a phone's keyboard without a field. The keyboard deletes only existing text, and may
-  // change a word until it is complete.
+  // Input from a phone's keyboard outside the screen's fields. The keyboard deletes only existing
+  // text, and may change a word until it is complete.
   function typed({ type, isComposing }) {
     const now = typing.value;
     if (now.startsWith(FILLER)) panels.retype(composed, now.slice(FILLER.length));
@@ -121,7 +121,7 @@ const input = (() => {
     }
     if (!isOurs(event)) return;
     const name = event.key === "Tab" ? (event.shiftKey ? "Shift+Tab" : "Tab") : NAMED[event.key];
-    // The browser handles Tab, unless this screen has an action for it.
+    // The browser handles Tab, unless this screen has an action for it and nothing has the focus.
     if (event.key === "Tab") {
       const isNamed = last.some((row) => row.name && row.keys[0] === name);
       if (!isNamed || event.target !== document.body) return;
@@ -192,7 +192,7 @@ const input = (() => {
     }
   }
 
-  // Shows the current keys if they, or the elements beside them, have changed.
+  // Shows the current keys if they, or the screen's elements, have changed.
   function show(rows = last) {
     last = rows;
     const state = panels.state();
@@ -234,7 +234,7 @@ const input = (() => {
   }
 
   // The accessible name of a button is its text if it contains words; the help is its description.
-  // Otherwise the name begins with what can be read on the button.
+  // Otherwise the name contains what can be read on the button.
   function named(node, help, below = "") {
     const isWords = /\p{L}{2}/u.test(node.textContent);
     if (isWords && !below) node.title = help;

@@ -73,7 +73,7 @@ const page = (() => {
 
   const reopen = () => open().catch(fail);
 
-  // Goes back in the browser's history.
+  // Called when the browser goes back in its history.
   function back() {
     if (menu.open) menu.close();
     else if (isPlain) speak({ do: "line", text: "back" });
@@ -180,7 +180,7 @@ const page = (() => {
     if (reply.keep) {
       keeper.keep(kept, () => speak({ do: "slow" }));
     }
-    // A page cannot quit: it starts again.
+    // A page cannot quit: plain mode accepts no more lines; otherwise carrom opens again.
     if (reply.quit && isPlain) plain.over();
     else if (reply.quit) reopen();
   }
@@ -298,7 +298,7 @@ const page = (() => {
     }
   }
 
-  // Copies text, even if the page has no access to the clipboard.
+  // Copies text; where the Clipboard API fails, with the older command.
   async function copy(text) {
     try {
       await navigator.clipboard.writeText(text);

@@ -24,9 +24,9 @@ const painter = (() => {
 
   const hex = (colour) => "#" + colour.toString(16).padStart(6, "0");
 
-  // Sizes, in cells, for an area of this width and height in CSS pixels: the size of the whole
-  // area, of pictures that fill it, and of square pictures. A cell is twice as high as wide, so
-  // circles are round.
+  // Sizes, in cells, for an area of this width and height in CSS pixels: the size of the program's
+  // screen, of pictures that fill the room for them, and of square pictures. A cell is twice as
+  // high as wide, so circles are round.
   function fit(width, height) {
     ratio = window.devicePixelRatio || 1;
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
@@ -159,7 +159,7 @@ const painter = (() => {
     return shapes.get(letter);
   }
 
-  // Paints the vectors of a picture, with their origin at a cell.
+  // Paints the vectors of a picture whose upper left cell on the screen is (x, y).
   function paintPicture(svg, [x, y]) {
     pen.save();
     pen.scale(cell.width / 9, cell.height / 18);

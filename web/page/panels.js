@@ -1,6 +1,6 @@
 // The text of the screen as elements: the program's description becomes headings, tables, choices,
-// fields and buttons. A node is reused as long as it represents the same item, and only changed
-// nodes are touched.
+// fields and buttons. A node is reused for an item of the same kind, and only changed nodes are
+// touched.
 
 const panels = (() => {
   const screen = document.getElementById("screen");
@@ -155,7 +155,7 @@ const panels = (() => {
       const kind = kindOf(item);
       const last = all[all.length - 1];
       const joins = ["facts", "columns", "choices", "field", "text-field", "list", "tab", "prompt"];
-      // Choices remain one group, whatever the space between them.
+      // Choices or fields remain one group, whatever the space between them.
       const near = !apart || ["choices", "field", "text-field"].includes(kind);
       if (last && last.kind === kind && near && joins.includes(kind)) last.items.push(item);
       else all.push({ kind, apart, items: [item] });
@@ -542,7 +542,7 @@ const panels = (() => {
     mark(screen, "two", under.sections.length === 2);
     screen.dataset.title = under.title;
     const fresh = () => section();
-    // Pictures are on one side, words on the other; a screen without a picture has one column.
+    // Sections with pictures or tabs go into the left part, the others into the right part.
     const isPicture = ({ items }) => items.some(({ is }) => is === "picture" || is === "tab");
     const [left, right] = [screen.firstElementChild, screen.lastElementChild];
     sync(left, under.sections.filter((it) => isPicture(it)), () => "section", fresh);

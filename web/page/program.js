@@ -11,7 +11,8 @@ const program = (() => {
     crypto.getRandomValues(memory(at, length));
     return length;
   };
-  // The functions that SQLite needs from its host; 0 means "done" and 1 "not available".
+  // The functions that SQLite needs from its host. `random` returns the number of bytes; otherwise
+  // 0 means "done" and 1 "not supported".
   const host = {
     rust_sqlite_wasm_host_sleep() {},
     rust_sqlite_wasm_host_random: random,
@@ -23,7 +24,8 @@ const program = (() => {
     rust_sqlite_wasm_host_localtime: () => 1,
   };
 
-  // The bytes of a base64 string. Browsers before 2025 have no function for it.
+  // The bytes of a base64 string. Older browsers, such as Chrome before 140, have no function for
+  // it.
   function bytesOf(text) {
     if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
     const letters = atob(text);

@@ -1,10 +1,10 @@
 //! The store, whose files the browser saves.
 //!
-//! Every request is carried out in memory at once. Its answer is passed on only when the browser
-//! has saved the files: the page asks which files have changed, writes them to the browser's
-//! database in one transaction, and reports the result. If another tab has changed files in the
-//! meantime, the page first passes those files to the store, and all unsaved changes are then made
-//! again on top of them.
+//! Requests are carried out in memory. If one changes something, its answer is passed on only when
+//! the browser has tried to save the files: the page asks which files have changed, writes them to
+//! the browser's database in one transaction, and reports the result. If another tab has changed
+//! files in the meantime, the page first passes those files to the store, and all unsaved changes
+//! are then made again on top of them.
 //!
 //! Changes that the browser could not save stay here until it can save them. If the page opens
 //! another carrom, they are passed to that one.
@@ -172,8 +172,8 @@ impl PageStorage {
         waits.map(|it| it.answer.ticket).collect()
     }
 
-    /// The number of things that the browser could not save so far. A game or a round that was
-    /// saved several times counts as one thing.
+    /// The number of things that the browser could not save so far. Each game, each round and the
+    /// settings count as one thing, however often saving them failed.
     pub(crate) fn unsaved(&self) -> usize {
         let mut saved = BTreeSet::new();
         let mut is_another = |change: &Change| match change {

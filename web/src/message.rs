@@ -109,7 +109,7 @@ pub enum Command {
         /// The news.
         news: News,
     },
-    /// Report a round to a learning platform.
+    /// Send the report of a round, for a learning platform.
     Round {
         /// The code of the round.
         code: String,
@@ -191,7 +191,7 @@ pub struct Opening {
     pub still: bool,
     /// For tests: there is no clock, and everything is saved at once.
     pub simulated: bool,
-    /// A teacher's own files; their bytes follow.
+    /// A teacher's own files, and the settings; their bytes follow.
     pub own: Vec<FileLength>,
 }
 
@@ -267,14 +267,14 @@ pub struct Painted {
     pub colours: [u32; 2],
     /// The colour of each role, if any has changed.
     pub inks: Option<Vec<(Role, u32)>>,
-    /// The text of the screen and of the layer over it, if anything in it has changed.
+    /// The text of the screen and of the layer over it, if any of it has changed.
     pub sheets: Option<Vec<SheetMessage>>,
 }
 
 /// The text of a screen, or of the layer over it.
 #[derive(Debug, Clone, Serialize)]
 pub struct SheetMessage {
-    /// Whether the sheet is a screen or a layer.
+    /// The screen itself, or the kind of the layer over it.
     pub kind: SheetKind,
     /// The title.
     pub title: String,
@@ -310,7 +310,7 @@ pub struct Keys {
     pub words: &'static [&'static str],
 }
 
-/// Reads a command, and returns the bytes that follow it.
+/// Reads a command; returns it with the bytes that follow it.
 ///
 /// # Errors
 /// The reason why the command is invalid.

@@ -116,7 +116,7 @@ mod tests {
                     .iter()
                     .all(|it| it.right && it.said == it.truth)
             );
-            // After the last answer the link ends with the mark of an explanation.
+            // While the last answer is being explained, the link ends with a semicolon.
             let explained = format!("{};", correct(code, 1));
             let first = of_round(code, &explained, &own).unwrap();
             assert!(!first.done && first.answers == report.answers[..1]);

@@ -123,7 +123,7 @@ impl Shell {
                 }
             }
             Command::Paste { text } => self.input(&Input::Paste(text)),
-            // Plain mode does not show the size.
+            // In plain mode the screen has a fixed size.
             Command::Resize { .. } if self.reader.is_some() => {}
             Command::Resize {
                 columns,
