@@ -20,7 +20,7 @@ const CARD: (u16, u16) = (68, 22);
 /// The number of columns from which a screen is considered wide.
 const WIDE: u16 = 110;
 
-/// The areas of a picture and the panel beside it.
+/// The areas of a picture and its panel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SplitLayout {
     /// The inside of the picture's frame.

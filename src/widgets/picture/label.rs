@@ -16,8 +16,8 @@ pub struct Label {
     /// The points beside which the label may be placed, in order of preference, each with its
     /// preferred sides; there is always at least one point.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
-    /// Whether this label keeps away from the points of other labels, and other labels from its
-    /// point.
+    /// Whether this label keeps away from the points of other labels, even of labels that are
+    /// placed later.
     pub(in crate::widgets) keeps_others_off: bool,
 }
 

@@ -68,8 +68,8 @@ pub(crate) enum Mark {
     },
     /// A disc, which hides everything on lower layers.
     Disc(Body),
-    /// A disc that hides nothing, drawn faintly or as an outline, with its letter at `letter`. It
-    /// is used behind other marks.
+    /// A disc drawn faintly or as an outline, with its letter at `letter`, for use behind other
+    /// marks. In cells it hides nothing unless it is very small.
     Ring {
         body: Body,
         letter: DVec2,
@@ -77,7 +77,8 @@ pub(crate) enum Mark {
     /// A group of discs that are all drawn in the same way and are all visible.
     Discs(Vec<Body>),
     /// A part of a board. If the terminal has shades, the part is filled, below everything else;
-    /// otherwise only its outline is drawn, if it has one.
+    /// otherwise its outline is drawn, if it has one. In ASCII the outline is always drawn, and a
+    /// part without an outline is left out.
     Ground {
         region: Region,
         role: Role,
@@ -136,8 +137,8 @@ pub(crate) struct Axes {
 
 /// Marks, in the order of drawing, and the mapping from the world to the screen.
 ///
-/// Marks are clipped at the edge of the view's area, and those with a coordinate that is not finite
-/// are not drawn.
+/// In cells, marks are clipped at the edge of the view's area, and those with a coordinate that is
+/// not finite are not drawn. As vectors, only lines and parts of boards are clipped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     area: Rect,
@@ -242,7 +243,7 @@ impl Picture {
             .push(Mark::Disc(Body::new(at, radius, role, letter)));
     }
 
-    /// Adds a disc that hides nothing; see `Mark::Ring`.
+    /// Adds a disc drawn faintly or as an outline; see `Mark::Ring`.
     pub fn ring(&mut self, at: DVec2, radius: f64, role: Role, (sign, letter): (char, DVec2)) {
         let body = Body::new(at, radius, role, sign);
         self.marks.push(Mark::Ring { body, letter });

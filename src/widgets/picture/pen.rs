@@ -3,7 +3,8 @@
 use crate::widgets::Role;
 
 /// The order of layers, which does not depend on the order of drawing. If two strokes share a cell,
-/// the cell shows the stroke on the higher layer or, on the same layer, the later stroke.
+/// the cell has the style of the stroke on the higher layer or, on the same layer, of the later
+/// stroke, unless that stroke barely touches the cell. In ASCII the cell shows only one stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DrawLayer {
     /// Boards, axes, frames.
@@ -92,7 +93,7 @@ impl Pen {
         Self { layer, ..self }
     }
 
-    /// This pen faded by age: 0 is fresh, 1 is nearly invisible.
+    /// This pen faded by age: 0 is fresh, 1 is faint.
     #[must_use]
     pub const fn aged(self, age: f64) -> Self {
         Self { age, ..self }

@@ -22,7 +22,7 @@ pub struct View {
 impl View {
     /// An undistorted view with `centre` in the middle of the area's middle cell, so that
     /// horizontal and vertical lines through `centre` follow the cells. A `metres_per_column` that
-    /// is not positive is replaced by 1.
+    /// is not positive and finite is replaced by 1.
     pub fn new(area: Rect, centre: DVec2, metres_per_column: f64) -> Self {
         let scale = positive(metres_per_column);
         Self {
@@ -33,8 +33,8 @@ impl View {
         }
     }
 
-    /// The largest undistorted view that shows the whole rectangle between two opposite corners of
-    /// the world.
+    /// The largest undistorted view that is centred on a rectangle in the world, given by two
+    /// opposite corners, and shows all of it.
     pub fn fit(area: Rect, corner: DVec2, opposite: DVec2) -> Self {
         let size = (opposite - corner).abs();
         // The space on the narrower side of the middle limits the scale.
@@ -125,7 +125,7 @@ pub(in crate::widgets) fn around(circles: impl IntoIterator<Item = (DVec2, f64)>
     corners
 }
 
-/// This scale, or 1 if it is not a positive number.
+/// This scale, or 1 if it is not positive and finite.
 pub(in crate::widgets) fn positive(scale: f64) -> f64 {
     let is_scale = scale > 0.0 && scale.is_finite();
     if is_scale { scale } else { 1.0 }

@@ -67,7 +67,7 @@ impl Axis {
         }
     }
 
-    /// The positions of the two ends, which are always two different numbers in ascending order.
+    /// The positions of the two ends, in ascending order even if `from` and `to` are not.
     pub(crate) fn ends(&self) -> (f64, f64) {
         match (self.place(self.from), self.place(self.to)) {
             (Some(from), Some(to)) if from < to => (from, to),

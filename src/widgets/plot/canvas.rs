@@ -9,7 +9,7 @@ use crate::widgets::{Look, Role, text};
 
 /// A plot under construction: a [`Picture`] whose coordinates are values on the axes.
 ///
-/// Undefined values (0 on a logarithmic axis, NaN) are left out, and marks are clipped at the ends
+/// Undefined values (0 on a logarithmic axis, NaN) are left out, and lines are clipped at the ends
 /// of the axes.
 #[derive(Debug, Clone)]
 pub(crate) struct Plot {

@@ -7,7 +7,7 @@ use crate::widgets::picture::positive;
 /// The position of a tick, in units in which the axis is linear, and the text beside it.
 pub(crate) type Tick = (f64, String);
 
-/// The maximum number of ticks, which is more than fit on any screen.
+/// The maximum number of intervals between ticks, which is more than fit on any screen.
 const MOST: usize = 100;
 
 /// The smallest step for which numbers are written with a power of ten.
@@ -97,7 +97,7 @@ fn round_up(least: f64) -> f64 {
     positive(digit.unwrap_or(10.0) * power)
 }
 
-/// The number of decimal places needed to distinguish the multiples of a step.
+/// The number of decimal places, at most nine, needed to write the multiples of a step exactly.
 fn decimals(step: f64) -> usize {
     (0..9)
         .find(|decimals| {

@@ -49,8 +49,8 @@ pub(crate) struct ShotClock {
 }
 
 impl ShotClock {
-    /// Creates a clock that runs at this speed, at the start of a stroke that lasts `end` seconds;
-    /// with `reduced` motion, the clock is already at the end.
+    /// Creates a clock that runs at this speed, from the start of a stroke to `end` seconds after
+    /// it; with `reduced` motion, the clock is already at the end.
     pub(crate) fn new(end: f64, rate: WatchRate, reduced: bool) -> Self {
         Self {
             time: if reduced { end } else { 0.0 },
@@ -69,12 +69,12 @@ impl ShotClock {
         self.running
     }
 
-    /// Whether all discs have come to rest.
+    /// Whether the clock has reached the end.
     pub(crate) fn is_over(&self) -> bool {
         self.time >= self.end
     }
 
-    /// The time at which all discs have come to rest, in seconds since the start of the stroke.
+    /// The time at which the replay ends, in seconds since the start of the stroke.
     pub(crate) fn end(&self) -> f64 {
         self.end
     }
@@ -96,13 +96,13 @@ impl ShotClock {
         }
     }
 
-    /// Goes back to the start of the stroke.
+    /// Runs again from the start of the stroke.
     pub(crate) fn rewind(&mut self) {
         self.time = 0.0;
         self.running = self.end > 0.0;
     }
 
-    /// Pauses at a time of the stroke, clamped to the stroke's duration.
+    /// Pauses at a time of the stroke, clamped to the duration of the replay.
     pub(crate) fn seek(&mut self, time: f64) {
         self.time = time.clamp(0.0, self.end);
         self.running = false;

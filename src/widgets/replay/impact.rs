@@ -1,4 +1,4 @@
-//! The impacts of a shot, each as a collision that can be examined in the lab.
+//! The impacts of a shot, each as an isolated collision that can be enlarged and examined.
 
 use glam::DVec2;
 

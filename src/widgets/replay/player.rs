@@ -17,7 +17,7 @@ const STEP: f64 = 0.02;
 /// The time by which the keys for bigger steps move the replay, in seconds.
 const SCRUB: f64 = 0.25;
 
-/// The action that goes to the end of the shot.
+/// The action that goes to the end of the replay.
 const END: ShotAction = ShotAction::Seek(f64::INFINITY);
 
 /// A shot being watched.
@@ -31,7 +31,7 @@ pub(crate) struct ShotPlayer {
     lists: bool,
     list: ListView,
     showing: Showing,
-    /// The time to return to when the list of impacts is closed.
+    /// The time to return to when the board is shown again.
     left_at: f64,
 }
 
@@ -224,8 +224,8 @@ impl ShotPlayer {
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
-                // This selects the last impact shown so far or, at the end of the shot, the first
-                // impact.
+                // This selects the last impact shown so far or, at the end of the replay, the
+                // first impact.
                 let is_over = self.clock.is_over();
                 let now = if is_over { 0.0 } else { self.left_at };
                 let seen = self.impacts.partition_point(|impact| impact.time <= now);
@@ -300,7 +300,7 @@ mod tests {
     use super::*;
     use crate::physics::{Board, Disc, Limits, Motion, play};
 
-    /// A shot with two impacts: a disc drives a second disc into a third.
+    /// A shot with at least two impacts: a disc drives a second disc into a third.
     fn player(lists: bool) -> ShotPlayer {
         let disc = Disc::from_g_mm(15.0, 20.0);
         let mut start = [0.0, 0.1, 0.2].map(|x| Motion::at_rest(DVec2::new(x, 0.1 * x)));

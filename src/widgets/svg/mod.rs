@@ -134,8 +134,8 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// Creates a picture whose area begins in the corner of the screen. `words` is its text
-    /// alternative. At a `scale` of 1, letters are 14 CSS pixels high.
+    /// Creates the SVG of a picture whose area begins in the upper left corner of the screen.
+    /// `words` is its text alternative. At a `scale` of 1, letters are 14 CSS pixels high.
     pub(crate) fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
         Self {
             words: words.to_owned(),
@@ -186,8 +186,8 @@ impl Render for Svg {
     }
 }
 
-/// A number in a picture. It is written with two decimal places, which is finer than any printer
-/// can resolve, and is always finite.
+/// A number in a picture. It is rounded to two decimal places, which is finer than any printer can
+/// resolve; a number that is not finite becomes 0.
 struct Number(f64);
 
 impl std::fmt::Display for Number {
@@ -226,7 +226,8 @@ impl std::fmt::Display for Paths {
     }
 }
 
-/// `text` escaped for XML; characters that XML does not allow become question marks.
+/// `text` escaped for XML; control characters, and others that XML does not allow, become question
+/// marks.
 fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {

@@ -32,12 +32,12 @@ pub struct PaintedPicture {
     /// The background colour, 0xRRGGBB.
     pub paper: u32,
     /// The elements for an SVG of the whole screen, in which a cell is 9 units wide and 18 units
-    /// high; empty in ASCII.
+    /// high; empty in ASCII, or if something has been drawn over most of the picture.
     pub svg: String,
 }
 
-/// The cells of a screen, row by row, and the pictures that were drawn in it. In ASCII there are
-/// only cells.
+/// The cells of a screen, row by row, and the pictures that were drawn in it. In ASCII the
+/// pictures have no vectors.
 pub fn painted(
     screen: &Buffer,
     pictures: &[DrawnPicture],

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use super::CELL;
 use crate::widgets::text::blocks::{BRAILLE, QUARTERS, octants, sextants};
 
-/// Adds the outline of a glyph in the cell whose corner is at `corner`; returns whether the glyph
-/// has a shape.
+/// Adds the outline of a glyph in the cell whose upper left corner is at `corner`; returns whether
+/// the glyph has a shape.
 pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> bool {
     let mut letters = symbol.chars();
     let (Some(glyph), None) = (letters.next(), letters.next()) else {

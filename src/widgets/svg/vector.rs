@@ -14,16 +14,16 @@ use crate::widgets::{Look, Role};
 
 /// The height of letters, in units of the picture.
 const LETTERS: f64 = 14.0;
-/// The height of a disc's letter, in radii of the disc.
+/// The height of the letter of one of many discs, in radii of the disc.
 const SIGN: f64 = 1.2;
 /// The length and half the width of an arrow's head, in units of the picture.
 const HEAD: (f64, f64) = (11.0, 4.2);
 /// The radius of the ring around a marked disc, in radii of the disc.
 const POINTED_OUT: f64 = 1.25;
-/// The number of pieces used for an arc that is only partly in the view.
+/// The number of pieces used for an arc or a circle that is not completely in the view.
 const PIECES: u32 = 180;
-/// A point of a line is left out if it is closer than this to the previous point, in units of the
-/// picture.
+/// A point of a line, other than the last, is left out if it is closer than this to the previous
+/// point, in units of the picture.
 const NEAR: f64 = 0.3;
 /// Half the width of a sign such as ● or ×, which is also the smallest radius of a disc.
 const DOT: f64 = 3.5;
@@ -350,7 +350,7 @@ impl Vectors<'_> {
         self.path(&path, self.inked(pen), "");
     }
 
-    /// Draws a disc of a collision, in a pale colour so that marks on it are clearly visible.
+    /// Draws a disc of a collision, in a faint colour so that marks on it are clearly visible.
     fn disc(&mut self, body: &Body) {
         let radius = self.length(body.radius);
         let role = self.rgb(body.role);

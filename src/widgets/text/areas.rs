@@ -30,7 +30,8 @@ impl From<Rect> for Room {
     }
 }
 
-/// The area of a framed picture with this size, in the corner of `area`, and the columns beside it.
+/// The area of a framed picture with this size, in the upper left corner of `area`, and the columns
+/// beside it.
 pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> [Rect; 2] {
     let [picture, panel] = left(area, columns.saturating_add(2));
     let [picture, _] = upper(picture, rows.saturating_add(2));
@@ -61,7 +62,8 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
 
 /// The area of a picture, and the area of a panel on its right that is `panel_columns` columns
 /// wide. In a portrait area, such as on a phone, the panel is below the picture, which is just high
-/// enough to be square, but takes at most three fifths of the rows.
+/// enough to be square, but takes at most three fifths of the rows. If `room` gives the sizes of
+/// pictures, the picture has one of these, and the panel fills the columns beside it.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;
     if let Some(sizes) = room.pictures {

@@ -112,7 +112,7 @@ mod tests {
         {
             assert_ne!(pixels_of(symbol), pixels_of(like), "{symbol}");
         }
-        // A subscript is below the middle of the line, an exponent above.
+        // A subscript is at the bottom of the line, an exponent at the top.
         let pixels = |letter| pixels_of(letter).unwrap();
         assert!(pixels("₄").iter().all(|column| column & 0b111 == 0));
         assert!(pixels("⁴").iter().all(|column| column >> RAISED == 0));

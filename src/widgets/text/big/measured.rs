@@ -9,7 +9,8 @@ use super::{BLANK, Ink, LetterSize, pixels_of};
 use crate::widgets::Charset;
 use crate::widgets::text::{self, terms};
 
-/// The maximum number of letters for which a group of words is kept together on one line.
+/// The maximum length of a group of words that is kept together on one line, in columns of plain
+/// text.
 const HELD: usize = 14;
 
 #[derive(Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 //! The letters are those of the public-domain font "8x8" (crate `font8x8`), set closely together.
 //! A pixel is an eighth of a cell (a braille dot), a quarter, half a cell or two cells. In ASCII,
 //! half a cell is a quotation mark or a full stop, and the smallest letters are those of `strokes`,
-//! because there are no smaller parts of a cell. In Unicode, the smallest letters have a braille dot
-//! for each pixel.
+//! because there are no smaller parts of a cell. In Unicode, the smallest letters have a braille
+//! dot for each pixel.
 
 mod letters;
 mod measured;
@@ -94,16 +94,18 @@ impl Big {
         })
     }
 
-    /// Sets text in lines of `columns` columns, broken between words but not between a number and
-    /// its unit; `None` if a word is too long for a line, or any letter has no large form.
+    /// Sets text in lines of `columns` columns, broken between words but, if possible, not between
+    /// a number and its unit; `None` if a word is too long for a line, or any letter has no large
+    /// form.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
         Self::begin(text, 0, size, (columns, u16::MAX), false)
             .filter(|big| big.words() == text.len())
     }
 
     /// Sets the text from the word at index `from` on, up to the first word that is too long for a
-    /// line of `columns` columns, or the first line that does not fit into `rows` rows. `at_top`
-    /// means that the text is at the top of a page, without an empty row above.
+    /// line of `columns` columns, or up to and including the first line that does not fit into
+    /// `rows` rows. `at_top` means that the text is at the top of a page, without an empty row
+    /// above.
     fn begin(
         text: &Rc<BigText>,
         from: usize,
