@@ -199,10 +199,10 @@ fn each_source(folder: &Path, look: &mut impl FnMut(&Path)) {
     }
 }
 
-/// The files of the crate by module, and the other files that each of them uses outside its tests.
+/// The code of the crate by module, without comments and tests.
 struct Files {
     code: BTreeMap<Vec<String>, String>,
-    /// The names that a file imports, and the module of each.
+    /// The names that a file imports from modules inside it, and the path of each.
     taken: BTreeMap<(Vec<String>, String), Vec<String>>,
 }
 
@@ -260,7 +260,7 @@ impl Files {
         let code = &self.code[module];
         let mut used = Vec::new();
         paths(code, module, &mut used);
-        // Paths to modules inside this one begin with neither `crate` nor `super`.
+        // Paths to modules inside this one need not begin with `crate` or `super`.
         for below in self.code.keys().filter(|it| it.starts_with(module)) {
             if let [name] = &below[module.len()..] {
                 let name = format!("{name}::");
@@ -273,7 +273,7 @@ impl Files {
             }
         }
         let homes = used.iter().filter_map(|path| self.home(path));
-        // A file and the modules inside it count as one module, which shares what the file defines.
+        // What a file defines is shared by all modules inside it, so using that does not count.
         homes.filter(|home| !module.starts_with(home)).collect()
     }
 

@@ -17,7 +17,7 @@ fn reduced_mass(c: &Collision) -> f64 {
     c.striker.mass * c.target.mass / (c.striker.mass + c.target.mass)
 }
 
-/// The greatest speed of a rim or a centre before the collision, in m/s.
+/// The greatest speed of a centre, or of a rim about its centre, before the collision, in m/s.
 fn fastest(c: &Collision) -> f64 {
     let rims = [
         c.rims.spins[0] * c.striker.radius,
@@ -193,8 +193,9 @@ fn the_throw_is_greatest_where_the_rims_just_stop_slipping() {
     }
 }
 
-/// By hand: 15 g discs of 15 mm, 4 m/s, α = 30°, e = 1, μᵣ = 0.05. Jₙ = 15 × 4 cos 30° = 51.96,
-/// Jₜ = 0.05 Jₙ = 2.598 (less than 7.5 × 2 / 3 = 5) g m/s, and ω = −2 × 2.598 / (15 × 0.015).
+/// By hand: 15 g discs with a radius of 15 mm, 4 m/s, α = 30°, e = 1, μᵣ = 0.05.
+/// Jₙ = 15 × 4 cos 30° = 51.96, Jₜ = 0.05 Jₙ = 2.598 (less than 7.5 × 2 / 3 = 5) g m/s, and
+/// ω = −2 × 2.598 / (15 × 0.015).
 #[test]
 fn an_example_worked_by_hand() {
     let piece = disc(15.0, 15.0);
@@ -289,7 +290,8 @@ impl State {
 }
 
 impl StiffContact<'_> {
-    /// The line between the centres, and the overlap, calculated without subtracting nearly equal lengths.
+    /// The line between the centres, and the overlap, calculated without subtracting nearly equal
+    /// lengths.
     fn place(&self, state: &State) -> (DVec2, f64) {
         let reach = self.c.contact_distance();
         let line = reach * self.normal + state.apart;
@@ -387,8 +389,7 @@ impl StiffContact<'_> {
     }
 
     /// The velocities and spins after the contact, with `steps` steps in each quarter period. The
-    /// contact is so short that the discs slide past each other by `shift` times the sum of their
-    /// radii.
+    /// contact is so short that the discs move by only about `shift` times the sum of their radii.
     fn outcome(c: &Collision, steps: f64, shift: f64) -> State {
         let normal = c.normal().unwrap();
         let lasts = shift * c.contact_distance() / fastest(c);
@@ -454,7 +455,7 @@ fn random_contact(seed: &mut u64) -> Collision {
 }
 
 /// The worst difference between the closed form and the integration, relative to the greatest
-/// speed in the contact, before or after.
+/// speed before or after the contact.
 fn worst_difference(contacts: usize, steps: f64, shift: f64) -> f64 {
     let mut seed = 28;
     let one = |_| {

@@ -5,7 +5,7 @@ use std::{env, fs};
 
 use serde_json::{Value, json};
 
-/// A browser with one window; dropping the value closes the window.
+/// A browser; dropping the value closes it.
 pub(crate) trait Browser {
     fn open(&mut self, address: &str);
 

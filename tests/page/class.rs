@@ -1,5 +1,5 @@
-//! The page on a pupil's device: a host serves it, the pupil joins and votes, and the page returns
-//! to its state after a reload or a lost connection.
+//! The page on a pupil's device: a host serves it, the pupil joins, votes and hands in answers, and
+//! the page returns to its state after a reload.
 
 use std::fs;
 use std::path::Path;
@@ -156,7 +156,7 @@ fn handed_in_files_are_merged_into_one_gradebook() {
         assert_eq!((it.class.as_str(), it.attempts.len()), ("10b", ALONE));
         assert!(it.attempts.iter().all(|it| it.right), "{}", it.name);
     }
-    // Zoë is not connected to a class now.
+    // Zoë has not joined a class.
     let mut browser = answered_alone(&teacher, "Zoë");
     let place = json!({ "behavior": "allow", "downloadPath": handed_in.to_str().unwrap() });
     browser.debug("Browser.setDownloadBehavior", &place);

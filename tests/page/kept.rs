@@ -1,5 +1,5 @@
-//! Answers given in the page are never lost, even if its tab is closed or reloaded, and the program
-//! can read them too.
+//! Answers that the page has saved are never lost, even if its tab is closed or reloaded, and the
+//! program can read them too.
 
 use std::fs;
 use std::time::Instant;
@@ -17,7 +17,7 @@ use crate::folder::Folder;
 /// The bytes of the page's `progress.db` as numbers.
 const PROGRESS: &str = "return [...window.carrom.call({ do: 'progress' }).bytes]";
 
-/// The number of answers that the page has reported to the player as saved so far.
+/// The number of times that the page has saved changes so far.
 const TOLD: &str = "return window.carrom.told()";
 
 /// The answers in the bytes of a database, as the program reads them from a file.
@@ -261,7 +261,7 @@ fn a_slow_browser_is_reported_while_nothing_else_is_drawn() {
     soon("saved", &|chromium| !saving(chromium));
 }
 
-/// A database of the program is opened in the page, and the merged database is read again.
+/// The page opens a copy of its own database, which the program can read too.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_database_of_the_program_is_opened_in_the_page() {
@@ -421,7 +421,7 @@ fn a_crafted_database_is_refused_before_it_is_queried() {
     assert_eq!(answers(&progress(&mut chromium)).len(), 1);
 }
 
-/// Waits until the page has reported this number of answers as saved.
+/// Waits until the page has saved changes at least this many times.
 fn wait_for_told(chromium: &mut Chromium, told: u64) {
     for _ in 0..400 {
         if chromium.run(TOLD, &[]).as_u64() >= Some(told) {
@@ -531,7 +531,7 @@ fn a_temporary_browser_fault_is_reported_once_and_loses_nothing_as_saving_is_ret
     let tries = chromium.run("return window.tries", &[]).as_u64().unwrap();
     let seconds = start.elapsed().as_secs();
     println!("{tries} attempts in {seconds} s with two answers and a setting");
-    // The first two attempts follow the two answers; the others follow at growing intervals.
+    // Besides the attempts that follow the two answers, there are retries at growing intervals.
     assert!((3..=8).contains(&tries), "{tries} tries in {seconds} s");
     assert_eq!(chromium.run(ASKS, &[]), json!(true));
     chromium.run("window.faulty = false", &[]);

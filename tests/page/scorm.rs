@@ -18,8 +18,8 @@ use crate::touch::{Phone, answer};
 /// The size of a phone's window, without the browser's bars.
 const SIZE: (u32, u32) = (390, 664);
 
-/// The platform's page. It begins with the data after `?` in its address. Until the window is
-/// closed, it keeps what a package has reported.
+/// The platform's page. It loads the data after `?` in its address, and keeps what a package
+/// reports until the page is left.
 const PLATFORM: &str = "<!doctype html><body style='margin:0'><script src='runtime.js'></script>
 <script>
   window.API = new Scorm12API({ autocommit: false, logLevel: 5 });
@@ -167,7 +167,7 @@ fn a_learning_platform_receives_a_round_that_is_interrupted_and_finished() {
     assert_eq!(lesson.received()["core"]["lesson_status"], "completed");
 }
 
-/// Some browsers do not let a page save anything if it is in a frame of another site.
+/// Some browsers do not let a page save anything if it is in a frame on another site.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_learning_platform_receives_a_round_from_a_browser_that_saves_nothing() {

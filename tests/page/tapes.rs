@@ -1,6 +1,6 @@
-//! Every tape of the project plays in the page as in the native program: whenever a tape takes a
-//! screenshot, expects or refuses something, the cells have the same letters, and the page's
-//! elements have the same text.
+//! Every tape of the project that uses a single device plays in the page as in the native program:
+//! whenever a tape takes a screenshot, expects or refuses something, the cells have the same
+//! letters, and the page's elements have the same text.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -50,7 +50,7 @@ impl Visit {
         }
     }
 
-    /// Asserts that nothing is cut off or illegible, and saves a screenshot.
+    /// Asserts that nothing scrolls sideways or is illegible, and saves a screenshot.
     fn look(&mut self, what: &str) {
         self.phone.wait();
         self.phone.assert_fits();
@@ -119,7 +119,7 @@ impl Visit {
         }
     }
 
-    /// Carries out the main action; returns whether there is one.
+    /// Carries out the main action; by touch, returns whether there is a button for it.
     fn go_on(&mut self) -> bool {
         if self.has_keyboard {
             let skips = self.phone.shows("Go on without answering");

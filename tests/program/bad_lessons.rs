@@ -1,4 +1,4 @@
-//! Files that are not chapters. Each causes only its own message, with file and line, and exit
+//! Chapters with errors. Each causes only its own message, with file and line, and exit
 //! status 2; the other chapters still open.
 //!
 //! `tests/bad-lessons/NAME.expected` contains the expected message for `NAME.md`.
@@ -27,7 +27,7 @@ fn the_other_chapters_open_despite_invalid_files() {
     let mut library = ChapterLibrary::embedded();
     let own = library.chapters.len();
     library.add_dir(&BAD.path());
-    // Chapters whose only fault is that they are too long for a small screen can be read.
+    // Chapters whose only fault is that they do not fit a small screen can be read.
     let readable = ["too-long", "formula-too-wide"];
     assert_eq!(library.chapters.len(), own + readable.len());
     let bad = bad_files::files(&library.problems);

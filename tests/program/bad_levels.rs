@@ -1,4 +1,4 @@
-//! Files that are not levels. Each causes only one message, with file, line, field and what was
+//! Files that are not levels. Each causes only its own message, with file, line, field and what was
 //! expected, and exit status 2.
 //!
 //! `tests/bad-levels/NAME.expected` contains the expected message for `NAME.toml`, or for the

@@ -1,4 +1,4 @@
-//! Runs the test program again as a separate process, which plays until it is killed.
+//! Runs the test program again as a separate process, which plays until it ends or is killed.
 
 use std::env;
 use std::io::{BufRead, BufReader, Write};
@@ -48,8 +48,8 @@ impl Player {
         }
     }
 
-    /// Kills the process shortly after it has reported `numbers` numbers, and returns the last of
-    /// them.
+    /// Kills the process shortly after it has reported `numbers` numbers, and returns the last
+    /// number that it reported.
     pub(crate) fn kill(mut self, numbers: usize, chance: &mut Pcg64) -> Option<usize> {
         let mut last = None;
         for _ in 0..numbers {

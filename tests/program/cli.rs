@@ -41,7 +41,7 @@ fn names(folder: &Folder) -> Vec<String> {
 fn the_glossary_is_printed_completely_or_by_term() {
     let all = out(&carrom(&["glossary", "--charset", "unicode"]));
     assert!(all.contains("impact angle, α, in °\n"), "{all}");
-    // A symbol selects only its own entry; words also select longer terms that contain them.
+    // A whole term or symbol selects only its own entry; other words, all terms that contain them.
     let json = out(&carrom(&["glossary", "θ₁", "--json"]));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let entries = json["entries"].as_array().unwrap();
@@ -325,7 +325,7 @@ fn an_exported_game_is_replayed_bit_for_bit() {
     assert!(game.contains(end));
     assert!(out(&text).contains(end));
     assert!(report.get("names").is_none());
-    // If the two people have names, the output uses these names.
+    // If a person has a name, the output uses it instead of the seat.
     let names = "names = { south = \"Ada\", north = \"\" }\ncall = ";
     let named = game.replacen("call = ", names, 1);
     let folder = Folder::new("replay-names");

@@ -1,4 +1,4 @@
-//! Damaged files of every kind that carrom opens: each is read, or refused with a message.
+//! Damaged files of many kinds: each is read, or refused with a message.
 //! `cargo test --test program damaged_files -- --nocapture` prints how many files of each kind were
 //! read and refused; `--include-ignored` adds a run with 1,430 files.
 
@@ -52,7 +52,7 @@ fn files(folder: &str, ending: &str, part: &str) -> Vec<Vec<u8>> {
     found
 }
 
-/// Runs carrom; a refusal is its message on standard error, which must name this file.
+/// Runs carrom; a refusal is what it prints, which must name this file.
 fn run(arguments: &[&str], file: &str) -> Refusal {
     let output = Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(arguments)

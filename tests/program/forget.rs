@@ -95,7 +95,7 @@ fn lesson(folder: &Folder) {
     fs::write(path.join("old/copy.toml"), &round).unwrap();
 }
 
-/// A round of another class, in which a pupil has the same name.
+/// A round of another class, with one pupil.
 fn other_class(folder: &Folder) -> Vec<u8> {
     let code = Code::parse("mixed-7").unwrap();
     let mut round = ClassRound::with_devices(code).of_class("10c");

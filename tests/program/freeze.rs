@@ -12,8 +12,7 @@ use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
 /// A level with a striker and 36 discs that almost touch, whose masses range over many powers of
-/// ten.
-/// Calculating how an impact spreads through them requires many thousands of steps.
+/// ten. Calculating how an impact spreads through them requires many thousands of steps.
 fn heavy_work() -> Folder {
     let mut level = String::from(
         "format = 1\n[level]\nid = \"heavy\"\ntitle = \"Heavy work\"\nhints = [\"a\", \"b\", \"c\"]\n\
@@ -149,7 +148,7 @@ fn ctrl_c_quits_during_an_endless_paste() {
 fn a_paste_beyond_the_limit_is_truncated_at_once() {
     let mut pty = Pty::start(carrom(&["class"]));
     pty.wait_for("carrom : class");
-    // The end of the paste never comes, and its text is shown only once it is truncated.
+    // The paste never ends, but its text is shown as soon as the paste is truncated.
     pty.press("\x1b[200~Ants\nBees\n");
     pty.press(&"\n".repeat(1 << 17));
     pty.wait_for("Bees");
