@@ -739,7 +739,7 @@ fn a_class_of_32_pupils_votes_with_cards_by_keys_alone() {
         screen.contains("The number of votes") && screen.contains("votes: "),
         "{screen}"
     );
-    // Only the teacher can read the tables and the report, because they may contain pupils' results.
+    // Only the teacher can read the tables and the report, which may contain pupils' results.
     #[cfg(unix)]
     for table in [
         "class-items-1.csv",
