@@ -11,8 +11,8 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-/// Routes to nearly every screen, and to rounds of the quiz: of each kind that is always in the menu,
-/// a review, and on each topic.
+/// Routes to nearly every screen, and to rounds of the quiz: one of each kind that is always in the
+/// menu, a review, and one on each topic.
 fn places() -> Vec<Route> {
     let mut places = vec![
         Route::Home,
