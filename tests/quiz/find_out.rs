@@ -1,6 +1,6 @@
 //! The course that finds out what a student believes, and the mixed course that tests for every
-//! misconception. Both ask the same questions on every machine, and name the misconception behind
-//! the answers.
+//! common misconception. With the same code and answers, both ask the same questions on every
+//! machine, and name the same misconception.
 
 use carrom::progress::{Attempt, Summary};
 use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round};

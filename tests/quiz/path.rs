@@ -31,8 +31,8 @@ struct Somebody {
 }
 
 impl Somebody {
-    /// Answers the round of a code like a student who holds a misconception or, if there is none,
-    /// answers all questions right or all wrong.
+    /// Answers the round of a code like a student who holds this misconception, if there is one.
+    /// The other questions are all answered right or all answered wrong.
     fn answers(&mut self, code: &str, holding: Option<Misconception>, right: bool) {
         let round = Round::of(Code::parse(code).unwrap());
         for (number, question) in (1..).zip(round.questions()) {

@@ -73,7 +73,7 @@ fn grade<'t>(paragraphs: impl IntoIterator<Item = &'t str>) -> f64 {
     0.39 * words / sentences + 11.8 * syllables / words - 15.59
 }
 
-/// The paragraphs of a chapter, with a blank for each formula and number.
+/// The paragraphs of a chapter, with a 0 for each formula and each computed number.
 fn paragraphs(chapter: &str) -> Vec<String> {
     let (_, pages) = chapter.split_once("\n+++\n").unwrap();
     let mut paragraphs = vec![String::new()];

@@ -270,7 +270,7 @@ fn check_inverses(text: &str) -> Result<usize, String> {
         let side = last_side(text, mark, [None; 2]).ok_or_else(|| format!("{mark}{text}"))?;
         let tokens = tokens(angle, [None; 2]);
         let chain = tokens.split(|(_, token)| *token == Token::End).next();
-        // The angle may be a sum: "180° − 71.6° = 108.4°".
+        // The angle may be the result of a calculation: "180° − 71.6° = 108.4°".
         let mut sides = chain
             .ok_or(text)?
             .rsplit(|(_, token)| *token == Token::Sign('='));

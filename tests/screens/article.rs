@@ -384,7 +384,7 @@ fn every_equation_that_the_article_lacks_is_shown() {
     }
 }
 
-/// The chapters print no number that would show whether the equations for an angle agree with the
+/// The chapters print too few numbers to show whether the equations for an angle agree with the
 /// engine.
 #[test]
 fn the_equations_of_the_angle_agree_with_the_engine() {

@@ -52,7 +52,7 @@ fn records(text: &str) -> Vec<csv::StringRecord> {
     reader.records().map(Result::unwrap).collect()
 }
 
-/// The only file in `folder` whose name begins with `name`.
+/// The text of the exported file with this name.
 fn exported(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join("exports").join(name)).unwrap()
 }
@@ -293,7 +293,7 @@ fn a_pause_is_blank_until_somebody_continues() {
         game.press("p");
     }
     game.press("p");
-    // The screen is also blank in the middle of a vote.
+    // A pause in the middle of a vote changes nothing.
     game.press("<Enter><Enter><Enter>40");
     let before = game.screen();
     game.press("pp");
@@ -739,7 +739,7 @@ fn a_class_of_32_pupils_votes_with_cards_by_keys_alone() {
         screen.contains("The number of votes") && screen.contains("votes: "),
         "{screen}"
     );
-    // Only the teacher can read the tables and the report, because they contain each pupil's results.
+    // Only the teacher can read the tables and the report, which may contain pupils' results.
     #[cfg(unix)]
     for table in [
         "class-items-1.csv",
@@ -750,7 +750,7 @@ fn a_class_of_32_pupils_votes_with_cards_by_keys_alone() {
         let about = fs::metadata(folder.path().join("exports").join(table)).unwrap();
         assert_eq!(about.permissions().mode() & 0o777, 0o600, "{table}");
     }
-    // Counted hands are anonymous and therefore have no rows.
+    // Counted votes are anonymous and therefore have no rows in this table.
     assert!(records(&exported(folder.path(), "class-answers-1.csv")).is_empty());
     let kept = kept(folder.path());
     assert_eq!((kept.len(), kept[0].voted(0, Vote::Second)), (1, 32));

@@ -224,7 +224,7 @@ fn with_nicknames_a_device_does_not_choose_its_name() {
     assert!(!class.game(Who::Host).screen().contains("Zwetschga"));
 }
 
-/// The set-up has a row for nicknames, and the round uses the choice made there.
+/// The set-up has a row that switches nicknames on.
 #[test]
 fn nicknames_are_chosen_in_the_set_up() {
     let place = Route::Class {

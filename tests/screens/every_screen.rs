@@ -11,7 +11,8 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-/// Every route, and a round of the quiz of every kind and on every topic.
+/// Routes to nearly every screen, and to rounds of the quiz: one of each kind that is always in the
+/// menu, a review, and one on each topic.
 fn places() -> Vec<Route> {
     let mut places = vec![
         Route::Home,

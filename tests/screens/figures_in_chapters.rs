@@ -60,7 +60,7 @@ impl Claim {
     }
 }
 
-/// Numbers that cannot be computed: years, numbers in a legend, measurements by others.
+/// Numbers that cannot be computed: years, given values, measurements by others.
 const NAMED: [&str; 25] = [
     "(A real coin has a mass of about 5.5 g;",
     "a real coin: 5.5 g,",
@@ -109,7 +109,7 @@ fn energy_share(outcome: &CollisionOutcome, mass_g: f64, speed: f64) -> f64 {
     0.5 * mass_g / 1000.0 * speed * speed / outcome.energy_before
 }
 
-/// α-particles from radium C on the gold foil of 1913, as in the figure of chapter 10.
+/// α-particles of this energy, in J, on a gold foil of this thickness, in m.
 fn gold_foil(energy: f64, thickness: f64) -> ScatteringLaw {
     let foil = Foil {
         metal: METALS[0],
@@ -128,7 +128,7 @@ fn on_the_screen(at_deg: f64, than_at_deg: f64) -> f64 {
     count(at_deg) / count(than_at_deg)
 }
 
-/// The factor by which a changed beam changes the count on a small screen at 60°.
+/// The factor by which a change of the beam or the foil changes the count on a small screen at 60°.
 fn at_60(changed: ScatteringLaw) -> f64 {
     let at = |law: ScatteringLaw| law.share_per_steradian(rad_from_deg(60.0)).unwrap();
     at(changed) / at(gold_foil(RADIUM_C_ENERGY, 2.1e-7))
@@ -461,7 +461,7 @@ fn claims() -> Vec<Claim> {
     );
     claim(14, "It is not [45]°,", 90.0 / 2.0);
     claim(14, "(Use g = [9.81] m/s².)", 9.80665);
-    // The height in centimetres at this speed.
+    // The height, in centimetres, that a body reaches if it starts upwards at this speed.
     let height = |v: f64| 100.0 * v * v / (2.0 * 9.80665);
     claim(14, "is [20.4] cm. If you", height(20.0 * 10.0 / 100.0));
     // With all of the energy, ½ m u² = (m + M) g h: h is m/(m + M) of the height for the speed u.
@@ -665,7 +665,7 @@ fn parted(text: &str, [open, close]: [&str; 2]) -> (String, String) {
     (outside + rest, inside)
 }
 
-/// The text without any number that follows this word, as in "chapter 3".
+/// The text without this word and any number that follows it, as in "chapter 3".
 fn unnumbered(text: &str, word: &str) -> String {
     let mut parts = text.split(word);
     let mut kept = parts.next().unwrap_or_default().to_owned();
@@ -675,7 +675,7 @@ fn unnumbered(text: &str, word: &str) -> String {
     kept
 }
 
-/// Every number in a sentence is printed by the engine, given by a shot of the chapter, or claimed
+/// Every number in a sentence is printed by the engine, given by a shot of the chapter, or listed
 /// here.
 #[test]
 fn every_number_has_a_source() {
@@ -721,7 +721,7 @@ fn every_number_has_a_source() {
 }
 
 /// The bars of the figure agree with what the chapter and the quiz say about a small screen: the
-/// counts of a beam so large that chance hardly matters follow the law.
+/// expected counts follow the law.
 #[test]
 fn the_bars_of_the_beam_agree_with_the_text() {
     let law = gold_foil(RADIUM_C_ENERGY, 2.1e-7);
@@ -730,8 +730,9 @@ fn the_bars_of_the_beam_agree_with_the_text() {
     let screen = |bin: usize| counts[bin] / CountedFor::Steradian.in_bin(bin);
     let ring = |bin: usize| counts[bin] / CountedFor::Ring.in_bin(bin);
     let at = |deg: f64| (deg / deg_from_rad(BIN_WIDTH)) as usize;
-    // From the bin of 15° to that of 150°, the counts on the screen fall by a factor of 2999, apart
-    // from the effect of the bins' width. In rings, the factor is only about 65 % of that.
+    // From the bin that begins at 15° to the one that begins at 150°, the counts on the screen fall
+    // by about as much as the law does between the middles of the bins, 17.5° and 152.5°. In rings,
+    // the factor is only about 65 % of that.
     let [on_screen, in_rings] = [
         screen(at(16.0)) / screen(at(151.0)),
         ring(at(16.0)) / ring(at(151.0)),

@@ -108,7 +108,7 @@ fn a_beam_starts_once_the_share_has_been_predicted() {
     game.press("c<Enter>");
     assert!(game.settle(LONG));
     assert!(game.screen().contains("59,000"));
-    // Another beam of the same kind needs no new prediction; a beam of another kind needs one.
+    // Another beam with the same settings needs no new prediction; one with other settings does.
     game.key(Key::Enter);
     assert!(game.app().wake().is_some());
     game.press("<Escape><Left><Enter>");
@@ -160,7 +160,7 @@ fn the_mouse_turns_pages_and_drags_the_particle() {
     assert!(game.screen().contains("> G 1 in 10,000"));
 }
 
-/// The page shows the complete counts of 1913.
+/// The page compares the counts of 1913 with the law, and explains the “1 in 8000” of 1909.
 #[test]
 fn the_last_page_shows_what_was_counted_and_what_was_not() {
     let mut game = foil(true, 1);

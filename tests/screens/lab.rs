@@ -33,8 +33,8 @@ fn beside(game: &mut Headless, name: &str) -> f64 {
         .unwrap_or_else(|_| panic!("{name}: {value}\n{screen}"))
 }
 
-/// Equal discs of radius r that stick at b = 2r sin α: in the centre-of-mass frame ω r = (μ b w /
-/// I) r = w sin α / 3, with μ = m/2 and I = m r² + 2 m r².
+/// Equal discs of radius r that approach at speed w and stick at b = 2r sin α: in the
+/// centre-of-mass frame ω r = (μ b w / I) r = w sin α / 3, with μ = m/2 and I = m r² + 2 m r².
 #[test]
 fn discs_that_stick_rotate_about_their_centre_of_mass() {
     for offset_mm in [0.0, 6.0, -15.0, 27.0] {

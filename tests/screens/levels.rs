@@ -112,8 +112,8 @@ fn every_level_is_won_by_its_solution_and_shows_its_whole_explanation() {
     }
 }
 
-/// A ray does not count as predicted until it has been turned: Enter alone neither makes the shot
-/// nor earns the star for the prediction.
+/// A ray does not count as predicted until it has been turned or its angle typed: Enter alone
+/// neither makes the shot nor earns the star for the prediction.
 #[test]
 fn enter_alone_gives_no_answer() {
     let shelf = embedded();
@@ -136,7 +136,7 @@ fn enter_alone_gives_no_answer() {
     assert!(asked > 20);
 }
 
-/// The last speed chosen applies to the next shot and to every other level.
+/// The last replay speed chosen applies to the next shot.
 #[test]
 fn the_last_speed_chosen_is_remembered() {
     let mut game = level(number("follow-on"));
@@ -475,7 +475,7 @@ fn invalid_files_of_a_teacher_are_listed_and_the_rest_can_be_played() {
     assert!(all_pages(&mut game).contains("last level"));
 }
 
-/// The panel of a screen without spaces and line breaks.
+/// The text of a screen's panel, without spaces and line breaks.
 fn squeezed(screen: &str) -> String {
     let side = |line: &str| line.rsplit_once("||").map(|(_, side)| side.to_owned());
     let rows = screen.lines().filter_map(side);

@@ -24,7 +24,7 @@ const FILMS: [(&str, &str); 3] = [
     ),
 ];
 
-/// The screen after a file has been opened as in the page: without masses, radii and scale.
+/// The screen after a file has been opened as on the web page: without masses, radii and scale.
 fn opened(folder: &Folder, film: usize, size: (u16, u16), charset: Charset) -> Headless {
     let (name, text) = FILMS[film];
     let reading = Reading {
@@ -117,7 +117,7 @@ fn masses_radii_and_scale_can_be_set_after_opening() {
     assert_shows(&mut game, &["The tracks contradict"]);
 }
 
-/// A mass that is typed but not confirmed is kept when the player leaves the settings.
+/// A mass that is typed but not confirmed is kept when the player moves to the next row.
 #[test]
 fn an_unconfirmed_number_is_kept_and_one_mass_alone_is_not_used() {
     let folder = Folder::new("measured");

@@ -136,7 +136,7 @@ fn each_player_has_their_own_notebook_and_a_mystery_coin_is_left_out() {
     );
 }
 
-/// The words that the page receives.
+/// The words that the web page receives.
 fn words(game: &mut Headless) -> String {
     let (_, sheets) = recorded(|| game.screen());
     let items = sheets.iter().flat_map(|sheet| &sheet.sections);

@@ -121,8 +121,8 @@ fn a_round_of_right_answers_earns_all_points() {
     }
 }
 
-/// For every misconception and every kind of question to which it applies, the screen shows its
-/// name and the whole explanation, in both charsets.
+/// For every misconception, the screen shows its name and the whole explanation. Rounds in ASCII
+/// and in Unicode alternate.
 #[test]
 fn every_misconception_is_named_and_fully_explained() {
     let mut met = [0; ALL.len()];

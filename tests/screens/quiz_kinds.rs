@@ -293,8 +293,8 @@ fn a_line_of_the_summary_is_opened_by_a_click() {
     );
 }
 
-/// A guessed topic is due at once; a review asks one question about each due topic, and has no code
-/// that could be passed on.
+/// A guessed topic is due at once; a review asks one question per topic, and has no code that could
+/// be passed on.
 #[test]
 fn a_review_asks_about_the_topics_that_are_due() {
     let mut game = choosing();
@@ -336,7 +336,7 @@ fn a_review_asks_about_the_topics_that_are_due() {
     assert!(game.screen().contains("choose a round"));
 }
 
-/// The questions of every family can be read, answered and reviewed.
+/// The questions of every topic can be read and answered, to the end of the round.
 #[test]
 fn every_family_is_played_on_every_screen() {
     for family in CourseKind::topics() {

@@ -7,8 +7,8 @@ use carrom::quiz::{Dice, Difficulty, Family, Form, Misconception};
 use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
 
-/// The tested widths of texts, from the width of a panel at 80×24. In fewer columns not every term
-/// fits.
+/// The tested widths of texts, from a little less than the width of a panel at 80×24. In fewer
+/// columns not every term fits.
 const COLUMNS: [usize; 5] = [26, 31, 38, 47, 70];
 
 /// The texts of chapters; each live number is replaced by a number with four digits.

@@ -12,7 +12,7 @@ use ratatui::layout::{Position, Rect};
 
 use crate::key_tables::moments;
 
-/// A size in columns and rows at which nothing is omitted and nothing is scrolled.
+/// A size in columns and rows at which almost nothing is omitted or scrolled.
 const ROOM: (u16, u16) = (160, 100);
 
 /// The drawn cells, the areas of the pictures, and the recorded sheets.

@@ -138,8 +138,8 @@ fn fell(tried: &Tried, piece: Piece) -> usize {
     tried.fell.iter().filter(|p| **p == piece).count()
 }
 
-/// The next stroke of South or North: South first incurs a due, then pockets coins, the queen, her
-/// cover, and the rest; North never pockets anything.
+/// The next stroke of South or North: South breaks, incurs a due, then pockets coins, the queen,
+/// her cover, and the rest; North never pockets anything.
 fn next_stroke(game: &Game, chance: &mut Pcg64, due_made: bool) -> Tried {
     let play = game.play();
     if game.team(game.seat()) == Team::Second {
@@ -222,7 +222,7 @@ fn seen(game: &mut Headless, charset: Charset) -> [usize; 3] {
         Charset::Ascii => (["o", "@", "Q"], "++"),
         Charset::Unicode => (["○W", "●B", "Q"], "╮╭"),
     };
-    // Without the title, the keys and the panel beside it.
+    // Without the title, the keys and the panel beside the board.
     let frame = screen.lines().nth(1).unwrap();
     let columns = frame.split_once(corners).unwrap().0.chars().count();
     let rows = screen.lines().filter(|row| row.starts_with(['|', '│']));
@@ -555,7 +555,7 @@ fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
     game.press("<Escape>");
     game.press(&"<Down>".repeat(7));
     chosen(&mut game, "0.80");
-    // The rows above and below it are unchanged.
+    // The rows above and below it still change with the keys.
     game.press("<Up><Right><Down><Down><Right>");
     let page = game.screen();
     let row = |name: &str, value: &str| {
