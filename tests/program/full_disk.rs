@@ -87,7 +87,7 @@ fn stars(store: &mut Store) -> Result<usize, String> {
     }
 }
 
-/// An undamaged database that fills about a sixth of the disk.
+/// An undamaged database that fills about a fifth of the disk.
 fn sound(folder: &Path) -> Vec<u8> {
     star(&mut Store::in_folder(folder).timeless(), "level-0").unwrap();
     let path = folder.join("progress.db");
@@ -101,7 +101,7 @@ fn sound(folder: &Path) -> Vec<u8> {
     fs::read(path).unwrap()
 }
 
-/// The names of the files on the disk, except the filler, the locks and SQLite's files beside a
+/// The names of the files on the disk, except the filler, the lock and SQLite's files beside the
 /// database.
 fn names(disk: &Path) -> Vec<String> {
     let entries = fs::read_dir(disk).unwrap();

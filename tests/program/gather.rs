@@ -154,7 +154,7 @@ fn pupils_on_the_class_list_without_a_hand_in_are_listed() {
         let text = hand_in(1, name, 2, 1).text().unwrap();
         fs::write(handed_in.join(file), text).unwrap();
     }
-    // As saved by a spreadsheet: a byte order mark, Windows line endings, and rows without a name.
+    // As saved by a spreadsheet: a byte order mark, Windows line endings, and a row without a name.
     let list = folder.file("list.txt", "\u{feff}ADA\r\nBo\r\n\r\n zoë söhne \r\nCy\r\n");
     let out = folder.path().join("class.html");
     let gather = |list: &str| {
@@ -171,7 +171,7 @@ fn pupils_on_the_class_list_without_a_hand_in_are_listed() {
         "{told}"
     );
     assert!(fs::read_to_string(&out).unwrap().contains("Bo, Cy"));
-    // A missing list is reported, and nothing is written.
+    // A missing list is reported.
     let (status, told) = gather("no-such-list.txt");
     assert_eq!(status, Some(2), "{told}");
     assert!(told.contains("no-such-list.txt"), "{told}");
@@ -462,7 +462,6 @@ fn an_answer_out_of_range_or_of_the_wrong_kind_is_refused() {
     }
 }
 
-/// Answers to questions of every family are accepted, including those to a teacher's own questions.
 #[test]
 fn answers_of_every_family_are_handed_in_and_read() {
     let rounds = Family::ALL

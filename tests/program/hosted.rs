@@ -21,7 +21,7 @@ use crate::handed_in::hand_in;
 use crate::pupil::{Pupil, answer, connect};
 use crate::teacher::{Teacher, kept};
 
-/// The page that is served in this test.
+/// The page that is served in these tests.
 const STUB: &str = "<html lang=\"en\"><meta http-equiv=\"Content-Security-Policy\" \
                     content=\"default-src 'none'; connect-src 'none'\">a page</html>";
 
@@ -142,7 +142,7 @@ fn a_round_is_resumed_at_the_port_where_its_devices_look_for_it() {
         ports[0]
     };
     let before = port_of(&free());
-    // Open it twice, as after a crash.
+    // Open the round twice, as after a crash.
     assert_eq!([opened(None, before), opened(None, before)], [before; 2]);
     // Another program uses the port now.
     let taken = free();
@@ -214,8 +214,8 @@ fn nobody_gets_in_without_the_code() {
 }
 
 /// One device guesses codes over many new connections at once; the host once checked 1,277 codes a
-/// second. Meanwhile another device can mistype the code and still join, and a device behind the
-/// same router that had joined before can return.
+/// second. Meanwhile another device can mistype the code and still join, and a device that has
+/// joined from the guesser's address can return.
 #[cfg(target_os = "linux")]
 #[test]
 fn guessing_codes_is_slow_over_any_number_of_connections() {

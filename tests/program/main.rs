@@ -1,5 +1,5 @@
-//! Runs the program as a person or a script does: its arguments, its output, the files it writes,
-//! and a real terminal; also killed at any moment.
+//! Runs the program as a person or a script does, with arguments or in a real terminal, and checks
+//! its output and the files it writes, even when it is killed at a random moment.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -207,7 +207,7 @@ fn the_real_game_in_a_terminal_saves_every_explained_answer() {
             data,
         ]));
         pty.wait_for("question 1 of 10");
-        // With reduced motion the explanation is shown at once.
+        // With reduced motion nothing moves; the contact is shown first.
         pty.press("M");
         for number in 1..=chance.random_range(1..4) {
             pty.wait_for(&format!("question {number} of 10"));
@@ -343,7 +343,7 @@ fn stars_are_saved_only_for_the_player_who_won_them() {
     assert_eq!(app_of("Bo").app().context().shelf.stars(0), 0);
 }
 
-/// Names that no player can have, but that a database may contain.
+/// Names that a database may contain, although no player can have some of them.
 fn hostile() -> [String; 6] {
     [
         "=HYPERLINK(\"http://x\")".into(),

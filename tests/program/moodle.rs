@@ -51,7 +51,7 @@ fn words(html: &str) -> String {
     text.replace('\u{a0}', " ")
 }
 
-/// The elements of the questions, without the category.
+/// The elements of the questions, without the categories.
 fn questions<'a>(document: &'a Document<'a>) -> Vec<Node<'a, 'a>> {
     let quiz = document.root_element();
     assert!(quiz.has_tag_name("quiz"));
@@ -234,8 +234,8 @@ fn every_question_grades_its_answers_and_returns_the_feedback_of_each_misconcept
     assert!(copied > 0, "no number shows the copied angle");
 }
 
-/// Moodle's tolerance is the same on both sides, so it also accepts a ratio up to 0.3 % below
-/// carrom's range.
+/// Moodle's tolerance is the same on both sides, so where carrom compares numbers by their ratio,
+/// Moodle also accepts a number up to 0.3 % below carrom's range.
 #[test]
 fn a_number_is_right_in_moodle_where_it_is_right_in_carrom() {
     for round in rounds() {

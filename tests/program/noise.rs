@@ -18,7 +18,7 @@ use crate::handed_in::hand_in;
 use crate::pupil::Pupil;
 use crate::teacher::{Teacher, kept};
 
-/// The page that is served in this test.
+/// The page that is served in these tests.
 const STUB: &str = "<html lang=\"en\">a page</html>";
 /// A round of ten questions of all forms.
 const ROUND: &str = "mixed10-0";
@@ -189,7 +189,7 @@ fn is_late(error: &std::io::Error) -> bool {
     matches!(error.kind(), TimedOut | WouldBlock)
 }
 
-/// A number that JSON may or may not allow.
+/// A number or something else in its place, which JSON may or may not allow.
 fn any_number(chance: &mut Pcg64) -> String {
     let numbers = [
         "-1",
@@ -328,9 +328,9 @@ fn anything(state: &Value, chance: &mut Pcg64) -> Message {
     Message::text(text)
 }
 
-/// Ten devices send random messages of all kinds during a whole round of ten questions: 10,000, or
-/// the number in `CARROM_MESSAGES`. The host keeps running, all votes of a pupil who votes
-/// normally are saved, and every vote on the disk is valid for its question.
+/// Ten devices send at least 10,000 random messages of all kinds, or the number in
+/// `CARROM_MESSAGES`, during a whole round of ten questions. The host keeps running, all votes of a
+/// pupil who votes normally are saved, and every vote on the disk is valid for its question.
 #[test]
 fn random_messages_from_ten_devices_neither_end_a_round_nor_leave_an_invalid_vote() {
     let messages = std::env::var("CARROM_MESSAGES").ok();

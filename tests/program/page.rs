@@ -123,7 +123,7 @@ fn a_scorm_package_contains_a_manifest_and_the_page_with_its_round() {
         all.find(|it| it.tag_name().name() == name).unwrap()
     };
     assert_eq!(named("schemaversion").text(), Some("1.2"));
-    // The names in the manifest refer to each other.
+    // Each reference in the manifest matches its target.
     let [organizations, organization, item, resource, file] =
         ["organizations", "organization", "item", "resource", "file"].map(named);
     assert_eq!(

@@ -156,7 +156,7 @@ fn plain_mode_asks_again_politely_after_an_unclear_line() {
 fn random_input_neither_crashes_plain_mode_nor_floods_its_output() {
     let folder = Folder::new("plain");
     let one_line: Vec<u8> = (0..10_000_000_u64).map(|i| (i * i % 251) as u8).collect();
-    // About 200 lines that contain every byte.
+    // About 200 lines that together contain every byte.
     let scattered = |i: u64| i.wrapping_mul(0x9e37_79b9_7f4a_7c15).to_be_bytes()[1];
     let lines: Vec<u8> = (0..50_000).map(scattered).collect();
     assert!(lines.iter().filter(|byte| **byte == b'\n').count() > 150);
@@ -207,7 +207,7 @@ fn a_round_is_chosen_by_its_number_or_its_code() {
     assert!(said.contains("Speeds after collisions."), "{said}");
 }
 
-/// A player who copies the given angle sees the name of this misconception, and then takes the
+/// A player who copies the given angle sees the name of this misconception, and then starts the
 /// check for it.
 #[test]
 fn a_misconception_is_found_in_plain_lines() {

@@ -5,7 +5,7 @@ use glam::DVec2;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// Makes a random legal move, nearly always a hard stroke, and returns it.
+/// Makes a random legal move, usually a stroke, and returns it.
 pub(crate) fn random_move(game: &mut Game, chance: &mut Pcg64) -> Move {
     loop {
         let lines = game.base_lines();

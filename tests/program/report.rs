@@ -379,7 +379,7 @@ fn one_answer_is_enough_for_a_report() {
         let report = report("Ada", &history, &[]);
         let html = report.html();
         let (_, text) = read_html(&html);
-        // 1 795 000 000 s is 18 November 2026, 10:53:20 UTC.
+        // 1 795 000 000 s is 18 November 2026, 11:06:40 UTC.
         assert_eq!(
             text("header"),
             "carrom · glancing collisionsAda1 answer on 18 November 2026"

@@ -323,7 +323,8 @@ fn messages_name_the_expected_input() {
     }
 }
 
-/// Anything in a folder of chapters that is not a file is reported, not ignored.
+/// Anything in a folder of chapters that is named like a chapter but is not a file is reported, not
+/// ignored.
 #[cfg(unix)]
 #[test]
 fn a_message_names_a_path_that_is_not_a_file() {

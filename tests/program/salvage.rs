@@ -1,6 +1,7 @@
-//! Databases damaged in ten ways: every row that SQLite can still find by its key is in the new
-//! file, and the damaged file is kept. `cargo test --test program salvage -- --nocapture`
-//! prints the numbers; `--include-ignored` adds a run with a thousand databases.
+//! Databases damaged in ten ways: at least 99 % of the rows that SQLite can still find by their
+//! keys are in the new file, and the damaged file is kept.
+//! `cargo test --test program salvage -- --nocapture` prints the numbers; `--include-ignored` adds
+//! a run with a thousand databases.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -127,7 +128,7 @@ fn sound(folder: &Path) -> Vec<u8> {
     });
     ask(&mut store, mark);
     drop(store);
-    // Adds more answers in one transaction, which is faster; a few long answers are enough.
+    // Add more rows in one transaction, which is faster; a few long answers are enough.
     let path = folder.join("progress.db");
     let more = Connection::open(&path).unwrap();
     more.execute_batch(&format!(

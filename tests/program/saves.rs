@@ -136,7 +136,7 @@ fn a_truncated_game_is_refused() {
     assert!(SavedGame::read("game", &bytes[..bytes.len() - 1]).is_ok());
 }
 
-/// Prints the game for `tests/saves/format-N.toml`, for the next N: 30 strokes by two people.
+/// Prints the game for `tests/saves/format-N.toml`, for the next N: 30 strokes by two players.
 #[test]
 #[ignore = "prints the file for a new format: cargo test --test program print_a_game -- --ignored --nocapture"]
 fn print_a_game_to_pin() {
@@ -572,7 +572,7 @@ fn many_games_saved_at_once_do_not_harm_each_other() {
     assert_eq!(leftovers(folder.path()), Vec::<String>::new());
 }
 
-/// The files in the folder of games that are not games.
+/// Files other than games and the lock in the folder for games.
 fn leftovers(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder.join("games")).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());

@@ -10,7 +10,7 @@ use crate::pty::Pty;
 
 /// How long a screen may take to show something.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// How long to wait for a vote to be saved before trying the next key.
+/// How long to wait for a vote to be saved before trying the next keys.
 const SOON: Duration = Duration::from_millis(300);
 /// The text that a device shows once its vote is on the disk.
 const IN: &str = "Your vote is in.";

@@ -178,7 +178,7 @@ fn the_anticlockwise_spin_gives_the_velocities_of_the_centres() {
         close(&stuck["spin_rad_s"], -spin);
         assert!(spin * offset <= 0.0 && (spin != 0.0 || offset == 0.0));
         // The relative velocity of the centres is ω × (the vector between them). This vector is
-        // along the line of impact and r1 + r2 = 22 mm long; its component perpendicular to the
+        // along the line of impact and r1 + r2 = 22 mm long; its component to the right of the
         // motion is the offset.
         let [along, across] = [(22.0_f64.powi(2) - offset * offset).sqrt(), -offset];
         let part = |name: &str, i: usize| stuck[name][i].as_f64().unwrap();
@@ -258,8 +258,8 @@ fn the_command_line_lists_the_values_that_it_assumes() {
     assert_eq!(json["assumed"][1], "u1 = 4 m/s");
 }
 
-/// 15 g discs of 15 mm at 4 m/s and 30°: Jₙ = 51.96 g m/s, Jₜ = 0.05 Jₙ = 2.598 g m/s, both discs
-/// spin clockwise at 2 × 2.598 / (15 × 0.015) = 23.09 rad/s, and tan δ = 0.05.
+/// 15 g discs of radius 15 mm at 4 m/s and 30°: Jₙ = 51.96 g m/s, Jₜ = 0.05 Jₙ = 2.598 g m/s, both
+/// discs spin clockwise at 2 × 2.598 / (15 × 0.015) = 23.09 rad/s, and tan δ = 0.05.
 #[test]
 fn rims_with_friction_throw_the_target_and_spin_both_discs() {
     let given = r#""m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"r1_mm":15,"r2_mm":15"#;
@@ -353,7 +353,7 @@ fn the_worked_solution_explains_the_throw() {
     );
 }
 
-/// The help and the guide describe every field of an answer and every sign convention.
+/// The help gives the sign conventions, and the guide names every field of an answer.
 #[test]
 fn the_signs_are_documented() {
     let help = words(&printed(&["--help"]));
@@ -431,7 +431,7 @@ fn blank_lines_are_skipped_but_counted() {
     assert_eq!(batch(b""), (Some(0), vec![]));
 }
 
-/// Every refusal names the field and what was expected.
+/// A refusal names the field that is at fault, if there is one.
 #[test]
 fn refusals_name_the_field() {
     for (line, said) in [

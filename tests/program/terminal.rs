@@ -304,7 +304,7 @@ fn a_terminal_that_cannot_position_text_is_refused() {
     pty.assert_restored();
 }
 
-/// Runs this test program again, to play its own app in a terminal.
+/// A command that runs this test program again, to play its own app in a terminal.
 fn child(role: &str) -> CommandBuilder {
     let this = env::current_exe().unwrap();
     let arguments = ["terminal::child_plays", "--exact", "--nocapture"];

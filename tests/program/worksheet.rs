@@ -13,7 +13,7 @@ use scraper::{Html, Selector};
 
 use crate::folder::Folder;
 
-/// One round of each kind and of each topic.
+/// One round of each topic, and rounds of other kinds.
 pub(crate) fn rounds() -> impl Iterator<Item = Round> {
     let topics = CourseKind::topics().map(|family| format!("{}-5", family.id()));
     let mixed = ["mixed12-7", "mixed1-3", "quick-5", "exam-3", "7"].map(str::to_owned);
@@ -100,7 +100,7 @@ fn the_key_has_all_right_answers_and_all_misconceptions() {
                 assert!(plain.contains(&line(&belief.says)), "{plain}");
             }
         }
-        // Choices without a known misconception have a row of their own with a general reply.
+        // Choices without a known misconception have rows of their own with their replies.
         for question in round.questions() {
             for (choice, reply) in &question.replies {
                 let said = question.form.words(&Response::Choice(*choice));
@@ -413,8 +413,9 @@ fn browse(browser: &str, folder: &Folder, arguments: &[&str]) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// A script that replaces the page with the heights of the unbreakable blocks in CSS pixels. A
-/// sheet is as wide on the screen as on paper.
+/// A script that replaces the page with the height of each unbreakable block, and how far it
+/// extends beyond the sheet on the right, in CSS pixels. A sheet is as wide on the screen as on
+/// paper.
 const MEASURE: &str = "<script>addEventListener('load', () => {
   const found = [...document.querySelectorAll('.question, .worked, figure, tr')];
   const lines = found.map(it => {

@@ -72,8 +72,8 @@ fn messages_do_not_depend_on_the_answer() {
     }
 }
 
-/// No figure in the message is the number that the question asks for, unless the text also contains
-/// that number.
+/// No number in the message's picture is the one that the question asks for, unless the text also
+/// contains it.
 #[test]
 fn no_figure_in_the_message_is_the_right_number() {
     for question in all() {

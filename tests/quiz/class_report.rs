@@ -13,8 +13,8 @@ const ABOUT: About = About {
     with_names: false,
 };
 
-/// A round of 27 simulated pupils; of those who are wrong at first, half
-/// change to the right answer.
+/// A round of 27 simulated pupils; of those who are wrong at first, about half change to the right
+/// answer.
 fn played(code: &str) -> ClassRound {
     let mut round = ClassRound::with_devices(Code::parse(code).unwrap()).of_class("10b <x>");
     round.open(JoinCode::of(7), None);

@@ -182,8 +182,8 @@ fn a_bad_file_gives_a_message() {
     assert!(ClassRound::read("noise", &noise, &Arc::default()).is_err());
 }
 
-/// A vote that fits no question once prevented the whole round from opening, or made carrom crash
-/// when the round was shown.
+/// An impossible vote once prevented the whole round from opening, or made carrom crash when the
+/// round was shown.
 #[test]
 fn an_impossible_vote_is_dropped_and_its_round_still_opens() {
     let questions = [

@@ -16,8 +16,8 @@ pub(crate) const SEEDS: u64 = 2_000;
 /// as many.
 const DRAWS: usize = 1_000;
 
-/// If a family shuffles its choices, at least two positions must each hold the right choice in at
-/// least this share of its questions. Each misconception must occur in at least this share of a
+/// If a family has questions with choices, at least two positions must each hold the right choice
+/// in at least this share of them. Each misconception must occur in at least this share of a
 /// family's questions at one difficulty or more.
 const NOW_AND_THEN: f64 = 0.02;
 
@@ -175,7 +175,7 @@ pub(crate) fn assert_question(question: &Question) {
     assert!((grade.points() - Grade::MOST).abs() < 1e-12);
     assert_eq!(question.diagnose(&truth), None, "{question:#?}");
 
-    // The last bit of a number, which differs between machines, must not change the question.
+    // The last bit of a number, which may differ between machines, must not change the question.
     let clearance = question.clearance();
     assert!(
         clearance > MIN_SEPARATION + 1e-9,
@@ -205,7 +205,7 @@ fn assert_can_be_said(question: &Question, said: &Response) {
         (Form::Number { quantity, .. }, Response::Number(x)) => {
             let range = quantity.smallest()..=quantity.largest();
             assert!(range.contains(x), "{x}: {question:#?}");
-            // The printed number has the same value.
+            // The printed number has nearly the same value.
             let printed = quantity.print(*x);
             let bare = printed.strip_suffix(quantity.unit()).unwrap();
             let typed: f64 = bare.trim_end().parse().unwrap();
@@ -242,7 +242,8 @@ fn assert_figures(question: &Question) {
     }
 }
 
-/// Fails unless every text fits in its space and no text gives the answer away.
+/// Fails unless every text fits in its space and the question does not contain the number that it
+/// asks for.
 fn assert_words(question: &Question) {
     assert_readable(&question.topic.name(), PANEL, 1);
     assert_readable(&question.text, PANEL, 10);
@@ -270,8 +271,8 @@ fn assert_words(question: &Question) {
         }
         Form::Rays { .. } | Form::Shot(_) => {}
     }
-    // Questions in words and those about both directions have longer explanations; a small panel
-    // scrolls.
+    // Questions in words, about the separation and about both directions have longer explanations;
+    // a small panel scrolls.
     let longest = match question.family {
         Family::Concept | Family::Ideas => 14,
         Family::Separation => 13,
