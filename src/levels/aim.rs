@@ -19,7 +19,7 @@ pub enum Dial {
 }
 
 impl Dial {
-    /// All dials, in the order in which they are declared; [`LevelAim`] relies on this order.
+    /// All dials, in the order in which they are declared; `LevelAim` relies on this order.
     pub const ALL: [Self; 5] = [
         Self::Direction,
         Self::Speed,

@@ -32,6 +32,8 @@ fn no_network_request_is_sent() {
     // nothing.
     chromium.run("new Image().src = 'http://127.0.0.1:9/seen'", &[]);
     thread::sleep(Duration::from_millis(300));
+    let asked = chromium.requests();
+    assert!(asked.iter().any(|it| it.ends_with("/seen")), "{asked:?}");
     let policy = "return document.querySelector('meta[http-equiv]').content";
     let policy = chromium.run(policy, &[]);
     assert!(policy.as_str().unwrap().contains("connect-src 'none'"));
