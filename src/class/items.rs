@@ -94,7 +94,7 @@ pub(crate) fn answer_name(question: &Question, said: &Response) -> String {
     }
 }
 
-/// How many votes changed to right and to wrong.
+/// How many votes changed from wrong to right, and how many from right to wrong.
 fn changed(round: &ClassRound, question: usize) -> Option<[usize; 2]> {
     if round.way() == WayOfVoting::Tally {
         return None;

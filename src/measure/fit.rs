@@ -468,8 +468,8 @@ fn around(guess: &State, points: [&[Point]; 2]) -> [State; 3] {
     })
 }
 
-/// Starting states for bodies that slow down: from a small deceleration to a stop soon after the
-/// contact.
+/// Starting states for bodies that slow down: from a small deceleration to a stop well before
+/// the last point.
 fn slower(start: &State, model: &Model, points: [&[Point]; 2]) -> [State; 3] {
     let duration = |body: usize| {
         let last = points[body].last().map_or(0.0, |point| point.t);

@@ -59,7 +59,6 @@ const DONE: u32 = 1;
 impl Review {
     /// Describes when the topic is due, relative to `today`: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
-        // The difference between two dates, in days, always fits.
         match usize::try_from((self.due - today).get_days()) {
             Ok(days @ 1..) => format!("in {}", counted(days, "day")),
             _ => "now".into(),

@@ -568,7 +568,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     lines
 }
 
-/// The line, but with one character in place of each number.
+/// The line, but with one `#` in place of each run of digits.
 fn without_figures(line: &str) -> String {
     let mut text = line.replace(|c: char| c.is_ascii_digit(), "#");
     while text.contains("##") {

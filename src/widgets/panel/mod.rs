@@ -276,7 +276,7 @@ impl<A> Panel<A> {
         self.pinned = self.blocks.len();
     }
 
-    /// Keeps the blocks that follow visible below the scrolling blocks.
+    /// Keeps the following blocks visible, below the scrolling ones.
     pub(crate) fn pin_below(&mut self) {
         self.below = Some(self.blocks.len());
     }

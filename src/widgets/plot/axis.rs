@@ -76,7 +76,7 @@ impl Axis {
         }
     }
 
-    /// The ticks of this axis: roughly `most` or fewer.
+    /// The ticks of this axis: no more than about `most` of them.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {

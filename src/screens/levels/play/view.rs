@@ -21,7 +21,7 @@ const SHOWN_EARLIER: usize = 2;
 
 type LevelPanel = Panel<LevelAction>;
 
-/// The board, or an impact enlarged, and the panel beside it.
+/// The board or an enlarged impact, and the panel beside it.
 pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelAction> {
     let level = play.level();
     let panel = panel(play, cx);
