@@ -388,7 +388,7 @@ fn flip(bytes: &mut [u8], bits: usize, chance: &mut Pcg64Mcg) {
 
 #[test]
 fn rows_between_damaged_pages_are_saved() {
-    damage_of_all_kinds(6);
+    damage_of_all_kinds(3);
 }
 
 #[test]
