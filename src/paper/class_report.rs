@@ -348,7 +348,7 @@ fn change(item: &ItemAnalysis) -> String {
     let [first, second] = item.votes.map(|it| percent(it.share_right()));
     let mut words = format!("Right: {first} before, {second} after.");
     if let Some([right, wrong]) = item.changed {
-        words += &format!(" Changed to right: {right}, to wrong: {wrong}.");
+        words += &format!(" Changed from wrong to right: {right}, from right to wrong: {wrong}.");
     }
     if let Some(gain) = item.gain {
         let gain = fixed(gain, 2);

@@ -32,7 +32,7 @@ pub enum Measure {
         sign: String,
         /// The unit of the number.
         unit: String,
-        /// The largest error that counts as right.
+        /// The largest error with which a number counts as right.
         tolerance: f64,
         /// The smallest and the largest permitted number.
         range: (f64, f64),
@@ -242,8 +242,8 @@ mod tests {
         }
     }
 
-    /// Because the distance is never less than the spacing, an answer that fits the truth or a
-    /// misconception fits no other answer, provided that the answers are far enough apart.
+    /// Because the distance is never less than the spacing, an answer that fits the right answer or
+    /// that of a misconception fits none of the others, provided that these are far enough apart.
     #[test]
     fn the_distance_is_never_less_than_the_spacing() {
         for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {

@@ -98,8 +98,8 @@ pub enum Misconception {
     SquareOnTheGround,
     /// The whole angle is used instead of half the angle.
     HalfAngleForgotten,
-    /// The count is assumed to decrease too slowly with the angle: with the second power of
-    /// sin(Θ/2) instead of the fourth.
+    /// The count is assumed to decrease with the angle as 1/sin²(Θ/2), which is slower than
+    /// the true 1/sin⁴(Θ/2).
     TooGentle,
     /// It is assumed that nothing heavy or fast ever bounces back.
     NeverBack,
@@ -157,9 +157,9 @@ impl Misconception {
         Self::FramesMixed,
     ];
 
-    /// The misconception that this one counts as in the codes of rounds, so that a code still gives
-    /// the same questions even though `upside-down` has been split; `None` for misconceptions that
-    /// were added later.
+    /// For the codes of rounds, the misconception that this one counts as, so that a code still
+    /// gives the same questions even though `upside-down` has been split; `None` for misconceptions
+    /// that were added later.
     pub fn in_codes(self) -> Option<Self> {
         match self {
             Self::HeavyRebounds

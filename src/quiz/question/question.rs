@@ -10,7 +10,8 @@ use super::{
 };
 
 /// Answers that are closer to each other than this, in units of the largest tolerance, cannot be
-/// told apart. The value is more than 2, so no answer can fit two answers that are this far apart.
+/// told apart. The value is more than 2, so no response can fit two answers that are this far
+/// apart.
 pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
@@ -56,7 +57,7 @@ pub struct WrongAnswer {
 }
 
 impl WrongAnswer {
-    /// The misconception that this answer counts as in the codes of rounds: see
+    /// For the codes of rounds, the misconception that this answer shows: see
     /// [`Misconception::in_codes`]. This is also `None` for a choice that showed no known
     /// misconception when the codes were fixed.
     pub fn in_codes(&self) -> Option<Misconception> {

@@ -24,7 +24,7 @@ const FEWEST: usize = 3;
 const BEFORE_HARD: usize = 3;
 
 /// The candidates drawn for each question: the families, and how many questions of each difficulty
-/// are drawn from each.
+/// are drawn from each family.
 pub(super) const CANDIDATES: [(Family, usize); 11] = [
     (Family::FromAngle, 1),
     (Family::FromOffset, 1),
@@ -98,8 +98,8 @@ impl Posterior {
         found.map_or(0.0, |(_, likely)| *likely)
     }
 
-    /// The information expected from the answer to a question, in bits, which is the mutual
-    /// information of the belief and the answer.
+    /// The information expected from the answer to a question, in bits: the mutual information
+    /// between the belief and the answer.
     fn information(&self, question: &Question) -> f64 {
         let by_chance = question.by_chance(Fit::Whole);
         let known = question.beliefs.iter();
@@ -119,7 +119,7 @@ impl Posterior {
             .clone()
             .map(|(likely, shows)| likely * (1.0 - shows))
             .sum();
-        // The answer of a student who holds none of these misconceptions can fit each of them only
+        // The answer of a student who holds none of these misconceptions can fit any of them only
         // by chance.
         let each = held
             .clone()

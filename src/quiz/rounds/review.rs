@@ -2,7 +2,7 @@
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
-/// The number of draws for a topic before another difficulty or another family is tried, which is
+/// The number of draws for a topic before another difficulty or another family is tried:
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 

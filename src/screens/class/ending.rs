@@ -153,7 +153,7 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     );
 }
 
-/// "A: 4 then 2; B: 17 then 19. gain 50 %. changed to right 3, to wrong 1"
+/// "A: 4 then 2; B: 17 then 19. gain 50 %. changed from wrong to right: 3, from right to wrong: 1"
 fn summary(question: &Question, item: &ItemAnalysis) -> String {
     let counts = item.counts.iter().map(|(said, [first, second])| {
         let name = answer_name(question, said);
@@ -165,7 +165,9 @@ fn summary(question: &Question, item: &ItemAnalysis) -> String {
         summary.push(format!("gain {:.0} %", 100.0 * gain));
     }
     if let Some([right, wrong]) = item.changed {
-        summary.push(format!("changed to right {right}, to wrong {wrong}"));
+        summary.push(format!(
+            "changed from wrong to right: {right}, from right to wrong: {wrong}"
+        ));
     }
     summary.retain(|it| !it.is_empty());
     summary.join(". ")

@@ -174,8 +174,8 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// The next or the previous step of the question, as `beside` returns it; on devices,
-    /// predicting and voting are one step.
+    /// The next or the previous step of the question, depending on `beside`; on devices, predicting
+    /// and voting are one step.
     fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
         let skips = self.stage.round().way() == WayOfVoting::Devices;
         match beside(self.stage.step())? {

@@ -1,4 +1,4 @@
-//! The real outcome of a question, and its explanation.
+//! The real outcome, and its explanation.
 
 use super::ClassAction;
 use super::question;
@@ -11,7 +11,7 @@ use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::panels::Heading;
 use crate::widgets::{Role, draw_question, lettered, text};
 
-/// The real outcome of a question, and its explanation.
+/// The real outcome, and its explanation.
 #[derive(Debug, Clone)]
 pub(super) struct ClassReveal {
     /// The collision, if the question is about one.
@@ -120,7 +120,7 @@ fn commonest(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAn
     shared.into_iter().flatten().max_by_key(|it| it.count)
 }
 
-/// The misconception that the votes support most.
+/// The misconception for which the votes are the strongest evidence.
 fn commonest_belief(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let all = evidence(&round.clues(question, vote));
     let most = all.into_iter().find(|it| it.times > 0)?;

@@ -16,7 +16,7 @@ use crate::widgets::{Role, draw_question};
 /// The maximum number of characters that can be typed.
 const LONGEST: usize = 40;
 
-/// The counts in the example of what to type, which uses one count for each choice.
+/// The counts in the example of what to type; the example has one count for each choice.
 const EXAMPLE: [&str; 6] = ["4", "17", "9", "2", "5", "3"];
 
 /// Counts that are being typed: "4 17 9 2".

@@ -125,7 +125,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     plot.label(&legend, at, &[LabelSide::Right], role);
 }
 
-/// A fraction as a percentage with its sign.
+/// A fraction as a signed percentage.
 fn signed(share: f64) -> String {
     format!("{:+.0}%", 100.0 * share).replace('-', "−")
 }

@@ -148,7 +148,7 @@ mod tests {
         action.map(|action| figure.act(action)).is_some()
     }
 
-    /// The curve agrees with the statements in chapter 10 and in the quiz about a small screen.
+    /// The curve agrees with the statements about a small screen in chapter 10 and in the quiz.
     #[test]
     fn on_a_small_screen_the_counts_decrease_as_the_texts_say() {
         let figure = FoilFigure::new(FoilPage::Counts, false, false);
@@ -161,7 +161,7 @@ mod tests {
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
         assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
         assert_eq!((at(60.0) / at(120.0)).round(), 9.0);
-        // At half a small angle the count is about sixteen times as high.
+        // Halving a small angle makes the count about sixteen times as high.
         for small in [4.0, 10.0, 20.0] {
             let times = at(small / 2.0) / at(small);
             assert!((times - 16.0).abs() < 0.4, "{times}");

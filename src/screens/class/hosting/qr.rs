@@ -55,7 +55,7 @@ impl Qr {
         module.is_some_and(|place| self.code[place] == Module::Dark)
     }
 
-    /// Draws the code into the upper left corner of an area, on white.
+    /// Draws the code in the upper left corner of an area, on white.
     pub(super) fn draw(&self, place: Rect, buf: &mut Buffer) {
         let (columns, rows) = self.size();
         let colour = |dark: bool| self.colours[usize::from(dark)];
