@@ -24,7 +24,7 @@ pub struct View<'s, A> {
     pub(super) second: Panel<A>,
     /// A small picture, made of cells, below the second part if that part leaves enough cells.
     pub(super) inset: Option<(&'static str, DrawPicture<'s>)>,
-    /// A panel that is always visible below both, as high as its text.
+    /// A panel that is always visible below both parts, as high as its text.
     pub(super) foot: Option<Panel<A>>,
     /// Whether keys go to the larger part first; `None` if only one part takes keys.
     pub(super) focus: Option<bool>,

@@ -11,7 +11,7 @@ pub trait AppHolder {
     /// The app.
     fn app(&mut self) -> &mut App;
 
-    /// Carries out a request of the app. Returns the result if there is one at once.
+    /// Carries out a request of the app. Returns the result if it is available at once.
     fn carry_out(&mut self, effect: Effect) -> Option<Input>;
 
     /// Carries out requests of the app and passes on their results.

@@ -73,7 +73,7 @@ const NAMED: [&str; 25] = [
     "For their paper of 1913",
     "One in 8000",
     "In 1909 Geiger and Marsden found that about 1 α-particle in 8000",
-    "The 1 in 8000 is often quoted",
+    "The 1 in 8000, often quoted",
     "The same: 1 in 8000.",
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",

@@ -67,7 +67,7 @@ pub(super) static SETTINGS: [Setting; 11] = [
         id: "motion",
         words: &["full", "reduced"],
         name: "motion",
-        about: "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key that changes this setting.",
+        about: "Reduced: nothing slides. Pictures jump straight to the contact, and then to the result. The help of every screen shows the key that changes this setting.",
         at: |settings| settings.reduced_motion.into(),
         choose: |settings, at| settings.reduced_motion = at > 0,
     },

@@ -18,7 +18,7 @@ pub struct Settings {
     pub palette: Palette,
     /// The number of colours that the screen supports.
     pub depth: Depth,
-    /// Whether pictures jump from before the contact to the contact, and then to the result.
+    /// Whether pictures jump straight to the contact, and then to the result.
     pub reduced_motion: bool,
     /// Whether each step of the explanation of a collision waits for a key.
     pub wait_at_beats: bool,
@@ -76,7 +76,7 @@ impl Settings {
     pub(crate) const MOST_WATCHED: u8 = Self::FIRST_OBSERVED + 9;
 
     /// Counts a predicted hit that is about to be watched; returns whether the player is asked what
-    /// they saw: in the first three hits, and then in every tenth.
+    /// they saw: for the first three hits, and then for every tenth.
     pub(crate) fn asks_what_is_seen(&mut self) -> bool {
         if !(self.observe && self.sees) {
             return false;

@@ -10,7 +10,7 @@ const STROKES: [(Rules, [f64; 5]); 3] = [
     (Rules::Friendly, [50.8, 33.4, 24.5, 16.1, 11.9]),
     (Rules::Points, [37.1, 27.2, 17.9, 9.7, 6.2]),
 ];
-/// The mean number of boards in a tournament game, from the same games.
+/// The mean number of boards in a tournament game, from the games measured for [`STROKES`].
 const BOARDS: [f64; 5] = [7.8, 7.7, 7.4, 6.6, 5.9];
 /// The mean number of games in a match between equals: two or three with the same probability.
 const GAMES: f64 = 2.5;

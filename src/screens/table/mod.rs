@@ -32,7 +32,6 @@ use new_game::{NewGame, NewGameAction};
 pub use options::Options;
 use saved_games::{SavedGames, SavedGamesAction};
 
-/// A panel of the table.
 type TablePanel = Panel<TableAction>;
 
 /// The table.

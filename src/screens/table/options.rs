@@ -93,8 +93,8 @@ impl Options {
         }
     }
 
-    /// The team whose human players call the strokes from a seat: the strokes of their own team,
-    /// and those of opponents who are all computers.
+    /// The team whose human players call the strokes made from this seat: they call their own
+    /// team's strokes and, if all opponents are computers, the opponents' strokes.
     pub(super) fn caller(&self, game: &Game, seat: Seat) -> Team {
         let own = game.team(seat);
         let has_person = |team: Team| {
@@ -124,7 +124,7 @@ impl Options {
         !self.setup.rules.is_alone() && self.count(Player::Person) > 1
     }
 
-    /// Whether two people play each other; they may have names.
+    /// Whether two people play each other, and so may have names.
     pub(super) fn has_names(&self) -> bool {
         self.setup.hands == Hands::Two && self.is_shared()
     }

@@ -54,7 +54,7 @@ pub struct Host {
     options: HostOptions,
     wake: Arc<dyn Fn() + Send + Sync>,
     board: Option<Arc<Switchboard>>,
-    /// News for the screen that does not come from pupils.
+    /// News for the screen, except news from pupils.
     news: Vec<HostNews>,
 }
 

@@ -423,7 +423,7 @@ fn is_head(item: &Item) -> bool {
     }
 }
 
-/// A row of a table, with each value after the head of its column.
+/// A row of a table, with each value after the heading of its column.
 fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> String {
     let Words::Columns { name, values } = &item.words else {
         return String::new();

@@ -54,7 +54,7 @@ pub enum AimAction {
     Hint,
     /// practice: arrange the coins
     LayOut,
-    /// practice: take back the last stroke or change to the coins
+    /// practice: undo the last stroke or the last change to the coins
     Undo,
 }
 

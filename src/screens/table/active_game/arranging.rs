@@ -21,7 +21,7 @@ const STEP: f64 = 0.002;
 /// The notice that is shown if there is no coin to pick up.
 const NO_COIN: &str = "There is no coin under the hand.";
 
-/// A hand over the board, which may hold a coin; at first it is empty and over the middle.
+/// A hand that may hold a coin; at first it is empty and over the middle of the board.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Arrange {
     /// The position of the hand, in metres.
@@ -44,7 +44,7 @@ pub enum ArrangeAction {
     Add(Piece),
     /// remove the coin under the hand
     RemoveCoin,
-    /// practice: take back the last stroke or change to the coins
+    /// practice: undo the last stroke or the last change to the coins
     Undo,
 }
 

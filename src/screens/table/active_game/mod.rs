@@ -189,7 +189,6 @@ impl ActiveGame {
         self.game().setup().board_code()
     }
 
-    /// Whether it is the computer's turn.
     fn is_computers_turn(&self) -> bool {
         self.options.player(self.seat()) == Player::Computer
     }

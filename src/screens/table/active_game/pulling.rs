@@ -128,8 +128,8 @@ impl ActiveGame {
         }
     }
 
-    /// Whether a drag of the striker to this point goes straight back from where the drag began. In
-    /// a game, never with a flat aim.
+    /// Whether a drag of the striker to this point goes straight back from where the drag began; in
+    /// a game with a flat aim, always `false`.
     fn is_straight_back(&self, at: DVec2, before: &Aim) -> bool {
         let seat = self.seat();
         let heading = before.heading(seat);
@@ -235,7 +235,8 @@ mod tests {
         assert!(game.is_pulling());
     }
 
-    /// In small steps, the striker once moved along with the mouse and was never pulled.
+    /// In an earlier version, if the mouse moved in small steps, the striker moved along with it
+    /// and was never pulled.
     #[test]
     fn in_practice_a_slow_drag_backwards_pulls_in_any_direction() {
         for direction in [0.0, 90.0, 200.0] {

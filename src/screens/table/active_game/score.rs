@@ -55,7 +55,7 @@ pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut
     }
 }
 
-/// Warns the player who strikes next of the two situations that cost the most.
+/// Warns the player who strikes next about the two situations that cost the most.
 pub(super) fn write_warning<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     let (game, play) = (active.game(), active.game().play());
     let own = play.on_board(game.colour(game.team(active.seat())));

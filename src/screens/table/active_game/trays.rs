@@ -156,8 +156,8 @@ fn put((column, row): (u16, u16), words: &str, role: Role, buf: &mut Buffer, loo
     }
 }
 
-/// The cell of a piece on the frame, after a fraction of its path from the corner where it fell to
-/// a column of the lower frame.
+/// The cell of a piece on the frame, after a fraction of its path from its pocket to a column of
+/// the lower frame.
 fn on_the_frame(board: Rect, corner: usize, column: u16, share: f64) -> (u16, u16) {
     let left = f64::from(board.x) - 1.0;
     let right = f64::from(board.right());

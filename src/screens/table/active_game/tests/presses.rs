@@ -15,8 +15,8 @@ use crate::screens::table::aim::{SPEEDS, along_the_screen};
 use crate::widgets::input::EntryAction;
 
 /// The tolerances within which a stroke counts as set: in metres, degrees and m/s. On a straight
-/// path to a disc, the intended direction is from the position that was set to the striker's
-/// position at its first contact.
+/// path to a disc, the intended direction runs from the striker's position, as set with the keys,
+/// to its position at the first contact.
 const NEAR: (f64, f64, f64) = (0.001, 0.1, 0.05);
 /// A margin for rounding errors in the tolerances.
 const ROUNDING: f64 = 1e-9;
