@@ -320,7 +320,7 @@ impl PlainReader {
         }
     }
 
-    /// Whether the screen is still the same.
+    /// Whether the app still shows the screen of `page`.
     fn is_the_same(&mut self, holder: &mut dyn AppHolder) -> bool {
         let now = self.look(holder.app());
         now.title == self.page.title && now.layer == self.page.layer
