@@ -11,8 +11,8 @@ pub(crate) struct NumberSpec {
 }
 
 impl NumberSpec {
-    /// A kind of number: `what` it is, such as "a mass", the text after the number, such as " g",
-    /// and its inclusive bounds.
+    /// A kind of number: `what` describes it, such as "a mass"; `unit` is the text after the
+    /// number, such as " g"; the bounds are inclusive.
     pub(crate) const fn new(what: &'static str, unit: &'static str, from: f64, to: f64) -> Self {
         let bounds = Range { from, to };
         Self { what, unit, bounds }
@@ -51,8 +51,7 @@ impl Range {
         number.max(self.from).min(self.to)
     }
 
-    /// The number that lies the fraction `share`, from 0 to 1, of the way from the lower bound to
-    /// the upper.
+    /// The number at a fraction `share`, from 0 to 1, of the way from the lower bound to the upper.
     pub(crate) fn at(&self, share: f64) -> f64 {
         self.from + share * (self.to - self.from)
     }

@@ -33,8 +33,8 @@ pub enum Unwritten {
 
 /// Writes documents, and creates missing folders.
 ///
-/// All of them are written completely before any gets its final name, so a full disk leaves only
-/// the previous files. Pipes and devices are written to directly; links are followed.
+/// All of them are written completely before any gets its final name, so if the disk is full,
+/// only the previous files remain. Pipes and devices are written to directly; links are followed.
 ///
 /// # Errors
 /// Returns an error about the first file that exists and must be kept, or that cannot be written.

@@ -112,7 +112,7 @@ impl<'a> Source<'a> {
         self.errors.borrow_mut().clear();
     }
 
-    /// The result for a line, or `None` with its message noted.
+    /// The value made from a line; on an error, notes the message and returns `None`.
     pub(crate) fn accept<T>(&self, line: usize, made: Result<T, String>) -> Option<T> {
         match made {
             Ok(made) => Some(made),

@@ -42,8 +42,8 @@ pub(crate) fn for_the_queen(set: PieceSet, coins: &[Coin]) -> DVec2 {
     nearest(set, coins, DVec2::ZERO, 0.0, f64::INFINITY).unwrap_or(DVec2::ZERO)
 }
 
-/// The free position nearest to `wanted` at a distance between `hole` and `rim` from the centre of
-/// the board; `None` if there is none.
+/// Of the free positions at a distance between `hole` and `rim` from the centre of the board, the
+/// one nearest to `wanted`; `None` if there are none.
 fn nearest(set: PieceSet, coins: &[Coin], wanted: DVec2, hole: f64, rim: f64) -> Option<DVec2> {
     let spacing = 2.0 * set.coin_radius() + GAP;
     let circle = |centre, radius| Circle { centre, radius };
@@ -72,8 +72,8 @@ fn nearest(set: PieceSet, coins: &[Coin], wanted: DVec2, hole: f64, rim: f64) ->
     })
 }
 
-/// The point of a circle nearest to `to`; if all points are equally near, the point straight up
-/// from the centre.
+/// The point of a circle that is nearest to `to`; if all points are equally near, the one straight
+/// above the centre.
 fn closest_on(circle: &Circle, to: DVec2) -> DVec2 {
     let way = (to - circle.centre).try_normalize().unwrap_or(DVec2::Y);
     circle.centre + way * circle.radius

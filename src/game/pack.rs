@@ -2,7 +2,7 @@
 //!
 //! The queen is in the centre, with six coins of alternating colour around her and twelve around
 //! those. The second ring has six corners, straight behind the coins of the first, and six
-//! positions between them. Three white corners make a Y with the whites of the first ring;
+//! positions between the corners. Three white corners make a Y with the whites of the first ring;
 //! alternating the rest makes every corner white and every position between corners black: 3 + 6 =
 //! 9 white and 3 + 6 = 9 black.
 

@@ -30,7 +30,7 @@ pub enum Misplaced {
     /// The striker would touch a coin.
     #[error("the striker must not touch the {0}")]
     OnACoin(Piece),
-    /// The striker would be in the frame or beyond it.
+    /// The striker would overlap the frame or be beyond it.
     #[error("the striker must be inside the frame")]
     OutsideTheFrame,
     /// The striker would fall straight into a pocket.
@@ -155,8 +155,8 @@ impl<'a> BaseLines<'a> {
         clear_of_coins(self.set, self.coins, at)
     }
 
-    /// The legal position nearest to `at`, halfway between the base lines. Distances are measured
-    /// along the lines.
+    /// Of the legal positions halfway between the base lines, the one nearest to `at`. Distances
+    /// are measured along the lines.
     ///
     /// `None` if coins block the whole length, which requires at least seven coins on the base
     /// lines.

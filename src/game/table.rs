@@ -81,7 +81,7 @@ pub struct Game {
 
 impl Game {
     /// A new game with the pack set up. In singles, South breaks first unless `setup` names North,
-    /// because nobody sits at the other sides.
+    /// because nobody sits at East or West.
     pub fn new(setup: GameSetup) -> Self {
         let first_breaker = match setup.hands {
             Hands::Two if !setup.hands.plays(setup.first_breaker) => Seat::South,

@@ -12,7 +12,7 @@ use crate::quiz::{Clue, Code, Course, CourseKind, Misconception};
 pub struct Learning<'a> {
     /// The codes of both forms.
     pub codes: [String; 2],
-    /// The number of questions of each form.
+    /// The number of questions in each form.
     pub count: usize,
     /// The pupils who answered every question of both forms.
     pub matched: Vec<Matched<'a>>,

@@ -14,7 +14,7 @@ use crate::quiz::Figures;
 /// A pupil with all answers from all hand-ins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pupil {
-    /// The name; in the same class, a second pupil with this name is "Ada (2)".
+    /// The name; a second pupil called Ada in the same class is "Ada (2)".
     pub name: String,
     /// The class, as the pupil wrote it.
     pub class: String,

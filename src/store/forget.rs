@@ -82,8 +82,8 @@ fn look_through(
     files: &mut Vec<String>,
 ) -> Result<(), String> {
     let report = |error: std::io::Error| format!("{}: {error}", folder.display());
-    // Nobody uses the files in these folders that were left unfinished when carrom was killed, but
-    // they may contain names.
+    // Nobody uses the unfinished files that a killed copy of carrom left in these folders, but they
+    // may contain names.
     let holds_pupils = [CLASSES, HANDED_IN, "exports"].contains(&within);
     for entry in fs::read_dir(folder).map_err(report)? {
         let entry = entry.map_err(report)?;

@@ -16,10 +16,10 @@ const ASIDE: &str = "progress-damaged";
 const EXPORTS: &str = "exports/";
 
 impl Store {
-    /// Replaces the saved games, class rounds and databases of a store in memory with these files,
-    /// the latest last, because another copy of carrom has changed them. Open games and rounds stay
-    /// open. A damaged database is kept under another name, and its readable rows are copied into a
-    /// new one.
+    /// Replaces the saved games, class rounds and databases of an in-memory store with these files
+    /// (the latest last), because another copy of carrom has changed them. Open games and rounds
+    /// stay open. A damaged database is kept under another name, and its readable rows are copied
+    /// into a new one.
     pub fn renew(&mut self, files: &[FileBytes]) {
         self.games.renew(Memory::holding(GAMES, TEXT, files));
         self.classes.renew(Memory::holding(CLASSES, TEXT, files));

@@ -5,7 +5,7 @@ use super::points::Taken;
 use crate::game::pieces::{COINS_EACH, Colour};
 use crate::numbers::{capital, counted};
 
-/// Points for the queen, for a winner whose score allows them (25b).
+/// The points for the queen if the winner's score allows them (25b).
 pub(super) const QUEEN_POINTS: u8 = 3;
 /// From this score on, the queen is worth no points (27).
 pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;

@@ -92,8 +92,8 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
     }
 }
 
-/// The verdict if coins block every position of the striker. The Laws do not cover this case; the
-/// turn passes without a penalty. A board for one player is then lost.
+/// The verdict if coins block every position of the striker. The Laws do not cover this case: the
+/// turn passes without a penalty, but a board for one player is lost.
 pub(crate) fn no_place(rules: Rules, to_cover: bool) -> Verdict {
     if rules == Rules::Solo {
         let text = "Coins block every position of the striker, so the board is lost.";

@@ -2,7 +2,7 @@
 //! pocket any coin.
 //!
 //! - A black coin counts 1 point, a white one 2, and the queen 5 if she is covered: 32 points in
-//!   all. The first side with more than half of them, 17, wins the board.
+//!   all. The first side with more than half of them (17 or more) wins the board.
 //! - Pocket any piece, and you play on.
 //! - The queen may be taken at any time and must be covered: with any coin in the same stroke or
 //!   the next. Otherwise, or if the striker falls, she goes back to the centre.

@@ -39,8 +39,8 @@ mod tests {
 
     use crate::game::{BoardCode, Coin, Game, GameStage, Piece, Stroke, Team};
 
-    /// A board after a stroke that pockets `fell` coins, and the striker if `fouls` is set; also
-    /// returns what the referee says.
+    /// A game after a stroke that pockets `fell` coins (and the striker if `fouls` is set), and
+    /// what the referee says.
     fn after(fell: usize, fouls: bool) -> (Game, String) {
         let mut game = Game::new(BoardCode::from_number(4711).unwrap().setup());
         let coins = game.coins().to_vec();

@@ -11,7 +11,7 @@ use crate::game::Game;
 /// most one direction for each coin that the current player wants to pocket; the coin goes to the
 /// nearest pocket for which both discs have a clear path.
 ///
-/// If there are none, these are the directions of full hits on those coins.
+/// If there is no such direction, returns the directions of full hits on the wanted coins.
 pub fn open_shots(game: &Game, from: DVec2) -> Vec<DVec2> {
     let sight = Sight::of(game);
     let coins = game.coins().iter().enumerate();
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn without_an_open_pocket_the_hits_are_full() {
-        // The black coins block every way from the white coin to a pocket.
+        // The black coins block every path from the white coin to a pocket.
         let mut coins = vec![coin(Piece::White, 0.0, 0.0)];
         let corners = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
         coins.extend(corners.map(|(x, y)| coin(Piece::Black, 0.1 * x, 0.1 * y)));

@@ -32,7 +32,7 @@ pub enum Strength {
     /// hand.
     #[strum(to_string = "club player")]
     Club,
-    /// Also considers cushion shots, and tries more of the strokes with an unsteady hand.
+    /// Also considers cushion shots, and tries more of the best strokes with an unsteady hand.
     Expert,
     /// Considers the same kinds of shot as an expert, tries more strokes and makes smaller errors.
     Champion,
@@ -64,8 +64,8 @@ pub(super) struct Skill {
     pub(super) looks_ahead: bool,
     /// Whether the first of the `slips` tries of each stroke is made without an error.
     pub(super) is_exact: bool,
-    /// Whether strokes are restricted to the [steps](crate::game::steps) in which a player sets
-    /// them, and to those that are not fouls when played exactly.
+    /// Whether strokes must be on the [steps](crate::game::steps) in which a player sets them, and
+    /// must not be fouls when played exactly.
     pub(super) on_steps: bool,
 }
 

@@ -234,8 +234,8 @@ fn plans_and_hints_use_the_restitution_of_the_game() {
             assert_eq!(story, super::Story::of(game, &shot));
         }
     }
-    // A full hit gives a coin (1 + e) m₁/(m₁ + m₂) of the striker's speed, so with a loss the
-    // planned stroke must be harder.
+    // A full hit gives a coin (1 + e) m₁/(m₁ + m₂) of the striker's speed, so the planned stroke
+    // must be harder in the lossy game.
     let passed_on = |game| Sight::of(game).passed_on(Piece::Striker);
     let ratio = passed_on(&lossy) / passed_on(&elastic);
     assert!((ratio - 1.4 / 2.0).abs() < 1e-12, "{ratio}");

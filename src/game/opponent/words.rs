@@ -14,7 +14,7 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 /// Below this angle, in radians (1.5°), a hit is called full and a path straight.
 const FULL: f64 = 0.026;
 
-/// Below this fraction of its speed before the hit, the striker is said to nearly stop.
+/// A striker that keeps less than this fraction of its speed in a hit is said to nearly stop.
 const NEARLY_STOPPED: f64 = 0.05;
 
 /// The smallest error in direction that is mentioned, in radians: it rounds to 0.1°.
@@ -213,8 +213,8 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
 }
 
 impl Slip {
-    /// The error in one sentence, in a stroke along `heading`; `stroke` is, for example, "My
-    /// stroke".
+    /// The error in a stroke along `heading`, in one sentence that begins with `stroke`, for
+    /// example "My stroke".
     pub(crate) fn in_words(self, stroke: &str, heading: DVec2) -> String {
         let turned = self.turn.atan();
         let percent = (100.0 * self.push).round();

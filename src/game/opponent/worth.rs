@@ -21,8 +21,8 @@ const TO_STRIKE: f64 = 1.6;
 /// The value of a sure coin to the side that has to wait: the coin may still be there at that
 /// side's next stroke.
 const TO_WAIT: f64 = 0.5;
-/// The number of striker positions between the base circles from which the board is evaluated; the
-/// two on the circles are added.
+/// The board is evaluated from this number of striker positions between the base circles, and from
+/// the two on the circles.
 const PLACES: u16 = 7;
 
 /// How a position is evaluated.
@@ -128,8 +128,8 @@ fn easiest_of(
     easiest
 }
 
-/// The approximate probability that a normal error is within `allowance`: 0.67 and 0.89 at one and
-/// two standard deviations (the exact values are 0.68 and 0.95).
+/// The approximate probability that a normally distributed error is within `allowance`: 0.67 and
+/// 0.89 at one and two standard deviations (the exact values are 0.68 and 0.95).
 fn likelihood(allowance: f64, hand: Hand) -> f64 {
     let deviations = allowance / hand.direction;
     let square = deviations * deviations;

@@ -40,8 +40,8 @@ const SETUP: [&str; 7] = [
 const RESTITUTION: NumberSpec = NumberSpec::new("a coefficient of restitution", "", 0.0, 1.0);
 
 impl SavedGame {
-    /// Reads a file and plays all its moves; returns it with the resulting game. `name` is the name
-    /// of the file in messages.
+    /// Reads a file and plays all its moves; returns the saved game and the game that results.
+    /// `name` is the name of the file in messages.
     ///
     /// # Errors
     /// Returns all errors: the file is not a saved game or is too new, a move is impossible, or the

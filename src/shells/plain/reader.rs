@@ -320,7 +320,7 @@ impl PlainReader {
         }
     }
 
-    /// Whether the screen is still the same.
+    /// Whether the app still shows the screen of `page`.
     fn is_the_same(&mut self, holder: &mut dyn AppHolder) -> bool {
         let now = self.look(holder.app());
         now.title == self.page.title && now.layer == self.page.layer
@@ -553,7 +553,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
         }
         for line in &section.lines {
             let is_known = known.contains(&line) || said.contains(line);
-            // The same letter may belong to an answer to another question.
+            // The same line may be an answer to another question.
             let is_entry = now.has_entry(line);
             let was_entry = before.has_entry(line);
             if !is_known || is_new || is_fresh && is_entry || was_entry && !is_entry {

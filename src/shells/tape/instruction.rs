@@ -26,8 +26,8 @@ pub enum Instruction {
     Scroll(MouseKind, u32, Option<(u16, u16)>),
     /// Advance simulated time.
     Sleep(Duration),
-    /// Switch to a device in a class: that of the pupil with this name, who joins if necessary, or
-    /// with `None` the teacher's.
+    /// Switch to a device in a class: that of the pupil with this name, who joins if necessary,
+    /// or, with `None`, the teacher's.
     At(Option<String>),
     /// Disconnect a pupil's device from the host (`false`), or connect it again.
     Reach(String, bool),

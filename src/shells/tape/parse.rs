@@ -48,8 +48,8 @@ impl Tape {
         Ok(tape)
     }
 
-    /// Adds a line. `names` contains the names of the screenshots so far, which must differ, and
-    /// their lines.
+    /// Adds a line. `names` contains the name of each earlier screenshot, with its line; no name
+    /// may be used twice.
     fn add(
         &mut self,
         line: usize,

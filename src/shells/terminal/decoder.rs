@@ -14,7 +14,8 @@ use crossterm::event::{
 
 /// The largest number of bytes of a paste that are used. No input field can hold more.
 pub(super) const LARGEST_PASTE: usize = 1 << 16;
-/// The start of a paste, after the control sequence introducer, and its end.
+/// The marker at the start of a paste, without its control sequence introducer, and the marker at
+/// the end.
 const PASTE: &[u8] = b"200~";
 const PASTE_END: &[u8] = b"\x1b[201~";
 /// The largest number of bytes of a control sequence that are kept. The longest sequence that a
@@ -246,7 +247,7 @@ fn pressed(code: KeyCode, held: KeyModifiers) -> Event {
 }
 
 /// A key without a control sequence: a character, a control character, either of these after Escape
-/// (which means Alt), or a sequence of three bytes with O.
+/// (which means Alt), or a sequence of Escape, O and one more byte.
 fn letter(bytes: &[u8], held: KeyModifiers) -> Option<Event> {
     let code = match bytes {
         [ESCAPE, b'O', last] => cursor_key(*last)?,

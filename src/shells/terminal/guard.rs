@@ -1,5 +1,5 @@
 //! Sets up and restores the terminal: raw mode, the alternate screen, the mouse, bracketed paste
-//! and the cursor, either all or none.
+//! and the cursor, either all of them or none.
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};

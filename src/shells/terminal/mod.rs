@@ -76,8 +76,8 @@ pub enum Ending {
 
 /// A terminal that collects each frame in memory and writes it in one go.
 ///
-/// The terminal is never dropped. When dropped, it would show the cursor, which the guard already
-/// does. If its window is closed, ratatui would print an error to standard error, which is closed
+/// The terminal is never dropped. Dropping it would show the cursor, which the guard already does.
+/// If its window is closed, ratatui would then print an error to standard error, which is closed
 /// too, and panic.
 type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
@@ -120,7 +120,7 @@ pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, Terminal
     let store_worker = StoreWorker::start(store, sender.clone()).map_err(TerminalError::SetUp)?;
     let guard = Guard::take().map_err(TerminalError::SetUp)?;
     reader::start(inbox.clone()).map_err(TerminalError::SetUp)?;
-    // The theme handles NO_COLOR. By default, crossterm would remove bold and reverse too.
+    // The theme handles NO_COLOR. By default, crossterm would remove bold and reverse video too.
     crossterm::style::force_color_output(true);
     let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
     let (columns, rows) = crossterm::terminal::size().map_err(TerminalError::SetUp)?;

@@ -15,7 +15,7 @@ use super::message::{Inbox, Message};
 use super::{guard, spawn};
 use crate::messages::Input;
 
-/// How long the drawing thread may take to quit, and how long restoring the terminal may take then.
+/// How long the drawing thread may take to quit, and how long restoring the terminal may then take.
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Starts the thread that waits for signals.
@@ -68,9 +68,9 @@ pub(super) fn can_stop() -> bool {
     getsid(None).is_ok_and(|session| session != getpgrp())
 }
 
-/// Stops the whole job until it is continued, which arrives as [`Message::Continue`]. If only
-/// carrom stopped, the program that started it, such as `cargo run`, would keep the shell waiting.
+/// Stops the whole job until it is continued; then [`Message::Continue`] arrives. If only carrom
+/// stopped, the program that started it, such as `cargo run`, would keep the shell waiting.
 pub(super) fn stop() {
-    // This fails only if the group does not exist, but this process belongs to the group.
+    // This could fail only if the group did not exist, but this process belongs to the group.
     let _ = kill_current_process_group(Signal::STOP);
 }

@@ -56,7 +56,7 @@ impl StoreWorker {
     }
 
     /// Passes a request to the thread. Returns `true` if the request takes so long that the screen
-    /// should show this. The result always arrives as an input.
+    /// should report the delay. The result always arrives as an input.
     pub(super) fn ask(&mut self, request: &StoreCall, sender: &Sender<Message>) -> bool {
         let (done, wait) = mpsc::channel();
         let job = Job {

@@ -29,7 +29,7 @@ const TERMINALS: [(&str, Version, Version); 5] = [
     ("foot", [1, 7], [1, 20]),
     // VTE reports one number: 8002 is 0.80.2. Sextants: notcurses in 2021. Octants:
     // breferrari/vigia, issue 324, names 0.78. VTE itself does not confirm this, so the version
-    // after that is listed here.
+    // after 0.78 is listed here.
     ("VTE", [6600, 0], [8000, 0]),
     // WezTerm's version begins with the day of its commit. Sextants: notcurses. Octants:
     // wezterm/wezterm, pull request 6502 of December 2024, which the changelog lists after the

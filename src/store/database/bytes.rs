@@ -11,7 +11,7 @@ use crate::progress::Attempt;
 /// which is a separate file and does not exist here; 1 means no such log.
 const WAYS_OF_WRITING: std::ops::Range<usize> = 18..20;
 
-/// Adds everything except the answers from one database to another.
+/// Adds everything in one database, except the answers, to another.
 const TAKE_IN: &str = "
     INSERT INTO star (player, pack, level, stars)
         SELECT player, pack, level, stars FROM opened.star WHERE true
@@ -34,8 +34,8 @@ const TAKE_IN: &str = "
 impl Database {
     /// A database in memory with the contents of these bytes. A database that a newer version of
     /// carrom has written stays unchanged, and refuses every request. If the bytes are damaged, all
-    /// readable rows are copied and a notice reports it. Also returns whether they were damaged,
-    /// because the caller then has to keep them under the name `kept`.
+    /// readable rows are copied and a notice reports the damage. Also returns whether the bytes
+    /// were damaged, because the caller then has to keep them under the name `kept`.
     ///
     /// # Errors
     /// The reason why the bytes cannot be used: they are not carrom's, or too damaged.

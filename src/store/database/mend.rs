@@ -16,7 +16,7 @@ use crate::files::fsync_dir;
 
 /// The temporary name of the unfinished new file.
 const DRAFT: &str = ".progress-mended.db";
-/// The temporary name of a copy of the damaged file that can be changed.
+/// The temporary name of a writable copy of the damaged file.
 const COPY: &str = ".progress-copy.db";
 /// The first bytes of every carrom database: the name of the format, pages of 4,096 bytes, a
 /// write-ahead log, no reserved space, and three fixed numbers. (Database File Format, section

@@ -1,8 +1,9 @@
 //! Reads the pages of a database file one by one, and skips damaged ones.
 //!
 //! SQLite ends a scan at the first unreadable page, and later rows can only be found by their keys.
-//! Walking the tree continues after such a page, without using keys. The numbers in this module are
-//! those of the Database File Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
+//! A walk through the tree can continue after such a page, and needs no keys. The numbers in this
+//! module are those of the Database File Format (<https://sqlite.org/fileformat.html>), sections
+//! 1.3 to 2.1.
 
 use std::collections::{BTreeSet, HashSet};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -16,8 +17,8 @@ const PAGE: usize = 4096;
 const FILE_HEADER: usize = 100;
 /// Where the file's header stores the number of the first page in the list of unused pages.
 const UNUSED: usize = 32;
-/// The limit on the number of bytes that are read, as a multiple of the file's size, so that
-/// overlapping cells and merging chains do not multiply the work. An undamaged file is read twice.
+/// The limit on the number of bytes that are read, as a multiple of the file's size. It keeps
+/// overlapping cells and merging chains from multiplying the work. An undamaged file is read twice.
 const READINGS: u64 = 16;
 
 /// The layout of the pages of a tree.

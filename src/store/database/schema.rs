@@ -1,9 +1,9 @@
 //! The versions of the database.
 //!
 //! `user_version` is the version of a file. A step leads from each version to the next. A step is
-//! never changed once it is released; a change is a new step. Each step from the fourth on must
-//! change the schema, so that a number that is too high for the schema is known to be damaged and
-//! not that of a newer version of carrom.
+//! never changed once it is released; every change needs a new step. Each step from the fourth on
+//! must change the schema, so that a number that is too high for the schema is known to be damaged
+//! and not that of a newer version of carrom.
 
 use std::fs::File;
 use std::io::Read;
@@ -69,8 +69,8 @@ fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
 
 /// The version of a database, if this version of carrom can read it. The number must fit the
 /// schema, and the schema must be one that carrom creates, because a view instead of a table could
-/// make any query endless. The caller must begin a transaction, so that both are read at the same
-/// time.
+/// make any query endless. The caller must begin a transaction, so that the number and the schema
+/// are read at the same time.
 pub(super) fn examine(connection: &Connection) -> Result<i64, DatabaseError> {
     let found = version(connection)?;
     let items = items(connection)?;
@@ -225,7 +225,8 @@ pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
     let found: String = connection.query_row("PRAGMA integrity_check(1)", [], |row| row.get(0))?;
     match found.as_str() {
         "ok" => Ok(()),
-        // SQLite's report begins with the name of the database, but a connection here has only one.
+        // SQLite's report begins with the name of the database, which is left out, because a
+        // connection here has only one database.
         _ => Err(DatabaseError::Damaged(
             found.replace("*** in database main ***", "").trim().into(),
         )),

@@ -82,7 +82,7 @@ fn law_29_the_end_of_the_game_is_announced_at_25_points() {
     assert_eq!(table.0.stage(), GameStage::GameOver(White));
 }
 
-/// A game after these `boards`, in which South breaks again.
+/// A game in which these `boards` have been played and South breaks again.
 fn after(mut table: Table, boards: &[(Team, u8)]) -> Table {
     table.0.finished = boards
         .iter()

@@ -14,8 +14,8 @@ use crate::game::stroke::Stroke;
 use crate::game::table::{Game, GameSetup, GameStage};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
-/// A random stroke. Nine in ten touch a piece: each coin is then pocketed with the probability
-/// `luck`, and the others end at random positions.
+/// A random stroke. Nine strokes in ten touch a piece: each coin is then pocketed with the
+/// probability `luck`, and the others end at random positions.
 fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
     let touched = hand.random_bool(0.9);
     let mut spots: Vec<DVec2> = (0..256_i32)

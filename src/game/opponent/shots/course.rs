@@ -35,7 +35,8 @@ pub(in super::super) fn to_the_pockets(
     ways.map(move |way| into_pocket(sight, coin, way))
 }
 
-/// The unblocked paths of a coin into a pocket off either of the two cushions opposite it.
+/// The unblocked paths of a coin into pockets, each off one of the two cushions opposite the
+/// pocket.
 pub(in super::super) fn off_a_cushion(
     sight: &Sight,
     coin: usize,
@@ -69,7 +70,7 @@ fn into_pocket(sight: &Sight, coin: usize, way: Way) -> Unchecked<PocketPath> {
     }
 }
 
-/// The courses of other coins that drive a coin along its course.
+/// The courses on which other coins drive a coin along `course`.
 pub(in super::super) fn combinations(
     sight: &Sight,
     course: &PocketPath,

@@ -49,7 +49,7 @@ pub(super) fn spell(text: &str) -> String {
         };
         let name = match (count, bare) {
             _ if is_factor && stop.is_empty() => {
-                // The number refers to the whole unit: "gram metres per second".
+                // Only the last part of the unit can be plural: "gram metres per second".
                 words.extend(name(bare, Count::One).map(str::to_owned));
                 continue;
             }
