@@ -1,5 +1,5 @@
-//! Measures the cost of a frame while something moves, as its bytes in a pseudo-terminal and the
-//! time to draw it: `cargo bench --bench frames`.
+//! Measures the cost of a frame while something moves: its size in bytes in a pseudo-terminal, and
+//! the time to draw it: `cargo bench --bench frames`.
 
 #[cfg(unix)]
 #[allow(dead_code, reason = "only the output is counted")]

@@ -1,10 +1,10 @@
 //! Measures how long it takes to make a gradebook, and shows whether this time grows no faster than
 //! the class: `cargo bench --bench gradebook`.
 //!
-//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is timed
-//! the way `carrom gather` works, from the bytes of the files to the finished document; the last
-//! column compares the time per pupil with that of the smallest class. Another file contains 5,000
-//! rounds.
+//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. For each size,
+//! the work of `carrom gather` is timed, from the bytes of the files to the finished document; the
+//! last column compares the time per pupil with that of the smallest class. Another file contains
+//! 5,000 rounds.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

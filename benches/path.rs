@@ -2,9 +2,9 @@
 //!
 //! Simulated learners start with an empty record and take one suggested step after another, until
 //! every chapter is done or known and no misconception is left, and then until only the table
-//! remains; one kind only plays levels, whatever is suggested. The learners' bookmarks, stars and
-//! answers are kept in the program's own types. `-- 10` simulates 10 learners of each kind instead
-//! of 100.
+//! remains; one kind of learner plays only levels, whatever is suggested. The learners' bookmarks,
+//! stars and answers are kept in the program's own types. `-- 10` simulates 10 learners of each
+//! kind instead of 100.
 
 use std::thread;
 

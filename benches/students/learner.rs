@@ -132,7 +132,7 @@ impl Learner {
                 let seed = self.steps.len() as u64;
                 if let Some(course) = course {
                     let is_right = self.play(Code { course, seed });
-                    // The summary of a failed check names the page again.
+                    // The summary of a failed check names the page about the misconception again.
                     if matches!(step, Step::Check(_)) && !is_right {
                         self.is_convinced();
                     }

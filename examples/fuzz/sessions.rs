@@ -65,8 +65,8 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
         if told {
             println!("{step}: {act:?}");
         }
-        // It is usually a key with a meaning that opens another screen; changes with other causes
-        // are noticed after a few inputs.
+        // Another screen is usually opened by a key with a meaning; changes with other causes are
+        // noticed after a few inputs.
         let is_meant = matches!(&act, Act::Tell(Input::Key(key)) if moment.means(key));
         let has_changed = watched(|| {
             match &act {

@@ -194,7 +194,7 @@ impl App {
         self.context.pictures = sizes;
     }
 
-    /// Sets the settings that were stored when the app started; if `kept` is `None`, the stored
+    /// Tells the app which settings were stored when it started; if `kept` is `None`, the stored
     /// settings are not changed.
     pub fn set_kept(&mut self, kept: Option<KeptSettings>) {
         self.context.kept = kept;

@@ -19,7 +19,7 @@ pub enum HostCall {
     },
     /// Send pupils their states.
     Tell(Vec<(ConnectionId, PupilState)>),
-    /// Tell a pupil why they are refused or removed, and disconnect.
+    /// Tell a pupil why they are refused or removed, and disconnect them.
     Refuse(ConnectionId, Refusal),
     /// Stop pupils from joining, and disconnect everyone.
     Close,

@@ -1,5 +1,5 @@
-//! Plots of the outcome against the impact angle, with a draggable point, and below the plot the
-//! collision at that point.
+//! Plots of the outcome against the impact angle, each with a draggable point; the collision at
+//! that point is drawn below the plot.
 
 use glam::DVec2;
 use ratatui::layout::{Margin, Rect};

@@ -260,7 +260,8 @@ impl Watch {
         true_minus(&fraction.to_string())
     }
 
-    /// The text for a body, except in the laboratory frame with the target at rest and smooth rims.
+    /// The text on how the components of a disc's velocity change, for all cases except one: the
+    /// laboratory frame with the target at rest and smooth rims.
     fn changed(&self, body: usize, title: &str) -> String {
         let [un, ut] = self.parts([self.collision.u1, self.collision.u2][body]);
         let [vn, vt] = self.parts([self.outcome.v1, self.outcome.v2][body]);

@@ -131,7 +131,7 @@ fn before(stage: &HitLayout) -> [DVec2; 2] {
 }
 
 /// Draws the impact parameter: the line through the coin's centre parallel to the striker's path,
-/// and the distance between the two lines.
+/// and the distance between this line and the path.
 fn offset(sketch: &mut Sketch, along: DVec2, ahead: f64, figures: bool) {
     let stage = sketch.stage;
     let [c1, c2] = stage.centres;

@@ -56,8 +56,9 @@ impl ArrowScale {
         Self::scaled(room.fold(LONGEST * stage.unit(), f64::min), fastest)
     }
 
-    /// The largest scale at which velocities attached at their roots fit into the picture, and a
-    /// component `along` the line of impact that begins at one centre does not reach the other.
+    /// The largest scale at which velocities attached at their roots fit into the picture, and at
+    /// which a component `along` the line of impact that begins at one disc's centre does not reach
+    /// the other disc's centre.
     pub(super) fn fit_rooted(
         stage: &HitLayout,
         along: DVec2,
@@ -350,8 +351,8 @@ impl Sketch {
         self.name(velocity, at, towards);
     }
 
-    /// The free end of an arrow, and the direction in which this end points: out of the discs,
-    /// which labels never cover.
+    /// The free end of an arrow, and the direction in which this end points. An end inside a disc
+    /// is moved ahead to the rim if the arrow begins at its root, because labels never cover discs.
     fn free_end(&self, root: Root, [tail, tip]: [DVec2; 2]) -> (DVec2, DVec2) {
         let direction = (tip - tail).normalize_or_zero();
         if let Root::UpTo(_) = root {

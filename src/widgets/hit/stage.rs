@@ -97,7 +97,8 @@ impl HitLayout {
     }
 
     /// A disc's ray at an angle in radians, with the sign convention of `turn`, starting from the
-    /// disc's position at contact: its direction, the point where it leaves the rim, and its end.
+    /// disc's position at contact: the ray's direction, the point where the ray leaves the rim, and
+    /// the ray's end.
     pub(crate) fn ray(&self, ray: Ray, angle: f64) -> (DVec2, [DVec2; 2]) {
         let centre = self.centres[ray as usize];
         let direction = DVec2::from_angle(turn(ray) * angle).rotate(self.heading());

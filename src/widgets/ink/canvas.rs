@@ -44,8 +44,8 @@ pub(in crate::widgets) struct Canvas {
     pub(super) is_mono: bool,
     pub(super) cells: Vec<Cell>,
     pub(in crate::widgets) labels: Vec<PlacedLabel>,
-    /// The cells of the points that other labels keep away from, counted from the corner of the
-    /// area.
+    /// The cells of labels' anchors, from which other labels keep away, counted from the corner of
+    /// the area.
     pub(super) expected: Vec<CellPlace>,
     pub(super) stroke: StrokeSamples,
 }

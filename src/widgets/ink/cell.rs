@@ -108,8 +108,8 @@ impl Cell {
         self.discs.iter().all(|disc| disc.faint || disc.bits == 0)
     }
 
-    /// Whether the edge of a disc is clearly visible in this cell, or the edge of a part of a board
-    /// with only board lines on it.
+    /// Whether an edge is clearly visible in this cell: that of a disc or, if the cell has no
+    /// strokes other than board lines, that of a part of a board.
     pub(super) fn has_edge(&self) -> bool {
         let is_edge = |cover: &DiscCover| (8..64).contains(&cover.bits.count_ones());
         is_edge(&self.discs[0]) || self.pen.layer == DrawLayer::Ground && is_edge(&self.ground[0])

@@ -65,8 +65,9 @@ impl Canvas {
         }
     }
 
-    /// Whether discs at one scale are drawn as circles, blocks or outlines, which is the case if
-    /// the smallest is high enough to be distinguished from its neighbours.
+    /// Whether discs at one scale are drawn as circles, blocks or outlines rather than as tokens,
+    /// which is the case if the smallest disc is high enough to be distinguished from its
+    /// neighbours.
     pub(super) fn are_round(&self, bodies: &[Body]) -> bool {
         let fewest_rows = match self.charset {
             Charset::Ascii => token_rows(self.charset),

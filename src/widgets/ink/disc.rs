@@ -74,8 +74,8 @@ impl Canvas {
 
     /// Draws a disc as a block of half cells, at most a quarter of a cell from its true place in
     /// each direction. The queen and the striker have the letter of their [`token`], in a cell of
-    /// their colour. Their blocks are an even number of half cells wide, so if this cell sticks
-    /// out, it moves the middle of the block towards the true place.
+    /// their colour. Their blocks are an even number of half cells wide, so if the letter's cell
+    /// sticks out, it moves the middle of the block towards the true place.
     pub(super) fn block(&mut self, body: &Body) {
         let (centre, role) = (self.paper(body.at), body.role);
         let radius = body.radius / self.view().per_column();
@@ -183,7 +183,7 @@ impl Canvas {
     }
 }
 
-/// The eighths of the cell beginning at `column` whose middles are between `from` and `to`.
+/// Those eighths of the cell beginning at `column` that have their middles between `from` and `to`.
 pub(super) fn eighths(from: f64, to: f64, column: f64) -> u8 {
     let edge = |at: f64| ((at - column) * 8.0 + 0.5).floor().clamp(0.0, 8.0) as u32;
     let (low, high) = (edge(from), edge(to));

@@ -56,9 +56,9 @@ fn is_within_reach(cell: DVec2) -> bool {
 
 impl Canvas {
     /// Writes labels after everything else has been drawn: first those that may be close to the
-    /// anchors of later labels, then those that avoid them. A label is shortened if there is no
-    /// room nearby; if it still does not fit, the full label is placed farther away, clear of other
-    /// anchors.
+    /// anchors of later labels, then those that keep away from each other's anchors. A label is
+    /// shortened if there is no room nearby; if it still does not fit, the full label is placed
+    /// farther away, clear of other anchors.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
         let mut left = self.write_near(apart);
@@ -212,7 +212,7 @@ impl Canvas {
     /// Whether a label at this position is beside its own anchor rather than the anchor of another
     /// label, so that it does not seem to belong to the other point.
     fn is_beside_own_anchor(&self, (x, y): (i32, i32), width: i32, own: (i32, i32)) -> bool {
-        // The squared distance, in columns; a row is two columns high.
+        // The square of the distance in columns; a row is two columns high.
         let apart = |(column, row): (i32, i32)| {
             let aside = (x - column).max(column - (x + width - 1)).max(0);
             aside * aside + 4 * (row - y) * (row - y)

@@ -7,7 +7,7 @@ use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
 /// The shortest path that counts as motion, in radii of the disc; also the smallest component along
-/// t that counts, as a fraction of the velocity.
+/// t that does not count as zero, as a fraction of the velocity.
 const STANDS: f64 = 1e-6;
 /// The distance of a letter from the centre when it is moved aside, in radii of the disc.
 const LETTER_ASIDE: f64 = 0.55;

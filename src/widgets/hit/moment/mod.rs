@@ -67,8 +67,8 @@ impl Moment<'_> {
     }
 
     /// The velocities after the contact, for the arrows at a given time. If the pair moves on
-    /// together, both are the velocity of the centre of mass; in the centre-of-mass frame they are
-    /// the velocities of the discs as the pair rotates.
+    /// together, both are the velocity of the centre of mass, except in the centre-of-mass frame:
+    /// there they are the velocities of the discs as the pair rotates.
     fn after(&self, time: f64) -> [DVec2; 2] {
         let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
         if self.sticks() && self.watch.frame == Frame::CentreOfMass {

@@ -34,7 +34,7 @@ impl Moment<'_> {
         let pen = self.pen(Role::Arc);
         if frame == Frame::CentreOfMass {
             // In this frame both discs are deflected by the same angle, so one arc is enough. Two
-            // discs that move on together rotate or are at rest instead.
+            // discs that move on together have no such angle: they rotate or are at rest.
             if !self.sticks() {
                 sketch.arc(0, [before[0], after[0]], "Θ = ", pen);
             }

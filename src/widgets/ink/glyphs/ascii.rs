@@ -30,7 +30,7 @@ pub(in super::super) static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = Lazy
     HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
 });
 
-/// The fraction of a sample's ink that each of its neighbours receives, because both strokes and
+/// The fraction of a sample's ink that each neighbouring sample receives, because both strokes and
 /// glyphs are slightly wider than the samples that they pass through.
 const BLUR: f32 = 0.5;
 

@@ -61,8 +61,8 @@ static SEXTANTS: LazyLock<Finer> = LazyLock::new(|| Finer::new(&[0, 3, 5, 8], bl
 static OCTANTS: LazyLock<Finer> = LazyLock::new(|| Finer::new(&[0, 2, 4, 6, 8], blocks::octants()));
 
 impl Finer {
-    /// The finer blocks in a set: octants for shapes in quarters of a cell, sextants for shapes in
-    /// thirds.
+    /// The finer blocks in a set: octants for shapes with edges at quarters of a cell's height,
+    /// sextants for shapes with edges at thirds of it.
     fn of(set: Blocks) -> impl Iterator<Item = &'static Self> {
         [(Blocks::Sextants, &SEXTANTS), (Blocks::Octants, &OCTANTS)]
             .into_iter()
